@@ -7,6 +7,7 @@
 #include "app/fmt.h"
 #include "app/frame_commands.h"
 #include "app/help.h"
+#include "app/ini.h"
 #include "app/lsp.h"
 #include "app/memory_limit.h"
 #include "app/merge.h"
@@ -53,7 +54,7 @@ int run_task(const Options& options, const std::optional<Animation>& animation,
 /// The options in force as an INI file.
 std::string ini_text(const Options& options) {
     std::string text;
-    for (const std::string& line : options.given) text += line + "\n";
+    for (const std::string& option : options.given) text += ini_line(option) + "\n";
     return text;
 }
 
@@ -68,18 +69,6 @@ void leave_out_commands(Options& options, Diagnostics& diagnostics) {
                                             "that is permitted"))
                                 .with_help("--allow-commands"));
     options.commands = {};
-}
-
-/// Confines the program to what the run needs. False after a report: a sandbox was asked for, and
-/// the system has none. Commands of the shell may need anything.
-bool confined(const Options& options, const Console& console, Diagnostics& diagnostics) {
-    const bool wanted = options.sandbox.value_or(!options.commands.any());
-    if (!wanted || !console.confine) return true;
-    if (console.confine(sandbox_rules(options, console.library)) || !options.sandbox) return true;
-    diagnostics.add(
-        error(Fault::option, {}, "this system has no sandbox: Landlock or seccomp is missing")
-            .with_help("--sandbox off"));
-    return false;
 }
 
 /// What the program does beside rendering, by its first argument.
@@ -185,7 +174,8 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
         streams.say(stream, text, plain);
     };
     sorted.made_files = std::make_shared<MadeFiles>(*options.scene);
-    if (!confined(options, console, diagnostics)) return end_with_errors(exit_status::usage);
+    if (!confined(options, sandbox_rules(options, console.library), console, diagnostics))
+        return end_with_errors(exit_status::usage);
     return run_task(options, animation, sorted, diagnostics);
 }
 

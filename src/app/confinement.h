@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/option_table.h"
+#include "text/loader.h"
 
 #include <optional>
 #include <string>
@@ -25,6 +26,8 @@ public:
     BrokenRule of_option(const OptionRow&, const Given&) const;
     /// For a scene, whose ending may be left out, or another INI file that stands alone.
     BrokenRule of_read(const std::string& path) const;
+    /// For these files: the one that is judged is the one that is read.
+    Reader reader(const Reader& of_all) const { return of_all.within(Door(readable_, {})); }
     /// Whether a limit is higher than outside of the file, and what is said then.
     bool exceeded(const Options&) const;
     static std::string limit_rule();

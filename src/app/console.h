@@ -41,7 +41,16 @@ struct Exhibit {
     const RenderSettings& settings;
     const Film& film;
     const LightLedger& rays;
-    double done = 0;  ///< share of the work
+};
+
+/// A scene that is ready to be rendered.
+struct Staged {
+    World& world;
+    const SourceStore& sources;
+    const Options& options;
+    PictureFormat format;                    ///< of a picture that is written
+    FilmSettings film;                       ///< with the grain of this picture
+    const std::vector<std::string>& lights;  ///< names of the statements that make lights
 };
 
 struct Console {
@@ -56,9 +65,9 @@ struct Console {
     Environment environment;  ///< variables; empty: there are none
     /// Confines the process to these rules; false when the system cannot. Empty: it stays free.
     std::function<bool(const SandboxRules&)> confine;
-    /// Who looks at pictures on their way and, as long as they like, at finished ones; and at the
-    /// files that they are made from. May be empty.
-    std::function<void(const Exhibit&)> watch, linger;
+    /// Who renders the scene to look at it, so that no picture is written; and who wants to know
+    /// the files that it is made from. May be empty.
+    std::function<void(const Staged&)> stage;
     std::function<void(const std::vector<ReadFile>&)> files_read;
     /// So that several runs can take turns: called before a picture is rendered, which false
     /// prevents; once there may be cores that it has no work for (not with a time limit); and when

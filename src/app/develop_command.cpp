@@ -4,6 +4,7 @@
 #include "app/layers.h"
 #include "app/option_store.h"
 #include "app/output.h"
+#include "app/sandbox.h"
 #include "film/develop.h"
 #include "picture/layers.h"
 #include "text/message.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -35,7 +37,7 @@ bool matters_to_develop(std::string_view given) {
                                          "Warning_Level=",    "Work_Threads=",     "--film=",
                                          "--exposure=",       "--white-balance=",  "--response=",
                                          "--pixel-filter=",   "--smooth-edges=",   "--glare=",
-                                         "--vignette=",       "--grain="});
+                                         "--vignette=",       "--grain=",          "--sandbox="});
     return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
 }
 
@@ -117,7 +119,9 @@ public:
     std::vector<double> alpha(const std::string& layer) const {
         std::vector<double> alpha;
         if (const ChannelPlane* plane = find(layer.empty() ? "A" : layer + ".A"))
-            for (std::size_t i = 0; i < plane->bits.size(); ++i) alpha.push_back(value(*plane, i));
+            // Of other programs, more than opaque; what is no number becomes 0.
+            for (std::size_t i = 0; i < plane->bits.size(); ++i)
+                alpha.push_back(std::fmin(1, std::fmax(0, value(*plane, i))));
         return alpha;
     }
 
@@ -258,6 +262,9 @@ int run_develop(std::span<const std::string_view> arguments, const Console& cons
     if (!diagnostics.failed() && request.files.size() > 1 && names_one_file(request))
         diagnostics.add(error(Fault::option, {}, "several pictures cannot go to one file")
                             .with_help("-o a folder, with a / at its end"));
+    if (!diagnostics.failed())
+        confined(request.options, sandbox_rules(request.options, console.library, request.files),
+                 console, diagnostics);
     if (diagnostics.failed()) return end(exit_status::usage);
     Developer developer(request, diagnostics);
     for (const std::string& file : request.files)

@@ -39,7 +39,7 @@ std::string_view unquoted(std::string_view value) {
 /// Blanks around the first `=` go, and quotes around the value.
 std::string as_argument(std::string_view line) {
     const std::size_t equals = line.find('=');
-    if (equals == line.npos || line[0] == '-') return std::string(unquoted(line));
+    if (equals == line.npos) return std::string(unquoted(line));
     const std::string_view value = trimmed(line.substr(equals + 1));
     // A declared string keeps its quotes: they are what makes it a string.
     return std::string(trimmed(line.substr(0, equals))) + "=" + std::string(unquoted(value));
@@ -91,6 +91,22 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string
         }
     }
     return found ? std::optional(std::move(lines)) : std::nullopt;
+}
+
+std::string ini_line(const std::string& option) {
+    const auto says_it = [&](const std::string& line) {
+        const auto read = ini_lines(line, {});
+        return read && read->size() == 1 && read->front().option == option;
+    };
+    // Behind the sign of a switch, and around a value.
+    const std::size_t equals = option.find('=');
+    const std::size_t at = !option.empty() && is_switch(option) ? 1 : equals + 1;
+    for (const char quote : {'"', '\''}) {
+        if (says_it(option)) return option;
+        const std::string quoted = option.substr(0, at) + quote + option.substr(at) + quote;
+        if (says_it(quoted)) return quoted;
+    }
+    return option;
 }
 
 std::optional<IniName> ini_name(std::string_view argument) {

@@ -21,6 +21,10 @@ struct IniLine {
 /// such section.
 std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string_view section);
 
+/// The line that says an option, in quotes if it needs them. With quotes of both kinds beside a `;`
+/// or at the ends of a value there is none: it is the option as it stands then.
+std::string ini_line(const std::string& option);
+
 /// "scene.ini[Part]": file and section.
 struct IniName {
     std::string file;

@@ -3,7 +3,6 @@
 
 #include "app/light_report.h"
 #include "base/parallel.h"
-#include "film/develop.h"
 #include "film/film.h"
 #include "render/pilot.h"
 #include "scene/dump_texture.h"
@@ -19,22 +18,22 @@ namespace candelabra {
 
 namespace {
 
-std::size_t pixel_count(const Film& film) { return film.pixels().size(); }
+/// A picture with fewer rows and columns.
+Image blank(const Exhibit& shown, int step) {
+    return Image((shown.film.width() + step - 1) / step, (shown.film.height() + step - 1) / step);
+}
 
 /// What the middle of each pixel shows.
-std::vector<PrimaryHit> sights(const Exhibit& shown) {
-    const int width = shown.film.width(), height = shown.film.height();
-    std::vector<PrimaryHit> all(pixel_count(shown.film));
+std::vector<PrimaryHit> sights(const Exhibit& shown, int width, int height) {
+    std::vector<PrimaryHit> all(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     run_parallel(static_cast<std::size_t>(height), shown.settings.threads, [&](std::size_t row) {
         const int y = static_cast<int>(row);
         for (int x = 0; x < width; ++x)
-            all[shown.film.index(x, y)] =
+            all[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
                 primary_hit(shown.world, middle_ray(shown.world, {x, y, width, height}));
     });
     return all;
 }
-
-Image blank(const Exhibit& shown) { return Image(shown.film.width(), shown.film.height()); }
 
 /// A colour that tells a number from its neighbours.
 Vec3 colour_of(std::uint32_t number) {
@@ -47,65 +46,70 @@ Vec3 colour_of(std::uint32_t number) {
 }
 
 template <class Colour>
-Image of_sights(const Exhibit& shown, const Colour& colour) {
-    const std::vector<PrimaryHit> seen = sights(shown);
-    Image image = blank(shown);
+Image of_sights(const Exhibit& shown, int step, const Colour& colour) {
+    Image image = blank(shown, step);
+    const std::vector<PrimaryHit> seen = sights(shown, image.width, image.height);
     for (std::size_t i = 0; i < seen.size(); ++i)
         if (seen[i].met) image.pixels[i] = colour(seen[i]);
     return image;
 }
 
-Image depths(const Exhibit& shown) {
-    const std::vector<PrimaryHit> seen = sights(shown);
+Image depths(const Exhibit& shown, int step) {
+    Image image = blank(shown, step);
+    const std::vector<PrimaryHit> seen = sights(shown, image.width, image.height);
     double nearest = std::numeric_limits<double>::infinity();
     for (const PrimaryHit& each : seen)
         if (each.met) nearest = std::min(nearest, each.distance);
-    Image image = blank(shown);
     for (std::size_t i = 0; i < seen.size(); ++i)
         if (seen[i].met) image.pixels[i] = Vec3(nearest / seen[i].distance);
     return image;
 }
 
 template <class Value>
-Image of_film(const Exhibit& shown, const Value& value) {
-    Image image = blank(shown);
+Image of_film(const Exhibit& shown, int step, const Value& value) {
+    Image image = blank(shown, step);
     double most = 0;
     for (const PixelSum& pixel : shown.film.pixels()) most = std::max(most, value(pixel));
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = Vec3(most > 0 ? value(shown.film.pixels()[i]) / most : 0);
+    for (int y = 0; y < image.height && most > 0; ++y)
+        for (int x = 0; x < image.width; ++x)
+            image.at(x, y) = Vec3(value(shown.film.at(x * step, y * step)) / most);
     return image;
 }
 
 struct NamedView {
     std::string_view name;
-    Image (*made)(const Exhibit&);
+    bool still;
+    Image (*made)(const Exhibit&, int step);
 };
 constexpr auto all_views = std::to_array<NamedView>({
-    {"picture", picture_of},
-    {"albedo",
-     [](const Exhibit& shown) {
-         return of_sights(shown, [](const PrimaryHit& seen) { return seen.albedo; });
+    {"albedo", true,
+     [](const Exhibit& shown, int step) {
+         return of_sights(shown, step, [](const PrimaryHit& seen) { return seen.albedo; });
      }},
-    {"normal",
-     [](const Exhibit& shown) {
-         return of_sights(shown, [](const PrimaryHit& seen) { return 0.5 * (seen.normal + 1.0); });
+    {"normal", true,
+     [](const Exhibit& shown, int step) {
+         return of_sights(shown, step,
+                          [](const PrimaryHit& seen) { return 0.5 * (seen.normal + 1.0); });
      }},
-    {"depth", depths},
-    {"object",
-     [](const Exhibit& shown) {
-         return of_sights(shown, [](const PrimaryHit& seen) { return colour_of(seen.object); });
+    {"depth", true, depths},
+    {"object", true,
+     [](const Exhibit& shown, int step) {
+         return of_sights(shown, step,
+                          [](const PrimaryHit& seen) { return colour_of(seen.object); });
      }},
-    {"variance",
-     [](const Exhibit& shown) {
-         return of_film(shown, [](const PixelSum& pixel) { return pixel.variance_of_mean(); });
+    {"variance", false,
+     [](const Exhibit& shown, int step) {
+         return of_film(shown, step,
+                        [](const PixelSum& pixel) { return pixel.variance_of_mean(); });
      }},
-    {"samples",
-     [](const Exhibit& shown) {
-         return of_film(shown, [](const PixelSum& pixel) { return double(pixel.samples); });
+    {"samples", false,
+     [](const Exhibit& shown, int step) {
+         return of_film(shown, step, [](const PixelSum& pixel) { return double(pixel.samples); });
      }},
-    {"shadow_rays",
-     [](const Exhibit& shown) {
-         return of_film(shown, [](const PixelSum& pixel) { return double(pixel.shadow_rays); });
+    {"shadow_rays", false,
+     [](const Exhibit& shown, int step) {
+         return of_film(shown, step,
+                        [](const PixelSum& pixel) { return double(pixel.shadow_rays); });
      }},
 });
 
@@ -148,22 +152,21 @@ std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
 
 }  // namespace
 
-Image picture_of(const Exhibit& shown) {
-    const FilmSettings& film = shown.world.view.film;
-    Negative negative{shown.film.image(), {}, {}};
-    return film.on ? develop(negative, film, shown.settings.threads) : std::move(negative.light);
-}
-
 std::vector<std::string_view> views() {
     std::vector<std::string_view> names;
     for (const NamedView& each : all_views) names.push_back(each.name);
     return names;
 }
 
-std::optional<Image> view(const Exhibit& shown, std::string_view name) {
+bool is_still(std::string_view name) {
+    const auto found = std::ranges::find(all_views, name, &NamedView::name);
+    return found != all_views.end() && found->still;
+}
+
+std::optional<Image> view(const Exhibit& shown, std::string_view name, int step) {
     const auto found = std::ranges::find(all_views, name, &NamedView::name);
     if (found == all_views.end()) return std::nullopt;
-    return found->made(shown);
+    return found->made(shown, step);
 }
 
 std::string what_is_under(const Exhibit& shown, int x, int y) {

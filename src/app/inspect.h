@@ -12,16 +12,16 @@
 
 namespace candelabra {
 
-/// What can be looked at: "picture", and the layers that need no light of their own.
+/// The layers that can be looked at beside the picture.
 std::vector<std::string_view> views();
 
-/// As its film develops it, if the scene has one.
-Image picture_of(const Exhibit&);
+/// Whether a layer stays as it is while the picture becomes better.
+bool is_still(std::string_view name);
 
 /// One of these, in colours for a screen: directions from -1 to 1 as 0 to 1, near things bright,
 /// each object in a colour of its own, and numbers as shares of their greatest. Nothing for
-/// another name.
-std::optional<Image> view(const Exhibit&, std::string_view name);
+/// another name. `step`: of so many rows and columns one is taken.
+std::optional<Image> view(const Exhibit&, std::string_view name, int step = 1);
 
 /// Colour, place, object and texture under a pixel, and the statements that light it with their
 /// shares, each on a line; empty outside of the picture.

@@ -5,6 +5,7 @@
 #include "app/layers.h"
 #include "app/option_store.h"
 #include "app/output.h"
+#include "app/sandbox.h"
 #include "picture/file.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -172,8 +173,9 @@ struct Request {
 /// Whether an option, as in an INI file, can change what merge does.
 bool matters(std::string_view given) {
     static constexpr auto all = std::to_array<std::string_view>(
-        {"Output_File_Name=", "Output_File_Type=", "+F", "Bits_Per_Color=", "Grayscale_Output=",
-         "Verbose=", "--diagnostics=", "--warn=", "Warning_Level=", "Input_File_Name="});
+        {"Output_File_Name=", "Output_File_Type=", "+F",
+         "Bits_Per_Color=", "Grayscale_Output=", "Verbose=", "--diagnostics=", "--warn=",
+         "Warning_Level=", "Input_File_Name=", "--sandbox="});
     return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
 }
 
@@ -256,6 +258,9 @@ int merge(std::span<const std::string_view> arguments, const Console& console) {
         say_errors(console, request.options, diagnostics);
         return status;
     };
+    if (!diagnostics.failed())
+        confined(request.options, sandbox_rules(request.options, console.library, request.files),
+                 console, diagnostics);
     if (diagnostics.failed()) return end(exit_status::usage);
     std::ranges::sort(request.files);  // what is said does not depend on their order
     const Gaps gaps = !request.partial       ? Gaps::none

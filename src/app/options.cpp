@@ -86,7 +86,7 @@ public:
             if (settings.find('/') == settings.npos)
                 read_confined(settings, ini);
             else
-                read_ini(settings, ini);
+                read_ini(settings, ini, read_);
         }
         permitted_ = permissions();
         while (next_ < arguments_.size()) read_one(arguments_[next_++]);
@@ -172,12 +172,13 @@ private:
             outside.writable = permitted_.writable;
             confined_.emplace(ini.file, outside);
         }
-        read_ini(argument, ini);
+        // Only the outermost is one that the user has named.
+        read_ini(argument, ini, outermost ? read_ : confined_->reader(read_));
         if (outermost) confined_.reset();
     }
 
-    void read_ini(std::string_view argument, const IniName& ini) {
-        const std::optional<std::string> text = read_ ? read_(ini.file) : std::nullopt;
+    void read_ini(std::string_view argument, const IniName& ini, const Reader& reader) {
+        const std::optional<std::string> text = reader ? reader(ini.file) : std::nullopt;
         if (!text) return fail(argument, "there is no such file that can be read");
         if (depth_ >= max_ini_files)
             return fail(argument,

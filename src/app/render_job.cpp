@@ -21,13 +21,6 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// With --time alone there are as many samples as the time allows.
 constexpr int max_samples_in_time = 1'000'000;
 
-RenderSettings timed(const Options& options) {
-    RenderSettings settings = options.render;
-    if (options.time && settings.samples == 0 && settings.noise == 0)
-        settings.samples = max_samples_in_time;
-    return settings;
-}
-
 std::uint32_t max_samples(const RenderState& state) {
     std::uint32_t most = 0;
     for (const PixelSum& pixel : state.film.pixels()) most = std::max(most, pixel.samples);
@@ -35,6 +28,13 @@ std::uint32_t max_samples(const RenderState& state) {
 }
 
 }  // namespace
+
+RenderSettings timed(const Options& options) {
+    RenderSettings settings = options.render;
+    if (options.time && settings.samples == 0 && settings.noise == 0)
+        settings.samples = max_samples_in_time;
+    return settings;
+}
 
 std::string state_path(const std::string& picture, const std::optional<Shard>& shard) {
     const std::string part = shard ? message('.', shard_name(*shard)) : std::string();
@@ -171,7 +171,6 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
     hooks.progress = [&](double done) {
         const double spent = plan_.options.time ? (clock() - begun_) / *plan_.options.time : 0;
         progress.update(std::max(done, spent));
-        if (plan_.watch) done_ = std::max(done, spent);
     };
     hooks.cancelled = [&] {
         if (asked == Interrupt::stop) return true;
@@ -203,7 +202,6 @@ JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) 
     for (;;) {
         const Interrupt asked = work(progress, clock);
         const double now = clock();
-        if (plan_.watch && asked != Interrupt::stop) plan_.watch(film(), rays_, done_);
         if (asked == Interrupt::none || (asked == Interrupt::save && now >= deadline_))
             return JobEnd::finished;
         if (asked == Interrupt::stop) {

@@ -9,8 +9,6 @@
 #include "app/progress.h"
 #include "render/render.h"
 
-#include <atomic>
-
 namespace candelabra {
 
 enum class JobEnd {
@@ -24,8 +22,6 @@ struct JobPlan {
     Identity identity;
     std::string picture;         ///< path of the picture; its state lies beside it
     std::optional<Shard> shard;  ///< nothing: the whole picture
-    /// Shown the picture when somebody asks to save it, and at its end; may be empty.
-    std::function<void(const Film&, const LightLedger&, double done)> watch;
     /// See RenderHooks; not called when the time is limited, which is for this picture alone.
     std::function<void()> winds_down;
 };
@@ -33,6 +29,9 @@ struct JobPlan {
 /// Beside which a state lies: the picture's name and, of a shard, its number.
 std::string state_path(const JobPlan&);
 std::string state_path(const std::string& picture, const std::optional<Shard>&);
+
+/// As many samples as the time allows, where nothing else says how many.
+RenderSettings timed(const Options&);
 
 class RenderJob {
 public:
@@ -70,7 +69,6 @@ private:
     double begun_ = 0;
     double deadline_ = 0;
     double save_at_ = 0;
-    std::atomic<double> done_ = 0;  ///< share of the work
 };
 
 }  // namespace candelabra

@@ -2,6 +2,7 @@
 #include "app/sandbox.h"
 
 #include "app/child.h"
+#include "app/console.h"
 #include "app/library.h"
 #include "app/output.h"
 
@@ -140,29 +141,34 @@ std::string folder_around(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
+/// The libraries, fonts and figures of the system, and what belongs to the program.
+std::vector<std::string> system_files(const std::string& library) {
+    const std::string program = folder_around(own_path());
+    return {"/usr",
+            "/lib",
+            "/lib64",
+            "/etc/ld.so.cache",
+            "/etc/localtime",
+            "/etc/fonts",
+            "/sys/devices/system",
+            "/sys/fs/cgroup",
+            "/proc/self",
+            "/proc/cpuinfo",
+            "/proc/meminfo",
+            "/dev/urandom",
+            program,
+            program + "/../lib",
+            library};
+}
+
 }  // namespace
 
 SandboxRules sandbox_rules(const Options& options, const std::string& library) {
     SandboxRules rules;
     rules.sockets = options.preview_port.has_value();
     rules.programs = !options.movie.empty();
-    const std::string program = folder_around(own_path());
-    rules.readable = {"/usr",
-                      "/lib",
-                      "/lib64",
-                      "/etc/ld.so.cache",
-                      "/etc/localtime",
-                      "/etc/fonts",
-                      "/sys/devices/system",
-                      "/sys/fs/cgroup",
-                      "/proc/self",
-                      "/proc/cpuinfo",
-                      "/proc/meminfo",
-                      "/dev/urandom",
-                      program,
-                      program + "/../lib",
-                      library,
-                      "."};
+    rules.readable = system_files(library);
+    rules.readable.emplace_back(".");
     if (options.scene && *options.scene != "-")
         rules.readable.push_back(folder_around(*options.scene));
     for (const auto* folders : {&options.library_paths, &options.readable})
@@ -178,10 +184,38 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library) {
     return rules;
 }
 
+SandboxRules sandbox_rules(const Options& options, const std::string& library,
+                           std::span<const std::string> files) {
+    SandboxRules rules;
+    rules.readable = system_files(library);
+    rules.readable.insert(rules.readable.end(), files.begin(), files.end());
+    std::error_code none;
+    const std::string& output = options.output;
+    if (fs::is_directory(output, none)) {
+        rules.writable.push_back(output);
+    } else if (!output.empty()) {
+        rules.writable.push_back(folder_around(output));
+    } else {
+        for (const std::string& file : files) rules.writable.push_back(folder_around(file));
+    }
+    return rules;
+}
+
 bool confine(const SandboxRules& rules) {
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
     const bool files = confine_files(rules);
     return confine_calls(rules) && files;
+}
+
+bool confined(const Options& options, const SandboxRules& rules, const Console& console,
+              Diagnostics& diagnostics) {
+    const bool wanted = options.sandbox.value_or(!options.commands.any());
+    if (!wanted || !console.confine) return true;
+    if (console.confine(rules) || !options.sandbox) return true;
+    diagnostics.add(
+        error(Fault::option, {}, "this system has no sandbox: Landlock or seccomp is missing")
+            .with_help("--sandbox off"));
+    return false;
 }
 
 }  // namespace candelabra

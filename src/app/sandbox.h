@@ -7,10 +7,13 @@
 
 #include "app/options.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace candelabra {
+
+struct Console;
 
 /// All that a confined process may still do. Paths that do not exist are passed over.
 struct SandboxRules {
@@ -25,8 +28,17 @@ struct SandboxRules {
 /// that it makes. `library`: the folder of the standard library, or "".
 SandboxRules sandbox_rules(const Options&, const std::string& library);
 
+/// What a command needs that makes a picture of such files: the system's as above, the files, and
+/// the folder of the output, or of each file if the options name none.
+SandboxRules sandbox_rules(const Options&, const std::string& library,
+                           std::span<const std::string> files);
+
 /// Confines the calling thread and all that it starts from now on; system calls are forbidden to
 /// all threads. False when the system has no Landlock or no seccomp; what it has is in force then.
 bool confine(const SandboxRules&);
+
+/// Confines the program, if the options and the console want that. False after a report: a sandbox
+/// was asked for, and the system has none. Commands of the shell may need anything.
+bool confined(const Options&, const SandboxRules&, const Console&, Diagnostics&);
 
 }  // namespace candelabra

@@ -141,7 +141,7 @@ private:
         if (options_.task == Task::export_mesh) settings.evaluation.only = options_.mesh_object;
         // Pictures remember what they were made from; checks need not.
         settings.notes_files = options_.task == Task::render;
-        settings.remembers_objects = console_.linger || aovs_for(options_.layers, false).surface;
+        settings.remembers_objects = console_.stage || aovs_for(options_.layers, false).surface;
         return settings;
     }
 
@@ -182,13 +182,14 @@ private:
         fitting.format.gamma = scene.settings.assumed_gamma;
         fitting.format.encoded = scene.gamma_handling;
         using enum Session::Shutter;
-        const World world =
+        World world =
             session_->compile(std::move(scene), is_check() || dumps ? first_sample : all_samples);
         if (say_diagnostics()) return exit_status::scene;
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_index) return say(index_slice(world));
         if (dumps) return say(report(world));
         if (is_check()) return finish(world);
+        if (console_.stage) return look_at(world, fitting);
         return render_picture(world, fitting);
     }
 
@@ -243,6 +244,13 @@ private:
         return film;
     }
 
+    /// Somebody else renders it.
+    int look_at(World& world, const Output& output) {
+        const std::vector<std::string> lights = light_names(world, sources());
+        console_.stage({world, sources(), options_, output.format, film_of_frame(world), lights});
+        return exit_status::done;
+    }
+
     int render_picture(const World& world, const Output& output) {
         Identity identity = identity_of(options_, session_->files(), output.format);
         FilmFiles files = files_of(output);
@@ -252,11 +260,7 @@ private:
             files.lights = light_names(world, sources());
             note_lights(identity, files.lights);
         }
-        JobPlan plan{options_, identity, output.path, shard_, {}, console_.winds_down};
-        if (console_.watch)
-            plan.watch = [&](const Film& film, const LightLedger& rays, double done) {
-                console_.watch({world, sources(), options_.render, film, rays, done});
-            };
+        JobPlan plan{options_, identity, output.path, shard_, console_.winds_down};
         made_path_ = shard_ ? state_path(plan) : output.path;
         RenderJob job(plan, world, console_.interrupts, diagnostics_);
         const bool locks = job.can_keep();
@@ -283,8 +287,6 @@ private:
             candelabra::say(console_, Stream::statistics,
                             message(options_.to_file ? printable(made_path_) : "no file", ": ",
                                     summary(statistics_), "\n"));
-        if (console_.linger)
-            console_.linger({world, sources(), options_.render, job.film(), job.rays(), 1});
         return status;
     }
 

@@ -42,7 +42,9 @@ enum class Purpose : std::uint32_t {
     media_event,  ///< whether the path is scattered between surfaces
     media_direction_u,
     media_direction_v,
-    media_lobe
+    media_lobe,
+    near_reflection,  ///< whether reflected luminaires stand for a surface that is near
+    other_light       ///< whether other light is looked for than they stand for
 };
 
 /// Ways on which a path goes on, and decisions beside it that need numbers of their own. One that
@@ -57,7 +59,9 @@ enum class Branch : std::uint32_t {
     drawn_sources,      ///< the choice among many light sources
     source,             ///< one light source; counted
     medium,             ///< light that media scatter to the viewer; counted
-    medium_scattering   ///< the path goes on from a point between surfaces
+    medium_scattering,  ///< the path goes on from a point between surfaces
+    light_path,         ///< light from a lamp has come to a surface; counted
+    reflected           ///< the choice among reflected luminaires
 };
 
 /// What is found out by trial, apart from all pictures.

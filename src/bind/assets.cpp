@@ -106,11 +106,11 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
         return;
     }
     if (field->file.empty()) return;
-    const auto path = block.binder.evaluator.find_data(field->file, block.file_place(),
+    const auto file = block.binder.evaluator.find_data(field->file, block.file_place(),
                                                        picture_endings(block.file_kind));
     std::optional<Heights> heights;
-    if (path)
-        heights = read_heights(*path, field->gamma, block.binder.evaluator.diagnostics(),
+    if (file)
+        heights = read_heights(*file, field->gamma, block.binder.evaluator.diagnostics(),
                                block.file_place());
     block.broken |= !heights;
     if (heights)

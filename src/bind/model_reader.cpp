@@ -118,10 +118,10 @@ void ModelReader::wrong(const std::string& why) {
 std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const Polyhedra* library) {
     Evaluator& evaluator = block_.binder.evaluator;
     if (!asked.file.empty()) {
-        const auto path = evaluator.find_data(asked.file, block_.file_place());
-        if (!path) return std::nullopt;
+        const auto file = evaluator.load_found(asked.file, block_.file_place());
+        if (!file) return std::nullopt;
         std::optional<MeshFile> read =
-            read_mesh_file(*path, evaluator.diagnostics(), block_.file_place());
+            read_mesh_file(*file, evaluator.diagnostics(), block_.file_place());
         if (!read) return std::nullopt;
         look_ = std::move(read->look);
         if (look_.materials)

@@ -209,15 +209,15 @@ void PictureReader::load() {
         return;
     } else {
         Binder& binder = block_.binder;
-        const auto path = binder.evaluator.find_data(map_.file, block_.file_place(),
+        const auto file = binder.evaluator.find_data(map_.file, block_.file_place(),
                                                      picture_endings(block_.file_kind));
-        block_.broken |= !path;
-        if (!path) return;
+        block_.broken |= !file;
+        if (!file) return;
         const TexelCoding how = coding(binder, pattern_, map_);
-        Handle<Texels>& known = binder.pictures[{*path, how}];
+        Handle<Texels>& known = binder.pictures[{file->path, how}];
         if (!known) {
             auto read =
-                read_texels(*path, how, binder.evaluator.diagnostics(), block_.file_place());
+                read_texels(*file, how, binder.evaluator.diagnostics(), block_.file_place());
             block_.broken |= !read;
             if (!read) return;
             known = make_handle<Texels>(std::move(*read));

@@ -8,18 +8,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 
 namespace candelabra {
 
 namespace {
 
-bool ends_in(const std::string& path, std::string_view extension) {
-    const std::size_t dot = path.rfind('.');
-    return dot != std::string::npos &&
-           std::ranges::equal(path.substr(dot + 1), extension, {},
-                              [](unsigned char c) { return std::tolower(c); });
+bool ends_in(std::string_view name, std::string_view extension) {
+    const std::size_t dot = name.rfind('.');
+    return dot != name.npos && std::ranges::equal(name.substr(dot + 1), extension, {},
+                                                  [](unsigned char c) { return std::tolower(c); });
 }
 
 /// Whether all that is named is there. Normals and uv without faces of their own are the points'.
@@ -35,25 +32,22 @@ std::string wrong_places(const Polyhedron& made, const PolyhedronLook& look) {
 }
 
 /// By the kind that the name says.
-std::string read_text(const std::string& path, std::string_view text, Polyhedron& made,
-                      PolyhedronLook& look) {
-    if (ends_in(path, "obj")) return polyhedra::read_obj(text, made, look);
-    if (ends_in(path, "ply")) return polyhedra::read_ply(text, made, look);
-    if (ends_in(path, "stl")) return polyhedra::read_stl(text, made);
-    if (ends_in(path, "off")) return polyhedra::read_off(text, made);
+std::string read_bytes(std::string_view name, std::string_view bytes, Polyhedron& made,
+                       PolyhedronLook& look) {
+    if (ends_in(name, "obj")) return polyhedra::read_obj(bytes, made, look);
+    if (ends_in(name, "ply")) return polyhedra::read_ply(bytes, made, look);
+    if (ends_in(name, "stl")) return polyhedra::read_stl(bytes, made);
+    if (ends_in(name, "off")) return polyhedra::read_off(bytes, made);
     return "it is no OBJ, PLY, STL or OFF file, or is damaged";
 }
 
 }  // namespace
 
-std::string polyhedra::read(const std::string& path, Polyhedron& made, PolyhedronLook& look) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return "the file cannot be opened";
-    std::ostringstream text;
-    text << file.rdbuf();
+std::string polyhedra::read(std::string_view name, std::string_view bytes, Polyhedron& made,
+                            PolyhedronLook& look) {
     Polyhedron shape;
     PolyhedronLook of_shape;
-    std::string wrong = read_text(path, text.view(), shape, of_shape);
+    std::string wrong = read_bytes(name, bytes, shape, of_shape);
     if (wrong.empty()) wrong = wrong_places(shape, of_shape);
     if (wrong.empty() && shape.faces.empty()) wrong = "it has no faces";
     if (!wrong.empty()) return wrong;

@@ -21,7 +21,7 @@ namespace polyhedra {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-std::string read(const std::string& path, Polyhedron&, PolyhedronLook&);
+std::string read(std::string_view name, std::string_view bytes, Polyhedron&, PolyhedronLook&);
 std::string hull(std::span<const Polyhedron::Point>, Polyhedron&);
 std::string combine(std::span<const SolidOperation>, std::span<const Polyhedron>, Polyhedron&);
 std::string subdivide(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);

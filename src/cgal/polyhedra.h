@@ -50,9 +50,10 @@ enum class SubdivisionRule {
 /// The entry points. Each returns what went wrong, or an empty string; what it gives is then
 /// complete.
 struct Polyhedra {
-    /// The triangles of an OBJ, PLY, STL or OFF file, which is told by its extension; larger faces
-    /// are taken apart. Normals and places in pictures are those of OBJ and PLY files.
-    std::string (*read)(const std::string& path, Polyhedron&, PolyhedronLook&);
+    /// The triangles in the bytes of an OBJ, PLY, STL or OFF file, which the end of its name tells;
+    /// larger faces are taken apart. Normals and places in pictures are those of OBJ and PLY files.
+    std::string (*read)(std::string_view name, std::string_view bytes, Polyhedron&,
+                        PolyhedronLook&);
     /// The smallest convex polyhedron around the points.
     std::string (*hull)(std::span<const Polyhedron::Point>, Polyhedron&);
     /// A solid from closed surfaces that do not cut themselves. Exact: coordinates are rounded

@@ -3,11 +3,11 @@
 
 #include "editor/corrections.h"
 #include "editor/hover.h"
-#include "editor/layout.h"
+#include "editor/ranges.h"
 #include "editor/renaming.h"
+#include "editor/semantic_tokens.h"
 #include "editor/signatures.h"
 #include "editor/suggestions.h"
-#include "editor/swatches.h"
 
 #include "text/message.h"
 
@@ -41,10 +41,17 @@ constexpr auto methods = std::array{
     Method{"textDocument/definition", &LanguageServer::definition, true},
     Method{"textDocument/references", &LanguageServer::references, true},
     Method{"textDocument/rename", &LanguageServer::rename, true},
+    Method{"textDocument/documentHighlight", &LanguageServer::highlights, true},
     Method{"textDocument/documentSymbol", &LanguageServer::symbols, true},
+    Method{"workspace/symbol", &LanguageServer::workspace_symbols, true},
+    Method{"textDocument/semanticTokens/full", &LanguageServer::semantic_tokens, true},
+    Method{"textDocument/semanticTokens/range", &LanguageServer::semantic_tokens_of_range, true},
+    Method{"textDocument/foldingRange", &LanguageServer::folding, true},
+    Method{"textDocument/documentLink", &LanguageServer::links, true},
     Method{"textDocument/documentColor", &LanguageServer::colours, true},
     Method{"textDocument/colorPresentation", &LanguageServer::colour_texts, true},
     Method{"textDocument/formatting", &LanguageServer::formatting, true},
+    Method{"textDocument/rangeFormatting", &LanguageServer::range_formatting, true},
 };
 
 // The errors of JSON-RPC and of the protocol.
@@ -76,27 +83,6 @@ int completion_kind(Suggestion::Kind kind) {
     }
     return 14;
 }
-
-/// Ranges of places in several files, of which there may be many.
-class Ranges {
-public:
-    explicit Ranges(Workspace& workspace) : workspace_(workspace) {}
-
-    Json of(const Mention& mention) {
-        auto known = tables_.find(mention.path);
-        if (known == tables_.end()) {
-            FileHandle file = workspace_.file(mention.path);
-            const LineTable table(file ? std::string_view(file->text) : std::string_view());
-            known = tables_.emplace(mention.path, std::pair(std::move(file), table)).first;
-        }
-        return known->second.second.range_of(mention.place);
-    }
-
-private:
-    Workspace& workspace_;
-    /// The handles hold the texts.
-    std::map<std::string, std::pair<FileHandle, LineTable>> tables_;
-};
 
 }  // namespace
 
@@ -194,7 +180,8 @@ void LanguageServer::catch_up() {
 Json LanguageServer::initialize(Parameters&) {
     initialized_ = true;
     return {{"capabilities",
-             {{"textDocumentSync", {{"openClose", true}, {"change", 1}, {"save", true}}},
+             {{"positionEncoding", "utf-16"},
+              {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
               {"hoverProvider", true},
               {"completionProvider", {{"triggerCharacters", {"#", "\""}}}},
               {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
@@ -202,9 +189,19 @@ Json LanguageServer::initialize(Parameters&) {
               {"definitionProvider", true},
               {"referencesProvider", true},
               {"renameProvider", true},
+              {"documentHighlightProvider", true},
               {"documentSymbolProvider", true},
+              {"workspaceSymbolProvider", true},
+              {"semanticTokensProvider",
+               {{"legend",
+                 {{"tokenTypes", semantic_kinds()}, {"tokenModifiers", semantic_modifiers()}}},
+                {"full", true},
+                {"range", true}}},
+              {"foldingRangeProvider", true},
+              {"documentLinkProvider", {{"resolveProvider", false}}},
               {"colorProvider", true},
-              {"documentFormattingProvider", true}}},
+              {"documentFormattingProvider", true},
+              {"documentRangeFormattingProvider", true}}},
             {"serverInfo", {{"name", "candelabra"}}}};
 }
 
@@ -228,8 +225,10 @@ Json LanguageServer::did_open(Parameters& parameters) {
 }
 
 Json LanguageServer::did_change(Parameters& parameters) {
-    const std::string path = open_path(parameters);
-    std::string text = parameters.changed_text();
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::string path = file->path;
+    std::string text = parameters.changed_text(file->text);
     if (!parameters.problem().empty()) return nullptr;
     workspace_.open(path, std::move(text));
     changed_.insert(path);
@@ -344,9 +343,9 @@ Json LanguageServer::definition(Parameters& parameters) {
     if (!token) return nullptr;
     if (token->kind == TokenKind::text) {
         const auto found = workspace_.loader(directory_of(path))
-                               .load(file->values.texts[token->value], directory_of(path));
+                               .located(file->values.texts[token->value], directory_of(path));
         if (!found) return nullptr;
-        return {{"uri", uri_of(found->path)}, {"range", range_of("", {})}};
+        return {{"uri", uri_of(*found)}, {"range", range_of("", {})}};
     }
     if (token->kind != TokenKind::name) return nullptr;
     Json places = Json::array();
@@ -363,7 +362,7 @@ Json LanguageServer::references(Parameters& parameters) {
     Json places = Json::array();
     Ranges ranges(workspace_);
     for (const Mention& each : mentions(workspace_, file->path, offset))
-        places.push_back({{"uri", uri_of(each.path)}, {"range", ranges.of(each)}});
+        places.push_back({{"uri", uri_of(each.path)}, {"range", ranges.of(each.path, each.place)}});
     return places;
 }
 
@@ -381,60 +380,9 @@ Json LanguageServer::rename(Parameters& parameters) {
     Json changes = Json::object();
     Ranges ranges(workspace_);
     for (const Mention& each : *std::get_if<std::vector<Mention>>(&result))
-        changes[uri_of(each.path)].push_back({{"range", ranges.of(each)}, {"newText", new_name}});
+        changes[uri_of(each.path)].push_back(
+            {{"range", ranges.of(each.path, each.place)}, {"newText", new_name}});
     return {{"changes", changes}};
-}
-
-Json LanguageServer::symbols(Parameters& parameters) {
-    const FileHandle file = open_file(parameters);
-    Json all = Json::array();
-    if (!file) return all;
-    const LineTable lines(file->text);
-    for (const DeclaredName& each : file->declarations) {
-        if (each.local || each.kind == DeclaredName::parameter) continue;
-        const Json range = lines.range_of(each.place);
-        all.push_back({{"name", std::string(workspace_.names().spelling(each.name))},
-                       {"kind", each.kind == DeclaredName::macro ? 12 : 13},
-                       {"range", range},
-                       {"selectionRange", range}});
-    }
-    return all;
-}
-
-Json LanguageServer::colours(Parameters& parameters) {
-    const FileHandle file = open_file(parameters);
-    Json all = Json::array();
-    if (!file) return all;
-    const LineTable lines(file->text);
-    for (const Swatch& each : swatches(*file, workspace_.names()))
-        all.push_back({{"range", lines.range_of(each.place)},
-                       {"color",
-                        {{"red", each.srgb.x},
-                         {"green", each.srgb.y},
-                         {"blue", each.srgb.z},
-                         {"alpha", 1}}}});
-    return all;
-}
-
-Json LanguageServer::colour_texts(Parameters& parameters) {
-    const FileHandle file = open_file(parameters);
-    if (!file) return nullptr;
-    const Vec3 colour(parameters.channel({"color", "red"}), parameters.channel({"color", "green"}),
-                      parameters.channel({"color", "blue"}));
-    const Part place = parameters.range(file->text, "range");
-    if (!parameters.problem().empty()) return nullptr;
-    const auto text = recoloured(*file, workspace_.names(), place, colour);
-    return text ? Json::array({{{"label", *text}}}) : Json::array();
-}
-
-Json LanguageServer::formatting(Parameters& parameters) {
-    const FileHandle file = open_file(parameters);
-    if (!file) return nullptr;
-    const std::string& content = file->text;
-    const std::string better = laid_out(content);
-    if (better == content) return Json::array();
-    const Part all{0, static_cast<std::uint32_t>(content.size())};
-    return Json::array({{{"range", range_of(content, all)}, {"newText", better}}});
 }
 
 }  // namespace candelabra

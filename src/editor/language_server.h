@@ -60,10 +60,17 @@ public:
     Json definition(Parameters&);
     Json references(Parameters&);
     Json rename(Parameters&);
+    Json highlights(Parameters&);
     Json symbols(Parameters&);
+    Json workspace_symbols(Parameters&);
+    Json semantic_tokens(Parameters&);
+    Json semantic_tokens_of_range(Parameters&);
+    Json folding(Parameters&);
+    Json links(Parameters&);
     Json colours(Parameters&);
     Json colour_texts(Parameters&);
     Json formatting(Parameters&);
+    Json range_formatting(Parameters&);
 
 private:
     void send(const Json& message);

@@ -69,8 +69,10 @@ public:
         columns_.resize(starts_.size());
         kept_.resize(starts_.size());
         kept_ends_.resize(starts_.size());
+        last_line_ = starts_.size();
     }
 
+    /// Of all lines, or of those that were chosen.
     std::string operator()() {
         Names names;
         const EditedFile file = read_tokens(std::string(text_), names);
@@ -83,19 +85,42 @@ public:
             const Token& token = file.tokens[i];
             const std::size_t own = line_of(token.first);
             for (; line <= own && line < starts_.size(); ++line)
-                columns_[line] = line == own ? column_before(token) : column_within();
+                set_column(line, line == own ? column_before(token) : column_within());
             const bool last = i + 1 == file.tokens.size() ||
                               line_of(file.tokens[i + 1].first) != line_of(token.last);
             follow(token, last ? nullptr : &file.tokens[i + 1]);
             const std::size_t end = line_of(token.last);  // of a long vector
             for (; line <= end && line < starts_.size(); ++line)
-                columns_[line] = column_of(token) + 1;
+                set_column(line, column_of(token) + 1);
         }
-        for (; line < starts_.size(); ++line) columns_[line] = column_within();
+        for (; line < starts_.size(); ++line) set_column(line, column_within());
         return written();
     }
 
+    /// Only lines that the part has something of get a new layout. Gives all of them.
+    Part choose(Part part) {
+        if (starts_.empty()) return {};
+        first_line_ = line_of(part.first);
+        // A part that ends at the begin of a line has nothing of it.
+        last_line_ = line_of(part.last > part.first ? part.last - 1 : part.last) + 1;
+        const std::size_t end = last_line_ < starts_.size() ? starts_[last_line_] : text_.size();
+        return {static_cast<std::uint32_t>(starts_[first_line_]), static_cast<std::uint32_t>(end)};
+    }
+
 private:
+    void set_column(std::size_t line, int column) {
+        const bool chosen = first_line_ <= line && line < last_line_;
+        columns_[line] = chosen ? column : present_column(line);
+    }
+
+    /// Of the first sign in a line as it is.
+    int present_column(std::size_t line) const {
+        int column = 0;
+        for (const char blank : line_text(line).substr(0, indentation(line)))
+            column = blank == '\t' ? (column / step + 1) * step : column + 1;
+        return column;
+    }
+
     std::size_t line_of(std::size_t offset) const {
         const auto next = std::ranges::upper_bound(starts_, offset);
         return static_cast<std::size_t>(next - starts_.begin()) - 1;
@@ -194,27 +219,49 @@ private:
         return text_.substr(starts_[line], end - starts_[line]);
     }
 
+    static std::string_view without_line_end(std::string_view line) {
+        while (line.ends_with('\n') || line.ends_with('\r')) line.remove_suffix(1);
+        return line;
+    }
+
+    bool is_empty(std::size_t line) const {
+        return !kept_[line] && !kept_ends_[line] &&
+               without_line_end(line_text(line)).find_first_not_of(blanks) ==
+                   std::string_view::npos;
+    }
+
+    /// How many empty lines are in front of the first, which are at most to be two.
+    int empty_lines_before() const {
+        int count = 0;
+        for (std::size_t line = first_line_; line-- > 0 && is_empty(line) && count < 2;) ++count;
+        return first_line_ == 0 ? 2 : count;  // none at the beginning
+    }
+
     std::string written() const {
         const std::string_view line_end = text_.find("\r\n") < text_.find('\n') ? "\r\n" : "\n";
         std::string result;
-        int empty = 2;  // none at the beginning
-        for (std::size_t line = 0; line < starts_.size(); ++line) {
-            std::string_view content = line_text(line);
-            while (content.ends_with('\n') || content.ends_with('\r')) content.remove_suffix(1);
+        int empty = empty_lines_before();
+        for (std::size_t line = first_line_; line < last_line_; ++line) {
+            std::string_view content = without_line_end(line_text(line));
             if (!kept_ends_[line])
                 content = content.substr(0, content.find_last_not_of(blanks) + 1);
             if (!kept_[line])
                 content.remove_prefix(std::min(content.find_first_not_of(blanks), content.size()));
-            const bool is_empty = content.empty() && !kept_[line] && !kept_ends_[line];
-            empty = is_empty ? empty + 1 : 0;
-            if (is_empty && empty > 2) continue;
-            if (!is_empty && !kept_[line])
+            empty = is_empty(line) ? empty + 1 : 0;
+            if (is_empty(line) && empty > 2) continue;
+            if (!is_empty(line) && !kept_[line])
                 result.append(static_cast<std::size_t>(columns_[line]), ' ');
             result.append(content).append(line_end);
         }
+        return last_line_ < starts_.size() ? result
+                                           : without_empty_end(std::move(result), line_end);
+    }
+
+    std::string without_empty_end(std::string result, std::string_view line_end) const {
         while (result.ends_with(std::string(line_end) + std::string(line_end)))
             result.resize(result.size() - line_end.size());
-        return result == line_end ? "" : result;
+        const bool nothing = result == line_end && (first_line_ == 0 || !kept_[last_line_ - 1]);
+        return nothing ? "" : result;
     }
 
     std::string_view text_;
@@ -222,6 +269,8 @@ private:
     std::vector<int> columns_;            ///< of the first sign of each line, in the new layout
     std::vector<bool> kept_, kept_ends_;  ///< lines whose first or last blanks belong to a comment
                                           ///< or string
+    std::size_t first_line_ = 0;          ///< that is laid out
+    std::size_t last_line_ = 0;           ///< the line behind the last one
     std::vector<Opening> open_;
     const Token* guard_ = nullptr;
     TokenKind previous_ = TokenKind::end_of_file;
@@ -230,5 +279,11 @@ private:
 }  // namespace
 
 std::string laid_out(std::string_view text) { return Layout(text)(); }
+
+LaidOutPart laid_out_lines(std::string_view text, Part part) {
+    Layout layout(text);
+    const Part place = layout.choose(part);
+    return {place, layout()};
+}
 
 }  // namespace candelabra

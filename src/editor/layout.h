@@ -4,6 +4,8 @@
 // of the text stay what they are, and so do comments and strings that run over several lines.
 #pragma once
 
+#include "editor/edited_file.h"
+
 #include <string>
 #include <string_view>
 
@@ -13,5 +15,15 @@ namespace candelabra {
 /// and vectors below their first value, no blanks at the ends of lines, at most two empty lines
 /// together and none at the ends of the text. Laying out the result again changes nothing.
 std::string laid_out(std::string_view text);
+
+/// New text for a part of a text.
+struct LaidOutPart {
+    Part place;
+    std::string text;
+};
+
+/// The lines that the part has something of, laid out below what stands around them, which stays as
+/// it is. Doing it again changes nothing. For all lines it is laid_out().
+LaidOutPart laid_out_lines(std::string_view text, Part part);
 
 }  // namespace candelabra

@@ -182,4 +182,10 @@ LibraryGuide library_guide(const std::string& folder) {
     return guide;
 }
 
+bool is_for_scenes(const LibraryFile& file, std::string_view name, bool is_macro) {
+    if (name.ends_with('_') || name.ends_with("_Temp")) return false;
+    const LibraryMacro* const macro = is_macro ? find_macro(file, name) : nullptr;
+    return !is_macro || (macro && macro->listed);
+}
+
 }  // namespace candelabra

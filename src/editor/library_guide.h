@@ -35,4 +35,8 @@ LibraryFile library_file(std::string name, std::string_view text);
 /// The macro with that name, or null.
 const LibraryMacro* find_macro(const LibraryFile&, std::string_view name);
 
+/// Whether a name that the file declares is for scenes. Aids of the library are not: names that end
+/// in `_`, and macros that are not listed.
+bool is_for_scenes(const LibraryFile&, std::string_view name, bool is_macro);
+
 }  // namespace candelabra

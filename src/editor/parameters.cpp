@@ -88,19 +88,36 @@ double Parameters::channel(Way way) {
     return 0;
 }
 
-std::string Parameters::changed_text() {
+bool Parameters::change(std::string& text, const Json& change) {
+    const Json* const inserted = member(&change, "text");
+    if (!inserted || !inserted->is_string()) return false;
+    const auto& piece = inserted->get_ref<const std::string&>();
+    if (!change.contains("range")) {
+        text = piece;
+        return true;
+    }
+    Parameters inner(change);
+    const Part part = inner.range(text, "range");
+    if (!inner.problem().empty()) return false;
+    if (text.size() - (part.last - part.first) + piece.size() > longest_document) return false;
+    text.replace(part.first, part.last - part.first, piece);
+    return true;
+}
+
+std::string Parameters::changed_text(std::string text) {
     const Json* const changes = find({"contentChanges"});
     if (!changes || !changes->is_array() || changes->empty()) {
         wrong({"contentChanges"}, "a list of changes");
         return {};
     }
     for (const Json& each : *changes) {
-        const Json* const text = member(&each, "text");
-        if (text && text->is_string() && !each.contains("range")) continue;
-        wrong({"contentChanges"}, "a list of whole texts, each a `text` without a `range`");
+        if (change(text, each)) continue;
+        wrong({"contentChanges"},
+              "a list of changes, each a `text` for all of the document or for a `range` that does "
+              "not end before it begins, and the document has at most 64 MB");
         return {};
     }
-    return changes->back()["text"].get<std::string>();
+    return text;
 }
 
 }  // namespace candelabra

@@ -13,6 +13,9 @@ namespace candelabra {
 
 class Parameters {
 public:
+    /// Changes make no document longer, in bytes.
+    static constexpr std::size_t longest_document = std::size_t{1} << 26;
+
     /// `json` must live as long; null stands for none.
     explicit Parameters(const Json& json) : json_(json) {}
 
@@ -31,8 +34,9 @@ public:
     double channel(Way);
     /// A list of objects; anything else is a problem, and gives an empty one.
     Json objects(Way);
-    /// The text of the last of `contentChanges`, each of which is the whole document.
-    std::string changed_text();
+    /// The text behind all of `contentChanges`, one after the other: each is the whole document, or
+    /// what comes in place of a range of it. When one of them is no change none is made.
+    std::string changed_text(std::string text);
 
     /// Refuses the request for another reason.
     void refuse(std::string why);
@@ -42,6 +46,8 @@ public:
 
 private:
     const Json* find(Way) const;
+    /// Makes one change of a document; whether it is one.
+    bool change(std::string& text, const Json& change);
     void wrong(Way, std::string_view kind);
 
     const Json& json_;

@@ -39,6 +39,14 @@ int column(std::string_view line) {
     return units_before;
 }
 
+/// The begin of the line behind the one that this place is in; npos: there is none. As in the
+/// protocol lines end in CR LF, LF or CR.
+std::size_t next_line(std::string_view text, std::size_t at) {
+    const std::size_t end = text.find_first_of("\r\n", at);
+    if (end == text.npos) return end;
+    return end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+}
+
 }  // namespace
 
 std::string path_of(std::string_view uri) {
@@ -84,9 +92,8 @@ bool nests_deeper(std::string_view json, int most) {
 std::uint32_t offset_of(std::string_view text, const Json& position) {
     std::size_t at = 0;
     for (std::int64_t line = number(position, "line"); line > 0; --line) {
-        const std::size_t end = text.find('\n', at);
-        if (end == text.npos) return static_cast<std::uint32_t>(text.size());
-        at = end + 1;
+        at = next_line(text, at);
+        if (at == text.npos) return static_cast<std::uint32_t>(text.size());
     }
     for (std::int64_t left = number(position, "character");
          left > 0 && at < text.size() && text[at] != '\n' && text[at] != '\r';) {
@@ -104,19 +111,36 @@ Json position_of(std::string_view text, std::uint32_t offset) {
 Json range_of(std::string_view text, Part part) { return LineTable(text).range_of(part); }
 
 LineTable::LineTable(std::string_view text) : text_(text), starts_{0} {
-    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
-        starts_.push_back(static_cast<std::uint32_t>(at + 1));
+    for (std::size_t at = next_line(text, 0); at != text.npos; at = next_line(text, at))
+        starts_.push_back(static_cast<std::uint32_t>(at));
+}
+
+std::size_t LineTable::line_of(std::uint32_t offset) const {
+    const std::size_t end = std::min<std::size_t>(offset, text_.size());
+    return static_cast<std::size_t>(std::ranges::upper_bound(starts_, end) - starts_.begin()) - 1;
 }
 
 Json LineTable::position_of(std::uint32_t offset) const {
     const std::size_t end = std::min<std::size_t>(offset, text_.size());
-    const auto start = std::prev(std::ranges::upper_bound(starts_, end));
-    return {{"line", start - starts_.begin()},
-            {"character", column(text_.substr(*start, end - *start))}};
+    const std::size_t line = line_of(offset);
+    const std::size_t start = starts_[line];
+    return {{"line", line}, {"character", column(text_.substr(start, end - start))}};
 }
 
 Json LineTable::range_of(Part part) const {
     return {{"start", position_of(part.first)}, {"end", position_of(part.last)}};
+}
+
+void TextWalk::go_to(std::uint32_t offset) {
+    const std::size_t end = std::min<std::size_t>(offset, text_.size());
+    while (next_ <= end) {
+        at_ = next_;
+        next_ = next_line(text_, at_);
+        column_ = 0;
+        ++line_;
+    }
+    if (end > at_) column_ += candelabra::column(text_.substr(at_, end - at_));
+    at_ = std::max(at_, end);
 }
 
 }  // namespace candelabra

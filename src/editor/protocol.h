@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The values of the Language Server Protocol and their counterparts here: files as URIs, places as
-// line and UTF-16 unit from 0. Places that do not exist become the nearest that does.
+// line and UTF-16 unit from 0. Places that do not exist become the nearest that does; one between
+// the halves of a character is behind it.
 #pragma once
 
 #include "editor/edited_file.h"
@@ -32,12 +33,33 @@ Json range_of(std::string_view text, Part);
 class LineTable {
 public:
     explicit LineTable(std::string_view text);
+    /// From 0.
+    std::size_t line_of(std::uint32_t offset) const;
     Json position_of(std::uint32_t offset) const;
     Json range_of(Part) const;
 
 private:
     std::string_view text_;
     std::vector<std::uint32_t> starts_;
+};
+
+/// Lines and columns of many places that come in the order of the text: takes one walk over it,
+/// also where all of it is one line. The text must live as long.
+class TextWalk {
+public:
+    explicit TextWalk(std::string_view text) : text_(text) {}
+
+    /// An offset that is not before the last one.
+    void go_to(std::uint32_t offset);
+    int line() const { return line_; }
+    int column() const { return column_; }
+
+private:
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t next_ = 0;  ///< the begin of the next line
+    int line_ = -1;
+    int column_ = 0;
 };
 
 }  // namespace candelabra

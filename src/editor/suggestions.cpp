@@ -157,9 +157,7 @@ private:
         const LibraryFile guide = library_file(file_name(file), file.text);
         for (const DeclaredName& each : file.declarations) {
             const std::string_view name = names.spelling(each.name);
-            if (each.local || name.ends_with('_') || name.ends_with("_Temp")) continue;
-            const LibraryMacro* const macro = find_macro(guide, name);
-            if (each.kind != DeclaredName::macro || (macro && macro->listed))
+            if (!each.local && is_for_scenes(guide, name, each.kind == DeclaredName::macro))
                 add_name(file, each, names, guide);
         }
     }

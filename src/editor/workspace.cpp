@@ -41,7 +41,7 @@ Loader Workspace::loader(const std::string& folder) const {
 
 Loader Workspace::loader(const std::string& folder, const Door& door) const {
     std::vector<std::string> library;
-    if (!library_.empty()) library.push_back(library_);
+    if (!library_.empty()) library = {library_, library_ + "/pictures"};
     Loader result(reader(door), folder, std::move(library), door, disk_lister());
     result.set_standard_library(library_);
     return result;

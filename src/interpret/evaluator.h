@@ -149,10 +149,9 @@ public:
     std::optional<std::string> load_data(const std::string& name, Span);
     /// The same, and where it is.
     std::optional<Found> load_found(const std::string& name, Span);
-    /// Where it is; nothing after a report. A name without an ending may stand for one with one of
-    /// these.
-    std::optional<std::string> find_data(const std::string& name, Span,
-                                         std::span<const std::string_view> endings = {});
+    /// The same of a name without an ending, which may stand for one with one of these.
+    std::optional<Found> find_data(const std::string& name, Span,
+                                   std::span<const std::string_view> endings);
 
     /// Adds the frames that lead here.
     void report(Diagnostic);

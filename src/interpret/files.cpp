@@ -261,8 +261,8 @@ std::optional<std::string> Evaluator::load_data(const std::string& name, Span sp
     return found ? std::optional(std::move(found->text)) : std::nullopt;
 }
 
-std::optional<std::string> Evaluator::find_data(const std::string& name, Span span,
-                                                std::span<const std::string_view> endings) {
+std::optional<Found> Evaluator::find_data(const std::string& name, Span span,
+                                          std::span<const std::string_view> endings) {
     const std::string directory = state_->data_folder(span);
     const Loader& loader = state_->loader;
     const auto is_there = [&](const std::string& file) {
@@ -272,8 +272,7 @@ std::optional<std::string> Evaluator::find_data(const std::string& name, Span sp
     if (name.find('.', name.rfind('/') + 1) == name.npos && !is_there(name))
         for (const std::string_view ending : endings)
             if (file == name && is_there(message(name, ending))) file = message(name, ending);
-    std::optional<Found> found = load_found(file, span);
-    return found ? std::optional(std::move(found->path)) : std::nullopt;
+    return load_found(file, span);
 }
 
 }  // namespace candelabra

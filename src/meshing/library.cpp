@@ -75,16 +75,15 @@ Mesh smooth_mesh(const Polyhedron& from) {
     return made;
 }
 
-std::optional<MeshFile> read_mesh_file(const std::string& path, Diagnostics& diagnostics,
-                                       Span asked_at) {
+std::optional<MeshFile> read_mesh_file(const Found& file, Diagnostics& diagnostics, Span asked_at) {
     const Polyhedra* library = modelling_library(diagnostics, asked_at);
     if (!library) return std::nullopt;
     MeshFile made;
-    const std::string problem = library->read(path, made.shape, made.look);
+    const std::string problem = library->read(file.path, file.text, made.shape, made.look);
     if (problem.empty()) return made;
     diagnostics.add(
         error(Fault::io, asked_at,
-              message("cannot read the mesh `", printable(path), "`: ", printable(problem))));
+              message("cannot read the mesh `", printable(file.path), "`: ", printable(problem))));
     return std::nullopt;
 }
 

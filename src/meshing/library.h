@@ -6,6 +6,7 @@
 #include "cgal/polyhedra.h"
 #include "shape/mesh.h"
 #include "text/diagnostic.h"
+#include "text/loader.h"
 
 #include <optional>
 #include <string>
@@ -28,9 +29,9 @@ struct MeshFile {
     Polyhedron shape;
     PolyhedronLook look;
 };
-/// What an OBJ, PLY, STL or OFF file says; nothing, with a diagnostic at the span, when it cannot
-/// be read. Asks nobody whether it may.
-std::optional<MeshFile> read_mesh_file(const std::string& path, Diagnostics&, Span asked_at);
+/// What an OBJ, PLY, STL or OFF file says, which the end of its name tells apart; nothing, with a
+/// diagnostic at the span, when it cannot be read.
+std::optional<MeshFile> read_mesh_file(const Found&, Diagnostics&, Span asked_at);
 
 /// Gives a mesh what a file says beyond its shape; normals only if it has none. Precondition: the
 /// mesh has the file's points and faces.

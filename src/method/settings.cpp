@@ -18,7 +18,11 @@ const ItemInfo PathTraced::vocabulary = described<PathTraced>([] {
         "Light that surfaces have reflected lights others, too. From `#version 3.7` on, which the "
         "scene says, `ambient` has no part in it.",
         F{"bounces", &PathTraced::bounces, item,
-          "diffuse reflections on the way of light to a surface that is seen", between(0, 1000)});
+          "diffuse reflections on the way of light to a surface that is seen", between(0, 1000)},
+        F{"reflected_luminaires", &PathTraced::reflected_luminaires, item,
+          "paths of light, for each four samples of a pixel, that make reflected luminaires: these "
+          "light what they are seen from; 0: none",
+          between(0, 10000000)});
 });
 
 }  // namespace candelabra

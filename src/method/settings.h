@@ -15,6 +15,7 @@ struct PovRay {
 /// One path for each sample, which goes on from surface to surface: indirect light counts, too.
 struct PathTraced {
     int bounces = 8;
+    int reflected_luminaires = 5000;
 
     static const ItemInfo vocabulary;
 };

@@ -59,12 +59,13 @@ struct LayeredPicture {
 
 /// The entry points. Each returns what went wrong, or an empty string.
 struct Formats {
-    /// A picture of more than `max_pixels` is refused: its file is taken for a damaged one.
-    std::string (*read)(const std::string& path, std::int64_t max_pixels, StoredPicture&);
+    /// From the bytes of a file. A picture of more than `max_pixels` is refused: its file is taken
+    /// for a damaged one.
+    std::string (*read)(std::string_view bytes, std::int64_t max_pixels, StoredPicture&);
     std::string (*write)(const RawPicture&, std::string& bytes);
     /// Reads the texts that the picture names already, and all planes, which must have 32 bits, or
     /// all be floats.
-    std::string (*read_layers)(const std::string& path, std::int64_t max_pixels, LayeredPicture&);
+    std::string (*read_layers)(std::string_view bytes, std::int64_t max_pixels, LayeredPicture&);
     std::string (*write_layers)(const LayeredPicture&, std::string& bytes);
 };
 

@@ -6,8 +6,6 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 namespace candelabra {
@@ -37,8 +35,9 @@ std::string said(std::string problem) {
     return problem.empty() ? "it is damaged or ends too early" : problem;
 }
 
-/// An open file, or why there is none.
+/// A file in memory that is open, or why there is none. The bytes live as long as it does.
 struct Opened {
+    std::unique_ptr<OIIO::Filesystem::IOMemReader> bytes;
     std::unique_ptr<OIIO::ImageInput> input;
     std::string problem;
 };
@@ -71,26 +70,31 @@ std::string problem_of(const OIIO::ImageSpec& spec, std::string_view format,
 }
 
 /// By the reader of the file's own format, and no other.
-Opened open(const std::string& path, std::int64_t max_pixels, const OIIO::ImageSpec& wishes,
+Opened open(std::string_view bytes, std::int64_t max_pixels, const OIIO::ImageSpec& wishes,
             std::string_view only = {}) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {nullptr, "the file cannot be opened"};
-    const std::string bytes(std::istreambuf_iterator<char>(file), {});
+    const auto fail = [](std::string problem) {
+        return Opened{nullptr, nullptr, std::move(problem)};
+    };
     const Claim claim = claim_of(bytes);
-    if (!only.empty() && claim.format != only) return {nullptr, "it is no OpenEXR file"};
-    if (!claim.problem.empty()) return {nullptr, claim.problem};
-    Opened opened{OIIO::ImageInput::create(std::string(claim.format)), {}};
+    if (!only.empty() && claim.format != only) return fail("it is no OpenEXR file");
+    if (!claim.problem.empty()) return fail(claim.problem);
+    Opened opened{std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size()),
+                  OIIO::ImageInput::create(std::string(claim.format)),
+                  {}};
     OIIO::ImageSpec spec;
-    if (!opened.input) return {nullptr, said(OIIO::geterror())};
-    if (!opened.input->open(path, spec, wishes)) return {nullptr, said(opened.input->geterror())};
+    if (!opened.input) return fail(said(OIIO::geterror()));
+    // A reader that took no bytes would look for a file of this name.
+    if (!opened.input->set_ioproxy(opened.bytes.get())) return fail("it cannot be read");
+    const std::string name = "bytes." + std::string(claim.format);
+    if (!opened.input->open(name, spec, wishes)) return fail(said(opened.input->geterror()));
     opened.problem = problem_of(opened.input->spec(), claim.format, max_pixels, bytes.size());
     return opened;
 }
 
-std::string read(const std::string& path, std::int64_t max_pixels, StoredPicture& picture) {
+std::string read(std::string_view bytes, std::int64_t max_pixels, StoredPicture& picture) {
     OIIO::ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
-    const Opened opened = open(path, max_pixels, as_stored);
+    const Opened opened = open(bytes, max_pixels, as_stored);
     if (!opened.problem.empty()) return opened.problem;
     const OIIO::ImageSpec& spec = opened.input->spec();
     StoredPicture made;
@@ -163,8 +167,8 @@ std::string write(const RawPicture& picture, std::string& bytes) {
     return to_memory(std::string(picture.extension), spec, send, bytes);
 }
 
-std::string read_layers(const std::string& path, std::int64_t max_pixels, LayeredPicture& picture) {
-    const Opened opened = open(path, max_pixels, {}, "openexr");
+std::string read_layers(std::string_view bytes, std::int64_t max_pixels, LayeredPicture& picture) {
+    const Opened opened = open(bytes, max_pixels, {}, "openexr");
     if (!opened.problem.empty()) return opened.problem;
     const OIIO::ImageSpec& spec = opened.input->spec();
     const std::int64_t pixels = std::int64_t{spec.width} * spec.height;

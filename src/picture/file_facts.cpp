@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace candelabra {
 
@@ -46,15 +44,12 @@ void read_png(const std::string& bytes, FileFacts& facts) {
 
 }  // namespace
 
-FileFacts file_facts(const std::string& path) {
+FileFacts file_facts(const Found& file) {
     FileFacts facts;
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes(8, ' ');
-    file.read(bytes.data(), 8);
+    const std::string& bytes = file.text;
     const bool gif = bytes.starts_with("GIF8"), png = is_png(bytes);
-    const bool tga = is_tga(path);
+    const bool tga = is_tga(file.path);
     if (!gif && !png && !tga) return facts;
-    bytes.append(std::istreambuf_iterator<char>(file), {});
     if (png)
         read_png(bytes, facts);
     else if (tga)

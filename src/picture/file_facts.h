@@ -4,6 +4,8 @@
 // readers of pictures and of heights.
 #pragma once
 
+#include "text/loader.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -22,8 +24,8 @@ struct FileFacts {
     std::optional<bool> says_coding;
 };
 
-/// Of a file that cannot be read: nothing.
-FileFacts file_facts(const std::string& path);
+/// Of a file that is none of these, or damaged: nothing.
+FileFacts file_facts(const Found&);
 
 /// The colours of a table by their bytes, so that each of many pixels is found fast.
 class ColourNumbers {

@@ -8,21 +8,10 @@
 #include "text/printable.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace candelabra {
 
 namespace {
-
-/// All bytes of a PNG or Targa file; nothing of others.
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes(8, ' ');
-    if (!file.read(bytes.data(), 8) || (!is_png(bytes) && !is_tga(path))) return {};
-    bytes.append(std::istreambuf_iterator<char>(file), {});
-    return bytes;
-}
 
 /// What keeps the picture from being what its reader should give; empty when nothing does.
 std::string problem_of(const StoredPicture& stored) {
@@ -51,25 +40,24 @@ const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
     return formats;
 }
 
-std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& diagnostics,
+std::optional<StoredPicture> read_stored(const Found& file, Diagnostics& diagnostics,
                                          Span asked_at) {
     StoredPicture stored;
     std::string problem;
-    const std::string bytes = bytes_of(path);
-    if (is_png(bytes)) {
-        problem = read_png(bytes, max_pixels, stored);
-    } else if (reads_tga(bytes)) {
-        if (!read_tga(bytes, max_pixels, stored)) problem = "it is damaged";
+    if (is_png(file.text)) {
+        problem = read_png(file.text, max_pixels, stored);
+    } else if (is_tga(file.path) && reads_tga(file.text)) {
+        if (!read_tga(file.text, max_pixels, stored)) problem = "it is damaged";
     } else {
         const Formats* formats = picture_formats(diagnostics, asked_at);
         if (!formats) return std::nullopt;
-        problem = formats->read(path, max_pixels, stored);
+        problem = formats->read(file.text, max_pixels, stored);
     }
     if (problem.empty()) problem = problem_of(stored);
     if (problem.empty()) return stored;
-    diagnostics.add(
-        error(Fault::io, asked_at,
-              message("cannot read the picture `", printable(path), "`: ", printable(problem))));
+    diagnostics.add(error(
+        Fault::io, asked_at,
+        message("cannot read the picture `", printable(file.path), "`: ", printable(problem))));
     return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 
 #include "oiio/formats.h"
 #include "text/diagnostic.h"
+#include "text/loader.h"
 
 #include <optional>
 #include <string>
@@ -17,9 +18,9 @@ inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 /// The entry points; null, with a diagnostic at the span, when the library cannot be opened.
 const Formats* picture_formats(Diagnostics&, Span asked_at = {});
 
-/// The picture as its file has it. Nothing, with a diagnostic at the span, when it cannot be read,
-/// or is larger than any picture that is not damaged.
-std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics&, Span asked_at);
+/// The picture as its file has it; a Targa file is known by its name. Nothing, with a diagnostic at
+/// the span, when it cannot be read, or is larger than any picture that is not damaged.
+std::optional<StoredPicture> read_stored(const Found&, Diagnostics&, Span asked_at);
 
 /// The bytes of a file that holds the picture. Nothing, with a diagnostic, when it cannot be made.
 std::optional<std::string> write_stored(const RawPicture&, Diagnostics&);

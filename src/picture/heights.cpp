@@ -15,8 +15,8 @@ namespace {
 constexpr double most = 65535;
 
 /// Heights do not depend on how clear a colour is.
-FileFacts facts_without_alpha(const std::string& path) {
-    FileFacts facts = file_facts(path);
+FileFacts facts_without_alpha(const Found& file) {
+    FileFacts facts = file_facts(file);
     for (auto& colour : facts.table) colour[3] = 255;
     return facts;
 }
@@ -35,15 +35,15 @@ double height_of(const StoredPicture& picture, const ColourNumbers* number_of, s
 
 }  // namespace
 
-std::optional<Heights> read_heights(const std::string& path, double gamma, Diagnostics& diagnostics,
+std::optional<Heights> read_heights(const Found& file, double gamma, Diagnostics& diagnostics,
                                     Span asked_at) {
-    std::optional<StoredPicture> read = read_stored(path, diagnostics, asked_at);
+    std::optional<StoredPicture> read = read_stored(file, diagnostics, asked_at);
     if (!read) return std::nullopt;
     StoredPicture& stored = *read;
     if (gamma > 0)
         for (float& value : stored.values)
             value = std::pow(std::max(0.0F, value), static_cast<float>(gamma));
-    const FileFacts facts = facts_without_alpha(path);
+    const FileFacts facts = facts_without_alpha(file);
     const ColourNumbers number_of(facts);
     Heights result{stored.width, stored.height, {}};
     const auto width = static_cast<std::size_t>(stored.width);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "text/diagnostic.h"
+#include "text/loader.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,7 +20,6 @@ struct Heights {
 
 /// The heights, or nothing with a diagnostic at the span. The values are taken as they are stored,
 /// unless there is a gamma (above 0).
-std::optional<Heights> read_heights(const std::string& path, double gamma, Diagnostics&,
-                                    Span asked_at = {});
+std::optional<Heights> read_heights(const Found&, double gamma, Diagnostics&, Span asked_at = {});
 
 }  // namespace candelabra

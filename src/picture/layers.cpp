@@ -3,6 +3,7 @@
 
 #include "picture/formats.h"
 #include "text/message.h"
+#include "text/opened_file.h"
 #include "text/printable.h"
 
 #include <algorithm>
@@ -38,14 +39,19 @@ std::optional<LayeredPicture> read_layers(const std::string& path,
                                           Diagnostics& diagnostics) {
     const Formats* formats = picture_formats(diagnostics);
     if (!formats) return std::nullopt;
+    const auto fail = [&](std::string_view problem) {
+        diagnostics.add(error(
+            Fault::io, {}, message("cannot read `", printable(path), "`: ", printable(problem))));
+        return std::nullopt;
+    };
+    // All is read by one handle, and nothing is looked for by name again.
+    const auto bytes = content_of_file(path);
+    if (!bytes) return fail("it cannot be opened, or is no regular file");
     LayeredPicture picture;
     for (const std::string_view name : texts) picture.texts.emplace_back(name, "");
-    std::string problem = formats->read_layers(path, max_pixels, picture);
+    std::string problem = formats->read_layers(*bytes, max_pixels, picture);
     if (problem.empty() && !is_whole(picture)) problem = "it is damaged: pixels of it are missing";
-    if (problem.empty()) return picture;
-    diagnostics.add(
-        error(Fault::io, {}, message("cannot read `", printable(path), "`: ", printable(problem))));
-    return std::nullopt;
+    return problem.empty() ? std::optional(std::move(picture)) : fail(problem);
 }
 
 }  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "base/gamma.h"
 #include "picture/file_facts.h"
 #include "picture/formats.h"
+#include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <array>
@@ -92,12 +94,12 @@ std::vector<std::uint16_t> numbers_of(const StoredPicture& picture, const FileFa
 
 }  // namespace
 
-std::optional<Texels> read_texels(const std::string& path, const TexelCoding& coding,
+std::optional<Texels> read_texels(const Found& file, const TexelCoding& coding,
                                   Diagnostics& diagnostics, Span asked_at) {
-    std::optional<StoredPicture> read = read_stored(path, diagnostics, asked_at);
+    std::optional<StoredPicture> read = read_stored(file, diagnostics, asked_at);
     if (!read) return std::nullopt;
     StoredPicture& stored = *read;
-    const FileFacts facts = file_facts(path);
+    const FileFacts facts = file_facts(file);
     const Decoder decode(coding, stored, facts);
     Texels texels{stored.width, stored.height, stored.channels, {}, {}, {}, {}};
     texels.numbers = numbers_of(stored, facts);
@@ -127,7 +129,13 @@ std::optional<Texels> read_texels(const std::string& path, const TexelCoding& co
 
 std::optional<Image> read_picture(const std::string& path, Diagnostics& diagnostics,
                                   Span asked_at) {
-    const std::optional<StoredPicture> read = read_stored(path, diagnostics, asked_at);
+    const std::optional<std::string> bytes = disk_reader()(path);
+    if (!bytes) {
+        diagnostics.add(
+            error(Fault::io, asked_at, message("cannot open the picture `", printable(path), "`")));
+        return std::nullopt;
+    }
+    const std::optional<StoredPicture> read = read_stored({path, *bytes}, diagnostics, asked_at);
     if (!read) return std::nullopt;
     const StoredPicture& stored = *read;
     Image image(stored.width, stored.height);

@@ -6,14 +6,16 @@
 #include "base/image.h"
 #include "base/texels.h"
 #include "text/diagnostic.h"
+#include "text/loader.h"
 
 #include <optional>
 #include <string>
 
 namespace candelabra {
 
-/// The picture, or nothing with a diagnostic at the span. Whole numbers are decoded as sRGB unless
-/// the file says otherwise; grey becomes equal red, green and blue; alpha is left out.
+/// The picture of a file that the user names, or nothing with a diagnostic at the span. Whole
+/// numbers are decoded as sRGB unless the file says otherwise; grey becomes equal red, green and
+/// blue; alpha is left out.
 std::optional<Image> read_picture(const std::string& path, Diagnostics&, Span asked_at = {});
 
 /// How the stored values become the scene's, by POV-Ray 3.7's rules.
@@ -32,7 +34,7 @@ struct TexelCoding {
 };
 
 /// The texels, or nothing with a diagnostic at the span.
-std::optional<Texels> read_texels(const std::string& path, const TexelCoding&, Diagnostics&,
+std::optional<Texels> read_texels(const Found&, const TexelCoding&, Diagnostics&,
                                   Span asked_at = {});
 
 }  // namespace candelabra

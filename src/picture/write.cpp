@@ -65,6 +65,8 @@ std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
     result.reserve(image.pixels.size() * ((format.grey ? 1 : 3) + (alpha.empty() ? 0 : 1)));
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         double opaque = alpha.empty() ? 1 : alpha[i];
+        // Files may say that a pixel is more than opaque; what is no number becomes 0.
+        if (whole) opaque = std::fmin(1, std::fmax(0, opaque));
         const Vec3 pixel =
             whole && !alpha.empty() ? divided(image.pixels[i], opaque) : image.pixels[i];
         if (format.grey)

@@ -16,9 +16,8 @@ struct PilotNoise {
     int places = 0;        ///< on the picture, which these are sums over
     HitNoise of_hits;      ///< as their cells expect it
 };
-/// `photons`: of the world; null: the pilot makes them, where there are some.
-PilotNoise pilot_noise(const World&, const RenderSettings&,
-                       const std::shared_ptr<Photons>& photons = nullptr);
+/// `sent`: light of the world; none: the pilot makes it, where there is some.
+PilotNoise pilot_noise(const World&, const RenderSettings&, const SentLight& sent = {});
 
 /// Whether the light is nearly as quiet as if nothing were left to chance, so that pixels need no
 /// more samples than their contrast asks for.
@@ -35,6 +34,6 @@ struct Pilot {
     ShadowRays shadow_rays;
     bool quiet = false;  ///< see is_quiet(); false where no pixels were tried
 };
-Pilot pilot(const World&, const RenderSettings&, const std::shared_ptr<Photons>& photons = nullptr);
+Pilot pilot(const World&, const RenderSettings&, const SentLight& sent = {});
 
 }  // namespace candelabra

@@ -24,6 +24,14 @@ std::vector<Region> tiles_of(int width, int height, int size) {
     return tiles;
 }
 
+void nearest_first(std::vector<Region>& tiles, const Vec2& pixel) {
+    const auto away = [&](const Region& tile) {
+        return std::hypot(0.5 * (tile.left + tile.right) - pixel.x,
+                          0.5 * (tile.top + tile.bottom) - pixel.y);
+    };
+    std::ranges::stable_sort(tiles, {}, away);
+}
+
 /// Where pixels do not look at each other: more threads find work. A part of a tile.
 constexpr int small_tile = tile_size / 2;
 
@@ -98,7 +106,7 @@ public:
           film_(plan.world.view.film),
           filter_(film_.filter()),
           exposure_(film_.exposure_factor()),
-          tracing_{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, plan.photons,
+          tracing_{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, plan.sent,
                    hooks.aovs.alpha},
           fresh_integrators_(integrators_of_moments()) {}
 
@@ -128,13 +136,13 @@ private:
             if (level >= all.most) return;
             before = level;
             level = level > all.most / growth ? all.most : level * growth;
-            if (plan_.photons) level = std::min(level, before + Photons::samples_at_once);
+            if (plan_.sent) level = std::min(level, before + plan_.sent.samples_at_once());
         }
     }
 
     /// For samples of each pixel from the number `from` to before `to`, if any are wanted.
     void prepare(std::uint32_t from, std::uint32_t to) {
-        if (!plan_.photons) return;
+        if (!plan_.sent) return;
         const std::uint32_t first = state_.share.first_sample;
         std::uint32_t least = to;
         for_pixels({0, 0, state_.film.width(), state_.film.height()}, [&](const PixelSum& pixel) {
@@ -153,10 +161,14 @@ private:
 
     void over_tiles(std::uint32_t level, bool ends_round) {
         const int size = is_settled_by_tiles(plan_.rule) ? tile_size : small_tile;
-        const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height(), size);
+        std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height(), size);
+        if (hooks_.first) nearest_first(tiles, *hooks_.first);
         std::atomic<std::size_t> begun = 0;
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
-            if (++begun == tiles.size() && ends_round) wind_down();
+            const std::size_t turn = begun++;
+            if (turn + 1 == tiles.size() && ends_round) wind_down();
+            // Threads begin anywhere; where it matters, they take tiles in order.
+            if (hooks_.first) i = turn;
             if (stopped_ || !wants(tiles[i], level)) return;
             Work work{fresh_integrators_};
             const std::uint64_t made = make_tile(work, tiles[i], level);
@@ -180,7 +192,7 @@ private:
         integrators.emplace_back(world_, tracing_);
         for (const World& moment : world_.shutter) {
             Tracing there = tracing_;
-            there.photons = photons_of(moment, settings_.seed, settings_.threads);
+            there.sent = SentLight::of(moment, settings_.seed, settings_.threads);
             integrators.emplace_back(moment, there);
         }
         return integrators;
@@ -393,13 +405,13 @@ private:
 }  // namespace
 
 RenderPlan plan_of(const World& world, const RenderSettings& settings) {
-    const std::shared_ptr<Photons> photons = photons_of(world, settings.seed, settings.threads);
-    const Pilot tried = pilot(world, settings, photons);
+    const SentLight sent = SentLight::of(world, settings.seed, settings.threads);
+    const Pilot tried = pilot(world, settings, sent);
     const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
     const SampleRule rule = sample_rule(
         world, settings, tried.quiet && !world.lights.sources.empty() && world.sky.light.empty());
     const int samples = first_samples(world, settings, rule, shared);
-    return {world, settings, tried.shadow_rays, photons, static_cast<std::uint32_t>(samples), rule};
+    return {world, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples), rule};
 }
 
 bool advance(const RenderPlan& plan, RenderState& state, LightLedger& rays,

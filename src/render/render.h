@@ -8,9 +8,11 @@
 #include "transport/aovs.h"
 #include "transport/direct_light.h"
 #include "transport/light_ledger.h"
+#include "transport/sent_light.h"
 #include "world/world.h"
 
 #include <functional>
+#include <optional>
 
 namespace candelabra {
 
@@ -19,10 +21,10 @@ namespace candelabra {
 struct RenderPlan {
     const World& world;
     RenderSettings settings;
-    ShadowRays shadow_rays;            ///< at each hit
-    std::shared_ptr<Photons> photons;  ///< of the world; null: it has none
-    std::uint32_t samples = 1;         ///< of each pixel in the first round, or altogether
-    SampleRule rule;                   ///< for those that follow
+    ShadowRays shadow_rays;     ///< at each hit
+    SentLight sent;             ///< of the world
+    std::uint32_t samples = 1;  ///< of each pixel in the first round, or altogether
+    SampleRule rule;            ///< for those that follow
 
     /// Whether all pixels get the number of samples that is asked for.
     bool is_even() const { return candelabra::is_even(settings, rule); }
@@ -40,6 +42,8 @@ struct RenderHooks {
     std::function<void()> winds_down;
     bool counts_lights = false;  ///< fills LightLedger::lights
     Aovs aovs = {};              ///< the film has sums for them
+    /// The pixel around which all passes over the picture begin; nothing: no matter where.
+    std::optional<Vec2> first = {};
 };
 
 struct Rendering {

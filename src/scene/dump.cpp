@@ -72,8 +72,8 @@ std::string settings_text(const Scene& scene) {
     }
     if (settings.photons.on) {
         const std::string fields = written_fields(PhotonSettings::vocabulary, &settings.photons);
-        text += message(text.empty() ? "" : " ", "photons {", fields.empty() ? "" : " ", fields,
-                        " }");
+        text +=
+            message(text.empty() ? "" : " ", "photons {", fields.empty() ? "" : " ", fields, " }");
     }
     const std::string sampler = item_text(settings.light_sampler);
     if (sampler != item_text(GlobalSettings().light_sampler))
@@ -87,18 +87,11 @@ std::string settings_text(const Scene& scene) {
     return text.empty() ? "" : message("global_settings { ", text, " }\n");
 }
 
-std::string film_text(const FilmSettings& film) {
-    if (!film.on) return {};
-    std::string text = written_fields(FilmSettings::vocabulary, &film);
-    if (film.glares) text += message(text.empty() ? "" : " ", block_text(film.glare));
-    return message(" film { ", text, text.empty() ? "" : " ", "}");
-}
-
 std::string camera_text(const Scene& scene) {
     const Transform& transform = std::visit(
         [](const View& view) -> const Transform& { return view.transform; }, scene.camera);
     return message("camera { ", item_text(scene.camera), dump(scene.camera_normal),
-                   film_text(scene.film), matrix_text(transform), " }\n");
+                   scene.film.on ? " " : "", film_text(scene.film), matrix_text(transform), " }\n");
 }
 
 /// The object in one line, with all that is in it.
@@ -367,6 +360,13 @@ namespace {
 std::string in_one_line(const Object& object) { return Dumper().line(object); }
 
 }  // namespace
+
+std::string film_text(const FilmSettings& film) {
+    if (!film.on) return {};
+    std::string text = written_fields(FilmSettings::vocabulary, &film);
+    if (film.glares) text += message(text.empty() ? "" : " ", block_text(film.glare));
+    return message("film { ", text, text.empty() ? "" : " ", "}");
+}
 
 std::span<const SceneText> scene_texts() { return blocks_of_scenes; }
 

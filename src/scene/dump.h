@@ -16,6 +16,9 @@ namespace candelabra {
 /// declared first as Object_1, ...
 std::string dump(const Scene&);
 
+/// The film as a block of a camera; empty when there is none.
+std::string film_text(const FilmSettings&);
+
 /// A block of a scene that makes no object, as text: its line, or several; empty when the scene has
 /// the default.
 struct SceneText {

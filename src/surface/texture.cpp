@@ -227,6 +227,16 @@ bool scatters(const Texture& texture) {
     return any_finish(texture, [](const Finish& finish) { return finish.microfacet.on; });
 }
 
+bool has_other_light(const Texture& texture) {
+    return any_finish(texture, [](const Finish& f) {
+        const Reflection& mirror = f.reflection;
+        return f.microfacet.on || f.phong != 0 || f.specular != 0 || f.ambient != Vec3(0) ||
+               f.irid.amount != 0 || mirror.least != Vec3(0) || mirror.greatest != Vec3(0) ||
+               f.diffuse_back != 0 || f.crand != 0 || f.conserve_energy ||
+               f.subsurface.translucency != Vec3(0);
+    });
+}
+
 bool lets_light_in(const Texture& texture) {
     return any_finish(
         texture, [](const Finish& finish) { return finish.subsurface.translucency != Vec3(0); });

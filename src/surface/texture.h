@@ -83,6 +83,10 @@ Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const Focus
 /// Whether one of its finishes has facets.
 bool scatters(const Texture&);
 
+/// Whether one of its finishes sends light to other surfaces that is no diffuse reflection: it has
+/// highlights, mirrors, or an ambient part.
+bool has_other_light(const Texture&);
+
 /// Whether one of its finishes has light spread below the surface, if the scene wants that.
 bool lets_light_in(const Texture&);
 

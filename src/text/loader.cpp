@@ -7,10 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -21,25 +18,6 @@ namespace {
 
 // Places in a text are 32 bit offsets (text/span.h).
 constexpr std::size_t longest_text = std::numeric_limits<std::uint32_t>::max() - 1;
-
-std::optional<std::string> read_from_disk(const std::string& path) {
-    if (path.empty() || path.find('\0') != std::string::npos) return {};
-    std::error_code failure;
-    const auto kind = std::filesystem::status(path, failure).type();
-    const bool readable =
-        kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::fifo;
-    if (failure || !readable) return {};
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {};
-    std::string text;
-    std::string part(1 << 16, '\0');
-    while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0) {
-        text.append(part, 0, static_cast<std::size_t>(file.gcount()));
-        if (text.size() > longest_text) return {};
-    }
-    if (file.bad()) return {};
-    return text;
-}
 
 bool is_absolute(const std::string& name) { return name.starts_with('/'); }
 
@@ -71,7 +49,8 @@ void add_once(std::vector<std::string>& list, std::string entry) {
 }  // namespace
 
 Reader disk_reader() {
-    return {read_from_disk, [](const std::string& path) { return is_regular_file(path); }};
+    return {[](const std::string& path) { return content_of_file(path, longest_text); },
+            [](const std::string& path) { return is_regular_file(path); }, scene_reader};
 }
 
 Reader scene_reader(const Door& door) {
@@ -180,12 +159,17 @@ std::vector<std::string> Loader::listed(const std::string& folder) const {
     return door_.may_read(folder) ? lister_(folder) : std::vector<std::string>();
 }
 
+std::optional<std::string> Loader::located(const std::string& name,
+                                           const std::string& including_directory,
+                                           FileKind kind) const {
+    for (std::string& path : searched(name, including_directory, kind))
+        if (keeps(path) || (door_.may_read(path) && reader_.holds(path))) return std::move(path);
+    return {};
+}
+
 bool Loader::finds(const std::string& name, const std::string& including_directory,
                    FileKind kind) const {
-    return std::ranges::any_of(
-        searched(name, including_directory, kind), [&](const std::string& path) {
-            return keeps(path) || (door_.may_read(path) && reader_.holds(path));
-        });
+    return located(name, including_directory, kind).has_value();
 }
 
 bool Loader::refused(const std::string& name, const std::string& including_directory,

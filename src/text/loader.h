@@ -29,6 +29,7 @@ class Reader {
 public:
     using Read = std::function<std::optional<std::string>(const std::string& path)>;
     using Holds = std::function<bool(const std::string& path)>;
+    using Within = std::function<Reader(const Door&)>;
 
     Reader() = default;
     /// For texts in memory, which cost nothing: there is what can be read.
@@ -38,15 +39,19 @@ public:
         : read_(read), holds_([read](const std::string& path) {
               return std::optional<std::string>(read(path)).has_value();
           }) {}
-    Reader(Read read, Holds holds) : read_(std::move(read)), holds_(std::move(holds)) {}
+    Reader(Read read, Holds holds, Within within = {})
+        : read_(std::move(read)), holds_(std::move(holds)), within_(std::move(within)) {}
 
     explicit operator bool() const { return bool(read_); }
     std::optional<std::string> operator()(const std::string& path) const { return read_(path); }
     bool holds(const std::string& path) const { return holds_(path); }
+    /// The same for what the door lets through; texts in memory know no door.
+    Reader within(const Door& door) const { return within_ ? within_(door) : *this; }
 
 private:
     Read read_;
     Holds holds_;
+    Within within_;
 };
 
 /// For files that the user names: regular ones and pipes; folders, devices and whatever cannot be
@@ -78,6 +83,11 @@ public:
 
     std::optional<Found> load(const std::string& name, const std::string& including_directory = {},
                               FileKind kind = FileKind::include) const;
+
+    /// The path of the file that load() would give. Reads nothing.
+    std::optional<std::string> located(const std::string& name,
+                                       const std::string& including_directory = {},
+                                       FileKind kind = FileKind::include) const;
 
     /// Whether load() would find one. Reads nothing.
     bool finds(const std::string& name, const std::string& including_directory = {},

@@ -11,6 +11,28 @@
 
 namespace candelabra {
 
+namespace {
+
+/// What is left to read, perhaps so many bytes.
+std::optional<std::string> all_of(const OpenedFile& file, std::size_t expected, std::size_t most) {
+    std::string text(expected, '\0');
+    std::size_t filled = 0;
+    for (;;) {
+        // A file may have grown, and those of /proc say that they are empty.
+        if (filled == text.size()) text.resize(std::max<std::size_t>(4096, filled + filled / 2));
+        const ssize_t part = ::read(file.descriptor(), text.data() + filled, text.size() - filled);
+        if (part < 0 && errno == EINTR) continue;
+        if (part < 0) return std::nullopt;
+        if (part == 0) break;
+        filled += static_cast<std::size_t>(part);
+        if (filled > most) return std::nullopt;
+    }
+    text.resize(filled);
+    return text;
+}
+
+}  // namespace
+
 OpenedFile::~OpenedFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
@@ -52,20 +74,20 @@ std::optional<std::string> content_of(const OpenedFile& file, std::size_t most) 
     struct stat state {};
     if (::fstat(file.descriptor(), &state) != 0 || !S_ISREG(state.st_mode)) return std::nullopt;
     if (static_cast<std::size_t>(state.st_size) > most) return std::nullopt;
-    std::string text(static_cast<std::size_t>(state.st_size), '\0');
-    std::size_t filled = 0;
-    for (;;) {
-        // A file may have grown, and those of /proc say that they are empty.
-        if (filled == text.size()) text.resize(std::max<std::size_t>(4096, filled + filled / 2));
-        const ssize_t part = ::read(file.descriptor(), text.data() + filled, text.size() - filled);
-        if (part < 0 && errno == EINTR) continue;
-        if (part < 0) return std::nullopt;
-        if (part == 0) break;
-        filled += static_cast<std::size_t>(part);
-        if (filled > most) return std::nullopt;
-    }
-    text.resize(filled);
-    return text;
+    return all_of(file, static_cast<std::size_t>(state.st_size), most);
+}
+
+std::optional<std::string> content_of_file(const std::string& path, std::size_t most) {
+    struct stat named {
+    }, opened{};
+    if (path.find('\0') != path.npos || ::stat(path.c_str(), &named) != 0) return std::nullopt;
+    const bool regular = S_ISREG(named.st_mode);
+    if (!regular && !S_ISFIFO(named.st_mode)) return std::nullopt;
+    const int waits = regular ? O_NONBLOCK : 0;
+    const OpenedFile file(::open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC | waits));
+    if (regular) return content_of(file, most);
+    if (::fstat(file.descriptor(), &opened) != 0 || !S_ISFIFO(opened.st_mode)) return std::nullopt;
+    return all_of(file, 0, most);
 }
 
 }  // namespace candelabra

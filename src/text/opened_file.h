@@ -45,4 +45,9 @@ bool is_regular_file(const OpenedFile&);
 /// All that is in a regular file of up to `most` bytes; nothing for others.
 std::optional<std::string> content_of(const OpenedFile&, std::size_t most);
 
+/// All that is in a regular file or a pipe that the user names, links followed; nothing for others,
+/// which are not opened, or are left alone if they come into the file's place meanwhile.
+std::optional<std::string> content_of_file(const std::string& path,
+                                           std::size_t most = std::string::npos);
+
 }  // namespace candelabra

@@ -55,9 +55,9 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     if (layer.sources) sum = from_sources(layer, key, ledger);
     if (photons_ && !layer.scatterer.in_air() && layer.collects(world_))
         sum += photons_(layer, key, ledger);
-    if (!layer.luminaires) return sum;
-    if (!world_.lights.luminaires.empty()) sum += from_luminaires(layer, key, sum, ledger);
-    if (world_.sky.light.empty()) return sum;
+    if (layer.luminaires && !world_.lights.luminaires.empty())
+        sum += from_luminaires(layer, key, sum, ledger);
+    if (!layer.sky || world_.sky.light.empty()) return sum;
     Vec3 of_sky(0);
     const int count = shadow_rays_.usual;
     for (int i = 0; i < count; ++i) {

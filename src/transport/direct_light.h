@@ -47,7 +47,8 @@ struct LitLayer {
     Vec3 throughput = Vec3(1);  ///< of the radiance that the layer sends, in the sample
     bool highlights = true;     ///< phong and specular ones count
     bool sources = true;        ///< light sources and their photons count
-    bool luminaires = true;     ///< they, their photons and the sky count
+    bool luminaires = true;     ///< they and their photons count
+    bool sky = true;            ///< so far as it is a luminaire
     /// Light of luminaires is part of what this gathers; null: nothing is.
     const Radiosity* radiosity = nullptr;
 

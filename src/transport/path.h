@@ -34,6 +34,12 @@ struct PathState {
     bool collects = false;             ///< photons bring light to the surface that it comes from
     bool brought = false;              ///< and that of the luminaires that it meets
     bool counted = false;  ///< the light of luminaires that it meets has been counted already
+    /// Of a ray from a surface that reflected luminaires light: its cosine to the normal there. 0
+    /// of others.
+    double leaving = 0;
+    /// Reflected luminaires have counted the light of luminaires that comes to it by way of diffuse
+    /// surfaces only.
+    bool covered = false;
 
     /// The same path where only a share of the radiance comes on to the sample.
     PathState dimmed(const Vec3& share) const {

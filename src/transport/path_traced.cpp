@@ -18,6 +18,9 @@ namespace {
 
 /// Paths with fewer diffuse bounces go on in any case; others by how much they still count.
 constexpr int first_roulette = 2;
+/// That a path goes on for which reflected luminaires have counted all light but that of highlights
+/// and mirrors.
+constexpr double chance_of_shine = 0.25;
 /// That a path goes on all the same.
 constexpr double min_survival = 0.05;
 
@@ -43,14 +46,18 @@ PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wa
     : world_(world),
       rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays),
+      reflected_(world, wanted.sent.reflected ? wanted.sent.reflected
+                                              : reflected_luminaires_of(world, 0, 1)),
       media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)),
-      max_bounces_(std::get<PathTraced>(world.rules.settings.integrator).bounces) {}
+      max_bounces_(std::get<PathTraced>(world.rules.settings.integrator).bounces),
+      chance_of_covered_(world.is_lit_by_luminaires_only() ? chance_of_shine : 1) {}
 
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     sum_ = Vec3(0);
     PathState path = ends_.begin(ray, key);
+    reflected_.begin(key.sample);
     if (ray.direction == Vec3(0)) return sum_;
     ++ledger_.camera;
     while (path.throughput != Vec3(0)) {
@@ -63,6 +70,7 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
             sum_ += path.throughput * ends_.background(path);
             break;
         }
+        if (ends_covered(path, hit, distance)) break;
         const Vertex vertex =
             vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
         // Of textures that are mixed, chance takes one.
@@ -140,13 +148,49 @@ void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
     path.throughput = Vec3(0);
 }
 
+/// Leaves to reflected luminaires what is theirs of the light from a hit. True: that is all. Other
+/// light, where there may be some, is looked for by some of the paths.
+bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double distance) const {
+    if (path.leaving > 0) {
+        const double there = std::abs(dot(path.ray.direction, unit(hit.normal)));
+        const double share = reflected_.share(path.leaving, there, distance);
+        path.covered = uniform(path.key, Purpose::near_reflection) < share;
+        path.leaving = 0;
+    }
+    if (!path.covered || !world_.has_other_light()) return path.covered;
+    if (world_.material(hit.primitive).other_light) return false;
+    if (uniform(path.key, Purpose::other_light) >= chance_of_covered_) return true;
+    path.dim(Vec3(1 / chance_of_covered_));
+    return false;
+}
+
 /// What one layer sends by itself and of direct light.
 void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex, const Shading& s) {
     const Vec3 own = own_radiance(s, rules_, shows_emission(world_, path, vertex.hit.primitive));
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
     const Bsdf whole(s, rules_);
     Vec3 light = own;
-    if (!scatters_inside(world_, s)) {
+    if (reflected_ && is_lambertian(world_, s)) {
+        if (path.covered) {
+            const Bsdf highlights = Bsdf::highlights_of(s, rules_);
+            light += direct_light_({.vertex = vertex,
+                                    .scatterer = highlights,
+                                    .throughput = path.throughput,
+                                    .sources = false,
+                                    .sky = false},
+                                   path.key, ledger_);
+            light += direct_light_({.vertex = vertex,
+                                    .scatterer = whole,
+                                    .throughput = path.throughput,
+                                    .luminaires = false},
+                                   path.key, ledger_);
+        } else {
+            light += direct_light_({vertex, whole, path.throughput}, path.key, ledger_);
+            if (path.bounces < max_bounces_)
+                light += reflected_(vertex, s, max_bounces_ - path.bounces, path.throughput,
+                                    path.key, ledger_);
+        }
+    } else if (!scatters_inside(world_, s)) {
         light += direct_light_({vertex, whole, path.throughput}, path.key, ledger_);
     } else {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
@@ -178,9 +222,11 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
     if (path.bounces >= first_roulette) {
         const double left = max_component(glm::abs(path.throughput * way.share)) / chance;
         survival = std::clamp(left, min_survival, 1.0);
-        if (uniform(path.key, Purpose::roulette) >= survival) return false;
     }
     ++ledger_.scattered;
+    path.covered &= way.kind == Way::diffuse && is_lambertian(world_, way.shading);
+    if (path.covered && vertex.material->other_light) survival *= chance_of_covered_;
+    if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;
     path.dim(way.through / (chance * survival));
     switch (way.kind) {
         case Way::mirror:
@@ -224,6 +270,8 @@ bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const 
         Bsdf(s, rules_).evaluate(direction, {.highlights = false, .facets = FacetLobes::none}, 0);
     path.dim(answer / (side * std::fmax(dot(direction, normal), 1e-9)));
     path = gathering_path(path, vertex, direction);
+    if (reflected_ && !path.covered && is_lambertian(world_, s))
+        path.leaving = dot(direction, normal);
     if (from_behind && vertex.material->transparent) path.media = stack.interface().behind;
     return true;
 }

@@ -9,6 +9,7 @@
 #include "transport/layer_stack.h"
 #include "transport/participating_media.h"
 #include "transport/path_steps.h"
+#include "transport/reflected_light.h"
 #include "transport/tracing.h"
 
 namespace candelabra {
@@ -23,7 +24,7 @@ public:
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
     double clear() const { return ends_.clear(); }
-    void prepare(std::uint32_t, std::uint32_t) const {}
+    void prepare(std::uint32_t first, std::uint32_t last) const { reflected_.prepare(first, last); }
 
 private:
     /// A way in which a path may go on from a vertex.
@@ -38,6 +39,7 @@ private:
 
     bool pass_air(PathState&, double distance);
     void at_vertex(PathState&, const Vertex&, std::span<const Layer>);
+    bool ends_covered(PathState&, const Hit&, double distance) const;
     void gather(const PathState&, const Vertex&, const Shading&);
     void add_ways(const PathState&, const LayerStack::Seen&, Ways&) const;
     bool follow(const Way&, double chance, const Vertex&, const LayerStack&, PathState&);
@@ -47,11 +49,13 @@ private:
     const World& world_;
     ShadingRules rules_;
     DirectLight direct_light_;
+    ReflectedLight reflected_;
     ParticipatingMedia media_;
     PathEnds ends_;
     LightLedger ledger_;
     Vec3 sum_ = Vec3(0);  ///< the sample's radiance so far
     int max_bounces_;
+    double chance_of_covered_;  ///< see ends_covered()
 };
 
 }  // namespace candelabra

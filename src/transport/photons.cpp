@@ -34,7 +34,8 @@ Photons::Photons(const World& world, int seed, int threads)
       paths_(world),
       count_(shooter_.count()),
       seed_(mix(static_cast<std::uint64_t>(seed))),
-      threads_(threads) {}
+      threads_(threads),
+      generations_(most_generations) {}
 
 std::uint32_t Photons::generation_of(std::uint32_t sample) {
     return sample < single_samples
@@ -89,21 +90,7 @@ PhotonMap Photons::made(std::uint32_t number) const {
 }
 
 std::shared_ptr<const PhotonMap> Photons::generation(std::uint32_t number) {
-    std::shared_ptr<Entry> entry;
-    {
-        const std::lock_guard lock(mutex_);
-        std::shared_ptr<Entry>& place = generations_[number];
-        if (!place) place = std::make_shared<Entry>();
-        entry = place;
-        // Those that were asked for long ago have the lowest numbers.
-        if (generations_.size() > most_generations)
-            generations_.erase(generations_.begin()->first == number
-                                   ? std::next(generations_.begin())
-                                   : generations_.begin());
-    }
-    const std::lock_guard lock(entry->making);
-    if (!entry->map) entry->map = std::make_shared<const PhotonMap>(made(number));
-    return entry->map;
+    return generations_.get(number, [&] { return made(number); });
 }
 
 void Photons::prepare(std::uint32_t first, std::uint32_t last) {

@@ -6,13 +6,9 @@
 // number, and is made when it is first asked for; any number of threads may ask.
 #pragma once
 
+#include "transport/generations.h"
 #include "transport/photon_map.h"
 #include "transport/photon_path.h"
-
-#include <atomic>
-#include <map>
-#include <memory>
-#include <mutex>
 
 namespace candelabra {
 
@@ -31,11 +27,6 @@ public:
     void prepare(std::uint32_t first, std::uint32_t last);
 
 private:
-    struct Entry {
-        std::mutex making;
-        std::shared_ptr<const PhotonMap> map;
-    };
-
     std::vector<Photon> shot(std::uint32_t count, std::uint64_t stream) const;
     void shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count, std::uint64_t stream,
                std::vector<Photon>&) const;
@@ -47,8 +38,7 @@ private:
     std::uint32_t count_;
     std::uint64_t seed_;
     int threads_;
-    std::mutex mutex_;
-    std::map<std::uint32_t, std::shared_ptr<Entry>> generations_;
+    Generations<PhotonMap> generations_;
 };
 
 /// Null where the world has no targets.

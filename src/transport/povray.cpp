@@ -20,7 +20,7 @@ PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
       radiosity_(world.rules.settings.radiosity),
       rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays,
-                    wanted.photons ? wanted.photons : photons_of(world, 0, 1)),
+                    wanted.sent.photons ? wanted.sent.photons : photons_of(world, 0, 1)),
       media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)) {}
@@ -118,7 +118,8 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
                               .scatterer = bsdf,
                               .throughput = path.throughput,
                               .highlights = highlights,
-                              .luminaires = false},
+                              .luminaires = false,
+                              .sky = false},
                              path.key, ledger_) +
                (luminaires ? gathered(path, vertex, s) : Vec3(0));
     }

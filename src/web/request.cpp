@@ -192,10 +192,22 @@ ReadRequest read_request(std::string_view bytes, const WebKey& key) {
                          : head->target.substr(std::min(mark + 1, head->target.size())))};
 }
 
+namespace {
+
+/// Of a file that is saved. Letters that could end the name are taken out of it.
+std::string disposition(std::string_view name) {
+    if (name.empty()) return {};
+    std::string safe;
+    for (const char c : name) safe += in_name(c) || c == '.' || c == '-' ? c : '_';
+    return message("\r\nContent-Disposition: attachment; filename=\"", safe, "\"");
+}
+
+}  // namespace
+
 std::string sent_form(const WebAnswer& answer) {
     return message("HTTP/1.1 ", answer.status, " -\r\nContent-Type: ", answer.type,
                    "\r\nContent-Length: ", answer.body.size(),
-                   answer.status == 405 ? "\r\nAllow: GET, POST" : "",
+                   answer.status == 405 ? "\r\nAllow: GET, POST" : "", disposition(answer.saved_as),
                    "\r\nCache-Control: no-store"
                    "\r\nX-Content-Type-Options: nosniff"
                    "\r\nX-Frame-Options: DENY"
@@ -203,7 +215,7 @@ std::string sent_form(const WebAnswer& answer) {
                    "\r\nCross-Origin-Resource-Policy: same-origin"
                    "\r\nCross-Origin-Opener-Policy: same-origin"
                    "\r\nContent-Security-Policy: default-src 'none'; script-src 'self'; "
-                   "style-src 'unsafe-inline'; img-src 'self'; connect-src 'self'; "
+                   "style-src 'self' 'unsafe-inline'; img-src 'self'; connect-src 'self'; "
                    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
                    "\r\nConnection: close\r\n\r\n",
                    answer.body);

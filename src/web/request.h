@@ -12,9 +12,10 @@
 namespace candelabra {
 
 struct WebRequest {
-    bool post = false;  ///< else GET
-    std::string path;   ///< without the query: "/picture.png"
-    std::string form;   ///< of a GET behind the question mark, of a POST its body: "x=3&y=4"
+    bool post = false;      ///< else GET
+    std::string path;       ///< without the query: "/picture.png"
+    std::string form;       ///< of a GET behind the question mark, of a POST its body: "x=3&y=4"
+    bool can_wait = false;  ///< the answer may be `later`
 
     /// The value of a parameter of the form, as it is written; empty when there is none.
     std::string parameter(std::string_view name) const;
@@ -24,6 +25,9 @@ struct WebAnswer {
     std::string type;  ///< "text/html"
     std::string body;
     int status = 200;
+    std::string saved_as =
+        {};              ///< the name of a file that browsers save it as; empty: they show it
+    bool later = false;  ///< there is nothing to say yet: the request is put again after a while
 };
 
 /// What a request must know.

@@ -10,6 +10,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <cerrno>
@@ -30,10 +31,11 @@ constexpr Milliseconds farewell(1000);
 
 bool would_wait() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
 
-/// A socket with a request that comes, an answer that goes, or an end that is waited for.
+/// A socket with a request that comes, an answer that there is not yet or that goes, or an end that
+/// is waited for.
 class Connection {
 public:
-    enum State { asking, fetching, leaving, gone };
+    enum State { asking, waiting_for_answer, fetching, leaving, gone };
 
     Connection(int socket, Clock::time_point until) : socket_(socket), until_(until) {}
     Connection(Connection&& other) noexcept { *this = std::move(other); }
@@ -43,6 +45,7 @@ public:
         std::swap(bytes_, other.bytes_);
         std::swap(sent_, other.sent_);
         std::swap(until_, other.until_);
+        std::swap(request_, other.request_);
         return *this;
     }
     ~Connection() {
@@ -91,29 +94,43 @@ public:
 
     void end() { state_ = gone; }
 
+    /// There is no answer yet.
+    void wait(WebRequest request, Clock::time_point until) {
+        request_ = std::move(request);
+        bytes_ = {};
+        state_ = waiting_for_answer;
+        until_ = until;
+    }
+    WebRequest& request() { return request_; }
+
 private:
     int socket_ = -1;
     State state_ = asking;
     std::string bytes_;  ///< of the request, then of the answer
     std::size_t sent_ = 0;
     Clock::time_point until_;
+    WebRequest request_ = {};  ///< that waits for its answer
 };
 
 /// All connections of a server, served by one thread.
 class Crowd {
 public:
-    Crowd(int socket, const WebLimits& limits, const WebKey& key, const WebServer::Handler& handler)
-        : socket_(socket), limits_(limits), key_(key), handler_(handler) {}
+    /// `bell`: counts events after which those who wait are heard again.
+    Crowd(int socket, int bell, const WebLimits& limits, const WebKey& key,
+          const WebServer::Handler& handler)
+        : socket_(socket), bell_(bell), limits_(limits), key_(key), handler_(handler) {}
 
     /// Waits for a moment and does what can be done.
     void turn() {
-        std::vector<pollfd> waits = {{socket_, POLLIN, 0}};
+        std::vector<pollfd> waits = {{socket_, POLLIN, 0}, {bell_, POLLIN, 0}};
+        const std::size_t first = waits.size();
         for (const Connection& each : crowd_) waits.push_back(each.waits());
         if (::poll(waits.data(), waits.size(), static_cast<int>(look_up.count())) < 0) return;
         // Answers may take their time: those that become late meanwhile are heard first.
         const auto now = Clock::now();
         for (std::size_t i = 0; i < crowd_.size(); ++i)
-            if (waits[i + 1].revents != 0) serve(crowd_[i]);
+            if (waits[first + i].revents != 0) serve(crowd_[i]);
+        if (waits[1].revents != 0) hear_again();
         for (Connection& each : crowd_)
             if (each.late(now)) give_up(each);
         std::erase_if(crowd_, [](const Connection& c) { return c.state() == Connection::gone; });
@@ -148,17 +165,36 @@ private:
         if (!connection.take()) return connection.end();
         if (connection.state() != Connection::asking) return;
         const ReadRequest read = read_request(connection.asked(), key_);
-        if (const auto* const request = std::get_if<WebRequest>(&read))
-            connection.answer(answer(*request), after(limits_.answer_milliseconds));
-        else if (const auto* const refusal = std::get_if<WebAnswer>(&read))
+        if (const auto* const request = std::get_if<WebRequest>(&read)) {
+            WebRequest patient = *request;
+            patient.can_wait = true;
+            if (!answered(connection, patient))
+                connection.wait(std::move(patient), after(limits_.patience_milliseconds));
+        } else if (const auto* const refusal = std::get_if<WebAnswer>(&read))
             refuse(connection, *refusal);
     }
 
-    std::string answer(const WebRequest& request) {
+    void hear_again() {
+        std::uint64_t count = 0;
+        if (::read(bell_, &count, sizeof count) < 0) return;
+        for (Connection& each : crowd_)
+            if (each.state() == Connection::waiting_for_answer) answered(each, each.request());
+    }
+
+    /// False: there is no answer yet.
+    bool answered(Connection& connection, const WebRequest& request) {
+        std::optional<std::string> said = answer(request);
+        if (said) connection.answer(std::move(*said), after(limits_.answer_milliseconds));
+        return said.has_value();
+    }
+
+    std::optional<std::string> answer(const WebRequest& request) {
         std::size_t waiting = 0;
         for (const Connection& each : crowd_) waiting += each.waiting();
         if (waiting <= limits_.waiting_bytes) try {
-                return sent_form(handler_(request));
+                const WebAnswer said = handler_(request);
+                if (said.later && request.can_wait) return std::nullopt;
+                return sent_form(said);
             } catch (const std::bad_alloc&) {  // as if there were no room
             }
         return sent_form({plain_text, "there is no room for the answer at the moment\n", 503});
@@ -169,11 +205,16 @@ private:
     }
 
     void give_up(Connection& connection) {
+        if (connection.state() == Connection::waiting_for_answer) {
+            connection.request().can_wait = false;
+            answered(connection, connection.request());
+            return;
+        }
         if (connection.state() != Connection::asking) return connection.end();
         refuse(connection, {plain_text, "the request took too long\n", 408});
     }
 
-    int socket_;
+    int socket_, bell_;
     const WebLimits& limits_;
     const WebKey& key_;
     const WebServer::Handler& handler_;
@@ -198,6 +239,8 @@ WebServer::WebServer(int port, std::string token, Handler handler, WebLimits lim
     if (::bind(socket_, generic, length) != 0 || ::listen(socket_, waiting) != 0 ||
         ::getsockname(socket_, generic, &length) != 0)
         return;
+    bell_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+    if (bell_ < 0) return;
     key_.port = ntohs(address.sin_port);
     thread_ = std::thread([this] { serve(); });
 }
@@ -206,10 +249,17 @@ WebServer::~WebServer() {
     ending_ = true;
     if (thread_.joinable()) thread_.join();
     if (socket_ >= 0) ::close(socket_);
+    if (bell_ >= 0) ::close(bell_);
+}
+
+void WebServer::wake() const {
+    const std::uint64_t one = 1;
+    // A counter that is full rings as well.
+    [[maybe_unused]] const ssize_t written = ::write(bell_, &one, sizeof one);
 }
 
 void WebServer::serve() {
-    Crowd crowd(socket_, limits_, key_, handler_);
+    Crowd crowd(socket_, bell_, limits_, key_, handler_);
     while (!ending_) crowd.turn();
 }
 

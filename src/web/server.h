@@ -19,6 +19,7 @@ struct WebLimits {
     std::size_t waiting_bytes = 1 << 28;  ///< of answers that are being fetched; beyond: status 503
     int request_milliseconds = 5000;      ///< for the whole request, which else gets status 408
     int answer_milliseconds = 60000;      ///< for fetching the whole answer
+    int patience_milliseconds = 2000;     ///< until a request is put for the last time
 };
 
 class WebServer {
@@ -26,7 +27,8 @@ public:
     using Handler = std::function<WebAnswer(const WebRequest&)>;
 
     /// Listens on 127.0.0.1; port 0: any that is free. The handler is called from one thread. What
-    /// changes something it should do for POST only, which needs the token.
+    /// changes something it should do for POST only, which needs the token. A request that it
+    /// answers with `later` is put again whenever somebody calls wake(), until its time is over.
     WebServer(int port, std::string token, Handler, WebLimits = {});
     WebServer(const WebServer&) = delete;
     WebServer& operator=(const WebServer&) = delete;
@@ -34,6 +36,8 @@ public:
 
     /// 0: the port could not be had, or the token is empty.
     int port() const { return key_.port; }
+    /// There may be answers for those who wait. Called by any thread.
+    void wake() const;
 
 private:
     void serve();
@@ -42,6 +46,7 @@ private:
     Handler handler_;
     WebLimits limits_;
     int socket_ = -1;
+    int bell_ = -1;  ///< an event that wake() counts
     std::atomic<bool> ending_ = false;
     std::thread thread_;
 };

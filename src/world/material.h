@@ -27,7 +27,8 @@ struct Material {
     bool no_radiosity = false;
     bool double_illuminate = false;
     bool hollow = false;
-    bool uv = false;                  ///< a texture asks for u and v
+    bool other_light = false;  ///< what it sends to other surfaces is more than diffuse reflection
+    bool uv = false;           ///< a texture asks for u and v
     Handle<Texture> inner = nullptr;  ///< of the side that is seen from inside; null: as outside
     std::uint32_t light_group = 0;    ///< in WorldLights::groups; 0: none
     /// Number of the union that gave its interior to all of its parts: rays take them for one solid
@@ -54,6 +55,7 @@ struct Appearance {
     bool any_scattering = false;   ///< a finish has facets
     bool any_media = false;        ///< there are media in a solid
     bool any_drawn_media = false;  ///< and samples of them differ
+    bool any_other_light = false;  ///< see World::has_other_light()
     bool any_clear = false;        ///< shadow rays may pass through something
 };
 

@@ -123,9 +123,14 @@ void Materials::add(const Inherited& look) {
     world_.appearance.any_clear |= material.transparent || material.no_shadow;
     world_.appearance.any_left_out |= look.no_image || look.no_reflection || look.no_radiosity;
     world_.appearance.any_scattering |= scatters(texture);
-    glows_.push_back(world_.rules.quality >= quality_shadows && !look.no_luminaire &&
-                     max_component(lighting_emission(texture)) >
-                         world_.rules.settings.luminaires_above);
+    const double emission = max_component(lighting_emission(texture));
+    const bool glows = world_.rules.quality >= quality_shadows && !look.no_luminaire &&
+                       emission > world_.rules.settings.luminaires_above;
+    glows_.push_back(glows);
+    material.other_light = material.transparent || look.double_illuminate ||
+                           (emission != 0 && !glows) || has_other_light(texture) ||
+                           (material.inner && has_other_light(*material.inner));
+    world_.appearance.any_other_light |= material.other_light;
     world_.appearance.materials.push_back(std::move(material));
 }
 

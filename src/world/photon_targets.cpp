@@ -2,9 +2,12 @@
 #include "world/photon_targets.h"
 
 #include "text/diagnostic.h"
+#include "text/message.h"
 #include "world/world.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -62,13 +65,55 @@ void bound(World& world) {
     });
 }
 
-/// Whether any light shoots at it.
-bool is_lit(const World& world, const PhotonTarget& target) {
-    if (!target.shot_at) return false;
-    if (!world.lights.luminaires.empty() && any_open(ways_of_luminaires, target.ways)) return true;
-    for (std::uint32_t light = 0; light < world.lights.sources.size(); ++light)
-        if (any_open(ways_of_source(world, light), target.ways)) return true;
-    return false;
+/// How many light sources say the same of photons: there are few things to say.
+using SourcesOfWays = std::vector<std::pair<PhotonWays, std::uint64_t>>;
+
+SourcesOfWays sources_of_ways(const World& world) {
+    SourcesOfWays made;
+    for (std::uint32_t light = 0; light < world.lights.sources.size(); ++light) {
+        const PhotonWays ways = ways_of_source(world, light);
+        const auto known = std::ranges::find(made, ways, &SourcesOfWays::value_type::first);
+        if (known == made.end())
+            made.emplace_back(ways, 1);
+        else
+            ++known->second;
+    }
+    return made;
+}
+
+/// Pairs of a lamp and a target that it shoots at.
+struct PhotonPairs {
+    std::uint64_t of_sources = 0, of_luminaires = 0;
+};
+
+PhotonPairs photon_pairs(const World& world) {
+    PhotonPairs pairs;
+    const SourcesOfWays sources = sources_of_ways(world);
+    for (const PhotonTarget& target : world.photon_targets) {
+        if (!target.shot_at) continue;
+        for (const auto& [ways, count] : sources)
+            if (any_open(ways, target.ways)) pairs.of_sources += count;
+        if (any_open(ways_of_luminaires, target.ways))
+            pairs.of_luminaires += world.lights.luminaires.size();
+    }
+    return pairs;
+}
+
+/// Each pair of a source takes 40 bytes, and one of a luminaire some 20 nanoseconds.
+constexpr std::uint64_t most_of_sources = 8'000'000, most_of_luminaires = 60'000'000;
+
+void refuse_many(const World& world, const PhotonPairs& pairs, Diagnostics& diagnostics) {
+    const bool sources = pairs.of_sources > most_of_sources;
+    if (!sources && pairs.of_luminaires <= most_of_luminaires) return;
+    const auto target = std::ranges::find(world.photon_targets, true, &PhotonTarget::shot_at);
+    diagnostics.add(
+        error(Fault::out_of_range, target->span,
+              message("photons of ", sources ? "light sources" : "things that glow",
+                      " are shot at targets in more pairs than the limit of ",
+                      sources ? most_of_sources : most_of_luminaires, ": there are ",
+                      sources ? pairs.of_sources : pairs.of_luminaires))
+            .with_help("a `union` with `photons { target }` is one target, and lights that say "
+                       "`photons { refraction off reflection off }` shoot at none"));
 }
 
 }  // namespace
@@ -105,8 +150,9 @@ void place_photon_targets(World& world, Diagnostics& diagnostics) {
         counts.push_back(target.radius > 0 && std::isfinite(target.radius));
         target.shot_at = target.shot_at && counts.back();
     }
-    const bool any = std::ranges::any_of(
-        targets, [&](const PhotonTarget& target) { return is_lit(world, target); });
+    const PhotonPairs pairs = photon_pairs(world);
+    refuse_many(world, pairs, diagnostics);
+    const bool any = pairs.of_sources + pairs.of_luminaires > 0;
     for (Material& material : world.appearance.materials) {
         std::uint32_t& target = material.photons.target;
         if (target != 0 && (!any || material.no_shadow || !counts[target - 1])) target = 0;

@@ -38,7 +38,8 @@ struct PhotonTarget {
 PhotonSurface photon_surface(World&, const ObjectPhotons&, Span);
 
 /// Finds where the targets are, and which of them count: those that photons are shot at, and
-/// others if there is one of these. Warns of targets without end.
+/// others if there is one of these. Warns of targets without end; more pairs of lamps and targets
+/// than there may be are an error.
 void place_photon_targets(World&, Diagnostics&);
 
 /// Whether light that comes straight from the source through a target counts, or photons instead:

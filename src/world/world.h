@@ -174,6 +174,16 @@ public:
         return gathers_light() || std::holds_alternative<PathTraced>(rules.settings.integrator);
     }
 
+    /// Whether surfaces get other light than that of luminaires by way of diffuse surfaces.
+    bool has_other_light() const {
+        return appearance.any_other_light || !is_lit_by_luminaires_only();
+    }
+    /// Whether there are no light sources, sky and media that are lit or shine.
+    bool is_lit_by_luminaires_only() const {
+        return lights.sources.empty() && !sky.sphere && sky.background.radiance() == Vec3(0) &&
+               !has_air() && !has_media();
+    }
+
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
         return differs_by_light() || !photon_targets.empty() || appearance.any_drawn_media ||

@@ -122,6 +122,32 @@ TEST_CASE("what an INI file of a stranger reads lies below its folder", "[app]")
     }
 }
 
+TEST_CASE("an INI file that a stranger's names is judged and opened in one", "[app]") {
+    const Stranger stranger;
+    stranger.folder.put("scene/lib/b.ini", "Width=10\n");
+    stranger.folder.put("scene/a.ini", stranger.here + "/lib/b.ini\n");
+    const Reader disk = disk_reader();
+    std::vector<std::string> by_user, by_stranger;
+    const Reader reader(
+        [&](const std::string& path) {
+            by_user.push_back(path);
+            return disk(path);
+        },
+        [&](const std::string& path) { return disk.holds(path); },
+        [&](const Door& door) {
+            return Reader([&, door](const std::string& path) {
+                by_stranger.push_back(path);
+                return scene_reader(door)(path);
+            });
+        });
+    Diagnostics diagnostics;
+    const std::string named = stranger.here + "/a.ini";
+    const std::vector<std::string_view> words = {named};
+    CHECK(read_options(words, diagnostics, reader).render.width == 10);
+    CHECK(by_user == std::vector{named});
+    CHECK(by_stranger == std::vector{stranger.here + "/lib/b.ini"});
+}
+
 TEST_CASE("an INI file of a stranger permits nothing and raises no limit", "[app]") {
     const Stranger stranger;
     for (const char* line :

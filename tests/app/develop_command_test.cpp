@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/develop_command.h"
 
+#include "picture/formats.h"
 #include "picture/layers.h"
 #include "picture/read.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace candelabra {
 
@@ -184,6 +187,30 @@ plane { y, -1 pigment { rgb 0.5 } finish { ambient 0.1 } }
           "film=on grain=0.2 grain_seed=1");
     CHECK(read_layers(shell.path("g2.exr"), texts, diagnostics)->texts[0].second ==
           "film=on grain=0.2 grain_seed=2");
+}
+
+TEST_CASE("an alpha of any numbers is developed", "[app][film]") {
+    Darkroom darkroom;
+    const float infinite = std::numeric_limits<float>::infinity();
+    const std::array alphas = {infinite, 7.0F, 0.5F, -1.0F, std::nanf(""), -infinite};
+    LayeredPicture picture{static_cast<int>(alphas.size()), 1, {}, {}};
+    for (const char* name : {"R", "G", "B"})
+        picture.planes.push_back(
+            {name, false, std::vector(alphas.size(), std::bit_cast<std::uint32_t>(0.25F))});
+    picture.planes.push_back({"A", false, {}});
+    for (const float alpha : alphas)
+        picture.planes.back().bits.push_back(std::bit_cast<std::uint32_t>(alpha));
+    Diagnostics diagnostics;
+    darkroom.write("a.exr", encode(picture, diagnostics).value());
+    darkroom.developed("a.exr");
+    const auto made =
+        read_stored({"developed.png", darkroom.content("developed.png")}, diagnostics, {});
+    REQUIRE(made);
+    // What is brighter than its alpha has more alpha.
+    CHECK(made->alpha[0] == 1);
+    CHECK(made->alpha[1] == 1);
+    CHECK(made->alpha[2] < 0.6F);
+    for (std::size_t i = 3; i < alphas.size(); ++i) CHECK(made->alpha[i] < made->alpha[2]);
 }
 
 TEST_CASE("any OpenEXR file with colours is developed", "[app][film]") {

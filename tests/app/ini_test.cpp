@@ -66,4 +66,19 @@ TEST_CASE("names of INI files may have a section", "[app]") {
     CHECK_FALSE(ini_name("a]"));
 }
 
+TEST_CASE("a line says its option whatever is in it", "[app]") {
+    for (const std::string option :
+         {"Width=10", "+W10", "--time=5", "Declare=Name=\"text\"", "--denoise", "Verbose=off",
+          "+Oa b.png", "+Oa;b.png", "-Oa\"b", "Output_File_Name=a;b.png", "Output_File_Name='a'",
+          "Output_File_Name= a ", "--layers=a;b", "--shard=1/2 ", "Declare=Name=\"one; two\"",
+          "Declare=Name=\"one\" ; "}) {
+        CAPTURE(option);
+        const auto read = ini_lines("Height=1\n" + ini_line(option) + "\nHeight=2\n", "");
+        REQUIRE((read && read->size() == 3));
+        CHECK(read->at(1).option == option);
+    }
+    CHECK(ini_line("Output_File_Name=a b.png") == "Output_File_Name=a b.png");
+    CHECK(ini_line("+Oa;b.png") == "+\"Oa;b.png\"");
+}
+
 }  // namespace candelabra

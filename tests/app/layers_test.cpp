@@ -3,6 +3,7 @@
 
 #include "picture/layers.h"
 #include "picture/read.h"
+#include "support/found.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>
@@ -157,7 +158,8 @@ TEST_CASE("pictures with alpha are not multiplied by it, unless they are OpenEXR
         REQUIRE(shell({shell.path("half.pov"), "-V", "+W2", "+H2", "+UA", "-A",
                        "+O" + shell.path(name)}) == 0);
         Diagnostics diagnostics;
-        const auto stored = read_texels(shell.path(name), {TexelCoding::as_stored}, diagnostics);
+        const auto stored =
+            read_texels(found(shell.path(name)), {TexelCoding::as_stored}, diagnostics);
         REQUIRE(stored);
         REQUIRE(stored->transparent());
         return std::pair(stored->alpha[0], stored->values[0]);

@@ -27,6 +27,11 @@ while not said.splitlines()[-1:] or not said.splitlines()[-1].startswith("previe
 assert "`+BS16` is ignored" in said
 address = said.split()[-1]
 def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
+def post(path, form, expected=200):
+    request = urllib.request.Request(address + path, form, {"X-Token": token})
+    try: code = urllib.request.urlopen(request, timeout=10).status
+    except urllib.error.HTTPError as refusal: code = refusal.code
+    assert code == expected, (path, form, code)
 def turn(token, method="POST", **more):
     form = urllib.parse.urlencode({"name": "Size", "value": 7}).encode()
     heads = {"X-Token": token, **{name.replace("_", "-"): value for name, value in more.items()}}
@@ -44,18 +49,24 @@ try:
     until("a finished picture", lambda s: s["progress"] == 1 and not s["errors"])
     assert get("picture.png")[1:4] == b"PNG"
     assert b"<!DOCTYPE html>" in get("")
+    assert get("picture")[:8] == bytes([64, 0, 0, 0, 48, 0, 0, 0]) and len(get("picture")) == 20 + 4 * 64 * 48
+    token = re.search("content=.([0-9a-f]{32}).>", get("").decode()).group(1)
     assert get("pick?x=3&y=40").startswith(b"<3, 40>: rgb <")
     under = get("pick?x=32&y=40").decode()
     assert "\nobject 2: " in under and "pigment { checker" in under and "100 %  " in under, under
     assert get("pick?x=64&y=0") == b""
-    assert "lit.pov:" in status()["lights"] and "%" in status()["lights"]
-    pictures = {get("view.png?name=" + name) for name in status()["views"]}
+    assert b"lit.pov:" in get("report") and b"%" in get("report")
+    pictures = set()
+    for name in status()["views"]:
+        post("look", b"view=" + name.encode())
+        until("the view", lambda s: s["shown_view"] == name and s["columns"] == 64)
+        pictures.add(get("picture.png"))
     assert len(pictures) == 8 and all(p[1:4] == b"PNG" for p in pictures)
-    try: get("view.png?name=none"); assert False
-    except urllib.error.HTTPError: pass
+    post("look", b"view=none", 400)
+    post("look", b"view=picture")
+    until("the picture", lambda s: s["shown_view"] == "picture")
     assert status()["knobs"] == [{"name": "Size", "value": 1, "low": 0.5, "high": 2, "step": 0.5, "help": "of the lamp"}]
-    before = status()["picture"]
-    token = re.search("content=.([0-9a-f]{32}).>", get("").decode()).group(1)
+    before = status()["generation"]
     assert turn(token, "GET") == 405
     assert turn("0" * 32) == 403
     assert turn(token, Origin="http://evil.example") == 403
@@ -64,7 +75,7 @@ try:
     assert turn(token, Sec_Fetch_Site="cross-site") == 403
     assert status()["knobs"][0]["value"] == 1
     assert turn(token, Origin=address.rstrip("/"), Sec_Fetch_Site="same-origin") == 200
-    until("a picture of a larger lamp", lambda s: s["picture"] > before and s["progress"] == 1)
+    until("a picture of a larger lamp", lambda s: s["generation"] > before and s["progress"] == 1)
     assert status()["knobs"][0]["value"] == 2
     none = urllib.request.Request(address + "turn", b"name=None&value=1", {"X-Token": token})
     try: urllib.request.urlopen(none); assert False
@@ -72,9 +83,97 @@ try:
     good = open(scene).read()
     open(scene, "w").write(good + "sphere { 0, 1 pigmnt }")
     until("an error", lambda s: "pigmnt" in s["errors"] and "^" in s["errors"])
-    before = status()["picture"]
+    before = status()["generation"]
     open(scene, "w").write(good + " ")
-    until("a new picture", lambda s: s["picture"] > before and s["progress"] == 1 and not s["errors"])
+    until("a new picture", lambda s: s["generation"] > before and s["progress"] == 1 and not s["errors"])
+finally:
+    run.terminate()
+assert run.wait(20) == 0
+)");
+    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
+                                " " CANDELABRA_BINARY " " + shell.path("lit.pov");
+    CHECK(std::system(command.c_str()) == 0);
+}
+
+TEST_CASE("lamps, film and camera of the preview are changed by its page, and by nobody else") {
+    if (std::system("command -v python3 > /dev/null") != 0) return;
+    const Shell shell;
+    shell.write("lit.pov", lit_scene);
+    shell.write("client.py", R"(
+import json, re, subprocess, sys, time, urllib.error, urllib.request
+program, scene = sys.argv[1:]
+run = subprocess.Popen([program, scene, "+W64", "+H48", "--samples", "4", "--preview", "0"],
+                       stderr=subprocess.PIPE, text=True)
+said = ""
+while not said.startswith("preview: "): said = run.stderr.readline()
+address = said.split()[-1]
+def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
+def status(): return json.loads(get("status"))
+token = re.search("content=.([0-9a-f]{32}).>", get("").decode()).group(1)
+def code(path, form=None, heads={}):
+    try: return urllib.request.urlopen(urllib.request.Request(address + path, form, heads), timeout=10).status
+    except urllib.error.HTTPError as refusal: return refusal.code
+def post(path, form): return code(path, form, {"X-Token": token})
+def until(what, test):
+    for _ in range(300):
+        if test(status()): return
+        time.sleep(0.1)
+    sys.exit("never: " + what + " " + str(status()))
+def floor(): return list(get("picture")[20 + 4 * (64 * 40 + 32):][:3])
+def changed(path, form):
+    before = status()["picture"]
+    assert post(path, form) == 200, (path, form)
+    until("a picture", lambda s: s["picture"] > before)
+addresses = ["turn", "develop", "dim", "look", "orbit", "point", "pause"]
+try:
+    until("a finished picture", lambda s: s["progress"] == 1)
+    generation, before = status()["generation"], status()
+    for path in addresses:
+        assert code(path) == 405 and code(path + "?name=exposure&value=1") == 405, path
+        assert code(path, b"x=1") == 403, path
+        assert code(path, b"x=1", {"X-Token": "0" * 32}) == 403, path
+        assert code(path, b"x=1", {"X-Token": token, "Origin": "http://evil.example"}) == 403, path
+        assert code(path, b"x=1", {"X-Token": token, "Sec-Fetch-Site": "cross-site"}) == 403, path
+    for path in ["picture", "status", "save.png", "save.exr", "camera", "film", "manual", "manual/", "report", "pick?x=1&y=1"]:
+        assert code(path, b"x=1", {"X-Token": token}) == 405, path
+        assert code(path, None, {"Origin": "http://evil.example"}) == 403, path
+        assert code(path, None, {"Host": "evil.example"}) == 403, path
+        assert code(path, None, {"Sec-Fetch-Site": "cross-site"}) == 403, path
+    for path in ["manual/../lit.pov", "manual//etc/passwd", "manual/%2e%2e/x.html", "manual/.x.html"]:
+        assert code(path) == 404, path
+    assert status()["version"] == before["version"] and status()["film"] == before["film"]
+    for path, form in [("dim", b"lamp=9&strength=1&red=1&green=1&blue=1")]: assert post(path, form) == 404
+    for path, form in [("dim", b"lamp=0&strength=nan&red=1&green=1&blue=1"), ("dim", b"lamp=0"), ("develop", b"name=none&value=1"),
+                       ("develop", b"name=exposure&value=inf"), ("develop", b"name=response&value=none"),
+                       ("orbit", b"by=turn&right=1e9&up=0"), ("orbit", b"by=none&right=1&up=1"), ("orbit", b"approach=-1"),
+                       ("orbit", b""), ("point", b"x=1"), ("point", b"x=nan&y=0"), ("look", b"view=")]:
+        assert post(path, form) == 400, (path, form)
+    bright = floor()
+    assert bright[0] > 20
+    changed("dim", b"lamp=0&strength=0&red=1&green=1&blue=1")
+    until("a dark floor", lambda s: floor() == [0, 0, 0])
+    changed("dim", b"lamp=0&strength=1&red=0&green=0&blue=1")
+    until("a blue floor", lambda s: floor()[:2] == [0, 0])
+    assert status()["relit"]
+    changed("dim", b"reset=all")
+    until("the floor as it was", lambda s: floor() == bright)
+    changed("develop", b"name=exposure&value=-2")
+    until("a darker floor", lambda s: floor()[0] < bright[0])
+    assert get("film").decode().startswith("film { exposure -2"), get("film")
+    changed("develop", b"name=reset")
+    until("the floor as it was", lambda s: floor() == bright)
+    assert status()["generation"] == generation  # all that without rendering
+    assert b"<0, 1, -5>" in get("camera")
+    assert post("orbit", b"by=turn&right=90&up=0") == 200
+    until("another picture", lambda s: s["generation"] > generation and s["progress"] == 1 and s["moved"])
+    assert b"<0, 1, -5>" not in get("camera") and b"look_at" in get("camera")
+    assert post("orbit", b"reset=all") == 200
+    until("the scene's camera", lambda s: not s["moved"] and s["progress"] == 1 and floor() == bright)
+    saved = urllib.request.urlopen(address + "save.exr")
+    assert "lit.exr" in saved.headers["Content-Disposition"] and saved.read()[:4] == bytes([0x76, 0x2f, 0x31, 1])
+    assert get("save.png")[1:4] == b"PNG"
+    assert post("point", b"x=0.5&y=0.9") == 200 and post("pause", b"on=yes") == 200 and status()["paused"]
+    assert b"book" in get("manual") if code("manual") == 200 else code("manual") == 404
 finally:
     run.terminate()
 assert run.wait(20) == 0
@@ -106,10 +205,10 @@ def red():
 try:
     assert red() == "0"
     assert [(k["name"], k["low"], k["high"]) for k in status()["knobs"]] == [("frame_number", 3, 5)]
-    before = status()["picture"]
+    before = status()["generation"]
     token = get("").decode().split('name="token" content="')[1].split('"')[0]
     urllib.request.urlopen(urllib.request.Request(address + "turn", b"name=frame_number&value=5", {"X-Token": token}))
-    while status()["picture"] == before: time.sleep(0.1)
+    while status()["generation"] == before: time.sleep(0.1)
     assert red() == "1", red()
 finally:
     run.terminate()

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sandbox.h"
 
+#include "app/checkpoint.h"
 #include "bind/evaluate.h"
 #include "support/folder.h"
+#include "support/shell.h"
 #include "text/loader.h"
 
 #include <catch2/catch.hpp>
@@ -152,6 +154,55 @@ TEST_CASE("a run may touch its scene, its library and the folders of what it mak
     options.movie = "film.mp4";
     CHECK(sandbox_rules(options, "").sockets);
     CHECK(sandbox_rules(options, "").programs);
+}
+
+TEST_CASE("who develops or merges reaches the files, and the folder of the output", "[app]") {
+    const Folder folder;
+    const std::string in = (folder.path() / "in").string(), out = (folder.path() / "out").string();
+    for (const std::string& each : {in, out}) {
+        std::filesystem::create_directories(each);
+        std::ofstream(each + "/a") << "text";
+    }
+    const std::vector<std::string> files = {in + "/a"};
+    Options options;
+    const int beside = tried(sandbox_rules(options, "", files), in, out);
+    if (beside == 64) {
+        WARN("this system has no Landlock or no seccomp");
+        return;
+    }
+    CHECK(beside == (reads_inside | writes_inside));
+    const int elsewhere = reads_outside | reads_inside | writes_inside;
+    for (const std::string& output : {out + "/p.png", out, out + "/"}) {
+        options.output = output;
+        CHECK(tried(sandbox_rules(options, "", files), out, in) == elsewhere);
+    }
+}
+
+TEST_CASE("pictures and states of strangers are read behind the wall", "[app]") {
+    Shell shell;
+    REQUIRE(shell.render({"-V", "--keep-state", "+O" + shell.path("a.exr")}) == 0);
+    const std::string state = "a.exr" + std::string(state_ending);
+    REQUIRE(std::filesystem::exists(shell.path(state)));
+    int asked = 0;
+    shell.confine = [&](const SandboxRules& rules) {
+        ++asked;
+        CHECK(std::ranges::find(rules.writable, shell.folder.string()) != rules.writable.end());
+        return false;
+    };
+    const std::vector<std::string> develop = {"develop", shell.path("a.exr")},
+                                   merge = {"merge", shell.path(state), "+O" + shell.path("b.png")};
+    for (std::vector<std::string> words : {develop, merge}) {
+        asked = 0;
+        CHECK(shell(words) == 0);
+        CHECK(asked == 1);
+        words.emplace_back("--sandbox=off");
+        CHECK(shell(words) == 0);
+        CHECK(shell.err == "");
+        CHECK(asked == 1);
+        words.back() = "--sandbox=on";
+        CHECK(shell(words) == exit_status::usage);
+        CHECK(has(shell.err, "this system has no sandbox"));
+    }
 }
 
 }  // namespace candelabra

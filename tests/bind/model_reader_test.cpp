@@ -28,12 +28,10 @@ Script made(const std::string& block) {
     return done;
 }
 
-/// Of `mesh { file "t.obj" words }`, where the file holds this.
+/// Of `mesh { file "t.obj" words }`, where the file holds this. There is none on the disk: what the
+/// loader has read becomes a mesh, and no file is opened again.
 Script made_of_file(const std::string& text, const std::string& words = "") {
-    const Folder folder;
-    const std::string file = folder / "t.obj";
-    folder.put("t.obj", text);
-    return run("#version 3.7; mesh { file \"" + file + "\" " + words + " }", {{file, text}});
+    return run("#version 3.7; mesh { file \"t.obj\" " + words + " }", {{"t.obj", text}});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace candelabra {
@@ -127,6 +128,29 @@ TEST_CASE("uv_mapping may stand in textures and in what they consist of", "[bind
     CHECK(done.texture(1).normal.uv);
     CHECK(done.object(2).uv_mapping);
     CHECK(done.texture(2).pigment.transform == Transform());
+}
+
+TEST_CASE("what the loader has read is what becomes a picture: no file is opened again", "[bind]") {
+    const fs::path pictures = CANDELABRA_SOURCE_DIR "/tests/conformance/pictures";
+    std::size_t count = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(pictures)) {
+        const std::string ending = entry.path().extension().string();
+        const auto known = picture_endings("");
+        if (std::ranges::find(known, ending) == known.end()) continue;
+        ++count;
+        CAPTURE(entry.path().string());
+        // On no disk there is a file of this name.
+        const std::string name = "nowhere" + ending;
+        const std::map files = {std::pair(name, disk_reader()(entry.path().string()).value())};
+        const std::string quoted = '"' + name + '"';
+        const Script image =
+            run("#version 3.7; sphere { 0, 1 pigment { image_map { " + quoted + " } } }", files);
+        CHECK(image.text == "");
+        const Script heights = run("#version 3.7; height_field { " + quoted + " }", files);
+        const bool small = heights.text.find("needs at least 2 by 2 heights") != std::string::npos;
+        CHECK((small || heights.text.empty()));
+    }
+    CHECK(count > 4);
 }
 
 TEST_CASE("the ending of a picture's name may be left out", "[bind]") {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cgal/shapes.h"
 
-#include "support/folder.h"
-
 namespace candelabra {
 
 TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
@@ -24,12 +22,10 @@ TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
          3, 1}};
     for (const Case& c : cases) {
         CAPTURE(c.extension);
-        const Folder folder;
         const std::string name = std::string("a.") + c.extension;
-        folder.put(name, c.text);
         Polyhedron made;
         PolyhedronLook look;
-        REQUIRE(the_polyhedra().read(folder / name, made, look) == "");
+        REQUIRE(the_polyhedra().read(name, c.text, made, look) == "");
         CHECK(look.normals.empty());
         CHECK(look.uvs.empty());
         CHECK(made.points.size() == c.points);
@@ -40,15 +36,12 @@ TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
 TEST_CASE("what is no mesh is said", "[polyhedra]") {
     Polyhedron made;
     PolyhedronLook look;
-    CHECK(the_polyhedra().read("/nowhere/nothing.ply", made, look) == "the file cannot be opened");
-    const Folder folder;
-    folder.put("text.off", "no mesh");
-    CHECK(the_polyhedra().read(folder / "text.off", made, look) ==
+    CHECK(the_polyhedra().read("nothing.ply", "", made, look) != "");
+    CHECK(the_polyhedra().read("text.off", "no mesh", made, look) ==
           "it is no OBJ, PLY, STL or OFF file, or is damaged");
-    folder.put("wild.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
-    CHECK(the_polyhedra().read(folder / "wild.off", made, look) != "");
-    folder.put("NONE.OBJ", "v 0 0 0\n");
-    CHECK(the_polyhedra().read(folder / "NONE.OBJ", made, look) == "it has no faces");
+    const std::string_view wild = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n";
+    CHECK(the_polyhedra().read("wild.off", wild, made, look) != "");
+    CHECK(the_polyhedra().read("NONE.OBJ", "v 0 0 0\n", made, look) == "it has no faces");
 }
 
 }  // namespace candelabra

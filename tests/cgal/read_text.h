@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files that a test writes, as the library reads them.
+// The texts of mesh files, as the library reads them.
 #pragma once
 
 #include "cgal/shapes.h"
-#include "support/folder.h"
 
 namespace candelabra {
 
@@ -14,10 +13,8 @@ struct ReadText {
 };
 
 inline ReadText read_text(const std::string& extension, const std::string& text) {
-    const Folder folder;
-    folder.put("a." + extension, text);
     ReadText read;
-    read.wrong = the_polyhedra().read(folder / ("a." + extension), read.shape, read.look);
+    read.wrong = the_polyhedra().read("a." + extension, text, read.shape, read.look);
     return read;
 }
 

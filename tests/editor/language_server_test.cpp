@@ -1,58 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/language_server.h"
 
-#include "support/folder.h"
+#include "support/client.h"
 
 namespace candelabra {
-
-namespace {
-
-/// An editor with one file.
-struct Client {
-    Folder folder;
-    std::vector<Json> answers;
-    LanguageServer server{
-        CANDELABRA_SOURCE_DIR "/stdlib", folder / "scratch",
-        [this](const std::string& text) { answers.push_back(Json::parse(text)); }};
-    std::string uri = uri_of(folder / "a.pov");
-
-    explicit Client(bool greets = true) {
-        if (greets) ask("initialize");
-        answers.clear();
-    }
-    void tell(const std::string& method, const Json& parameters) {
-        server.receive(Json{{"method", method}, {"params", parameters}}.dump());
-    }
-    Json ask(const std::string& method, Json parameters = Json::object()) {
-        answers.clear();
-        server.receive(Json{{"id", 7}, {"method", method}, {"params", parameters}}.dump());
-        REQUIRE(answers.size() == 1);
-        CHECK(answers[0]["id"] == 7);
-        return answers[0].contains("error") ? answers[0]["error"] : answers[0]["result"];
-    }
-    Json ask_at(const std::string& method, int line, int character, Json more = Json::object()) {
-        more["textDocument"]["uri"] = uri;
-        more["position"] = {{"line", line}, {"character", character}};
-        return ask("textDocument/" + method, more);
-    }
-    void open(const std::string& text) {
-        tell("textDocument/didOpen", {{"textDocument", {{"uri", uri}, {"text", text}}}});
-    }
-};
-
-constexpr const char* scene =
-    "#declare Size = 1;\n"
-    "camera { location -5*z look_at 0 }\n"
-    "sphere { 0, Size pigment { rgb <1, 0, 0> } finish { emission 1 } }\n";
-
-}  // namespace
 
 TEST_CASE("an editor's requests are answered") {
     Client client(false);
     CHECK(client.ask("initialize")["capabilities"]["hoverProvider"] == true);
-    client.open(scene);
+    client.open(client_scene);
     CHECK(client.ask_at("hover", 2, 13)["range"]["start"]["character"] == 12);
     CHECK(client.ask_at("completion", 2, 42).size() > 100);
+    CHECK(client.ask_at("documentHighlight", 2, 13).size() == 2);
+    CHECK(client.ask("workspace/symbol", {{"query", "si"}})[0]["name"] == "Size");
     CHECK(client.ask_at("definition", 2, 13)[0]["range"]["start"]["line"] == 0);
     CHECK(client.ask_at("references", 2, 13).size() == 2);
     CHECK(client.ask_at("rename", 2, 13, {{"newName", "R"}})["changes"][client.uri].size() == 2);
@@ -78,8 +38,8 @@ TEST_CASE("mistakes are published when the editor is silent, and gone when they 
     REQUIRE(client.answers.size() == 1);
     CHECK(client.answers[0]["method"] == "textDocument/publishDiagnostics");
     CHECK(client.answers[0]["params"]["diagnostics"][0]["severity"] == 1);
-    client.tell("textDocument/didChange",
-                {{"textDocument", {{"uri", client.uri}}}, {"contentChanges", {{{"text", scene}}}}});
+    client.tell("textDocument/didChange", {{"textDocument", {{"uri", client.uri}}},
+                                           {"contentChanges", {{{"text", client_scene}}}}});
     client.answers.clear();
     client.server.catch_up();
     CHECK(client.answers.at(0)["params"]["diagnostics"].empty());
@@ -159,11 +119,11 @@ TEST_CASE("each request has its time") {
     Client client(false);
     CHECK(client.ask("textDocument/hover")["code"] == -32002);
     CHECK(client.ask("shutdown")["code"] == -32002);
-    client.open(scene);
+    client.open(client_scene);
     CHECK_FALSE(client.server.behind());
     CHECK(client.ask("initialize").contains("capabilities"));
     CHECK(client.ask("initialize")["code"] == -32600);
-    client.open(scene);
+    client.open(client_scene);
     CHECK(client.server.behind());
     CHECK(client.ask("shutdown") == nullptr);
     CHECK(client.ask_at("hover", 0, 0)["code"] == -32600);
@@ -174,7 +134,7 @@ TEST_CASE("each request has its time") {
 
 TEST_CASE("a parameter of a wrong type is refused, and nothing is done") {
     Client client;
-    client.open(scene);
+    client.open(client_scene);
     client.server.catch_up();
     const Json good = {
         {"textDocument", {{"uri", client.uri}, {"text", "a"}}},
@@ -194,6 +154,11 @@ TEST_CASE("a parameter of a wrong type is refused, and nothing is done") {
           Case{"definition", {"textDocument", "position"}},
           Case{"references", {"textDocument", "position"}},
           Case{"rename", {"textDocument", "position", "newName"}},
+          Case{"documentHighlight", {"textDocument", "position"}},
+          Case{"semanticTokens/full", {"textDocument"}},
+          Case{"semanticTokens/range", {"textDocument", "range"}},
+          Case{"foldingRange", {"textDocument"}}, Case{"documentLink", {"textDocument"}},
+          Case{"rangeFormatting", {"textDocument", "range"}},
           Case{"documentSymbol", {"textDocument"}}, Case{"documentColor", {"textDocument"}},
           Case{"colorPresentation", {"textDocument", "color", "range"}},
           Case{"formatting", {"textDocument"}}, Case{"didOpen", {"textDocument"}},
@@ -217,12 +182,38 @@ TEST_CASE("a parameter of a wrong type is refused, and nothing is done") {
     CHECK(client.ask_at("references", 2, 13).size() == 2);
 }
 
+TEST_CASE("documents follow the editor by parts") {
+    Client client;
+    client.open("a\U0001F4A1b\r\nsphere { 0, 1 }\n");
+    const auto change = [&](int line, int from, int to_line, int to, const std::string& text) {
+        return Json{{"range",
+                     {{"start", {{"line", line}, {"character", from}}},
+                      {"end", {{"line", to_line}, {"character", to}}}}},
+                    {"text", text}};
+    };
+    const auto send = [&](const Json& changes) {
+        client.answers.clear();
+        client.tell("textDocument/didChange",
+                    {{"textDocument", {{"uri", client.uri}}}, {"contentChanges", changes}});
+        return client.answers.empty();
+    };
+    // The second change counts in the text that the first one leaves.
+    CHECK(send({change(0, 0, 1, 0, "#declare R = 1;\n"), change(1, 12, 1, 13, "R")}));
+    CHECK(client.ask_at("references", 1, 12).size() == 2);
+    // Of a message with a change that is none, nothing is done.
+    CHECK_FALSE(send({change(0, 0, 0, 0, "R "), change(1, 0, 0, 0, "")}));
+    CHECK(client.answers[0]["method"] == "window/logMessage");
+    CHECK(client.ask_at("references", 1, 12).size() == 2);
+    CHECK(send(Json::array({change(2147483647, 0, 2147483647, 2147483647, "R")})));
+    CHECK(client.ask_at("references", 1, 12).size() == 3);
+}
+
 TEST_CASE("only open documents are asked about") {
     Client client;
-    client.folder.put("a.pov", scene);
+    client.folder.put("a.pov", client_scene);
     CHECK(client.ask_at("hover", 2, 13)["message"] ==
           "`" + (client.folder / "a.pov") + "` is not open");
-    client.open(scene);
+    client.open(client_scene);
     CHECK(client.ask_at("hover", 2, 13).contains("contents"));
     CHECK(client.ask_at("hover", 2147483647, 2147483647) == nullptr);
     client.tell("textDocument/didClose", {{"textDocument", {{"uri", client.uri}}}});

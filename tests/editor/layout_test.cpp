@@ -84,4 +84,70 @@ TEST_CASE("laying out the library and the examples changes no token, and nothing
     CHECK(count > 60);
 }
 
+namespace {
+
+/// The text with the lines of a part laid out; the part is between the signs |.
+std::string lines_laid_out(const std::string& marked) {
+    const std::size_t first = marked.find('|');
+    const std::size_t last = marked.find('|', first + 1) - 1;
+    std::string text = marked;
+    std::erase(text, '|');
+    const auto part = [&](std::size_t from, std::size_t to) {
+        return Part{static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to)};
+    };
+    const LaidOutPart better = laid_out_lines(text, part(first, last));
+    text.replace(better.place.first, better.place.last - better.place.first, better.text);
+    const std::size_t end = better.place.first + better.text.size();
+    const LaidOutPart again = laid_out_lines(text, part(better.place.first, end));
+    CHECK(again.text ==
+          std::string_view(text).substr(again.place.first, again.place.last - again.place.first));
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("lines of a part are laid out below what stands around them") {
+    CHECK(lines_laid_out("union {\n  sphere {\n|0, 1\n}|\n }\n") ==
+          "union {\n  sphere {\n      0, 1\n  }\n }\n");
+    CHECK(lines_laid_out("union {\n\tsphere {\n0|, |1 \n}}\n") ==
+          "union {\n\tsphere {\n        0, 1\n}}\n");
+    // A part that ends at the begin of a line has nothing of it.
+    CHECK(lines_laid_out("|  A\n|  B\n") == "A\n  B\n");
+    CHECK(lines_laid_out("  A\n||  B\n") == "  A\nB\n");
+    CHECK(lines_laid_out("A\n\n\n|\n\nB|") == "A\n\n\nB\n");
+    CHECK(lines_laid_out("A\n|\n\n|") == "A\n");
+    CHECK(lines_laid_out("||").empty());
+    CHECK(lines_laid_out("{\n/* one\n|  two|\n*/  A\n}\n") == "{\n/* one\n  two\n*/  A\n}\n");
+}
+
+TEST_CASE("lines of a text that is laid out stay as they are") {
+    int count = 0;
+    for (const char* folder : {"stdlib", "examples/gallery", "examples/lights"})
+        for (const auto& entry : fs::directory_iterator(fs::path(CANDELABRA_SOURCE_DIR) / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (ending != ".pov" && ending != ".inc") continue;
+            const std::string text = laid_out(disk_reader()(entry.path().string()).value());
+            for (std::size_t i = 0; i < 9; ++i) {
+                const Part part{static_cast<std::uint32_t>(i * text.size() / 9),
+                                static_cast<std::uint32_t>((i + 1) * text.size() / 9)};
+                const LaidOutPart same = laid_out_lines(text, part);
+                CAPTURE(entry.path(), i);
+                CHECK(same.text ==
+                      text.substr(same.place.first, same.place.last - same.place.first));
+                ++count;
+            }
+        }
+    CHECK(count > 400);
+}
+
+TEST_CASE("the part that is all lines gets the layout of all lines") {
+    for (const std::string text :
+         {"", " ", "\n\n", "union{\nA\n}", "#if(A)\nB\n#else\nC\n#end", "A \r\n B\r\n\r\n"}) {
+        CAPTURE(text);
+        const LaidOutPart all = laid_out_lines(text, {0, static_cast<std::uint32_t>(text.size())});
+        CHECK(all.text == laid_out(text));
+        CHECK(all.place.last == text.size());
+    }
+}
+
 }  // namespace candelabra

@@ -56,4 +56,13 @@ TEST_CASE("the guide has the include files in order") {
     CHECK(library_guide("").empty());
 }
 
+TEST_CASE("aids of a library are not for scenes") {
+    const LibraryFile file = library_file("a.inc", "#macro Ring() #end\n#macro A_Aid() #end\n");
+    CHECK(is_for_scenes(file, "Ring", true));
+    CHECK_FALSE(is_for_scenes(file, "A_Aid", true));
+    CHECK(is_for_scenes(file, "Size", false));
+    CHECK_FALSE(is_for_scenes(file, "Size_", false));
+    CHECK_FALSE(is_for_scenes(file, "A_Temp", false));
+}
+
 }  // namespace candelabra

@@ -23,7 +23,8 @@ std::string as_place(const Json& position) {
 }
 
 std::string as_change(const Json& changes) {
-    return problem_of(Json{{"contentChanges", changes}}, [](Parameters& p) { p.changed_text(); });
+    return problem_of(Json{{"contentChanges", changes}},
+                      [](Parameters& p) { p.changed_text(content); });
 }
 
 }  // namespace
@@ -43,7 +44,7 @@ TEST_CASE("parameters are read as what they must be") {
     CHECK(parameters.range(content, "range").last == 5);
     CHECK(parameters.channel({"color", "red"}) == 1);
     CHECK(parameters.channel({"color", "green"}) == 0.5);
-    CHECK(parameters.changed_text() == "b");
+    CHECK(parameters.changed_text("old") == "b");
     CHECK(parameters.problem().empty());
 }
 
@@ -85,11 +86,53 @@ TEST_CASE("places and colours have bounds") {
             problem_of(Json{{"red", bad}}, [](Parameters& p) { p.channel({"red"}); }).empty());
 }
 
-TEST_CASE("changes are whole texts") {
+namespace {
+
+Json at(int line, int character) { return {{"line", line}, {"character", character}}; }
+
+Json part_change(const Json& start, const Json& end, const std::string& text) {
+    return {{"range", {{"start", start}, {"end", end}}}, {"text", text}};
+}
+
+/// "ab\ncd" behind the changes.
+std::string changed(const Json& changes) {
+    const Json json = {{"contentChanges", changes}};
+    Parameters parameters(json);
+    std::string text = parameters.changed_text(content);
+    return parameters.problem().empty() ? text : "refused";
+}
+
+}  // namespace
+
+TEST_CASE("changes are made one after the other") {
+    CHECK(changed(Json::array({part_change(at(0, 1), at(0, 1), "x")})) == "axb\ncd");
+    CHECK(changed(Json::array({part_change(at(0, 1), at(1, 1), "")})) == "ad");
+    CHECK(changed(Json::array({part_change(at(0, 0), at(0, 0), "1\n"),
+                               part_change(at(1, 1), at(1, 2), "2")})) == "1\na2\ncd");
+    CHECK(changed({{{"text", "z"}}, part_change(at(0, 1), at(9, 9), "!")}) == "z!");
+    // Places behind the end of a line, or of the text, are there.
+    CHECK(changed(Json::array({part_change(at(0, 99), at(0, 2147483647), "!")})) == "ab!\ncd");
+    CHECK(changed(Json::array({part_change(at(99, 0), at(99, 99), "!")})) == "ab\ncd!");
+    // Between the halves of a character is behind it.
+    CHECK(changed({{{"text", "\U0001F4A1x"}}, part_change(at(0, 1), at(0, 2), "-")}) ==
+          "\U0001F4A1-x");
+}
+
+TEST_CASE("changes make no document of more than 64 MB") {
+    const std::string half(Parameters::longest_document / 2, 'x');
+    const Json whole = {{"text", half}};
+    const Json more = part_change(at(0, 0), at(0, 0), half);
+    CHECK(changed({whole, more}).size() == Parameters::longest_document);
+    CHECK(changed({whole, more, part_change(at(0, 0), at(0, 0), "x")}) == "refused");
+}
+
+TEST_CASE("changes are whole texts or parts of them") {
     CHECK(as_change({{{"text", ""}}}).empty());
     for (const Json& bad :
          {Json(), Json(7), Json::array(), Json::object(), Json::array({7}), Json::array({nullptr}),
           Json::array({{{"text", 7}}}), Json::array({{{"text", "a"}, {"range", nullptr}}}),
+          Json::array({{{"text", "a"}, {"range", {{"start", at(1, 0)}, {"end", at(0, 2)}}}}}),
+          Json::array({{{"range", {{"start", at(0, 0)}, {"end", at(0, 1)}}}}}),
           Json::array({Json::array(), {{"text", "a"}}})}) {
         CAPTURE(bad.dump());
         CHECK_FALSE(as_change(bad).empty());

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <tuple>
+
 namespace candelabra {
 
 TEST_CASE("files have URIs") {
@@ -41,6 +43,42 @@ TEST_CASE("brackets are counted before a message is parsed") {
     CHECK_FALSE(nests_deeper("[][][]", 1));
     CHECK(nests_deeper(std::string(200'000, '['), 64));
     CHECK_FALSE(nests_deeper("\"\\", 1));
+}
+
+TEST_CASE("lines end as the protocol says") {
+    const std::string text = "a\rb\r\nc\n\rd";
+    const LineTable lines(text);
+    for (const auto& [offset, line, character] : {std::tuple{1u, 0, 1},
+                                                  {2u, 1, 0},
+                                                  {3u, 1, 1},
+                                                  {5u, 2, 0},
+                                                  {7u, 3, 0},
+                                                  {8u, 4, 0},
+                                                  {9u, 4, 1}}) {
+        const Json position = {{"line", line}, {"character", character}};
+        CAPTURE(offset);
+        CHECK(lines.position_of(offset) == position);
+        CHECK(lines.line_of(offset) == std::size_t(line));
+        CHECK(offset_of(text, position) == offset);
+    }
+}
+
+TEST_CASE("a walk over a text has the lines and columns of the table") {
+    for (const std::string text : {"", "a", "\n", "a\n\nb", "\xC3\xA4\xF0\x9F\x92\xA1z\r\nb\rc"}) {
+        const LineTable lines(text);
+        TextWalk every(text);
+        for (std::uint32_t offset = 0; offset <= text.size() + 1; ++offset) {
+            const bool inside = offset < text.size() && (text[offset] & 0xC0) == 0x80;
+            if (inside) continue;
+            CAPTURE(text, offset);
+            const Json position = lines.position_of(offset);
+            every.go_to(offset);
+            CHECK(position == Json{{"line", every.line()}, {"character", every.column()}});
+            TextWalk once(text);
+            once.go_to(offset);
+            CHECK(position == Json{{"line", once.line()}, {"character", once.column()}});
+        }
+    }
 }
 
 }  // namespace candelabra

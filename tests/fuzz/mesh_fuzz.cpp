@@ -2,7 +2,6 @@
 // Any bytes as a mesh file, whose kind the first byte says; what is read is subdivided, joined with
 // itself and wrapped in a hull: no crash, and no place that is not there.
 #include "fuzz/target.h"
-#include "fuzz/written_file.h"
 #include "meshing/library.h"
 
 #include <array>
@@ -23,13 +22,13 @@ void check(const Polyhedron& made) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     static constexpr std::array endings = {".obj", ".ply", ".stl", ".off"};
-    const WrittenFile file(data + 1, size - 1, endings[data[0] % endings.size()]);
+    const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
     Diagnostics diagnostics;
     const Polyhedra* const library = modelling_library(diagnostics, {});
     if (!library) std::abort();
     Polyhedron read, made;
     PolyhedronLook look;
-    if (!library->read(file.path(), read, look).empty()) return 0;
+    if (!library->read(endings[data[0] % endings.size()], bytes, read, look).empty()) return 0;
     check(read);
     constexpr std::size_t max_faces = 60;  // the operations take long
     if (read.faces.size() > max_faces) return 0;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a picture file of any format, and as a field of heights: no crash, and all pixels
-// that are said are there. The file lies in memory where the system has such a folder.
+// that are said are there.
 #include "fuzz/target.h"
-#include "fuzz/written_file.h"
 #include "picture/heights.h"
 #include "picture/read.h"
 
@@ -13,12 +12,13 @@ using namespace candelabra;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     // Targa files are told by their names.
-    const WrittenFile file(data + 1, size - 1, (data[0] & 1) != 0 ? ".tga" : ".bin");
+    const Found file{(data[0] & 1) != 0 ? "a.tga" : "a.bin",
+                     {reinterpret_cast<const char*>(data) + 1, size - 1}};
     TexelCoding coding;
     coding.premultiplied = (data[0] & 2) != 0;
     Diagnostics diagnostics;
-    const auto texels = read_texels(file.path(), coding, diagnostics, {});
-    const auto heights = read_heights(file.path(), 0, diagnostics, {});
+    const auto texels = read_texels(file, coding, diagnostics, {});
+    const auto heights = read_heights(file, 0, diagnostics, {});
     if (texels.has_value() != heights.has_value()) std::abort();
     if (!texels) return 0;
     const auto pixels =

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way from any bytes to a picture of 16x12 pixels: no crash, and no pixel that is not a
-// number. Rendering is stopped after a while, since nothing limits how long a picture may take.
+// The whole way from any bytes to a picture of 16x12 pixels, which is denoised and, where the scene
+// has a film, developed: no crash, and no pixel that is not a number. Rendering is stopped after a
+// while, since nothing limits how long a picture may take.
+#include "app/film_images.h"
+#include "app/layers.h"
 #include "bind/evaluate.h"
+#include "film/develop.h"
 #include "fuzz/target.h"
 #include "render/render.h"
 #include "world/compile.h"
@@ -27,10 +31,21 @@ Limits small_limits() {
     return limits;
 }
 
-void check(const Image& image) {
+void must_be_numbers(const Image& image) {
     for (const Vec3& pixel : image.pixels)
         for (int c = 0; c < 3; ++c)
             if (std::isnan(pixel[c])) std::abort();
+}
+
+/// The pictures that the program makes of a film.
+void finish(const Film& film, const FilmFiles& files) {
+    must_be_numbers(film.image());
+    must_be_numbers(denoised_film(film, files).light);
+    if (!files.film.on) return;
+    const Image shown = develop(negative_of(film, files), files.film, files.threads);
+    for (const Vec3& pixel : shown.pixels)
+        for (int c = 0; c < 3; ++c)
+            if (!(pixel[c] >= 0 && pixel[c] <= 1)) std::abort();
 }
 
 }  // namespace
@@ -54,13 +69,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     RenderSettings settings;
     settings.width = how.width;
     settings.height = how.height;
-    settings.samples = 1;
+    settings.samples = 2;
     settings.threads = 1;
+    FilmFiles files;
+    files.film = world.view.film;
+    files.denoise = true;
+    const RenderPlan plan = plan_of(world, settings);
     const auto begun = std::chrono::steady_clock::now();
     RenderHooks hooks;
+    hooks.aovs = files.aovs();
     hooks.cancelled = [&] {
         return std::chrono::steady_clock::now() - begun > std::chrono::milliseconds(500);
     };
-    check(render(world, settings, hooks).image);
+    RenderState state = begin_picture(plan.settings, hooks.aovs.count(world));
+    LightLedger ledger;
+    advance(plan, state, ledger, hooks);
+    finish(state.film, files);
     return 0;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes small files of every kind for the fuzz targets of files to begin with: seeds FOLDER makes
-// FOLDER/picture, FOLDER/mesh and so on. The first byte of pictures and meshes says how
-// the target names the file.
+// FOLDER/picture, FOLDER/mesh and so on. The first byte of most says what the target takes
+// the others for.
+#include "camera/film_settings.h"
 #include "font/system_font.h"
 #include "picture/formats.h"
 
@@ -86,6 +87,19 @@ void put_meshes(const std::filesystem::path& folder) {
         "3 0 3 2\n");
 }
 
+/// Options, the text of a film, and light: the first byte says that the light is to be put into a
+/// file.
+void put_light(const std::filesystem::path& folder) {
+    const std::string options = "--exposure=auto\n--glare=on\n--response=agx\n--grain=1\n";
+    put(folder / "plain", "\1\0\0\4\3\0\0\0\x80\x3f\0\0\0\x3f\0\0\xa0\x40\0\0\0\0"s);
+    put(folder / "options", "\1"s + options + "\0\0\7\7\377\0\0\x80\x3f\0\0\0\x3f\0\0\xa0\x40"s);
+    put(folder / "film", "\1\0"s + to_text(FilmSettings()) +
+                             "\0\7\0\0\0\0\x80\x7f\0\0\xc0\x7f\0\0\x80\xff\0\0\0\xbf"s);
+    const RawPicture picture{4, 2, 3, std::vector<float>(24, 0.5F), "exr", "none"};
+    Diagnostics diagnostics;
+    put(folder / "file", "\0"s + options + "\0"s + write_stored(picture, diagnostics).value_or(""));
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -95,8 +109,10 @@ int main(int count, char** arguments) {
     put_meshes(folder / "mesh");
     // All of a font is more than most runs look at: its tables stand at its beginning.
     for (const char* name : {"timrom.ttf", "cyrvetic.ttf"})
-        if (const auto font = system_font(name)) put(folder / "font" / name, *font);
-    put(folder / "font" / "none", "\0\1\0\0"s);
+        if (const auto font = system_font(name)) put(folder / "font" / name, "\0"s + *font);
+    put(folder / "font" / "none", "\0\0\1\0\0"s);
+    put(folder / "font" / "sound", "\1"s);
+    put(folder / "font" / "changed", "\1\14\0\1\377\0\20\4\1"s);
     put(folder / "state" / "sound", "\1"s);
     put(folder / "state" / "changed", "\1\20\1\7\0\2\377"s);
     put(folder / "state" / "other", "\0v/1\1"s);
@@ -109,4 +125,5 @@ int main(int count, char** arguments) {
     put(folder / "density" / "long",
         "\0\1\0\1\0\2"
         "abcdefgh"s);
+    put_light(folder / "develop");
 }

@@ -32,10 +32,11 @@ TEST_CASE("the normals of a smooth cube point away from its centre", "[modelling
 
 TEST_CASE("a mesh that cannot be read is an error where it is asked for", "[modelling]") {
     Diagnostics diagnostics;
-    CHECK_FALSE(read_mesh_file("/nowhere/nothing.ply", diagnostics, {}));
+    CHECK_FALSE(read_mesh_file({"/nowhere/nothing.txt", "x"}, diagnostics, {}));
     REQUIRE(diagnostics.all().size() == 1);
     CHECK(diagnostics.all()[0].message ==
-          "cannot read the mesh `/nowhere/nothing.ply`: the file cannot be opened");
+          "cannot read the mesh `/nowhere/nothing.txt`: it is no OBJ, PLY, STL or OFF file, or is "
+          "damaged");
 }
 
 }  // namespace candelabra

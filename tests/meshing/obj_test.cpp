@@ -3,6 +3,7 @@
 
 #include "meshing/library.h"
 #include "support/folder.h"
+#include "support/found.h"
 
 namespace candelabra {
 
@@ -14,7 +15,7 @@ TEST_CASE("a mesh in an OBJ file is read back as it was", "[modelling]") {
     const Folder folder;
     folder.put("a.obj", obj(mesh));
     Diagnostics diagnostics;
-    const auto read = read_mesh_file(folder / "a.obj", diagnostics, {});
+    const auto read = read_mesh_file(found(folder / "a.obj"), diagnostics, {});
     REQUIRE(read);
     CHECK(read->shape.points.size() == 4);  // the first corner has no face
     CHECK(read->shape.points[0] == Polyhedron::Point{0.1, 2, 3});

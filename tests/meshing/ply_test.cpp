@@ -3,6 +3,7 @@
 
 #include "meshing/library.h"
 #include "support/folder.h"
+#include "support/found.h"
 
 namespace candelabra {
 
@@ -13,7 +14,7 @@ TEST_CASE("a mesh in a file is read back as it was", "[modelling]") {
     const Folder folder;
     folder.put("a.ply", ply(mesh));
     Diagnostics diagnostics;
-    const auto read = read_mesh_file(folder / "a.ply", diagnostics, {});
+    const auto read = read_mesh_file(found(folder / "a.ply"), diagnostics, {});
     REQUIRE(read);
     CHECK(read->shape.points.size() == 4);  // the first corner has no face
     CHECK(read->shape.points[0] == Polyhedron::Point{0.1, 2, 3});

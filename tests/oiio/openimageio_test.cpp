@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oiio/formats.h"
 
-#include "support/folder.h"
 #include "support/picture_formats.h"
 
 namespace candelabra {
@@ -17,10 +16,8 @@ RawPicture two_pixels() {
 TEST_CASE("stored values come back as they were", "[formats]") {
     std::string bytes;
     REQUIRE(formats().write(two_pixels(), bytes) == "");
-    const Folder folder;
-    folder.put("a.bin", bytes);
     StoredPicture stored;
-    REQUIRE(formats().read(folder / "a.bin", 100, stored) == "");
+    REQUIRE(formats().read(bytes, 100, stored) == "");
     CHECK(stored.width == 2);
     CHECK(stored.height == 1);
     CHECK(stored.channels == 3);
@@ -29,7 +26,7 @@ TEST_CASE("stored values come back as they were", "[formats]") {
     REQUIRE(stored.values.size() == expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
         CHECK(stored.values[i] == Approx(expected[i]));
-    CHECK(formats().read(folder / "a.bin", 1, stored) == "it says that it has 2 by 1 pixels");
+    CHECK(formats().read(bytes, 1, stored) == "it says that it has 2 by 1 pixels");
 }
 
 TEST_CASE("what cannot be stored is said", "[formats]") {
@@ -38,7 +35,7 @@ TEST_CASE("what cannot be stored is said", "[formats]") {
     std::string bytes;
     CHECK(formats().write(picture, bytes) != "");
     StoredPicture stored;
-    CHECK(formats().read("/nowhere/nothing.png", 100, stored) != "");
+    CHECK(formats().read("", 100, stored) != "");
 }
 
 }  // namespace candelabra

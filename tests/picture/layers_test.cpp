@@ -3,9 +3,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <bit>
 #include <filesystem>
 #include <fstream>
+
+#include <sys/inotify.h>
+#include <unistd.h>
 
 namespace candelabra {
 
@@ -52,6 +56,28 @@ TEST_CASE("planes and texts come back bit by bit; a damaged file is an error") {
         CHECK_FALSE(read_layers(path, wanted, problems));
         CHECK(problems.error_count() == 1);
     }
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("a file of layers is opened once: nobody can put another one in its place") {
+    const std::string path = std::filesystem::temp_directory_path() / "candelabra_once.exr";
+    Diagnostics diagnostics;
+    std::ofstream(path, std::ios::binary) << encode(example(), diagnostics).value();
+    const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    // Equal events behind each other become one, so that each needs another one behind it.
+    REQUIRE(::inotify_add_watch(watch, path.c_str(), IN_OPEN | IN_CLOSE) >= 0);
+    CHECK(read_layers(path, {}, diagnostics));
+    alignas(inotify_event) std::array<char, 4096> events;
+    const ssize_t bytes = ::read(watch, events.data(), events.size());
+    int opened = 0;
+    for (ssize_t at = 0; at < bytes;) {
+        const auto* const event =
+            reinterpret_cast<const inotify_event*>(&events[static_cast<std::size_t>(at)]);
+        opened += (event->mask & IN_OPEN) != 0;
+        at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
+    }
+    CHECK(opened == 1);
+    ::close(watch);
     std::filesystem::remove(path);
 }
 

@@ -3,6 +3,7 @@
 
 #include "picture/file.h"
 #include "picture/write.h"
+#include "support/found.h"
 
 #include <catch2/catch.hpp>
 
@@ -115,7 +116,7 @@ TEST_CASE("greys of PNG files are those that POV-Ray keeps", "[picture]") {
     REQUIRE(write_picture(image, path, format, diagnostics));
     TexelCoding coding;
     coding.decode = TexelCoding::as_stored;
-    const auto texels = read_texels(path, coding, diagnostics);
+    const auto texels = read_texels(found(path), coding, diagnostics);
     REQUIRE(texels);
     REQUIRE(texels->values.size() == kept.size());
     for (std::size_t i = 0; i < kept.size(); ++i)
@@ -128,7 +129,7 @@ TEST_CASE("texels are coded as the scene wants them", "[picture]") {
     std::ofstream(plain, std::ios::binary) << std::string("P6 1 1 255\n\x80\x00\xff", 14);
     const auto red = [&](const TexelCoding& coding) {
         Diagnostics diagnostics;
-        const auto texels = read_texels(plain, coding, diagnostics);
+        const auto texels = read_texels(found(plain), coding, diagnostics);
         REQUIRE(texels);
         CHECK(texels->greatest.z == 1);
         return texels->values.at(0);
@@ -143,7 +144,7 @@ TEST_CASE("texels are coded as the scene wants them", "[picture]") {
     coding.decode = TexelCoding::as_stored;
     CHECK(red(coding) == Approx(0.21586).epsilon(1e-4));
     Diagnostics diagnostics;
-    CHECK_FALSE(read_texels(folder.file("none.png"), {}, diagnostics));
+    CHECK_FALSE(read_texels(found(folder.file("none.png")), {}, diagnostics));
     CHECK(diagnostics.failed());
 }
 
@@ -160,7 +161,7 @@ TEST_CASE("nobody reads on what another reader has left", "[picture]") {
         std::ofstream(folder.file(name), std::ios::binary) << bytes;
         Diagnostics diagnostics;
         CHECK_FALSE(read_picture(folder.file(name), diagnostics, {}));
-        CHECK_FALSE(read_texels(folder.file(name), {}, diagnostics, {}));
+        CHECK_FALSE(read_texels(found(folder.file(name)), {}, diagnostics, {}));
         CHECK(diagnostics.failed());
     }
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace candelabra {
 
@@ -201,6 +202,20 @@ TEST_CASE("what is brighter than its alpha has more alpha") {
     CHECK(byte(3) == 128);
     CHECK(byte(4) == 255);
     CHECK(byte(7) == 230);
+}
+
+TEST_CASE("alpha beyond its range is clipped, and is nothing where it is no number") {
+    const double infinite = std::numeric_limits<double>::infinity();
+    const std::array alpha = {infinite, 3.0, -infinite, std::nan(""), -0.5};
+    const Image image(static_cast<int>(alpha.size()), 1);
+    Diagnostics diagnostics;
+    const auto bytes = encode(image, {PictureType::tga}, diagnostics, alpha);
+    REQUIRE(bytes);
+    const std::size_t head = 18;
+    std::vector<int> made;
+    for (std::size_t i = 0; i < alpha.size(); ++i)
+        made.push_back(static_cast<unsigned char>((*bytes)[head + 4 * i + 3]));
+    CHECK(made == std::vector{255, 255, 0, 0, 0});
 }
 
 }  // namespace candelabra

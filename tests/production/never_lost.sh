@@ -40,6 +40,19 @@ expect "a file that grows too large" 3 "cannot write" full
 check "the old picture is as it was" grep -qx precious old.png
 expect "layers for which there is no room" 3 "cannot write" bash -c "ulimit -f 60; '$program' scene.pov -V +Olayers.png +W300 +H200 --layers all --samples 1"
 check "the picture beside them is whole" "$program" scene.pov -V +Oagain.png +W300 +H200 --samples 1
+# The same where light is denoised, or developed later.
+render -V +Olight.exr +W300 +H300 --denoise
+develop() { "$program" develop light.exr "$@"; }
+expect "a full device for what is developed" 3 "No space left on device" develop -o /dev/full +FN
+full_developed() { (ulimit -f 1; develop -o old.png); }
+expect "what is developed grows too large" 3 "cannot write" full_developed
+full_denoised() { (ulimit -f 1; render -V --denoise +Oold.png +W300 +H300); }
+expect "what is denoised grows too large" 3 "cannot write" full_denoised
+for size in 0 1 100 5000; do
+    head -c $size light.exr > short.exr
+    expect "a light of $size bytes" 3 "cannot read" "$program" develop short.exr -o old.png
+done
+check "the old picture is as it was even then" grep -qx precious old.png
 check "no draft is left" test -z "$(find . -name '.candelabra*')"
 # Known before the work, not after it.
 cp "$program" alone

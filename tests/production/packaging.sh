@@ -27,7 +27,24 @@ with() {
     fi
 }
 
-with appstreamcli "AppStream data" appstreamcli validate --no-net "$own/candelabra.metainfo.xml"
+metainfo() {  # ADDRESS-OF-PICTURES
+    cmake -DINPUT="$own/candelabra.metainfo.xml" -DOUTPUT="$folder/candelabra.metainfo.xml" -DPICTURES="$1" \
+        -P "$own/metainfo.cmake" && appstreamcli validate --no-net "$folder/candelabra.metainfo.xml"
+}
+pictures() {
+    metainfo https://example.org/pictures && for picture in $(sed -n 's,.*/pictures/\(.*\)</image>,\1,p' \
+        "$folder/candelabra.metainfo.xml"); do [ -s "$root/examples/pictures/$picture" ] || return 1; done
+}
+with appstreamcli "AppStream data" metainfo ""
+with appstreamcli "AppStream data with screenshots" pictures
+
+# One version everywhere.
+version=$("$program" --version | cut -d ' ' -f 2)
+versions() {
+    [ "$(sed -n 's/.*<release version="\([^"]*\)".*/\1/p' "$own/candelabra.metainfo.xml" | head -n 1)" = "$version" ] &&
+        [ "$(sed -n 's/^## \([0-9.]*\).*/\1/p' "$root/CHANGELOG.md" | head -n 1)" = "$version" ]
+}
+with sed "version $version in AppStream data and CHANGELOG.md" versions
 with desktop-file-validate "desktop file" desktop-file-validate "$own/candelabra.desktop"
 mkdir -p "$folder/mime/packages"
 cp "$own/candelabra-mime.xml" "$folder/mime/packages/candelabra.xml"
@@ -65,6 +82,38 @@ PYTHON
 if python3 -c 'import yaml' 2> /dev/null; then with python3 "CITATION.cff" citation; else echo "left out: CITATION.cff (no yaml)"; fi
 with cffconvert "CITATION.cff by its own tool" cffconvert --validate -i "$root/CITATION.cff"
 with node "the extension of VS Code" node "$root/tests/production/vscode_client.js" "$program"
+vsix() {
+    python3 - "$(dirname "$program")/candelabra-$version.vsix" "$version" << 'PYTHON'
+import json, sys, zipfile
+from xml.etree import ElementTree
+package = zipfile.ZipFile(sys.argv[1])
+assert package.testzip() is None
+names = set(package.namelist())
+types = ElementTree.fromstring(package.read("[Content_Types].xml"))
+known = {each.get("Extension") for each in types}
+assert all("." + name.rsplit(".", 1)[1] in known for name in names if not name.endswith("/") and name[0] != "["), names
+manifest = ElementTree.fromstring(package.read("extension.vsixmanifest"))
+space = "{http://schemas.microsoft.com/developer/vsx-schema/2011}"
+facts = json.loads(package.read("extension/package.json"))
+identity = manifest.find(f"{space}Metadata/{space}Identity")
+assert identity.get("Version") == facts["version"] == sys.argv[2]
+assert identity.get("Publisher") == facts["publisher"] and identity.get("Id") == facts["name"]
+assert all(each.get("Path") in names for each in manifest.iter(f"{space}Asset"))
+parts = facts["contributes"]
+for path in [facts["main"], *(each["path"] for each in parts["grammars"] + parts["snippets"]),
+             *(each["configuration"] for each in parts["languages"])]:
+    assert "extension/" + path.removeprefix("./") in names, path
+for name in names:
+    if name.endswith(".json"):
+        json.loads(package.read(name))
+PYTHON
+}
+if [ -e "$(dirname "$program")/candelabra-$version.vsix" ]; then with python3 "the .vsix" vsix
+else echo "left out: the .vsix (not made yet)"; fi
+refused() { ! INSTALL=no PATH="$folder/bin" /usr/bin/bash "$root/tests/install_packages.sh" && grep -q "to install them:" "$folder/out.txt"; }
+mkdir -p "$folder/bin"
+ln -s /usr/bin/grep /usr/bin/id "$folder/bin/"
+with bash "what is missing is said, and not installed" refused
 for page in candelabra.1 candelabra-fmt.1 candelabra-lsp.1 candelabra-merge.1 candelabra-scene.5 candelabra-lights.7 \
     candelabra-povray.7 candelabra-stdlib.7 candelabra-tutorial.7; do
     made=$(dirname "$program")/man/$page

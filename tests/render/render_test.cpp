@@ -56,6 +56,26 @@ double mean_grey(const Image& image) {
 
 }  // namespace
 
+TEST_CASE("a picture begins where one points, and is the same", "[render]") {
+    const World world = world_of(four_lamps);
+    RenderSettings settings = small(1);
+    settings.width = settings.height = 64;
+    settings.samples = 1;
+    const RenderPlan plan = plan_of(world, settings);
+    RenderHooks hooks;
+    hooks.first = Vec2(50, 40);
+    std::atomic<int> asked = 0;
+    RenderState state = begin_picture(settings);
+    LightLedger rays;
+    hooks.cancelled = [&] { return ++asked > 5; };
+    CHECK_FALSE(advance(plan, state, rays, hooks));
+    CHECK(state.film.at(50, 33).samples == 1);
+    CHECK(state.film.at(3, 3).samples == 0);
+    hooks.cancelled = {};
+    CHECK(advance(plan, state, rays, hooks));
+    CHECK(state.film.image().pixels == render(world, settings).image.pixels);
+}
+
 TEST_CASE("the picture has the same bytes for any number of threads", "[render]") {
     const World world = world_of(four_lamps);
     const Rendering one = render(world, small(1));

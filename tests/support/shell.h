@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -28,6 +29,7 @@ struct Shell {
                                    ("candelabra_shell_test_" + std::to_string(::getpid()));
     std::string out, err, library;
     Interrupts interrupts;
+    std::function<bool(const SandboxRules&)> confine;
 
     Shell() {
         std::filesystem::create_directories(folder);
@@ -52,6 +54,7 @@ struct Shell {
         console.err = [&](std::string_view text) { err += text; };
         console.library = library;
         console.interrupts = interrupts;
+        console.confine = confine;
         const std::vector<std::string_view> views(arguments.begin(), arguments.end());
         return run(views, console);
     }

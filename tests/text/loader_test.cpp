@@ -33,8 +33,10 @@ std::string found(const Paths& paths, const std::string& name, const std::string
                   FileKind kind = FileKind::include) {
     const Loader loader(files(paths), "scenes", {"lib", "more/"});
     const auto result = loader.load(name, from, kind);
+    if (!result) CHECK_FALSE(loader.located(name, from, kind));
     if (!result) return "";
     CHECK(result->text == "text of " + result->path);
+    CHECK(loader.located(name, from, kind) == result->path);
     return result->path;
 }
 

@@ -2,6 +2,11 @@
 #include "text/opened_file.h"
 
 #include "support/folder.h"
+#include "text/loader.h"
+
+#include <atomic>
+#include <fstream>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -51,6 +56,42 @@ TEST_CASE("only regular files have a content, which is bounded", "[door]") {
     CHECK_FALSE(is_regular_file(here));
     CHECK_FALSE(is_regular_file(open_without_links(here + "/pipe", O_RDONLY)));
     CHECK_FALSE(is_regular_file(OpenedFile()));
+}
+
+TEST_CASE("the user names regular files and pipes, and they are what is read", "[door]") {
+    const Folder folder;
+    folder.put("a.txt", "text");
+    fs::create_symlink("a.txt", folder / "link");
+    CHECK(content_of_file(folder / "a.txt") == "text");
+    CHECK(content_of_file(folder / "link") == "text");
+    CHECK_FALSE(content_of_file(folder / "a.txt", 3));
+    for (const std::string& none :
+         {folder / "none", folder.path().string(), std::string("/dev/zero"), std::string(),
+          std::string("a\0b", 3)})
+        CHECK_FALSE(content_of_file(none));
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    std::thread writer([&] { std::ofstream(folder / "pipe") << "through a pipe"; });
+    CHECK(content_of_file(folder / "pipe") == "through a pipe");
+    writer.join();
+}
+
+TEST_CASE("what comes into the place of a file is not waited for", "[door]") {
+    const Folder folder;
+    folder.put("file", "text");
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    std::atomic<bool> ends = false;
+    // Two names that change places again and again: one of them is a pipe that nobody writes to.
+    std::thread swapper([&] {
+        while (!ends)
+            ::renameat2(AT_FDCWD, (folder / "file").c_str(), AT_FDCWD, (folder / "pipe").c_str(),
+                        RENAME_EXCHANGE);
+    });
+    int read = 0;
+    for (int i = 0; i < 3000; ++i)
+        if (const auto text = scene_reader(Door())(folder / "file")) read += *text == "text";
+    ends = true;
+    swapper.join();
+    CHECK(read > 0);
 }
 
 }  // namespace candelabra

@@ -139,6 +139,13 @@ TEST_CASE("every answer is closed to other sites") {
     }
 }
 
+TEST_CASE("an answer is saved under a name that can end no header") {
+    const std::string sent = sent_form({"image/png", "body", 200, "a\"b\r\nX: c/../d-1.png"});
+    CHECK(sent.find("\r\nContent-Disposition: attachment; "
+                    "filename=\"a_b__X__c_.._d-1.png\"\r\n") != sent.npos);
+    CHECK(sent_form({"image/png", "body"}).find("Disposition") == std::string::npos);
+}
+
 TEST_CASE("tokens are new each time") {
     std::set<std::string> seen;
     for (int i = 0; i < 100; ++i) seen.insert(new_token());

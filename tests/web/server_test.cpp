@@ -121,4 +121,50 @@ TEST_CASE("a request that drips has a time for all of it") {
     ::close(connection);
 }
 
+TEST_CASE("a request waits for its answer, and hears of it at once") {
+    std::atomic<bool> there = false;
+    std::atomic<int> asked = 0;
+    const WebServer server(0, "secret",
+                           [&](const WebRequest& request) {
+                               if (request.path == "/other")
+                                   return WebAnswer{"text/plain", "other"};
+                               ++asked;
+                               WebAnswer answer{"text/plain", there ? "there" : "nothing"};
+                               answer.later = !there;
+                               return answer;
+                           },
+                           {.patience_milliseconds = 60000});
+    const std::string end =
+        " HTTP/1.1\r\nHost: localhost:" + std::to_string(server.port()) + "\r\n\r\n";
+    std::string answer;
+    std::thread waiting([&] { answer = fetch(server.port(), "GET /news" + end); });
+    while (asked < 1) std::this_thread::yield();
+    CHECK(fetch(server.port(), "GET /other" + end).ends_with("other"));
+    server.wake();
+    while (asked < 2) std::this_thread::yield();
+    there = true;
+    server.wake();
+    waiting.join();
+    CHECK(answer.ends_with("\r\n\r\nthere"));
+}
+
+TEST_CASE("who waits in vain is answered when the time is over") {
+    const WebServer server(
+        0, "secret",
+        [&](const WebRequest& request) {
+            WebAnswer answer{"text/plain", request.can_wait ? "soon" : "nothing"};
+            answer.later = true;
+            return answer;
+        },
+        {.connections = 8, .patience_milliseconds = 200});
+    const std::string get =
+        "GET /news HTTP/1.1\r\nHost: localhost:" + std::to_string(server.port()) + "\r\n\r\n";
+    CHECK(fetch(server.port(), get).ends_with("\r\n\r\nnothing"));
+    // Those who wait take no more places than others.
+    std::vector<int> waiting;
+    for (int i = 0; i < 40; ++i) waiting.push_back(send_to(server.port(), get));
+    CHECK(fetch(server.port(), get).ends_with("nothing"));
+    for (const int each : waiting) ::close(each);
+}
+
 }  // namespace candelabra

@@ -60,6 +60,26 @@ TEST_CASE("without a light that shoots there are no targets", "[world]") {
     CHECK(targets(lamp + "sphere { 0, 1 no_image " + glass + "}").photon_targets.empty());
 }
 
+TEST_CASE("lamps shoot at targets in a bounded number of pairs", "[world]") {
+    const auto said = [](int lamps, int glasses, const std::string& ways) {
+        const auto times = [](int count, const std::string& what) {
+            return "#for (I, 1, " + std::to_string(count) + ") " + what + " #end ";
+        };
+        Diagnostics diagnostics;
+        const std::string script =
+            "#version 3.7; global_settings { photons { count 100 } } " +
+            times(lamps, "light_source { I*y, rgb 1 photons { " + ways + " } }") +
+            times(glasses, "box { I, I + 0.1 " + glass + "}");
+        compile(scene_of(script), CompileOptions(), diagnostics);
+        return diagnostics.failed() ? diagnostics.all().back().message : "";
+    };
+    CHECK(said(4000, 2000, "refraction on") == "");
+    CHECK(said(4001, 2000, "refraction on") ==
+          "photons of light sources are shot at targets in more pairs than the limit of 8000000: "
+          "there are 8002000");
+    CHECK(said(4001, 2000, "refraction off") == "");
+}
+
 TEST_CASE("photons are not shot at what has no end", "[world]") {
     Diagnostics said;
     const World world = compile(scene_of("#version 3.7; global_settings { photons { count 9 } } " +

@@ -4,6 +4,7 @@
 "use strict";
 const vscode = require("vscode");
 const { Client } = require("./client.js");
+const commands = require("./commands.js");
 
 let client = null;
 const scenes = { language: "pov", scheme: "file" };
@@ -11,6 +12,7 @@ const scenes = { language: "pov", scheme: "file" };
 const place = p => ({ line: p.line, character: p.character });
 const position = p => new vscode.Position(p.line, p.character);
 const range = r => new vscode.Range(position(r.start), position(r.end));
+const lines = r => ({ start: place(r.start), end: place(r.end) });
 const document = d => ({ uri: d.uri.toString() });
 const at = (d, p) => ({ textDocument: document(d), position: place(p) });
 const location = l => new vscode.Location(vscode.Uri.parse(l.uri), range(l.range));
@@ -34,10 +36,42 @@ function follow(context) {
     event(e => isScene(e.document || e) && client.notify(method, parameters(e.document || e))));
   vscode.workspace.textDocuments.forEach(opened);
   context.subscriptions.push(vscode.workspace.onDidOpenTextDocument(opened));
-  on(vscode.workspace.onDidChangeTextDocument, "textDocument/didChange", d => ({
-    textDocument: { ...document(d), version: d.version }, contentChanges: [{ text: d.getText() }] }));
+  context.subscriptions.push(vscode.workspace.onDidChangeTextDocument(
+    e => isScene(e.document) && e.contentChanges.length > 0 && client.notify("textDocument/didChange", {
+      textDocument: { ...document(e.document), version: e.document.version },
+      contentChanges: e.contentChanges.map(c => ({ range: lines(c.range), text: c.text })) })));
   on(vscode.workspace.onDidSaveTextDocument, "textDocument/didSave", d => ({ textDocument: document(d) }));
   on(vscode.workspace.onDidCloseTextDocument, "textDocument/didClose", d => ({ textDocument: document(d) }));
+}
+
+/// What belongs to words, and to whole documents.
+function provideStructure(context, legend) {
+  const ask = (method, parameters) => client.request("textDocument/" + method, parameters);
+  const languages = vscode.languages;
+  const kinds = { comment: vscode.FoldingRangeKind.Comment, imports: vscode.FoldingRangeKind.Imports,
+                  region: undefined };
+  const meanings = found => found && new vscode.SemanticTokens(new Uint32Array(found.data));
+  const words = new vscode.SemanticTokensLegend(legend.tokenTypes, legend.tokenModifiers);
+  context.subscriptions.push(
+    languages.registerDocumentSemanticTokensProvider(scenes, { provideDocumentSemanticTokens: async d =>
+      meanings(await ask("semanticTokens/full", { textDocument: document(d) })) }, words),
+    languages.registerDocumentRangeSemanticTokensProvider(scenes, { provideDocumentRangeSemanticTokens:
+      async (d, r) => meanings(await ask("semanticTokens/range", { textDocument: document(d), range: lines(r) })) },
+      words),
+    languages.registerFoldingRangeProvider(scenes, { provideFoldingRanges: async d =>
+      list(await ask("foldingRange", { textDocument: document(d) })).map(
+        f => new vscode.FoldingRange(f.startLine, f.endLine, kinds[f.kind])) }),
+    languages.registerDocumentLinkProvider(scenes, { provideDocumentLinks: async d =>
+      list(await ask("documentLink", { textDocument: document(d) })).map(
+        l => new vscode.DocumentLink(range(l.range), vscode.Uri.parse(l.target))) }),
+    languages.registerDocumentHighlightProvider(scenes, { provideDocumentHighlights: async (d, p) =>
+      list(await ask("documentHighlight", at(d, p))).map(
+        h => new vscode.DocumentHighlight(range(h.range), h.kind - 1)) }),
+    languages.registerWorkspaceSymbolProvider({ provideWorkspaceSymbols: async query =>
+      list(await client.request("workspace/symbol", { query })).map(
+        s => new vscode.SymbolInformation(s.name, s.kind - 1, s.containerName, location(s.location))) }),
+    languages.registerDocumentRangeFormattingEditProvider(scenes, { provideDocumentRangeFormattingEdits:
+      async (d, r) => list(await ask("rangeFormatting", { textDocument: document(d), range: lines(r) })).map(edit) }));
 }
 
 function provide(context) {
@@ -62,10 +96,9 @@ function provide(context) {
         activeSignature: found.activeSignature, activeParameter: found.activeParameter });
     } }, "(", ","),
     languages.registerCodeActionsProvider(scenes, { provideCodeActions: async (d, r, context) => {
-      const diagnostics = context.diagnostics.map(each => ({ range: { start: place(each.range.start),
-        end: place(each.range.end) }, message: each.message }));
+      const diagnostics = context.diagnostics.map(each => ({ range: lines(each.range), message: each.message }));
       const found = list(await ask("codeAction", { textDocument: document(d), context: { diagnostics },
-        range: { start: place(r.start), end: place(r.end) } }));
+        range: lines(r) }));
       return found.map(each => {
         const made = new vscode.CodeAction(each.title, vscode.CodeActionKind.QuickFix);
         made.edit = new vscode.WorkspaceEdit();
@@ -96,7 +129,7 @@ function provide(context) {
           range(c.range), new vscode.Color(c.color.red, c.color.green, c.color.blue, c.color.alpha))),
       provideColorPresentations: async ({ red, green, blue, alpha }, { document: d, range: r }) =>
         list(await ask("colorPresentation", { textDocument: document(d), color: { red, green, blue, alpha },
-          range: { start: place(r.start), end: place(r.end) } })).map(c => new vscode.ColorPresentation(c.label)),
+          range: lines(r) })).map(c => new vscode.ColorPresentation(c.label)),
     }));
 }
 
@@ -104,13 +137,17 @@ async function activate(context) {
   const mistakes = vscode.languages.createDiagnosticCollection("candelabra");
   context.subscriptions.push(mistakes);
   const program = vscode.workspace.getConfiguration("candelabra").get("path") || "candelabra";
+  context.subscriptions.push(
+    vscode.commands.registerCommand("candelabra.render", () => commands.render(program)),
+    vscode.commands.registerCommand("candelabra.preview", () => commands.preview(program)));
   const heard = (method, parameters) => {
     if (method === "textDocument/publishDiagnostics")
       mistakes.set(vscode.Uri.parse(parameters.uri), parameters.diagnostics.map(diagnostic));
   };
   client = new Client(program, ["lsp"], heard);
+  let greeting;
   try {
-    await client.request("initialize", { processId: process.pid, rootUri: null, capabilities: {} });
+    greeting = await client.request("initialize", { processId: process.pid, rootUri: null, capabilities: {} });
   } catch {
     vscode.window.showWarningMessage(`${program} cannot be started: scenes have their colours, and no more help`);
     return;
@@ -118,6 +155,7 @@ async function activate(context) {
   client.notify("initialized", {});
   follow(context);
   provide(context);
+  provideStructure(context, greeting.capabilities.semanticTokensProvider.legend);
 }
 
 function deactivate() {

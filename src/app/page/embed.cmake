@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Makes a C++ source of the preview's page: cmake -DFOLDER=src/app/page -DOUTPUT=page.cpp -P embed.cmake
+set(text "// Made of src/app/page.\n#include \"app/preview_page.h\"\n\nnamespace candelabra {\n\n")
+function(embed name)
+  set(content "")
+  foreach(file ${ARGN})
+    file(READ ${FOLDER}/${file} part)
+    string(APPEND content "${part}")
+  endforeach()
+  string(APPEND text "const std::string_view ${name} = R\"page(${content})page\";\n\n")
+  set(text "${text}" PARENT_SCOPE)
+endfunction()
+embed(preview_page index.html)
+embed(preview_style style.css)
+embed(preview_script canvas.js hand.js panels.js page.js)
+embed(preview_icon icon.svg)
+file(WRITE ${OUTPUT} "${text}}  // namespace candelabra\n")

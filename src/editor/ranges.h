@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ranges of places in several files, of which there may be many: the lines of each file are counted
+// once.
+#pragma once
+
+#include "editor/protocol.h"
+#include "editor/workspace.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace candelabra {
+
+class Ranges {
+public:
+    explicit Ranges(Workspace& workspace) : workspace_(workspace) {}
+
+    /// For a file that is gone, the begin.
+    Json of(const std::string& path, Part place) {
+        auto known = tables_.find(path);
+        if (known == tables_.end()) {
+            FileHandle file = workspace_.file(path);
+            const LineTable table(file ? std::string_view(file->text) : std::string_view());
+            known = tables_.emplace(path, std::pair(std::move(file), table)).first;
+        }
+        return known->second.second.range_of(place);
+    }
+
+private:
+    Workspace& workspace_;
+    /// The handles hold the texts.
+    std::map<std::string, std::pair<FileHandle, LineTable>> tables_;
+};
+
+}  // namespace candelabra

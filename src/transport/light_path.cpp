@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/light_path.h"
+
+#include "base/cosine_direction.h"
+#include "scattering/bsdf.h"
+#include "transport/light_left.h"
+#include "transport/path_steps.h"
+#include "transport/sight.h"
+#include "transport/subsurface.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+/// By what share of the size of a luminaire its light starts away from it.
+constexpr double off_its_lamp = 1e-7;
+/// That light goes on at a surface which reflects next to none.
+constexpr double least_survival = 0.05;
+/// Light that comes along the surface brings nothing that could be seen, and no number either.
+constexpr double grazing_cosine = 1e-6;
+
+std::vector<double> intensities(const WorldLights& lights) {
+    std::vector<double> all;
+    all.reserve(lights.luminaires.size());
+    for (const Luminaire& luminaire : lights.luminaires) all.push_back(bounds(luminaire).intensity);
+    return all;
+}
+
+}  // namespace
+
+bool is_lambertian(const World& world, const Shading& s) {
+    const Finish& f = *s.finish;
+    return !f.microfacet.on && f.diffuse_back == 0 && !s.both_sides && !(f.irid.amount > 0) &&
+           f.crand == 0 && !f.conserve_energy && !scatters_inside(world, s);
+}
+
+LightPaths::LightPaths(const World& world, int max_reflections)
+    : world_(world),
+      rules_(shading_rules(world)),
+      places_(intensities(world.lights)),
+      max_reflections_(max_reflections) {}
+
+/// Light that has come to a vertex.
+struct LightPaths::Lit {
+    PathState path;
+    Vertex vertex;
+    Vec3 power;  ///< colour of light times the area that is hit by it straight on
+    int reflections = 0;
+    std::uint32_t statement = 0;
+};
+
+void LightPaths::follow(const Key& key, double share,
+                        std::vector<ReflectedLuminaire>& found) const {
+    const double places = static_cast<double>(places_.total());
+    const auto place = static_cast<std::uint64_t>(uniform(key, Purpose::light_choice) * places);
+    const LightIndex light = places_.at(std::min(place, places_.total() - 1));
+    const Luminaire& luminaire = world_.lights.luminaires[light];
+    const double chance = static_cast<double>(places_.of(light)) / places;
+    const auto emitted = emit(luminaire, place_on_light(key),
+                              {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)});
+    if (!emitted) return;
+    const Vec3 power = radiance_of(world_, luminaire, emitted->ray.origin) *
+                       (share * dot(emitted->normal, emitted->ray.direction) /
+                        (std::numbers::pi * emitted->density * chance));
+    if (power == Vec3(0)) return;
+    PathState path;
+    path.ray = emitted->ray;
+    path.tolerance = off_its_lamp * bounds(luminaire).radius;
+    path.kind = RayKind::gathering;
+    if (world_.notes_solids()) path.media = world_.containing(path.ray.origin);
+    // To each surface on the way light comes as a shadow ray finds it from there.
+    for (int met = 0; met < max_surfaces_along; ++met) {
+        path.key = key.branched(Branch::light_path, static_cast<std::uint32_t>(met));
+        Hit hit;
+        if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit)) return;
+        const Vertex vertex =
+            vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
+        const Vec3 left = light_left(world_,
+                                     {.ray = {vertex.position(), -path.ray.direction},
+                                      .tolerance = vertex.tolerance(),
+                                      .distance = length(vertex.position() - emitted->ray.origin),
+                                      .around = vertex.around},
+                                     path.key);
+        if (left != Vec3(0))
+            go_on({path, vertex, power * left, 0, world_.provenance.statement_of_luminaire[light]},
+                  found);
+        if (world_.passed(hit, path.ray) == Vec3(0)) return;
+        path.media = interface_at(world_, path.media, hit.primitive, path.band).behind;
+        path.ray.origin = vertex.position();
+        path.tolerance = vertex.tolerance();
+    }
+}
+
+/// Radiance in all directions by light of colour 1 that comes along the path's ray.
+Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
+    Vec3 sum(0);
+    for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
+        LayerStack(world_, path, vertex, layers).visit([&](const LayerStack::Seen& layer) {
+            if (!is_lambertian(world_, layer.shading)) return;
+            sum += weight * layer.through *
+                   Bsdf(layer.shading, rules_).evaluate(-path.ray.direction, diffuse_terms, 0);
+        });
+    });
+    return sum;
+}
+
+/// Follows it from surface to surface while they reflect it.
+void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
+    while (++lit.reflections <= max_reflections_) {
+        const Vec3 normal = lit.vertex.shading.geometric_normal;
+        const double cosine = -dot(lit.path.ray.direction, normal);
+        if (cosine < grazing_cosine) return;
+        const Vec3 power = lit.power * reflected(lit.path, lit.vertex) / cosine;
+        if (power == Vec3(0)) return;
+        found.push_back({lit.vertex.position(), normal, power, lit.vertex.tolerance(),
+                         lit.reflections, lit.statement});
+        const double survival =
+            std::clamp(max_component(glm::abs(power)) / max_component(glm::abs(lit.power)),
+                       least_survival, 1.0);
+        if (uniform(lit.path.key, Purpose::roulette) >= survival) return;
+        lit.power = power / survival;
+        const Vec2 u{uniform(lit.path.key, Purpose::bounce_u),
+                     uniform(lit.path.key, Purpose::bounce_v)};
+        lit.path = gathering_path(lit.path, lit.vertex, cosine_direction(normal, u));
+        Hit hit;
+        if (!world_.first_hit(lit.path.ray, lit.path.tolerance, lit.path.kind, hit)) return;
+        lit.vertex =
+            vertex_at(world_, lit.path.ray, hit, {lit.path.media.data(), lit.path.media.size()});
+    }
+}
+
+}  // namespace candelabra

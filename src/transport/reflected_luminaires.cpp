@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/reflected_luminaires.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+
+namespace candelabra {
+
+namespace {
+
+/// Samples of a pixel that one generation serves.
+constexpr std::uint32_t samples_served = 4;
+/// Kept in memory.
+constexpr std::size_t kept_generations = ReflectedLuminaires::samples_at_once / samples_served + 2;
+/// Paths of light that one thread follows at a time, and that are followed to find the bound.
+constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
+/// How much of the light of a surface that all of them light alike one of them may give.
+constexpr double kappa = 1.0 / 16;
+/// Of what the strategy takes for one: it shines on both sides, and a little more to the right one.
+constexpr double lean_of_proxy = 0.25;
+
+/// A triangle about it, as large as the distance from which it lights with all of its power.
+Luminaire proxy_of(const ReflectedLuminaire& luminaire, double radius) {
+    const auto [x, y] = perpendiculars(luminaire.normal);
+    const double height = std::sqrt(0.75), area = 1.5 * height * radius * radius;
+    const auto corner = [&](double along_x, double along_y) {
+        return luminaire.position + radius * (along_x * x + along_y * y);
+    };
+    Luminaire proxy{};
+    proxy.emitter = TriangleEmitter{corner(1, 0), corner(-0.5, height), corner(-0.5, -height)};
+    proxy.radiance = luminaire.power / area;
+    proxy.lean = lean_of_proxy * luminaire.normal;
+    return proxy;
+}
+
+}  // namespace
+
+std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const World& world, int seed,
+                                                             int threads) {
+    const auto* wanted = std::get_if<PathTraced>(&world.rules.settings.integrator);
+    if (!wanted || wanted->reflected_luminaires == 0 || wanted->bounces == 0 ||
+        world.lights.luminaires.empty() || world.rules.quality < quality_full || world.has_air() ||
+        world.has_media())
+        return nullptr;
+    auto made = std::make_shared<ReflectedLuminaires>(
+        world, static_cast<std::uint32_t>(wanted->reflected_luminaires), wanted->bounces, seed,
+        threads);
+    return made->bound() > 0 ? made : nullptr;
+}
+
+ReflectedLuminaires::ReflectedLuminaires(const World& world, std::uint32_t count,
+                                         int max_reflections, int seed, int threads)
+    : world_(world),
+      max_reflections_(max_reflections),
+      paths_(world, max_reflections),
+      count_(count),
+      seed_(mix(static_cast<std::uint64_t>(seed) + 0x5ef1)),
+      threads_(threads),
+      generations_(kept_generations) {
+    if (paths_.any()) find_bound();
+}
+
+std::uint32_t ReflectedLuminaires::generation_of(std::uint32_t sample) {
+    return sample / samples_served;
+}
+
+/// All of a stream, in the order of their paths.
+std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& paths,
+                                                          std::uint32_t count,
+                                                          std::uint64_t stream) const {
+    std::vector<std::vector<ReflectedLuminaire>> parts((count + paths_at_once - 1) / paths_at_once);
+    run_parallel(parts.size(), threads_, [&](std::size_t part) {
+        const auto first = static_cast<std::uint32_t>(part) * paths_at_once;
+        for (std::uint32_t i = first; i < std::min(first + paths_at_once, count); ++i)
+            paths.follow({stream, i, 0, 0}, 1.0 / count, parts[part]);
+    });
+    std::vector<ReflectedLuminaire> all;
+    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+/// So that one of them gives no more than its share where they are as dense as on the whole: by the
+/// usual distance from a surface to the next that its light comes to.
+void ReflectedLuminaires::find_bound() {
+    const std::vector<ReflectedLuminaire> tried =
+        sent(LightPaths(world_, std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
+    std::vector<double> distances;
+    for (std::size_t i = 1; i < tried.size(); ++i)
+        if (tried[i].reflections == tried[i - 1].reflections + 1)
+            distances.push_back(length(tried[i].position - tried[i - 1].position));
+    if (distances.empty()) return;
+    std::ranges::nth_element(distances, distances.begin() + distances.size() / 2);
+    const double usual = distances[distances.size() / 2];
+    const double number = static_cast<double>(tried.size()) * count_ / pilot_paths;
+    if (usual > 0) bound_ = kappa * number / (usual * usual);
+}
+
+ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
+    ReflectedSet set;
+    set.list = sent(paths_, count_, mix(seed_ ^ mix(number + 1)));
+    const double radius = 1 / std::sqrt(bound_);
+    set.proxies.reserve(set.list.size());
+    for (const ReflectedLuminaire& each : set.list) set.proxies.push_back(proxy_of(each, radius));
+    // What arrives of their light is not tried, as a generation is soon over. Surfaces that they
+    // light are those that they are on.
+    LightOctree octree;
+    octree.alone = true;
+    LightScene scene{set.proxies, {}};
+    if (!world_.view.camera.parallel) scene.eye = world_.view.camera.location;
+    set.sampler = build(LightSampler(octree), scene, threads_);
+    return set;
+}
+
+std::shared_ptr<const ReflectedSet> ReflectedLuminaires::generation(std::uint32_t number) {
+    return generations_.get(number, [&] { return made(number); });
+}
+
+void ReflectedLuminaires::prepare(std::uint32_t first, std::uint32_t last) {
+    if (first >= last) return;
+    for (std::uint32_t number = generation_of(first); number <= generation_of(last - 1); ++number)
+        generation(number);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/preview_stage.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+namespace candelabra {
+
+namespace {
+
+const std::string scene = R"(#version 3.7;
+camera { location -5*z look_at 0 angle 50 }
+sphere { 0, 1 pigment { rgb <1, 0.5, 0> } finish { ambient 0.2 diffuse 0.8 } }
+plane { z, 3 pigment { rgb 1 } finish { ambient 0.5 diffuse 0.5 } }
+light_source { <-1, 0, -5>, 1 }
+)";
+
+/// A scene on its stage, and all pictures that the page is shown.
+struct Rehearsal {
+    World world = world_of(scene);
+    SourceStore sources;
+    Options options;
+    std::vector<std::string> lights = {"lamp"};
+    std::atomic<bool> leaves = false;
+    std::mutex mutex;
+    std::vector<ScreenPicture> shown;
+    PreviewDesk desk{[this] { note(); }};
+
+    Rehearsal() {
+        sources.add("scene.pov", scene);
+        options.render.width = 64;
+        options.render.height = 48;
+        options.render.samples = 4;
+    }
+    void note() {
+        const std::lock_guard lock(mutex);
+        // The desk's own lock is free when it calls.
+        ScreenPicture now = desk_picture();
+        if (now.bytes && (shown.empty() || shown.back().bytes != now.bytes)) shown.push_back(now);
+    }
+    ScreenPicture desk_picture() { return ready ? desk.picture() : ScreenPicture(); }
+    /// Renders in a thread of its own until the test is true.
+    template <class Test>
+    bool until(const Test& test) {
+        ready = true;
+        leaves = false;
+        std::thread stage([this] {
+            render_on_stage({world, sources, options, {}, {}, lights}, desk,
+                            [this] { return leaves.load(); });
+        });
+        bool is_so = false;
+        for (int i = 0; i < 4000 && !is_so; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            const std::lock_guard lock(mutex);
+            is_so = test();
+        }
+        leaves = true;
+        stage.join();
+        return is_so;
+    }
+    bool ready = false;
+};
+
+}  // namespace
+
+TEST_CASE("the first picture is a coarse one of all, and the last has each pixel", "[app]") {
+    Rehearsal rehearsal;
+    REQUIRE(rehearsal.world.provenance.light_statements.size() == 1);
+    CHECK(rehearsal.until(
+        [&] { return !rehearsal.shown.empty() && rehearsal.shown.back().columns == 64; }));
+    const ScreenPicture first = rehearsal.shown.front();
+    CHECK(first.columns <= 32);
+    CHECK(first.width == 64);
+    CHECK(first.height == 48);
+    // No part of it is black; the ball has no blue.
+    for (std::size_t i = 0; i < first.bytes->size(); i += 4) CHECK((*first.bytes)[i] != 0);
+}
+
+TEST_CASE("a camera that is moved begins another picture of the same world", "[app]") {
+    Rehearsal rehearsal;
+    CHECK(rehearsal.until(
+        [&] { return rehearsal.desk.status().find("\"progress\":1") != std::string::npos; }));
+    const int before = rehearsal.desk.picture().generation;
+    rehearsal.desk.move_camera([](Orbit& orbit, const Sight& given) { orbit.turn(given, 30, 0); });
+    CHECK(rehearsal.until([&] {
+        return !rehearsal.shown.empty() && rehearsal.shown.back().generation > before &&
+               rehearsal.shown.back().columns == 64;
+    }));
+    CHECK(rehearsal.world.view.camera.location.x > 1);
+}
+
+TEST_CASE("a layer is shown instead of the picture", "[app]") {
+    Rehearsal rehearsal;
+    CHECK(rehearsal.desk.choose_view("albedo"));
+    CHECK(rehearsal.until([&] {
+        return !rehearsal.shown.empty() && rehearsal.shown.back().view == "albedo" &&
+               rehearsal.shown.back().columns == 64;
+    }));
+    const std::string& bytes = *rehearsal.shown.back().bytes;
+    const std::size_t middle = 4 * (24 * 64 + 32);
+    CHECK(static_cast<unsigned char>(bytes[middle]) == 255);
+    CHECK(static_cast<unsigned char>(bytes[middle + 2]) == 0);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/light_path.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+std::vector<ReflectedLuminaire> sent_into(const World& world, int reflections,
+                                          std::uint32_t count) {
+    const LightPaths paths(world, reflections);
+    std::vector<ReflectedLuminaire> found;
+    for (std::uint32_t i = 0; i < count; ++i) paths.follow({7, i, 0, 0}, 1.0 / count, found);
+    return found;
+}
+
+Vec3 power_after(std::span<const ReflectedLuminaire> all, int reflections) {
+    Vec3 sum(0);
+    for (const ReflectedLuminaire& each : all)
+        if (each.reflections == reflections) sum += each.power;
+    return sum;
+}
+
+const std::string lamp =
+    "sphere { <1, 0.5, -1>, 0.25 pigment { rgb 1 } finish { diffuse 0 emission <8, 4, 2> } }\n";
+
+}  // namespace
+
+TEST_CASE("in a closed room light keeps its power times the albedo at each reflection",
+          "[transport]") {
+    const World world = world_of(
+        "#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
+        "box { <-3, -2, -4>, <4, 3, 5> pigment { rgb <0.5, 0.8, 0.2> } finish { diffuse 1 } }");
+    const auto found = sent_into(world, 3, 40000);
+    // Radiance times area of a sphere that glows: its power over pi.
+    Vec3 expected = Vec3(8, 4, 2) * (4 * std::numbers::pi * 0.25 * 0.25);
+    for (int n = 1; n <= 3; ++n) {
+        // A little of it comes back to the lamp, which is black.
+        expected *= Vec3(0.5, 0.8, 0.2);
+        const Vec3 power = power_after(found, n);
+        CAPTURE(n);
+        for (int i = 0; i < 3; ++i) CHECK(power[i] == Approx(expected[i]).epsilon(0.03));
+    }
+    CHECK(power_after(found, 4) == Vec3(0));
+}
+
+TEST_CASE("reflected luminaires shine to the side from which light has come", "[transport]") {
+    const World world = world_of("#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
+                                 "plane { y, 0 pigment { rgb 0.7 } finish { diffuse 1 } }");
+    const auto found = sent_into(world, 8, 500);
+    REQUIRE_FALSE(found.empty());
+    for (const ReflectedLuminaire& each : found) {
+        CHECK(each.normal == Vec3(0, 1, 0));
+        CHECK(each.reflections == 1);
+    }
+}
+
+TEST_CASE("light that clear surfaces let pass is as a shadow ray finds it", "[transport]") {
+    const auto floor_lit = [](const std::string& pane) {
+        const World world =
+            world_of("#version 3.7; #default { finish { ambient 0 } }\n" + lamp + pane +
+                     "disc { -2*y, y, 4 pigment { rgb 1 } finish { diffuse 1 } }");
+        return power_after(sent_into(world, 1, 40000), 1);
+    };
+    const Vec3 open = floor_lit(""),
+               dimmed = floor_lit(
+                   "box { <-9, -1, -9>, <9, -0.9, 9> pigment { rgbt <0, 0, 0, 0.5> }"
+                   " finish { diffuse 0 } }"),
+               unseen = floor_lit(
+                   "box { <-9, -1, -9>, <9, -0.9, 9> pigment { rgb 1 } finish { "
+                   "diffuse 0 } no_shadow }"),
+               shut = floor_lit("plane { y, -1 pigment { rgb 1 } finish { diffuse 0 } }");
+    for (int i = 0; i < 3; ++i) {
+        CHECK(dimmed[i] == Approx(0.25 * open[i]).epsilon(0.001));
+        CHECK(unseen[i] == Approx(open[i]).epsilon(0.001));
+    }
+    CHECK(shut == Vec3(0));
+}
+
+TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in all directions",
+          "[transport]") {
+    const World world = world_of("sphere { 0, 1 }");
+    struct Row {
+        const char* name;
+        void (*change)(Shading&, Finish&);
+        bool lambertian;
+    };
+    const Row rows[] = {
+        {"plain", [](Shading&, Finish&) {}, true},
+        {"phong", [](Shading&, Finish& f) { f.phong = 1; }, true},
+        {"mirror", [](Shading&, Finish& f) { f.reflection.greatest = Vec3(1); }, true},
+        {"brilliance", [](Shading&, Finish& f) { f.brilliance = 2; }, true},
+        {"behind", [](Shading&, Finish& f) { f.diffuse_back = 0.5; }, false},
+        {"both sides", [](Shading& s, Finish&) { s.both_sides = true; }, false},
+        {"facets", [](Shading&, Finish& f) { f.microfacet.on = true; }, false},
+        {"film", [](Shading&, Finish& f) { f.irid.amount = 0.3; }, false},
+        {"grain", [](Shading&, Finish& f) { f.crand = 0.3; }, false},
+        {"energy", [](Shading&, Finish& f) { f.conserve_energy = true; }, false},
+    };
+    for (const Row& row : rows) {
+        Finish finish;
+        Shading s{};
+        s.finish = &finish;
+        row.change(s, finish);
+        CAPTURE(row.name);
+        CHECK(is_lambertian(world, s) == row.lambertian);
+    }
+}
+
+}  // namespace candelabra
