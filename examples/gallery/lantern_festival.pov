@@ -1,91 +1,116 @@
 // SPDX-License-Identifier: CC0-1.0
-// A lantern festival: 420 paper lanterns rise over a lake, 110 candles float on it. Both are
-// scattered so that no two touch.
+// A lantern festival at dusk: 840 paper lanterns rise over a lake, from the shore where people have
+// let them go, and each is there once more in the water.
 #version 3.7;
 #include "light_arrays.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
-background { rgb <0.006, 0.011, 0.03> }
 
 camera {
-    location <0, 1.7, -11>
+    location <0, 1.6, -11>
     right 16/9*x
     up y
-    angle 58
-    look_at <0, 3, 4>
+    angle 56
+    look_at <0, 3.4, 4>
+    film {
+        exposure 0.5
+        response agx
+        vignette 0.25
+        glare { veil 0.1 halo 0.004 star 0 }
+    }
 }
+
+// Dusk: a last light behind the hills, and a little from the sky above
+sky_sphere {
+    pigment {
+        gradient y
+        color_map {
+            [0 rgb <0.3, 0.13, 0.08>] [0.07 rgb <0.12, 0.08, 0.12>]
+            [0.25 rgb <0.02, 0.035, 0.09>] [0.8 rgb <0.004, 0.008, 0.03>]
+        }
+    }
+}
+
+light_source { <20, 90, -60>, rgb <0.02, 0.026, 0.05> parallel point_at 0 }
 
 #declare Matt = finish { ambient 0 diffuse 1 }
 
-// A lantern: a shell of glowing paper, darker at the rim
+// A lantern: thin paper around a flame, brightest below, with a wire hoop
 #declare Lantern = union {
-    cone {
-        <0, 0, 0>, 0.13, <0, 0.4, 0>, 0.19
-        open
-        pigment { rgb <1, 0.3, 0.05> }
-        finish { ambient 0 diffuse 0 emission 1.9 }
-    }
-    sphere {
-        <0, 0.08, 0>, 0.06
-        pigment { rgb <1, 0.6, 0.2> }
-        finish { ambient 0 diffuse 0 emission 12 }
-    }
-    cylinder {
-        <0, -0.02, 0>, <0, 0.02, 0>, 0.135
-        open
-        pigment { rgb <0.3, 0.12, 0.05> }
-        finish { Matt }
-    }
-}
-#declare Candle = union {
-    sphere {
-        <0, 0.11, 0>, 0.05
-        pigment { rgb <1, 0.55, 0.18> }
-        finish { ambient 0 diffuse 0 emission 14 }
-    }
-    #for (I, 0, 5)
-        disc {
-            <0.13, 0.05, 0>, <-0.5, 1, 0>, 0.09
-            pigment { rgb <0.75, 0.42, 0.5> }
-            finish { Matt }
-            rotate 60*I*y
+    torus { 0.13, 0.008 pigment { rgb <0.2, 0.1, 0.05> } finish { Matt } }
+    cone { <0, 0, 0>, 0.13, <0, 0.2, 0>, 0.18 open }
+    cone { <0, 0.2, 0>, 0.18, <0, 0.34, 0>, 0.19 open }
+    cone { <0, 0.34, 0>, 0.19, <0, 0.43, 0>, 0.15 open }
+    cone { <0, 0.43, 0>, 0.15, <0, 0.47, 0>, 0.04 }
+    pigment {
+        gradient y
+        color_map {
+            [0 rgb <1, 0.4, 0.09>*4] [0.4 rgb <1, 0.27, 0.04>*1.7] [1 rgb <1, 0.15, 0.02>*0.7]
         }
-    #end
+        scale 0.48
+    }
+    finish { ambient 0 diffuse 0 emission 1 }
 }
+object { Light_Scatter(Lantern, 560, <-30, 3, 6>, <30, 24, 60>, 1.6, 3) }
+object { Light_Scatter(Lantern, 240, <-14, 1.2, 8>, <14, 9, 40>, 1.1, 14) }
+object { Light_Scatter(Lantern, 36, <-7, 2.6, -4>, <7, 7, 4>, 1.3, 9) }
+object { Lantern rotate 4*z translate <-2.2, 2.35, -8.3> }
 
-object { Light_Scatter(Lantern, 300, <-16, 2.2, 2>, <16, 13, 30>, 1.3, 3) }
-object { Light_Scatter(Lantern, 60, <-7, 2.4, -4>, <7, 6, 3>, 1.1, 9) }
-object { Light_Scatter(object { Lantern scale 0.8 }, 60, <-12, 1, 8>, <12, 3, 26>, 1, 14) }
-object { Light_Scatter(Candle, 110, <-8, 0, -8>, <8, 0, 10>, 0.75, 21) }
-
-// The lake, hills beyond it, and two boats
-plane { y, 0 pigment { rgb <0.03, 0.05, 0.07> } finish { ambient 0 diffuse 1 reflection 0.6 } }
+// The lake with its ripples, and hills beyond it
+plane {
+    y, 0
+    pigment { rgb <0.004, 0.008, 0.012> }
+    normal { bumps 0.03 scale <1.6, 1, 0.5> }
+    finish { ambient 0 diffuse 1 reflection { 0.02, 1 fresnel } }
+    interior { ior 1.33 }
+}
 #declare Random = seed(5);
 #for (I, 0, 12)
     sphere {
-        <-60 + 10*I, -14 + 3*rand(Random), 52 + 8*rand(Random)>, 18 + 3*rand(Random)
-        pigment { rgb <0.12, 0.16, 0.14> }
+        0, 1
+        scale <26 + 8*rand(Random), 5 + 5*rand(Random), 12>
+        translate <-110 + 18*I, 0, 110 + 10*rand(Random)>
+        pigment { rgb <0.16, 0.19, 0.24> }
         finish { Matt }
     }
 #end
+
+// Houses on the far shore
+#declare Window = sphere {
+    0, 0.14
+    pigment { rgb <1, 0.45, 0.12> }
+    finish { ambient 0 diffuse 0 emission 8 }
+}
+object { Light_Scatter(Window, 150, <-75, 0.3, 86>, <75, 2.4, 94>, 1, 31) }
+
+// Two boats with people who hold a lantern
+#declare Person = union {
+    sphere { 0.72*y, 0.11 }
+    cone { 0, 0.2, 0.6*y, 0.1 }
+    sphere_sweep {
+        linear_spline 3 <0.1, 0.52, 0>, 0.05 <0.24, 0.62, -0.12>, 0.045 <0.12, 0.86, -0.2>, 0.04
+    }
+    sphere_sweep {
+        linear_spline 3 <-0.1, 0.52, 0>, 0.05 <-0.24, 0.62, -0.12>, 0.045 <-0.12, 0.86, -0.2>, 0.04
+    }
+}
 #declare Boat = union {
-    #for (I, -8, 8)
-        #declare Width = 0.42*sqrt(1 - I*I/81);
-        box { <-Width, 0.02 + 0.004*I*I, 0.16*I - 0.08>, <Width, 0.24 + 0.004*I*I, 0.16*I + 0.08> }
+    // Planks between a rising keel and rising ends
+    #for (I, -12, 12)
+        #local Wide = 0.5*sqrt(1 - I*I/170);
+        box { <-Wide, 0.0016*I*I - 0.05, 0.15*I - 0.08>, <Wide, 0.2 + 0.0022*I*I, 0.15*I + 0.08> }
     #end
-    cylinder { <0, 0.3, 0.9>, <0, 1.15, 0.9>, 0.03 }
-    cone { <0, 0.28, -0.2>, 0.24, <0, 0.85, -0.2>, 0.1 }
-    sphere { <0, 1, -0.2>, 0.14 }
-    cone { <0, 1.02, -0.2>, 0.32, <0, 1.2, -0.2>, 0 }
-    pigment { rgb <0.5, 0.33, 0.2> }
+    object { Person translate <0, 0.2, 0.5> }
+    object { Person scale 0.92 rotate 160*y translate <0, 0.2, -0.7> }
+    pigment { rgb <0.4, 0.2, 0.12> }
     finish { Matt }
 }
 union {
-    object { Boat } object { Lantern translate <0, 1.15, 0.9> }
+    object { Boat } object { Lantern scale 0.8 translate <0, 1.1, 0.2> }
     rotate 62*y
-    translate <-3.1, 0, -2.6>
+    translate <2.9, 0, -1.8>
 }
 union {
-    object { Boat } object { Lantern translate <0, 1.15, 0.9> }
+    object { Boat } object { Lantern scale 0.8 translate <0, 1.1, 0.2> }
     rotate -48*y
-    translate <3.6, 0, 0.8>
+    translate <-4.4, 0, 2.2>
 }
