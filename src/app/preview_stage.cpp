@@ -158,7 +158,7 @@ private:
             RenderState state = begin_picture(settings, aovs_.count(staged_.world));
             LightLedger rays;
             const RenderPlan plan{
-                staged_.world, settings, ShadowRays{1}, plan_ ? plan_->photons : nullptr, 1,
+                staged_.world, settings, ShadowRays{1}, plan_ ? plan_->sent : SentLight{}, 1,
                 NoiseRule{}};
             if (!advance(plan, state, rays, hooks)) return false;
             const double now = seconds_now();
