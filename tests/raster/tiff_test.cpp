@@ -3,6 +3,7 @@
 
 #include "raster/same.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 

@@ -8,7 +8,7 @@ if(PICTURES)
   set(SCREENSHOTS "  <screenshots>")
   foreach(shown "fig6.png|7381 diffuse spheres beside 7381 luminaires"
                 "preview.png|The preview shows the picture while the scene is written"
-                "night_street.png|A street at night, lit by its lamps and windows")
+                "promenade.png|Lamps along a promenade, developed as a camera sees them")
     string(REGEX MATCH "^([^|]+)[|](.*)$" parts "${shown}")
     string(APPEND SCREENSHOTS "
     <screenshot${default}>
