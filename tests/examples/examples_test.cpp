@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace candelabra {
@@ -27,10 +28,14 @@ TEST_CASE("every example renders", "[examples]") {
         settings.width = 32;
         settings.height = 24;
         settings.samples = 1;
+        // Where a medium's density varies, what one sample tells of its depth may be below 0: see
+        // medium/transmittance.h.
+        const bool estimates_depth =
+            world.appearance.any_drawn_media || std::ranges::any_of(world.sky.media, &Media::drawn);
         double sum = 0;
         for (const Vec3& pixel : render(world, settings).image.pixels) {
             REQUIRE(std::isfinite(pixel.x + pixel.y + pixel.z));
-            REQUIRE(min_component(pixel) >= 0);
+            if (!estimates_depth) REQUIRE(min_component(pixel) >= 0);
             sum += grey(pixel);
         }
         CHECK(sum / (32 * 24) > 0.005);

@@ -24,7 +24,8 @@ Vec3 path_seen(const std::string& script, std::uint32_t count, const Ray& ray) {
 std::string traced(int bounces) {
     return "#version 3.7; global_settings { max_trace_level 12 integrator { path_traced { "
            "bounces " +
-           std::to_string(bounces) + " } } } #default { finish { ambient 0 diffuse 1 } }\n";
+           std::to_string(bounces) +
+           " reflected_luminaires 0 } } } #default { finish { ambient 0 diffuse 1 } }\n";
 }
 
 }  // namespace
