@@ -11,7 +11,6 @@
 #include "film/film.h"
 #include "render/render.h"
 #include "text/message.h"
-#include "transport/photons.h"
 #include "transport/primary_hit.h"
 
 #include <algorithm>
@@ -70,6 +69,7 @@ public:
           desk_(desk),
           left_(left),
           settings_(timed(staged.options)),
+          sent_(SentLight::of(staged.world, settings_.seed, settings_.threads)),
           base_{staged.world.view.camera, distance_ahead(staged.world, settings_)} {
         cameras_.push_back(staged.world.view.camera);
         for (const World& moment : staged.world.shutter) cameras_.push_back(moment.view.camera);
@@ -141,8 +141,6 @@ private:
     /// what it does. False: something else is wanted.
     bool make_rough() {
         bool shown = false;
-        // Photons are shot once for all cameras.
-        if (!plan_ && !staged_.world.photon_targets.empty()) plan_.emplace(new_plan());
         for (const int step : coarse_steps) {
             RenderSettings settings = settings_;
             settings.width = (settings_.width + step - 1) / step;
@@ -157,9 +155,7 @@ private:
             const double before = seconds_now();
             RenderState state = begin_picture(settings, aovs_.count(staged_.world));
             LightLedger rays;
-            const RenderPlan plan{
-                staged_.world, settings, ShadowRays{1}, plan_ ? plan_->sent : SentLight{}, 1,
-                NoiseRule{}};
+            const RenderPlan plan{staged_.world, settings, ShadowRays{1}, sent_, 1, NoiseRule{}};
             if (!advance(plan, state, rays, hooks)) return false;
             const double now = seconds_now();
             constexpr double growth = 4;
@@ -189,10 +185,8 @@ private:
         return !(shown && outdated());
     }
 
-    RenderPlan new_plan() const { return plan_of(staged_.world, settings_); }
-
     void make_fine() {
-        if (!plan_) plan_.emplace(new_plan());
+        if (!plan_) plan_.emplace(plan_of(staged_.world, settings_, sent_));
         RenderState state = begin_picture(settings_, aovs_.count(staged_.world));
         state.share.region = region_of(staged_.options);
         rays_ = {};
@@ -362,6 +356,7 @@ private:
     PreviewDesk& desk_;
     const std::function<bool()>& left_;
     const RenderSettings settings_;
+    const SentLight sent_;  ///< from lamps, once for all cameras
     const Sight base_;
     std::vector<Projection> cameras_;  ///< of the scene, one for each moment of the shutter
     std::vector<LampLine> lamps_;

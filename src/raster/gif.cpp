@@ -49,14 +49,16 @@ std::optional<std::string> numbers_of_codes(std::string_view codes, unsigned bit
             const std::uint32_t code = store & ((1U << width) - 1);
             store >>= width;
             stored -= width;
-            if (code == words.end_code()) break;
+            if (code == words.end_code()) return std::nullopt;
             if (code == words.clear_code())
                 words.begin();
             else if (!words.add(code, output))
                 return std::nullopt;
             width = bits + 1;
             while (width < most_bits && words.next_code() >= (1U << width)) ++width;
-            if (output.size() >= wanted) return output;
+            if (output.size() < wanted) continue;
+            output.resize(wanted);  // the last word may be longer
+            return output;
         }
     }
     return std::nullopt;

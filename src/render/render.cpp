@@ -405,7 +405,10 @@ private:
 }  // namespace
 
 RenderPlan plan_of(const World& world, const RenderSettings& settings) {
-    const SentLight sent = SentLight::of(world, settings.seed, settings.threads);
+    return plan_of(world, settings, SentLight::of(world, settings.seed, settings.threads));
+}
+
+RenderPlan plan_of(const World& world, const RenderSettings& settings, const SentLight& sent) {
     const Pilot tried = pilot(world, settings, sent);
     const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
     const SampleRule rule = sample_rule(

@@ -32,6 +32,8 @@ struct RenderPlan {
 
 /// Traces some pixels where the settings leave open what pays best.
 RenderPlan plan_of(const World&, const RenderSettings&);
+/// The same where the light that is sent from lamps is there already.
+RenderPlan plan_of(const World&, const RenderSettings&, const SentLight&);
 
 /// What the caller may want to know while a picture is made. All may be called from several
 /// threads, and may be empty.

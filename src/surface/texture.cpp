@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/texture.h"
 
+#include "surface/lambertian.h"
 #include "surface/map_place.h"
 #include "surface/normal_space.h"
 #include "surface/texture_map.h"
@@ -230,9 +231,8 @@ bool scatters(const Texture& texture) {
 bool has_other_light(const Texture& texture) {
     return any_finish(texture, [](const Finish& f) {
         const Reflection& mirror = f.reflection;
-        return f.microfacet.on || f.phong != 0 || f.specular != 0 || f.ambient != Vec3(0) ||
-               f.irid.amount != 0 || mirror.least != Vec3(0) || mirror.greatest != Vec3(0) ||
-               f.diffuse_back != 0 || f.crand != 0 || f.conserve_energy ||
+        return !is_lambertian(f) || f.phong != 0 || f.specular != 0 || f.ambient != Vec3(0) ||
+               mirror.least != Vec3(0) || mirror.greatest != Vec3(0) ||
                f.subsurface.translucency != Vec3(0);
     });
 }

@@ -5,14 +5,33 @@
 #pragma once
 
 #include "base/function_ref.h"
+#include "base/parallel.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace candelabra {
+
+/// All that `send(first, last, found)` adds to `found` for the paths of light from `first` to
+/// before `last`, of so many, in their order. Called for `at_once` paths by one thread.
+template <class Found>
+std::vector<Found> sent_in_batches(
+    std::uint32_t count, std::uint32_t at_once, int threads,
+    FunctionRef<void(std::uint32_t, std::uint32_t, std::vector<Found>&)> send) {
+    std::vector<std::vector<Found>> parts((count + at_once - 1) / at_once);
+    run_parallel(parts.size(), threads, [&](std::size_t part) {
+        const auto first = static_cast<std::uint32_t>(part) * at_once;
+        send(first, std::min(first + at_once, count), parts[part]);
+    });
+    std::vector<Found> all;
+    for (const std::vector<Found>& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
 
 template <class Made>
 class Generations {

@@ -3,6 +3,7 @@
 
 #include "base/cosine_direction.h"
 #include "scattering/bsdf.h"
+#include "surface/lambertian.h"
 #include "transport/light_left.h"
 #include "transport/path_steps.h"
 #include "transport/sight.h"
@@ -32,9 +33,7 @@ std::vector<double> intensities(const WorldLights& lights) {
 }  // namespace
 
 bool is_lambertian(const World& world, const Shading& s) {
-    const Finish& f = *s.finish;
-    return !f.microfacet.on && f.diffuse_back == 0 && !s.both_sides && !(f.irid.amount > 0) &&
-           f.crand == 0 && !f.conserve_energy && !scatters_inside(world, s);
+    return is_lambertian(*s.finish) && !s.both_sides && !scatters_inside(world, s);
 }
 
 LightPaths::LightPaths(const World& world, int max_reflections)

@@ -170,28 +170,25 @@ void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex, c
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
     const Bsdf whole(s, rules_);
     Vec3 light = own;
-    if (reflected_ && is_lambertian(world_, s)) {
-        if (path.covered) {
-            const Bsdf highlights = Bsdf::highlights_of(s, rules_);
-            light += direct_light_({.vertex = vertex,
-                                    .scatterer = highlights,
-                                    .throughput = path.throughput,
-                                    .sources = false,
-                                    .sky = false},
-                                   path.key, ledger_);
-            light += direct_light_({.vertex = vertex,
-                                    .scatterer = whole,
-                                    .throughput = path.throughput,
-                                    .luminaires = false},
-                                   path.key, ledger_);
-        } else {
-            light += direct_light_({vertex, whole, path.throughput}, path.key, ledger_);
-            if (path.bounces < max_bounces_)
-                light += reflected_(vertex, s, max_bounces_ - path.bounces, path.throughput,
-                                    path.key, ledger_);
-        }
+    const bool by_reflected = reflected_ && is_lambertian(world_, s);
+    if (by_reflected && path.covered) {
+        const Bsdf highlights = Bsdf::highlights_of(s, rules_);
+        light += direct_light_({.vertex = vertex,
+                                .scatterer = highlights,
+                                .throughput = path.throughput,
+                                .sources = false,
+                                .sky = false},
+                               path.key, ledger_);
+        light += direct_light_({.vertex = vertex,
+                                .scatterer = whole,
+                                .throughput = path.throughput,
+                                .luminaires = false},
+                               path.key, ledger_);
     } else if (!scatters_inside(world_, s)) {
         light += direct_light_({vertex, whole, path.throughput}, path.key, ledger_);
+        if (by_reflected && path.bounces < max_bounces_)
+            light += reflected_(vertex, s, max_bounces_ - path.bounces, path.throughput, path.key,
+                                ledger_);
     } else {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
         light += direct_light_({vertex, highlights, path.throughput}, path.key, ledger_);
@@ -223,10 +220,10 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
         const double left = max_component(glm::abs(path.throughput * way.share)) / chance;
         survival = std::clamp(left, min_survival, 1.0);
     }
-    ++ledger_.scattered;
     path.covered &= way.kind == Way::diffuse && is_lambertian(world_, way.shading);
     if (path.covered && vertex.material->other_light) survival *= chance_of_covered_;
     if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;
+    ++ledger_.scattered;
     path.dim(way.through / (chance * survival));
     switch (way.kind) {
         case Way::mirror:
@@ -266,8 +263,7 @@ bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const 
     if ((dot(direction, s.geometric_normal) < 0) != from_behind) return false;
     const double side = from_behind ? back : 1 - back;
     // The density is side cosine / pi.
-    const Vec3 answer =
-        Bsdf(s, rules_).evaluate(direction, {.highlights = false, .facets = FacetLobes::none}, 0);
+    const Vec3 answer = Bsdf(s, rules_).evaluate(direction, diffuse_terms, 0);
     path.dim(answer / (side * std::fmax(dot(direction, normal), 1e-9)));
     path = gathering_path(path, vertex, direction);
     if (reflected_ && !path.covered && is_lambertian(world_, s))

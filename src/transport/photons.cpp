@@ -45,14 +45,11 @@ std::uint32_t Photons::generation_of(std::uint32_t sample) {
 
 /// All photons of a stream, in the order in which they are shot.
 std::vector<Photon> Photons::shot(std::uint32_t count, std::uint64_t stream) const {
-    std::vector<std::vector<Photon>> parts((count + batch - 1) / batch);
-    run_parallel(parts.size(), threads_, [&](std::size_t i) {
-        const auto first = static_cast<std::uint32_t>(i) * batch;
-        shoot(first, std::min(first + batch, count), count, stream, parts[i]);
-    });
-    std::vector<Photon> all;
-    for (const std::vector<Photon>& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
+    return sent_in_batches<Photon>(
+        count, batch, threads_,
+        [&](std::uint32_t first, std::uint32_t last, std::vector<Photon>& found) {
+            shoot(first, last, count, stream, found);
+        });
 }
 
 /// Some of `count`. Aims get their shares of these one after the other, so that the photons of one

@@ -69,15 +69,12 @@ std::uint32_t ReflectedLuminaires::generation_of(std::uint32_t sample) {
 std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& paths,
                                                           std::uint32_t count,
                                                           std::uint64_t stream) const {
-    std::vector<std::vector<ReflectedLuminaire>> parts((count + paths_at_once - 1) / paths_at_once);
-    run_parallel(parts.size(), threads_, [&](std::size_t part) {
-        const auto first = static_cast<std::uint32_t>(part) * paths_at_once;
-        for (std::uint32_t i = first; i < std::min(first + paths_at_once, count); ++i)
-            paths.follow({stream, i, 0, 0}, 1.0 / count, parts[part]);
-    });
-    std::vector<ReflectedLuminaire> all;
-    for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
+    return sent_in_batches<ReflectedLuminaire>(
+        count, paths_at_once, threads_,
+        [&](std::uint32_t first, std::uint32_t last, std::vector<ReflectedLuminaire>& found) {
+            for (std::uint32_t i = first; i < last; ++i)
+                paths.follow({stream, i, 0, 0}, 1.0 / count, found);
+        });
 }
 
 /// So that one of them gives no more than its share where they are as dense as on the whole: by the

@@ -3,6 +3,7 @@
 
 #include "support/scripts.h"
 #include "transport/integrator.h"
+#include "transport/reflecting_room.h"
 #include "world/compile.h"
 
 #include <catch2/catch.hpp>
@@ -10,13 +11,6 @@
 namespace candelabra {
 
 namespace {
-
-std::string with_reflected(int paths, int bounces) {
-    return "#version 3.7; global_settings { max_trace_level 12 integrator { path_traced { "
-           "bounces " +
-           std::to_string(bounces) + " reflected_luminaires " + std::to_string(paths) +
-           " } } } #default { finish { ambient 0 diffuse 1 } }\n";
-}
 
 /// Mean of many samples of one ray, with its standard deviation.
 struct Estimate {
@@ -42,13 +36,6 @@ Estimate estimate(const std::string& script, std::uint32_t generations, const Ra
     return {mean, glm::sqrt(glm::max(variance, Vec3(0)) / static_cast<double>(generations))};
 }
 
-const std::string lamps = R"(
-    #for (I, 0, 3) sphere { <I - 1.5, 2.6, 0.5>, 0.15 pigment { rgb 1 }
-        finish { diffuse 0 emission <9, 7, 4> } } #end )";
-const std::string room = R"(
-    box { <-3, 0, -3>, <3, 3, 3> pigment { rgb <0.8, 0.7, 0.6> } }
-    box { <-1, 0, 0>, <0, 1, 1> pigment { rgb <0.3, 0.4, 0.8> } } )";
-
 }  // namespace
 
 TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
@@ -57,24 +44,27 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
         std::string scene;
     };
     const Row rows[] = {
-        {"diffuse", room},
+        {"diffuse", bare_room},
         {"highlights and a mirror",
-         room +
+         bare_room +
              "sphere { <1.2, 0.5, 0>, 0.5 pigment { rgb 0.6 } finish { phong 0.8 specular 0.4 } }"
              "box { <2.8, 0.5, -2>, <2.9, 2.5, 2> pigment { rgb 0.2 } finish { reflection 0.7 } }"},
         {"glass and clear panes",
-         room + "sphere { <0.8, 1, -0.8>, 0.6 pigment { rgbf <0.9, 1, 0.9, 0.9> } finish { diffuse "
-                "0.1 reflection { 0, 1 fresnel } } interior { ior 1.4 } }"
-                "box { <-3, 1.5, -0.1>, <3, 1.6, 3> pigment { rgbt <0.5, 0.5, 0.9, 0.6> } }"},
+         bare_room +
+             "sphere { <0.8, 1, -0.8>, 0.6 pigment { rgbf <0.9, 1, 0.9, 0.9> } finish { diffuse "
+             "0.1 reflection { 0, 1 fresnel } } interior { ior 1.4 } }"
+             "box { <-3, 1.5, -0.1>, <3, 1.6, 3> pigment { rgbt <0.5, 0.5, 0.9, 0.6> } }"},
         {"facets, layers and two-sided surfaces",
-         room + "sphere { <1.2, 0.6, 0>, 0.6 pigment { rgb <0.9, 0.6, 0.3> } finish { microfacet { "
-                "roughness 0.4 metallic 1 } } }"
-                "disc { <0, 1.5, 1.5>, z, 1 pigment { rgb 0.8 } finish { diffuse 0.4, 0.4 } }"
-                "sphere { <-1.8, 0.5, -1>, 0.5 texture { pigment { rgb 0.7 } } texture { pigment { "
-                "rgbt <1, 0.2, 0, 0.5> } } }"},
+         bare_room +
+             "sphere { <1.2, 0.6, 0>, 0.6 pigment { rgb <0.9, 0.6, 0.3> } finish { microfacet { "
+             "roughness 0.4 metallic 1 } } }"
+             "disc { <0, 1.5, 1.5>, z, 1 pigment { rgb 0.8 } finish { diffuse 0.4, 0.4 } }"
+             "sphere { <-1.8, 0.5, -1>, 0.5 texture { pigment { rgb 0.7 } } texture { pigment { "
+             "rgbt <1, 0.2, 0, 0.5> } } }"},
         {"other light",
-         room + "sphere { <1.2, 0.6, 0>, 0.4 pigment { rgb 1 } finish { emission 1 no_luminaire } }"
-                "light_source { <2, 2, -2>, 0.6 }"},
+         bare_room +
+             "sphere { <1.2, 0.6, 0>, 0.4 pigment { rgb 1 } finish { emission 1 no_luminaire } }"
+             "light_source { <2, 2, -2>, 0.6 }"},
         {"sky over a yard",
          "plane { y, 0 pigment { rgb 0.6 } } box { <-1, 0, 0>, <0, 2, 1> pigment { rgb 0.8 } }"
          "sky_sphere { pigment { rgb <0.1, 0.15, 0.3> } }"},
@@ -83,9 +73,10 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
     for (const Row& row : rows)
         for (const Vec3& towards : {Vec3(-1.2, 0, -0.5), Vec3(0.6, 0.5, 1.9)}) {
             const Ray ray{eye, unit(towards - eye)};
-            const Estimate traced = estimate(with_reflected(0, 4) + lamps + row.scene, 90, ray),
-                           reflected =
-                               estimate(with_reflected(300, 4) + lamps + row.scene, 90, ray);
+            const Estimate traced =
+                               estimate(with_reflected(0, 4) + lamps_in_room + row.scene, 90, ray),
+                           reflected = estimate(with_reflected(300, 4) + lamps_in_room + row.scene,
+                                                90, ray);
             CAPTURE(row.name, towards.x);
             for (int i = 0; i < 3; ++i) {
                 const double sigma = std::hypot(traced.deviation[i], reflected.deviation[i]);
