@@ -22,10 +22,10 @@ constexpr double lean_of_proxy = 0.25;
 
 /// A triangle about it, as large as the distance from which it lights with all of its power.
 Luminaire proxy_of(const ReflectedLuminaire& luminaire, double radius) {
-    const auto [x, y] = perpendiculars(luminaire.normal);
+    const std::pair<Vec3, Vec3> across = perpendiculars(luminaire.normal);
     const double height = std::sqrt(0.75), area = 1.5 * height * radius * radius;
     const auto corner = [&](double along_x, double along_y) {
-        return luminaire.position + radius * (along_x * x + along_y * y);
+        return luminaire.position + radius * (along_x * across.first + along_y * across.second);
     };
     Luminaire proxy{};
     proxy.emitter = TriangleEmitter{corner(1, 0), corner(-0.5, height), corner(-0.5, -height)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/path_traced.h"
 
+#include "support/draw.h"
 #include "support/scripts.h"
 #include "transport/integrator.h"
 #include "world/compile.h"
@@ -43,6 +44,38 @@ TEST_CASE("a closed room that glows everywhere has the sum of all reflections", 
             CAPTURE(room, bounces);
             CHECK(found.x == Approx(expected).epsilon(0.01));
         }
+}
+
+TEST_CASE("in a closed isothermal room all things look the same", "[transport]") {
+    // What reflects a share R emits 1 - R of what a black body does (Kirchhoff), so that each thing
+    // and each wall shows the black body's radiance, 1, from everywhere.
+    const World world = world_of(R"(#version 3.7; global_settings { max_trace_level 40
+        integrator { path_traced { bounces 40 reflected_luminaires 0 } } }
+        #macro Grey(R) pigment { rgb R } finish { ambient 0 diffuse 1 emission (1 - R) / R } #end
+        box { <-2, -1, -3>, <2, 3, 2> Grey(0.3) }
+        sphere { <-0.6, -0.5, 0.5>, 0.5 Grey(0.5) }
+        cylinder { <0.8, -1, 0.3>, <0.8, 0.4, 0.3>, 0.4 Grey(0.3) }
+        cone { <0, -0.9, 1.3>, 0.6, <0, 0.6, 1.3>, 0.1 Grey(0.5) }
+        box { -0.35, 0.35 rotate <20, 30, 10> translate <-1.4, 0.2, 1.2> Grey(0.4) }
+        torus { 0.4, 0.12 rotate 60*x translate <1.3, 1.3, 1> Grey(0.5) }
+        difference { sphere { 0, 0.4 } box { 0, 1 } translate <0.2, 1.6, 0.4> Grey(0.4) }
+        disc { <1.2, -0.98, -0.6>, y, 0.5 Grey(0.2) }
+        triangle { <-1.9, -0.9, 1.9>, <-1, -0.9, 1.9>, <-1.9, 0.5, 1.9> Grey(0.3) }
+        sphere { <0.2, -0.6, -0.5>, 0.3 pigment { rgb 1 } finish { ambient 0 diffuse 0 reflection 1 } })");
+    Integrator integrator(world, {});
+    Draw draw(1);
+    Key key;
+    double sum = 0, squares = 0;
+    constexpr int count = 120000;
+    for (key.sample = 0; key.sample < count; ++key.sample) {
+        Vec3 towards = draw.direction();
+        towards.z = std::abs(towards.z);
+        const double seen = integrator.radiance({Vec3(-1.5, 0.5, -2.7), towards}, key).x;
+        sum += seen, squares += seen * seen;
+    }
+    const double mean = sum / count;
+    INFO("standard error " << std::sqrt((squares / count - mean * mean) / count));
+    CHECK(mean == Approx(1).epsilon(1e-3));
 }
 
 TEST_CASE("luminaires light by reflections as surfaces that glow do", "[transport]") {
