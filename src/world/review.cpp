@@ -155,11 +155,15 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`photons` has no effect without a number of them above 0")
                             .with_help("global_settings { photons { count 20000 } }"));
-    if (!std::holds_alternative<PathTraced>(world.rules.settings.integrator)) return;
-    if (photons.on)
-        diagnostics.add(warning(Fault::no_effect, {},
-                                "`photons` has no effect with path_traced, which follows light "
-                                "from the camera"));
+    const auto* path_traced = std::get_if<PathTraced>(&world.rules.settings.integrator);
+    if (!path_traced) return;
+    if (path_traced->reflected_luminaires > 0 &&
+        path_traced->reflected_luminaires != PathTraced{}.reflected_luminaires &&
+        (world.has_air() || world.has_media() || !world.photon_targets.empty()))
+        diagnostics.add(
+            warning(Fault::no_effect, {},
+                    "`reflected_luminaires` has no effect in a scene with fog, media or "
+                    "photons: paths find all reflected light there"));
     if (world.rules.settings.radiosity.on)
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`radiosity` has no effect with path_traced, which follows all "

@@ -112,6 +112,47 @@ TEST_CASE("without bounces all integrators see the same", "[transport]") {
     }
 }
 
+TEST_CASE("light that photons bring by a mirror lights others as light that is met by chance",
+          "[transport]") {
+    // The lamp stands in a cup and shines up only, at a mirror, which lights the floor, which
+    // lights the wall.
+    const auto seen = [](const std::string& mirror, int bounces, const Vec3& towards,
+                         std::uint32_t count) {
+        const World world = world_of(R"(#version 3.7;
+            global_settings { photons { count 20000 radius 0.3 }
+                integrator { path_traced { reflected_luminaires 0 bounces )" +
+                                     std::to_string(bounces) + R"( } } }
+            #default { finish { ambient 0 diffuse 1 } }
+            plane { y, 0 pigment { rgb <0.8, 0.6, 0.4> } }
+            box { <-4, 0, 2>, <4, 3, 2.1> pigment { rgb 0.7 } }
+            disc { <0, 5, 0>, y, 1.2 pigment { rgb 0 } finish { reflection 0.9 } )" +
+                                     mirror +
+                                     R"( }
+            sphere { <0, 3, 0>, 0.5 pigment { rgb 1 } finish { diffuse 0 emission 20 } }
+            cylinder { <0, 2.4, 0>, <0, 3.8, 0>, 0.6 open pigment { rgb 0 } }
+            disc { <0, 2.4, 0>, y, 0.6 pigment { rgb 0 } })");
+        Integrator integrator(world, {});
+        const Vec3 camera(0.5, 1.5, -5);
+        Draw draw(2);
+        Vec3 sum(0);
+        Key key;
+        constexpr std::uint32_t rays = 32;
+        for (; key.sample < count; ++key.sample)
+            for (key.pixel = 0; key.pixel < rays; ++key.pixel) {
+                const Vec3 place =
+                    towards + Vec3(draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), 0);
+                sum += integrator.radiance({camera, unit(place - camera)}, key);
+            }
+        return sum / static_cast<double>(count * rays);
+    };
+    const std::string target = "photons { target reflection on refraction off }";
+    for (const Vec3& towards : {Vec3(1, 0.5, -1), Vec3(0.5, 0.8, 2)}) {
+        const Vec3 brought = seen(target, 1, towards, 300), met = seen("", 2, towards, 40000);
+        CAPTURE(towards.z);
+        for (int i = 0; i < 3; ++i) CHECK(brought[i] == Approx(met[i]).epsilon(0.03));
+    }
+}
+
 TEST_CASE("a thin surface lets diffuse light through to what is behind", "[transport]") {
     // A sheet that only sends light on to its other side, between the camera and a glowing wall.
     const auto seen = [](const std::string& finish) {

@@ -125,12 +125,15 @@ TEST_CASE("what path tracing passes over is warned of", "[world]") {
           "no-effect no-effect ");
 }
 
-TEST_CASE("photons that nobody counts or follows are warned of", "[world]") {
+TEST_CASE("numbers of photons and of reflected luminaires without effect are warned of",
+          "[world]") {
     const std::string seen = "light_source { 0, 1 } camera { location -9*z } sphere { 0, 1 } ";
     CHECK(said_about(seen + "global_settings { photons { count 10 } }", false).empty());
     CHECK(said_about(seen + "global_settings { photons { } }", false) == "no-effect ");
-    CHECK(said_about(seen + "global_settings { photons { count 10 } integrator { path_traced } }",
-                     false) == "no-effect ");
+    const std::string settings =
+        "global_settings { integrator { path_traced reflected_luminaires 9 } } ";
+    CHECK(said_about(seen + settings, false).empty());
+    CHECK(said_about(seen + settings + "fog { distance 9 }", false) == "no-effect ");
 }
 
 }  // namespace candelabra
