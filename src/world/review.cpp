@@ -23,9 +23,18 @@ bool shows_itself(const Material& material) {
 }
 
 bool dark(const World& world) {
-    return world.lights.sources.empty() && world.lights.luminaires.empty() && !world.sky.sphere &&
-           greatest(world.sky.background.radiance()) <= 0 &&
+    const auto black = [](const Light& light) {
+        return std::visit([](const auto& l) { return l.colour == Vec3(0); }, light);
+    };
+    return std::ranges::all_of(world.lights.sources, black) && world.lights.luminaires.empty() &&
+           !world.sky.sphere && greatest(world.sky.background.radiance()) <= 0 &&
            std::ranges::none_of(world.appearance.materials, shows_itself);
+}
+
+/// Glows, but what it glows with is black.
+bool glows_black(const Material& material) {
+    return material.texture->finish.emission != Vec3(0) &&
+           greatest(greatest_emission(*material.texture)) <= 0;
 }
 
 class Surroundings {
@@ -131,8 +140,11 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
     else if (dark(world))
         diagnostics.add(
             warning(Fault::no_light, {}, "nothing lights this scene")
-                .with_help("light_source { <10, 20, -10>, rgb 1 }, or finish { emission 5 } in an "
-                           "object"));
+                .with_help(std::ranges::any_of(world.appearance.materials, glows_black)
+                               ? "`emission` is multiplied by the pigment, which is black where "
+                                 "none is given: pigment { rgb 1 } finish { emission 5 }"
+                               : "light_source { <10, 20, -10>, rgb 1 }, or "
+                                 "pigment { rgb 1 } finish { emission 5 } in an object"));
     if (const Luminaire* around = world.rules.settings.luminaires_said ? nullptr : dome(world)) {
         const auto number = static_cast<std::size_t>(around - world.lights.luminaires.data());
         diagnostics.add(

@@ -87,6 +87,21 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
     CHECK(said_about(script, true) == said);
 }
 
+TEST_CASE("a lamp without a pigment is told why it is dark", "[world]") {
+    const auto help = [](const std::string& rest) {
+        Diagnostics diagnostics;
+        const Scene scene = scene_of("camera { location -z } " + rest);
+        review(scene, compile(scene, {}, diagnostics), diagnostics);
+        REQUIRE(diagnostics.all().size() == 1);
+        REQUIRE(diagnostics.all().front().fault == Fault::no_light);
+        return diagnostics.all().front().help;
+    };
+    const std::string lamp = "sphere { 0, 1 finish { emission 3 } }";
+    CHECK(help(lamp).find("black where none is given") != std::string::npos);
+    CHECK(help("sphere { 0, 1 }").find("light_source") != std::string::npos);
+    CHECK(help("sphere { 0, 1 } light_source { 9*y }").find("light_source") != std::string::npos);
+}
+
 TEST_CASE("a camera inside of what changes no picture is not spoken of", "[world]") {
     const std::string camera = "camera { location z look_at 0 } ";
     const std::string outside = "light_source { 99*y, 1 } ", within = "light_source { y, 1 } ";
