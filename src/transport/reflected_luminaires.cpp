@@ -30,7 +30,7 @@ Luminaire proxy_of(const ReflectedLuminaire& luminaire, double radius) {
     Luminaire proxy{};
     proxy.emitter = TriangleEmitter{corner(1, 0), corner(-0.5, height), corner(-0.5, -height)};
     proxy.radiance = luminaire.power / area;
-    proxy.lean = lean_of_proxy * luminaire.normal;
+    proxy.bent_normal = lean_of_proxy * luminaire.normal;
     return proxy;
 }
 
