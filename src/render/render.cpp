@@ -373,8 +373,7 @@ private:
             return {place_in_pixel(*rule, key)};
         // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
         if (!settings_.antialias && world.view.camera.lens_radius == 0) return {Vec2(0.5)};
-        return filter_.place(uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y),
-                             key.sample);
+        return filter_.place(key);
     }
 
     bool stop(const Work& work) {
