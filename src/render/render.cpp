@@ -404,16 +404,19 @@ private:
 }  // namespace
 
 RenderPlan plan_of(const World& world, const RenderSettings& settings) {
-    return plan_of(world, settings, SentLight::of(world, settings.seed, settings.threads));
+    return *plan_of(world, settings, SentLight::of(world, settings.seed, settings.threads), {});
 }
 
-RenderPlan plan_of(const World& world, const RenderSettings& settings, const SentLight& sent) {
-    const Pilot tried = pilot(world, settings, sent);
+std::optional<RenderPlan> plan_of(const World& world, const RenderSettings& settings,
+                                  const SentLight& sent, const std::function<bool()>& cancelled) {
+    const Pilot tried = pilot(world, settings, sent, cancelled);
+    if (cancelled && cancelled()) return {};
     const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
     const SampleRule rule = sample_rule(
         world, settings, tried.quiet && !world.lights.sources.empty() && world.sky.light.empty());
     const int samples = first_samples(world, settings, rule, shared);
-    return {world, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples), rule};
+    return RenderPlan{world, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples),
+                      rule};
 }
 
 bool advance(const RenderPlan& plan, RenderState& state, LightLedger& rays,
