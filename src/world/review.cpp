@@ -111,6 +111,7 @@ const Luminaire* dome(const World& world) {
         const auto* composite = std::get_if<CompositeEmitter>(&luminaire.emitter);
         const bool turned = composite && composite->composite->leaf_count() == 1,
                    hidden = world.material(luminaire.primitive).no_image;
+        if (luminaire.is_volume()) continue;
         const bool within =
             sphere
                 ? length(world.view.camera.location - sphere->centre) < sphere->radius
