@@ -74,6 +74,12 @@ std::string light_report(const World& world, const LightLedger& counted,
     constexpr std::size_t number_column = 29;
     if (const std::size_t glows = glows_without_light(world); glows > 0)
         text += padded(message(glows), number_column) + "  that glow, but light nothing\n";
+    for (const std::size_t i : order)
+        if (lights[i].light.value() == 0 && light > 0)
+            text +=
+                message("no light came from ",
+                        statement_text(world.provenance.light_statements[i], sources),
+                        "\n    it may stand inside or below something that lets no light out\n");
     return text;
 }
 

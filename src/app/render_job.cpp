@@ -85,7 +85,8 @@ bool RenderJob::fits(const Checkpoint& old) {
     const std::string path = printable(state_path(plan_));
     const auto refuse = [&](const std::string& why) {
         diagnostics_.add(error(Fault::option, {}, message("cannot go on from `", path, "`: ", why))
-                             .with_help("without +C the picture is begun anew"));
+                             .with_help("+C goes on with the options that the run was begun with; "
+                                        "without it the picture is begun anew"));
         return false;
     };
     const std::string changed = difference(old.identity, plan_.identity);

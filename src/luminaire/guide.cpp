@@ -5,7 +5,7 @@
 
 namespace candelabra {
 
-// A guide gets fewer rays than a scene, and several are tried: a tree of boxes is made sooner.
+// Boxes are made sooner than a kd-tree, and take a fraction of its memory.
 Guide::Guide(const Mesh& mesh, std::vector<double> luminance)
     : mesh_(build(mesh, BoundingBoxes{})),
       luminance_(std::move(luminance)),

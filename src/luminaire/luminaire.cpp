@@ -8,6 +8,7 @@
 #include "luminaire/source.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
+#include "luminaire/volume.h"
 
 #include <algorithm>
 

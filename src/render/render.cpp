@@ -373,8 +373,7 @@ private:
             return {place_in_pixel(*rule, key)};
         // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
         if (!settings_.antialias && world.view.camera.lens_radius == 0) return {Vec2(0.5)};
-        return filter_.place(uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y),
-                             key.sample);
+        return filter_.place(key);
     }
 
     bool stop(const Work& work) {
@@ -405,16 +404,19 @@ private:
 }  // namespace
 
 RenderPlan plan_of(const World& world, const RenderSettings& settings) {
-    return plan_of(world, settings, SentLight::of(world, settings.seed, settings.threads));
+    return *plan_of(world, settings, SentLight::of(world, settings.seed, settings.threads), {});
 }
 
-RenderPlan plan_of(const World& world, const RenderSettings& settings, const SentLight& sent) {
-    const Pilot tried = pilot(world, settings, sent);
+std::optional<RenderPlan> plan_of(const World& world, const RenderSettings& settings,
+                                  const SentLight& sent, const std::function<bool()>& cancelled) {
+    const Pilot tried = pilot(world, settings, sent, cancelled);
+    if (cancelled && cancelled()) return {};
     const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
     const SampleRule rule = sample_rule(
         world, settings, tried.quiet && !world.lights.sources.empty() && world.sky.light.empty());
     const int samples = first_samples(world, settings, rule, shared);
-    return {world, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples), rule};
+    return RenderPlan{world, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples),
+                      rule};
 }
 
 bool advance(const RenderPlan& plan, RenderState& state, LightLedger& rays,

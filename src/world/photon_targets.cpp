@@ -136,9 +136,8 @@ PhotonWays ways_of_source(const World& world, std::uint32_t light) {
 void place_photon_targets(World& world, Diagnostics& diagnostics) {
     std::vector<PhotonTarget>& targets = world.photon_targets;
     if (targets.empty()) return;
-    const bool wanted = world.rules.settings.photons.shoots() &&
-                        world.rules.quality >= quality_full &&
-                        std::holds_alternative<PovRay>(world.rules.settings.integrator);
+    const bool wanted =
+        world.rules.settings.photons.shoots() && world.rules.quality >= quality_full;
     if (wanted) bound(world);
     std::vector<bool> counts;
     for (PhotonTarget& target : targets) {
