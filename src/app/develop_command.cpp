@@ -191,7 +191,7 @@ private:
             diagnostics_.add(warning(Fault::io, {},
                                      message("`", printable(path),
                                              "` tells of a film that this version does not know, "
-                                             "and is developed as if it told of none")));
+                                             "and is developed as if it had none")));
         RenderSettings settings;
         settings.film = request_.options.render.film;
         const std::string wrong = settle_film(film, settings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of what a film has gathered besides the samples' sums. Called by those who write files.
+// Pictures of what a film has gathered besides the samples' sums. Called by the writers of files.
 #pragma once
 
 #include "film/develop.h"

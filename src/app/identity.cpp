@@ -28,7 +28,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// What the settings are called; how many rays there are, and who traces them, is no part of it.
+/// The names of settings. The number of rays and of threads is no part of it.
 void add_settings(Identity& identity, const RenderSettings& settings) {
     static constexpr auto left_out = std::to_array<std::string_view>(
         {"samples", "threads", "noise", "sampling_method", "antialias_threshold", "antialias_depth",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people want to know who look at a picture on its way: layers as pictures, and what is under
+// Facts about a picture on its way: layers as pictures, and what is under
 // a pixel and who lights it. Asked by the preview while nothing is being rendered.
 #pragma once
 

@@ -3,6 +3,7 @@
 
 #include "text/message.h"
 #include "text/printable.h"
+#include "world/emitters.h"
 
 #include <algorithm>
 #include <numeric>
@@ -70,6 +71,9 @@ std::string light_report(const World& world, const LightLedger& counted,
         line(lights[i], message(made[i]),
              statement_text(world.provenance.light_statements[i], sources));
     line(lights.back(), "", "rays that met no light");
+    constexpr std::size_t number_column = 29;
+    if (const std::size_t glows = glows_without_light(world); glows > 0)
+        text += padded(message(glows), number_column) + "  that glow, but light nothing\n";
     for (const std::size_t i : order)
         if (lights[i].light.value() == 0 && light > 0)
             text +=

@@ -16,7 +16,8 @@ std::string statement_text(const Span&, const SourceStore&);
 
 /// A line for each statement of the scene that made luminaires or light sources, the brightest
 /// first: its share of all light that came to hits from lights, its share of the shadow rays, how
-/// many lights it made, and its place. Rays that met no luminaire have the last line.
+/// many lights it made, and its place. Then comes a line of rays that met no luminaire, and one of
+/// primitives that glow but are no luminaires, if there are some.
 std::string light_report(const World&, const LightLedger&, const SourceStore&);
 
 }  // namespace candelabra

@@ -38,7 +38,7 @@ std::uint64_t number_behind(std::string_view word, const std::string& path) {
     return 0;
 }
 
-/// What a group may still have: what lies in files can be given back.
+/// Bytes that a group may still have: pages of files can be given back.
 void take_group(const std::string& folder, const char* most, const char* now, const char* files,
                 std::optional<std::uint64_t>& free) {
     const auto limit = number_in(folder + most);

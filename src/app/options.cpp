@@ -142,7 +142,7 @@ private:
         return bare && ini && read_ && read_.holds(ini->file) ? ini : std::nullopt;
     }
 
-    /// What the command line permits, wherever it says so, added to what the settings have.
+    /// The permissions of the command line, wherever they stand, added to those of the settings.
     Options permissions() const {
         Options result = options_;
         for (std::size_t i = 0; i < arguments_.size() && arguments_[i] != "--"; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The addresses of the preview: what each gives or changes. What changes something is asked by
+// The addresses of the preview: what each gives or changes. A change is asked for by
 // POST, for which the server wants the page's token; all else gives and changes nothing.
 #pragma once
 
@@ -17,7 +17,7 @@ struct PreviewFacts {
 
 WebAnswer answer_of(const WebRequest&, const PreviewFacts&, PreviewDesk&);
 
-/// The page for those who shall be able to change something.
+/// The page on which something can be changed.
 std::string page_with(const std::string& token, const std::string& scene);
 
 /// Where the manual lies, for a program in that folder; empty when it has not been made.

@@ -94,7 +94,7 @@ void Darkroom::print(const Order& now, const Plate& plate) {
         now.frame->generation,
         plate.view_name,
         std::make_shared<const std::string>(screen_bytes(made, now.frame->threads))};
-    // What is newer is not covered by what took longer.
+    // A newer print is not covered by one that took longer.
     const std::lock_guard lock(showing_);
     if (order().number == now.number) shows_(std::move(picture));
 }

@@ -298,7 +298,7 @@ private:
         return wanted;
     }
 
-    /// What light gave and cost, for those who ask.
+    /// What light gave and cost, if the run asks for it.
     void show_light(const World& world, const RenderJob& job) {
         if (options_.light_report) console_.err(light_report(world, job.rays(), sources()));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A value that is made once and shared by all who hold a handle to it. Eight bytes and one
+// A value that is made once and shared by all that hold a handle to it. Eight bytes and one
 // allocation, because scenes hold millions. Nobody changes what others hold, so any number of
 // threads may keep handles to one value; edit() copies when it has to. T may be incomplete where
 // handles are only held and passed on.

@@ -45,7 +45,7 @@ template <class Vector>
 /// A bit for each marked lane.
 [[gnu::always_inline]] inline std::uint32_t marked(const Marks& marks) {
 #ifdef __x86_64__
-    // What every such machine has; through the memory it takes twice as long.
+    // Every machine of this kind has it; through the memory it takes twice as long.
     using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
     const auto low = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 0, 1, 2, 3));
     const auto high = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 4, 5, 6, 7));

@@ -27,7 +27,7 @@ void advise(void* begin, std::size_t bytes, std::uintptr_t page, int advice) {
 }  // namespace
 
 void* new_pages(bool all) {
-    // Twice as much has such a block in it; the rest is given back.
+    // Twice as much surely has an aligned block in it; the rest is given back.
     void* const found = mmap(nullptr, 2 * page_block, PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (found == MAP_FAILED) throw std::bad_alloc();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of the process's memory: large blocks of them, huge pages, and pages that go back to the
-// system. Called by Pool, by the index of boxes and by its builder.
+// The pages of the process's memory: large blocks of them, huge pages, and pages that go back
+// to the system. Called by Pool, by the index of boxes and by its builder.
 #pragma once
 
 #include <cstddef>

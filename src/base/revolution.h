@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Angles as shares of a whole turn, by which planes are wrapped around spheres, cylinders and
-// rings. Used by warps, by pictures and by those who lay u and v on shapes.
+// rings. Used by warps, by pictures and to lay u and v on shapes.
 #pragma once
 
 #include "base/vector.h"

@@ -10,7 +10,7 @@ namespace {
 using Coefficients = std::array<double, greatest_degree + 1>;
 
 /// Calls use(c), where the number of coefficients is a constant for cubics and quartics: nearly all
-/// surfaces are such, and loops over them are unrolled then.
+/// surfaces have it, and loops over them are unrolled then.
 template <class Use>
 auto with_known_size(std::span<const double> c, const Use& use) {
     if (c.size() == 4) return use(c.first<4>());

@@ -28,8 +28,11 @@ std::string font_name(const Text& text) {
     }
 }
 
-/// The content of a font's file, which may also be one of the system's: it is looked for and read
-/// once, and stays as long as the binder. Null after a report.
+/// The folder of the library's own fonts, which stand in for those that are not installed.
+constexpr std::string_view library_fonts = "fonts/";
+
+/// The content of a font's file, which may also be one of the system's or the library's: it is
+/// looked for and read once, and stays as long as the binder. Null after a report.
 const std::string* load_font(Binder& binder, const std::string& name, Span span) {
     const Evaluator& evaluator = binder.evaluator;
     const std::string directory = directory_of(binder.evaluator.sources().name(span.source));
@@ -39,6 +42,12 @@ const std::string* load_font(Binder& binder, const std::string& name, Span span)
     const auto keep = [&](std::string font) {
         return &binder.fonts.emplace(key, std::move(font)).first->second;
     };
+    const auto stands_in = [&](std::string_view other) {
+        binder.evaluator.report(
+            warning(Fault::unknown_name, span,
+                    message("there is no font `", name, "`: `", other, "` stands in for it"))
+                .with_help("POV-Ray's fonts are in Debian's package fonts-povray"));
+    };
     for (const std::string& spelling : {name, name + ".ttf"})
         if (auto found = evaluator.loader().load(spelling, directory, FileKind::data))
             return keep(std::move(found->text));
@@ -46,11 +55,14 @@ const std::string* load_font(Binder& binder, const std::string& name, Span span)
         if (auto found = system_font(spelling)) return keep(std::move(*found));
     for (const char* other : fonts_like(name))
         if (auto found = system_font(other)) {
-            binder.evaluator.report(
-                warning(Fault::unknown_name, span,
-                        message("there is no font `", name, "`: `", other, "` stands in for it"))
-                    .with_help("POV-Ray's fonts are in Debian's package fonts-povray"));
+            stands_in(other);
             return keep(std::move(*found));
+        }
+    for (const std::string& own :
+         {message(library_fonts, name), message(library_fonts, name, ".ttf")})
+        if (auto found = evaluator.loader().load(own, directory, FileKind::data)) {
+            stands_in(own);
+            return keep(std::move(found->text));
         }
     binder.evaluator.report(evaluator.loader().problem(name, span, FileKind::data, directory));
     return nullptr;

@@ -8,7 +8,7 @@
 
 namespace candelabra {
 
-/// Puts in what the shape needs. What is wrong is reported, and the block is broken then.
+/// Loads the files that the shape needs. Faults are reported, and the block is broken then.
 void complete(OpenBlock&, Shape&);
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The word cutaway_textures: parts of an intersection or a difference that have no texture show
-// what they cut through. Called by the reader of objects when such a block has ended.
+// what they cut through. Called by the reader of objects when the block has ended.
 #pragma once
 
 #include "scene/scene.h"

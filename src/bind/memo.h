@@ -16,7 +16,7 @@ namespace candelabra {
 template <class Base, class T = Base>
 class Memo {
 public:
-    /// What the element makes of the base: what it has made of it before, or a new one by make(),
+    /// The value that the element makes of the base: the one made before, or a new one by make(),
     /// which is null when something is wrong. Elements without a number are not known again.
     template <class Make>
     Handle<T> made(std::optional<std::uint64_t> element, const Handle<Base>& base, Make make) {

@@ -42,7 +42,7 @@ struct ObjectDraft {
 
     /// The form has come, but for itself: what else there is of the object.
     void take(const Object&);
-    /// What comes before is moved, what comes after is not.
+    /// Transforms all that has come so far, and nothing that comes later.
     void move(const Movement&);
     /// A shape of which the renderer knows only parts: a cone that is crossed.
     void divide_form();

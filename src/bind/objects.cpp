@@ -123,7 +123,7 @@ private:
         return true;
     }
 
-    /// What is cut must not have an inside, but what cuts must.
+    /// The object that is cut need not have an inside, but those that cut it must.
     [[gnu::noinline]] void check_inside(const Object& made) {
         const bool cuts = together().csg == Csg::difference;
         if ((cuts && together().children.empty()) || has_inside(made)) return;

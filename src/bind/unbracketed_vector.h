@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recognises vectors that are written without their `< >`: `translate 1, 2, 3`, `rgb 1, 0, 0`,
 // `sphere { 0, 0, 0, 1 }`, or without their `*`: `rotate y 45`. A single number stands for a
-// vector, so only what follows it shows that one was meant. Asked by those who report a number that
+// vector, so only what follows it shows that one was meant. Asked for reports on a number that
 // has no place, or is wrong in its place.
 #pragma once
 

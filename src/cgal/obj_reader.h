@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace polyhedra {
 
-/// What the text says; returns what is wrong with it and in which line, or an empty string. That
+/// Reads the text; returns its fault with the line, or an empty string. That
 /// faces name what is there remains to be checked.
 std::string read_obj(std::string_view text, Polyhedron&, PolyhedronLook&);
 

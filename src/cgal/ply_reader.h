@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace polyhedra {
 
-/// What the file says; returns what is wrong with it, or an empty string. That faces name what is
+/// Reads the file; returns its fault, or an empty string. That faces name what is
 /// there remains to be checked.
 std::string read_ply(std::string_view file, Polyhedron&, PolyhedronLook&);
 

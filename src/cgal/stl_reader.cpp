@@ -27,7 +27,7 @@ class Triangles {
 public:
     explicit Triangles(Polyhedron& made) : made_(made) {}
 
-    /// False when the point is not finite: such have no order.
+    /// False when the point is not finite: those points have no order.
     bool add(const Polyhedron::Point& point) {
         for (const double coordinate : point)
             if (!std::isfinite(coordinate)) return false;

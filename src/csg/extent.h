@@ -23,7 +23,7 @@ Box bounds_of_inside(const Object&);
 /// small. POV-Ray removes the bounds of single shapes other than polynomials, and of unions that
 /// have an end and are no larger than their bounds.
 bool has_needless_bounds(const Object&);
-/// The object without what bounds it, but with what clips it.
+/// The object without its bounds, but with its clipping.
 Object without_bounds(const Object&);
 
 }  // namespace candelabra

@@ -41,7 +41,7 @@ private:
 };
 
 /// Whether inside() can be true anywhere: false for triangles, polygons and the like, and for all
-/// that has such a part.
+/// that has a part of that kind.
 bool has_inside(const Object&);
 
 }  // namespace candelabra

@@ -151,7 +151,7 @@ private:
 
     int column_within() const { return open_.empty() ? 0 : open_.back().inside; }
 
-    /// Of a line that begins with the token: what closes stands below what it closes.
+    /// Of a line that begins with the token: a closing bracket stands below its opening one.
     int column_before(const Token& token) {
         const bool divides = divides_directive(token.kind);
         const bool of_directive =

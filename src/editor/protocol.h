@@ -16,7 +16,7 @@ namespace candelabra {
 
 using Json = nlohmann::json;
 
-/// `file:///a%20b.pov` to `/a b.pov`; what is no such URI is taken as it is.
+/// `file:///a%20b.pov` to `/a b.pov`; another URI is taken as it is.
 std::string path_of(std::string_view uri);
 std::string uri_of(std::string_view path);
 

@@ -141,7 +141,7 @@ private:
         }
     }
 
-    /// What takes several lines is divided, because not all editors know such tokens.
+    /// A token of several lines is divided, because not all editors know those.
     void add(SemanticToken token) {
         const Part whole = token.place;
         for (std::uint32_t first = whole.first; first < whole.last;) {

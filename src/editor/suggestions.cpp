@@ -49,7 +49,7 @@ public:
                 for (std::string_view rest = words; !rest.empty();) add_word(take_until(rest, " "));
     }
 
-    /// What stands in no block: the shapes, and what else a scene is made of.
+    /// Words outside of all blocks: the shapes, and the other parts of a scene.
     void add_statements() {
         for (std::string_view rest = statements; !rest.empty();) add_word(take_until(rest, " "));
         add_shapes();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names that all files of the workspace declare, for people who look for one.
+// Names that all files of the workspace declare, for a search.
 #pragma once
 
 #include "editor/workspace.h"

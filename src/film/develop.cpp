@@ -21,7 +21,7 @@ Image in_single_precision(Image image) {
     return image;
 }
 
-/// The light after glare. What is scattered is exact; what stays has smooth edges.
+/// The light after glare. Scattered light is exact; light that stays has smooth edges.
 Image glared(const Negative& negative, const FilmSettings& film, int threads) {
     const Image& stays = negative.smooth.pixels.empty() ? negative.light : negative.smooth;
     if (!film.glares || film.glare.share() <= 0 || stays.pixels.empty()) return stays;

@@ -244,7 +244,7 @@ Parts NodeBuilder::parts_of(Part whole, int depth) const {
     return parts;
 }
 
-/// Those who read leaves count on the order of items. Pieces of one item are one again.
+/// Readers of leaves count on the order of items. Pieces of one item are one again.
 void NodeBuilder::finish_leaf(Part& part) {
     std::span<PrimRef> held = part.items;
     const double whole = area(part.box);

@@ -146,7 +146,7 @@ public:
                (!frames_.empty() && walk(frames_[0], ray, range, own));
     }
 
-    /// The same for who only wants to know whether anything is met: first where the ray, for its
+    /// The same to find only whether anything is met: first where the ray, for its
     /// steps, is likeliest to be stopped. visit leaves range as it is. Any item may be visited
     /// several times.
     template <class Visit>

@@ -66,7 +66,7 @@ public:
     /// An element other than i that is set, when there is one.
     Value other(std::size_t i) const;
 
-    /// Keeps a value that does not fit all the same; who cares asks fits() first.
+    /// Keeps a value that does not fit all the same; a caller that cares asks fits() first.
     void set(std::size_t i, Value value);
     void set(std::size_t i, const Numbers& numbers);
     /// The element is not set any more.

@@ -435,7 +435,7 @@ Operands Evaluator::State::Compiler::array_size(std::string_view name, NodeId ar
     return native(1, size, dimension);
 }
 
-/// What such a function has to say about an argument outside of where it is defined is left to it.
+/// A function of that kind itself reports arguments outside of where it is defined.
 void Evaluator::State::Compiler::refuse_outside(std::string_view function, Operand x) {
     const Operand zero = builder.constant(0);
     if (function == "sqrt") refuse_unless(builder.emit(Operation::greater_equal, x, zero));

@@ -72,7 +72,7 @@ bool Evaluator::State::run(Code& code, Numbers& result) {
 
 namespace {
 
-/// What to say to those who take a word like `x` for a name of their own.
+/// The help where a scene takes a word like `x` for a name of its own.
 std::string about_axis(const Tree& tree, NodeId id) {
     while (const auto* group = tree.get_if<node::Group>(id)) id = group->content;
     const auto* binary = tree.get_if<node::Binary>(id);

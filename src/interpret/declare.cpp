@@ -3,6 +3,7 @@
 #include "interpret/state.h"
 #include "text/ascii.h"
 #include "text/message.h"
+#include "vocabulary/reserved.h"
 
 namespace candelabra {
 
@@ -101,6 +102,25 @@ void Evaluator::State::declare(const Tree& tree, const node::Declare& node, Node
         }
     }
     assign(tree, node.target, std::move(value), node.local);
+}
+
+/// As in POV-Ray, textures behind a call that gives one are layers on it, as in
+/// `#declare T = Base() texture { ... }`. Gives the first node that is no layer.
+NodeId Evaluator::State::declare_layers(const Tree& tree, const node::Declare& node, NodeId next) {
+    const auto* name = tree.get_if<node::Name>(node.target);
+    if (!name || !tree.get_if<node::Call>(node.value) || !handlers.layered) return next;
+    for (; !stopped_; next = tree[next].next) {
+        const auto* block = tree.get_if<node::Block>(next);
+        const Value* found = scope.find(name->name);
+        if (!block || block->word != "texture"_word || !found || kind_name(*found) != "a texture")
+            break;
+        const Value below = *found;
+        const Element layer = block_element(tree, next);
+        const Value above = handlers.value({&layer, 1});
+        if (above.broken() || stopped_) continue;
+        assign(tree, node.target, handlers.layered(below, above, layer.word_span), node.local);
+    }
+    return next;
 }
 
 bool Evaluator::State::declare_text(const Tree& tree, const node::Declare& node) {

@@ -74,7 +74,7 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
     written_files.push_back({file.name, file.opened, writer});
 }
 
-/// A writer at a destination that FileAccess permits; in a run that changes nothing it writes to memory, where
+/// A writer at a destination that may be written; in a run that changes nothing to memory, where
 /// the loader finds the text.
 std::unique_ptr<DataWriter> Evaluator::State::writer_for(const std::string& path, bool append) {
     if (!loader.keeps_off_disk())

@@ -284,6 +284,7 @@ struct Evaluator::State {
     Flow choose(const Tree&, const node::Switch&, const Sink& take);
     bool condition(const Tree&, NodeId);
     void declare(const Tree&, const node::Declare&, NodeId);
+    NodeId declare_layers(const Tree&, const node::Declare&, NodeId next);
     void declare_deprecated(const Tree&, const node::Deprecated&, NodeId);
     void declare_tuple(const Tree&, const node::Declare&, NodeId);
     void check_semicolon(const Tree& tree, const node::Declare& node) {

@@ -35,8 +35,11 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
         const Node& node = tree[id];
         const std::size_t kind_here = node.content.index();
         if (kind_here == kind<node::Declare>) {
-            declare(tree, *std::get_if<node::Declare>(&node.content), id);
-            id = node.next;
+            const auto& declared = *std::get_if<node::Declare>(&node.content);
+            declare(tree, declared, id);
+            id = declared.semicolon || !tree.get_if<node::Block>(node.next)
+                     ? node.next
+                     : declare_layers(tree, declared, node.next);
         } else if (take.written() && !is_directive(tree, id)) {
             (*take.written())(tree, id);
             id = node.next;

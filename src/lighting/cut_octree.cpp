@@ -62,7 +62,7 @@ double estimate(const LightTree& tree, const LightCluster& c, const Receiver& po
                    : square;
 }
 
-/// Entries on top for those that face away from a cell: as many again where all luminaires shine one way only.
+/// Entries on top for those that face away from a cell: as many again where all shine one way.
 int entries_for(int cut, std::span<const Luminaire> luminaires) {
     double one_way = 0;  // luminaires that shine one way only
     for (const Luminaire& luminaire : luminaires) one_way += 2 * length(luminaire.bent_normal);

@@ -2,7 +2,7 @@
 // An octree over the points to be lit, whose cells hold cuts through the light tree: the paper's
 // lists of bright luminaires, with clusters in the place of the dim ones. A cell is made when a
 // point in it is asked for the first time, and is a pure function of its box, so that the answers
-// do not depend on who comes first. By trial it also knows what light is seen from it: its outlook.
+// do not depend on the order. By trial it also knows what light is seen from it: its outlook.
 #pragma once
 
 #include "base/random.h"

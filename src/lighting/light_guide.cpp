@@ -18,9 +18,9 @@ constexpr std::size_t rings = LightGuide::rings, sectors = LightGuide::sectors;
 constexpr std::uint32_t lines = 48, enough = 12;
 /// How many times as much as the place with the least light others may count.
 constexpr double max_counted = 4;
-/// Rays tried for each bin: what some tell is held against what the others tell.
+/// Rays tried for each bin: results of some are held against those of the others.
 constexpr std::size_t tries = 2;
-/// The luminaires' ball is looked at as such from so many of its radii on.
+/// From so many of its radii on, the luminaires' ball is looked at as a ball.
 constexpr double well_outside = 1.15;
 /// Share of a bin that its neighbours have in what is thought to come from it.
 constexpr double neighbours = 0.3;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The question that every light strategy answers: what to ask for light at one receiver. Each
 // strategy has a type of answers, which is made once for a receiver and drawn from for each of its
-// shadow rays. Those who estimate light know strategies by this alone.
+// shadow rays. Estimates of light know strategies by this alone.
 #pragma once
 
 #include "base/random.h"

@@ -210,7 +210,7 @@ double emitting_area(const Emitter&);
 /// How many faces a map of the brightness has, which boxes, discs, triangles and spheres can have
 /// (a sphere's counts as many); 0 for other emitters.
 std::size_t face_count(const Emitter&);
-/// A map of the brightness of a luminaire that has such faces: see there. Null for a sphere that
+/// A map of the brightness of a luminaire that has these faces: see there. Null for a sphere that
 /// glows so evenly that its formula is better. Precondition: face_count() > 0.
 Handle<Brightness> brightness_of(const Luminaire&, int cells,
                                  FunctionRef<double(const Vec3&)> luminance);

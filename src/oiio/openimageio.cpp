@@ -53,7 +53,7 @@ double stored_bytes(const OIIO::ImageSpec& spec) {
            (numbers ? 1 : spec.nchannels) * bits / 8;
 }
 
-/// What is wrong with what a reader says of the file.
+/// The fault in a reader's description of the file.
 std::string problem_of(const OIIO::ImageSpec& spec, std::string_view format,
                        std::int64_t max_pixels, std::size_t file_bytes) {
     if (spec.width < 1 || spec.height < 1 || std::int64_t{spec.width} * spec.height > max_pixels)

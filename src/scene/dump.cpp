@@ -220,7 +220,7 @@ bool is_group(const Object& object) {
 }
 
 /// A union of one object that adds nothing is written as that object: a copy of a declared union is
-/// read as such a union.
+/// read as a union of this kind.
 const Object& essence(const Object& object) {
     const Object* result = &object;
     while (children(*result).size() == 1 && modifiers_of(*result).empty() && !is_group(*result) &&

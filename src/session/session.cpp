@@ -43,7 +43,7 @@ bool Session::read() {
     return true;
 }
 
-/// What the scene may touch: what belongs to it, and what it is allowed besides.
+/// The files that the scene may touch: its own, and those that the run allows besides.
 FileAccess Session::file_access() const {
     const SceneSource& source = settings_.source;
     std::vector<std::string> readable = {folder_, ""};
@@ -77,7 +77,7 @@ Scene Session::evaluate(double clock_ahead, Diagnostics& diagnostics) {
     return scene;
 }
 
-/// Of what is wrong, what is no error has been said of the first sample.
+/// Of later samples only errors are reported: the first one has made all warnings.
 std::optional<Scene> Session::scene_at(double clock_ahead) {
     Diagnostics problems;
     Scene scene = evaluate(clock_ahead, problems);

@@ -11,7 +11,7 @@ namespace candelabra {
 
 /// Whether a radius is below 0.
 bool is_crossed(const Cone&);
-/// One or two cones without such radii that are the same.
+/// One or two cones without that radius, where both are the same.
 std::vector<Cone> uncrossed(const Cone&);
 
 }  // namespace candelabra

@@ -50,7 +50,7 @@ public:
         return any(near(leaf, range), leaf, ask);
     }
 
-    /// The same for who only wants to know whether anything is met, where every sphere and every
+    /// The same to find only whether anything is met, where every sphere and every
     /// triangle counts: true without asking for items that are met beyond doubt. Where a ray ends
     /// is seldom in doubt, so this spares most rays a look at the items themselves.
     template <class Ask>

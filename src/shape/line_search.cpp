@@ -40,7 +40,7 @@ public:
     Search(const LineFunction& f, double detail, double precision)
         : f_(f), detail_(detail), precision_(precision) {}
 
-    /// Of what is found, only what is in this is of interest, or the first of it.
+    /// Only crossings within this are of interest, or the first of them.
     void want(const Interval& wanted, bool first) {
         wanted_ = wanted;
         first_ = first;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An outline in the xz plane, swept along y. Rays ask the BuiltPrism; text is made of such, too.
+// An outline in the xz plane, swept along y. Rays ask the BuiltPrism; text is made of prisms, too.
 #pragma once
 
 #include "base/ray.h"

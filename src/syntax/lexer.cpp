@@ -374,7 +374,7 @@ Token Lexer::read_text(const char* first) {
     return token(TokenKind::text, first, index);
 }
 
-/// What cannot begin a token. Where it is clear what was meant, that is returned.
+/// Text that cannot begin a token. Where its meaning is clear, the meant token is returned.
 std::optional<Token> Lexer::stray(const char* first) {
     cursor_ = first;
     if (const ForeignSign* sign = foreign_sign(rest())) return read_foreign_sign(first, *sign);

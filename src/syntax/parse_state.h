@@ -129,7 +129,7 @@ struct ParseState {
     NodeId goes_on(NodeId expression, NodeId directive, Stretch);
     /// What comes behind a directive of which a part ends in an operator.
     NodeId continued(List operands, NodeId expression, Stretch);
-    /// What such a directive goes on with.
+    /// What the directive goes on with.
     NodeId joining(Operator, NodeId expression, Stretch);
     NodeId group(List directives, List values, Stretch);
     NodeId vector(List components, Stretch);

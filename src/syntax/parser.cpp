@@ -159,7 +159,7 @@ std::string_view directive_habit(TokenKind found, const Expected& expected,
     return {};
 }
 
-/// What people write who come from another language; `before` and `after` are the text around the
+/// Phrases of other languages; `before` and `after` are the text around the
 /// place.
 std::string habit(TokenKind found, const Expected& expected, std::string_view before,
                   std::string_view after) {

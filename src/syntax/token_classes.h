@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What kinds of tokens have in common, for those who look at tokens before the parser does.
+// What kinds of tokens have in common, for readers of tokens that come before the parser.
 #pragma once
 
 #include "syntax/token.h"

@@ -56,7 +56,7 @@ Reader disk_reader() {
 Reader scene_reader(const FileAccess& access) {
     const auto read = [access](const std::string& path) -> std::optional<std::string> {
         const auto real = path.empty() ? std::nullopt : access.place(path);
-        // What is not a regular file is not opened; what becomes another one is not read.
+        // Only regular files are opened; a file that becomes another kind is not read.
         if (!real || !is_regular_file(*real)) return {};
         return content_of(open_without_links(*real, O_RDONLY), longest_text);
     };

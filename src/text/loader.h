@@ -58,7 +58,7 @@ private:
 /// read give nothing.
 Reader disk_reader();
 
-/// For files that a scene names: regular ones that may be read. They are judged and opened in one step.
+/// For files that a scene names: regular ones that may be read, judged and opened in one.
 Reader scene_reader(const FileAccess&);
 
 /// The folder part of a path: "." for a bare name, "/" for what is in the root.

@@ -3,7 +3,7 @@
 
 // Text from an input made fit to be printed: whatever could move the cursor, change colours, turn
 // the direction of writing or hide is replaced by a visible character, one for one, as are bytes
-// that are not UTF-8. A tab is replaced, too; who wants it kept looks for it first.
+// that are not UTF-8. A tab is replaced, too; a caller that keeps tabs looks for them first.
 
 #include "text/utf8.h"
 

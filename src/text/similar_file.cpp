@@ -90,7 +90,7 @@ Likeness follow(const std::string& folder, std::string wanted, const Lister& lis
         if (part.empty() || part == ".") continue;
         if (part != "..") {
             const std::vector<std::string> folders = entries(joined(folder, path), true, list);
-            // What is not listed may still lead to what is.
+            // A folder that is not listed may still lead to one that is.
             Likeness found = folders.empty() ? Likeness{0, part} : max_like(part, folders);
             worst = std::max(worst, found.rank);
             part = std::move(found.name);

@@ -28,20 +28,13 @@ Interface interface_at(const World& world, const MediaStack& media, PrimitiveInd
                        const std::optional<SpectralBand>& band) {
     Interface result{.behind = media};
     MediaStack& behind = result.behind;
-    const auto inside = std::ranges::find(behind, world.solid(primitive),
-                                          [&](PrimitiveIndex p) { return world.solid(p); });
-    const bool leaving = inside != behind.end();
-    if (!leaving) {
-        behind.push_back(primitive);
-    } else {
-        const bool is_innermost = inside + 1 == behind.end();
-        behind.erase(inside);
-        if (!is_innermost) return result;  // leaving one of two that overlap bends nothing
-    }
+    const Passing passing = world.pass(primitive, behind);
+    // To leave one of two solids that overlap bends nothing.
+    if (passing == Passing::leaves_outer) return result;
     const Interior &here = innermost(world, media), &there = innermost(world, behind);
     result.ratio = here.ior / there.ior;
     // A ray that leaves one solid in another sees no `fresnel` reflection in POV-Ray 3.7.
-    result.plain = leaving && !behind.empty() ? 1 : result.ratio;
+    result.plain = passing != Passing::enters && !behind.empty() ? 1 : result.ratio;
     result.dispersion = here.dispersion / there.dispersion;
     if (result.dispersion == 1) return result;
     if (band)

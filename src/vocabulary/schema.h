@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an item's .cpp file states its vocabulary: typed, then described() for those who read it.
+// How an item's .cpp file states its vocabulary: typed, then described() for its readers.
 #pragma once
 
 #include "base/shared.h"

@@ -110,7 +110,7 @@ bool is_own_host(std::string_view host, int port) {
     return false;
 }
 
-/// Why the request is none of the own page, or of somebody who typed the address; or empty.
+/// Why the request comes neither from the own page nor from a typed address; or empty.
 std::string_view foreign(const Head& head, const WebKey& key) {
     const Header* const host = head.find("Host");
     if (!host || !is_own_host(host->value, key.port))

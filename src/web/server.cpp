@@ -115,7 +115,7 @@ private:
 /// All connections of a server, served by one thread.
 class Crowd {
 public:
-    /// `bell`: counts events after which those who wait are heard again.
+    /// `bell`: counts events after which waiting requests are answered anew.
     Crowd(int socket, int bell, const WebLimits& limits, const WebKey& key,
           const WebServer::Handler& handler)
         : socket_(socket), bell_(bell), limits_(limits), key_(key), handler_(handler) {}

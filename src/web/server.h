@@ -36,7 +36,7 @@ public:
 
     /// 0: the port could not be had, or the token is empty.
     int port() const { return key_.port; }
-    /// There may be answers for those who wait. Called by any thread.
+    /// There may be answers to waiting requests. Called by any thread.
     void wake() const;
 
 private:

@@ -106,4 +106,15 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
     }
 }
 
+std::size_t glows_without_light(const World& world) {
+    std::vector<bool> glows;
+    for (const Material& material : world.appearance.materials)
+        glows.push_back(greatest_emission(*material.texture) != Vec3(0));
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < world.appearance.material_of.size(); ++i)
+        if (world.lights.luminaire_of.empty() || world.lights.luminaire_of[i] == no_primitive)
+            count += glows[world.appearance.material_of[i]] ? 1 : 0;
+    return count;
+}
+
 }  // namespace candelabra

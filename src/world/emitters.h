@@ -21,4 +21,8 @@ struct GlowingPrimitive {
 /// of. `guided`: those without a formula get their guides, which only rays need.
 void add_luminaires(World&, std::span<const GlowingPrimitive>, bool guided, Diagnostics&);
 
+/// How many primitives glow, but are no luminaires: by `no_luminaire`, by the rule which luminaires
+/// there are, or because they have no end.
+std::size_t glows_without_light(const World&);
+
 }  // namespace candelabra

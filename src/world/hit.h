@@ -21,7 +21,10 @@ struct Hit {
 /// Who asks: some objects are left out for some rays.
 enum class RayKind { camera, reflected, light, gathering };
 
-/// What a ray is inside of, in the order of entering.
+/// The solids that a ray is in, by a primitive of each, in the order of entering.
 using EnteredSolids = ShortList<PrimitiveIndex, 6>;
+
+/// What a ray does to these where it passes a surface.
+enum class Passing { enters, leaves_innermost, leaves_outer };
 
 }  // namespace candelabra

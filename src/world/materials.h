@@ -26,7 +26,7 @@ struct Hidden {
     }
 };
 
-/// POV-Ray asks a solid as a whole who sees it; only some heed what is said of their parts.
+/// POV-Ray asks a solid as a whole which rays see it; only some heed their parts.
 inline Hidden heeded_in(Csg csg) {
     return {false, csg == Csg::merge, csg == Csg::merge || csg == Csg::together};
 }
@@ -46,7 +46,7 @@ struct Inherited : Hidden {
     bool no_luminaire = false, double_illuminate = false, hollow = false, uv = false;
     PhotonSurface photons = {};
     /// One of the parts of a composite. As in POV-Ray, a part with an interior of its own is a
-    /// solid of its own: who enters it does not leave it through the others.
+    /// solid of its own: a ray that enters it does not leave it through the others.
     bool of_several = false;
 };
 

@@ -241,19 +241,14 @@ Vec3 World::dimmed(const Passages& passages, std::span<const PrimitiveIndex> sol
         return interior && interior->fade_distance != 0 && interior->fade_power > 0;
     });
     if (!fades) return Vec3(1);
-    std::vector<std::uint32_t> around;
-    for (const PrimitiveIndex each : solids) around.push_back(solid(each));
-    const auto left_behind = [&](const Passage& passage) {
-        const std::uint32_t passed = solid(passage.primitive);
-        if (std::erase(around, passed) != 0) return true;
-        around.push_back(passed);
-        return false;
-    };
+    EnteredSolids inside;
+    for (const PrimitiveIndex each : solids) inside.push_back(each);
     Vec3 left(1);
     double before = 0;
     for (const Passage& each : passages) {
         const auto& interior = material(each.primitive).interior;
-        if (left_behind(each) && interior && interior->fade_power > 0)
+        const bool leaves = pass(each.primitive, inside) != Passing::enters;
+        if (leaves && interior && interior->fade_power > 0)
             left *= attenuation(*interior, each.t - before);
         before = each.t;
     }
@@ -270,12 +265,7 @@ void World::for_stretches(const Passages& passages, std::span<const PrimitiveInd
     for (const Passage& each : passages) {
         use(Interval{before, each.t}, {inside.data(), inside.size()});
         before = each.t;
-        const auto left = std::ranges::find(inside, solid(each.primitive),
-                                            [&](PrimitiveIndex p) { return solid(p); });
-        if (left != inside.end())
-            inside.erase(left);
-        else
-            inside.push_back(each.primitive);
+        pass(each.primitive, inside);
     }
     use(Interval{before, distance}, {inside.data(), inside.size()});
 }
@@ -358,7 +348,7 @@ void World::add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids& 
         return;
     }
     if (!contains(placed->around, point) || !placed->composite->inside(point)) return;
-    // What is in the solid is what is behind its first transparent leaf.
+    // The solid's interior is the one behind its first transparent leaf.
     PrimitiveIndex leaf = placed->first_leaf;
     while (placed->transparent && !material(leaf).transparent) ++leaf;
     found.push_back(leaf);
@@ -377,6 +367,18 @@ EnteredSolids World::containing(const Vec3& point) const {
     for (std::uint32_t item = 0; item < geometry.item_count(); ++item)
         if (is_noted_solid(item)) add_if_inside(item, point, found);
     return found;
+}
+
+Passing World::pass(PrimitiveIndex primitive, EnteredSolids& inside) const {
+    const auto at = std::ranges::find(inside, solid(primitive),
+                                      [&](PrimitiveIndex each) { return solid(each); });
+    if (at == inside.end()) {
+        inside.push_back(primitive);
+        return Passing::enters;
+    }
+    const bool innermost = at + 1 == inside.end();
+    inside.erase(at);
+    return innermost ? Passing::leaves_innermost : Passing::leaves_outer;
 }
 
 Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {

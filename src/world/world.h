@@ -106,6 +106,9 @@ public:
     bool contains_point(PrimitiveIndex, const Vec3&) const;
     /// The noted solids that the point lies inside of, by a primitive of each.
     EnteredSolids containing(const Vec3&) const;
+    /// A ray in those solids passes a surface of the primitive: it leaves the primitive's solid if
+    /// it is in it, and else enters it.
+    Passing pass(PrimitiveIndex, EnteredSolids&) const;
 
     const Material& material(PrimitiveIndex primitive) const {
         return appearance.materials[appearance.material_of[primitive]];

@@ -31,6 +31,23 @@ Rendering rendered(const World& world, int threads) {
 
 }  // namespace
 
+TEST_CASE("the report of light tells how many things glow and are no luminaires", "[app]") {
+    const auto report = [](const std::string& settings, const std::string& finish) {
+        const std::string scene = "#version 3.7; camera { location -5*z } " + settings +
+                                  "#for (I, 1, 3) sphere { I*x, 0.1 pigment { rgb 1 } finish { " +
+                                  finish + " } } #end light_source { -9*z, 1 }";
+        const World world = world_of(scene);
+        SourceStore sources;
+        sources.add("scene.pov", scene);
+        return light_report(world, rendered(world, 1).rays, sources);
+    };
+    const std::string line = "                            3  that glow, but light nothing\n";
+    CHECK(report("", "emission 0.3").find("light nothing") == std::string::npos);
+    CHECK(report("", "emission 0.3 no_luminaire").ends_with(line));
+    CHECK(report("global_settings { luminaires none }", "emission 0.3").ends_with(line));
+    CHECK(report("global_settings { luminaires above 0.5 }", "emission 0.3").ends_with(line));
+}
+
 TEST_CASE("the report of light has a line for each statement that makes lights", "[app]") {
     const World world = world_of(ten_lights);
     REQUIRE(world.provenance.light_statements.size() == 2);

@@ -5,6 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <fstream>
+#include <iterator>
+
 namespace candelabra {
 
 TEST_CASE("a height field takes its heights from a function", "[bind]") {
@@ -44,6 +47,23 @@ TEST_CASE("a font is looked for and read once", "[bind]") {
     evaluate(sources, loader, sources.add("main.pov", script), {}, diagnostics);
     CHECK(readings == 1);
     CHECK(diagnostics.all().size() == 1);
+}
+
+TEST_CASE("a font of the library stands in for one that is not installed", "[bind]") {
+    std::ifstream file(CANDELABRA_SOURCE_DIR "/stdlib/fonts/povlogo.ttf", std::ios::binary);
+    const std::string font(std::istreambuf_iterator<char>(file), {});
+    SourceStore sources;
+    Diagnostics diagnostics;
+    const Loader loader([&](const std::string& path) -> std::optional<std::string> {
+        return path == "fonts/not_installed.ttf" ? std::optional(font) : std::nullopt;
+    });
+    const auto main =
+        sources.add("main.pov", "#version 3.7; text { ttf \"not_installed\" \"P\" 1, 0 }");
+    const Scene scene = evaluate(sources, loader, main, {}, diagnostics);
+    CHECK(scene.objects.size() == 1);
+    REQUIRE(diagnostics.all().size() == 1);
+    CHECK(diagnostics.all().front().message ==
+          "there is no font `not_installed`: `fonts/not_installed.ttf` stands in for it");
 }
 
 TEST_CASE("a text without letters is an object without a surface", "[bind]") {

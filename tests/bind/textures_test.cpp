@@ -84,6 +84,29 @@ TEST_CASE("textures in a row that a macro gives are layers of one that is declar
     CHECK(element.texture().below);
 }
 
+TEST_CASE("textures behind a call that gives one are layers of what is declared", "[bind]") {
+    const std::string macro =
+        "#macro M(C) texture { pigment { rgb C } } #end "
+        "#macro P() pigment { rgb x } #end #declare C = z; ";
+    const std::string glass = "texture { pigment { rgbt <0, 1, 0, 0.5> } }";
+    const Script done = sphere_with("texture { T }", macro + "#declare T = M(x) " + glass + glass);
+    CHECK(done.text.empty());
+    REQUIRE(done.texture().below);
+    REQUIRE(done.texture().below->below);
+    CHECK(done.texture().below->below->pigment.colour.rgb == Vec3(1, 0, 0));
+    // The names in a layer are those around the call.
+    CHECK(sphere_with("texture { T }",
+                      macro + "#declare T = M(x) texture { pigment { rgb C transmit 0.5 } }")
+              .texture()
+              .pigment.colour.rgb == Vec3(0, 0, 1));
+    // Within an object, too; and not behind a semicolon, nor behind other values.
+    CHECK(sphere_with("#declare T = M(x) " + glass + "#declare U = 1; texture { T }", macro)
+              .texture()
+              .below);
+    CHECK_FALSE(sphere_with("#declare T = M(x); " + glass, macro).texture().below);
+    CHECK_FALSE(sphere_with("#declare T = P() " + glass, macro).texture().below);
+}
+
 TEST_CASE("blocks in a row that are no textures are not one value", "[bind]") {
     for (const char* body : {"pigment { rgb 1 } pigment { rgb 0 }", "texture { } pigment { rgb 0 }",
                              "texture { } 1 texture { }", "sphere { 0, 1 } texture { }"}) {

@@ -136,6 +136,20 @@ TEST_CASE("a point knows the clear solids that it is in", "[world]") {
     CHECK(parallel.geometry.clear_solids.finite.size() > 20);
 }
 
+TEST_CASE("a ray enters and leaves solids where it passes their surfaces", "[world]") {
+    const World world = world_of(
+        "sphere { 0, 2 } sphere { x, 2 } union { sphere { 0, 5 } sphere { 9*x, 2 } interior { } }");
+    EnteredSolids inside;
+    CHECK(world.pass(0, inside) == Passing::enters);
+    CHECK(world.pass(1, inside) == Passing::enters);
+    CHECK(world.pass(0, inside) == Passing::leaves_outer);
+    CHECK(world.pass(1, inside) == Passing::leaves_innermost);
+    CHECK(inside.empty());
+    // Parts of a union that share an interior are one solid.
+    CHECK(world.pass(2, inside) == Passing::enters);
+    CHECK(world.pass(3, inside) == Passing::leaves_innermost);
+}
+
 TEST_CASE("the background's transparency counts from version 3.7 on", "[world]") {
     const std::string text = "background { rgbft <1, 0.5, 0.2, 0.25, 0.5> }";
     const World now = world_of("#version 3.7; " + text), old = world_of("#version 3.6; " + text);
