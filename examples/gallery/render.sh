@@ -16,8 +16,7 @@ if [ "${1:-}" = film ]; then
     frames=$(mktemp -d)
     trap 'rm -rf "$frames"' EXIT
     "$candelabra" "$here/christmas_tree.pov" +W640 +H360 --samples 4 --denoise \
-        +KFF150 +KC +O"$frames/tree.png" --progress none
-    ffmpeg -v error -y -framerate 25 -i "$frames/tree%03d.denoised.png" -pix_fmt yuv420p "${2:-tree.mp4}"
+        +KFF150 +KC +O"$frames/tree.png" --movie "${2:-tree.mp4}" --progress none
     exit
 fi
 

@@ -2,8 +2,10 @@
 #include "app/animation_run.h"
 
 #include "app/checkpoint.h"
+#include "app/develop_command.h"
 #include "app/frame_commands.h"
 #include "app/frame_run.h"
+#include "app/layers.h"
 #include "app/memory_limit.h"
 #include "app/movie.h"
 #include "app/output.h"
@@ -85,7 +87,15 @@ private:
         if (!options_.to_file || options_.task != Task::render) return false;
         const bool begun = fs::exists(path + std::string(state_ending), none);
         const bool skips = options_.animation.skip_existing || (options_.go_on && !begun);
-        return skips && fs::exists(path, none);
+        return skips && fs::exists(path, none) && fs::exists(quietest(path), none);
+    }
+
+    /// The picture with less noise that lies beside a frame, if it was asked for, or the frame.
+    std::string quietest(const std::string& frame) const {
+        FilmFiles files{frame, output_.format};
+        files.denoise = options_.denoise;
+        const std::string quiet = denoised_path(files);
+        return quiet.empty() ? frame : quiet;
     }
 
     Options frame_options(std::size_t i) const {
@@ -193,8 +203,21 @@ private:
 
     int join() {
         Diagnostics problems = diagnostics_.fresh();
-        if (make_movie(files_, options_.frame_rate, options_.movie, problems))
-            return exit_status::done;
+        // Of light in OpenEXR files there are pictures for a while.
+        const bool light = output_.format.type == PictureType::exr;
+        std::vector<std::string> shown;
+        for (const std::string& each : files_) {
+            shown.push_back(light ? message(options_.movie, '.', shown.size(), ".png")
+                                  : quietest(each));
+            if (light)
+                develop_file(each, options_.denoise ? denoised_layer : "", shown.back(), problems);
+        }
+        const bool made =
+            !problems.failed() && make_movie(shown, options_.frame_rate, options_.movie, problems);
+        std::error_code none;
+        if (light)
+            for (const std::string& each : shown) fs::remove(each, none);
+        if (made) return exit_status::done;
         say_errors(console_, options_, problems);
         return exit_status::file;
     }

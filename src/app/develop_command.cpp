@@ -251,6 +251,14 @@ private:
 
 }  // namespace
 
+bool develop_file(const std::string& exr, std::string_view layer, const std::string& picture,
+                  Diagnostics& diagnostics) {
+    DevelopRequest request;
+    request.options.output = picture;
+    request.layer = layer;
+    return Developer(request, diagnostics).file(exr);
+}
+
 int run_develop(std::span<const std::string_view> arguments, const Console& console) {
     Diagnostics diagnostics;
     const DevelopRequest request = read_develop_request(arguments, diagnostics);

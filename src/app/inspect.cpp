@@ -24,9 +24,11 @@ Image blank(const Exhibit& shown, int step) {
 }
 
 /// What the middle of each pixel shows.
-std::vector<PrimaryHit> sights(const Exhibit& shown, int width, int height) {
+std::vector<PrimaryHit> sights(const Exhibit& shown, int width, int height,
+                               const std::function<bool()>& cancelled) {
     std::vector<PrimaryHit> all(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     run_parallel(static_cast<std::size_t>(height), shown.settings.threads, [&](std::size_t row) {
+        if (cancelled && cancelled()) return;
         const int y = static_cast<int>(row);
         for (int x = 0; x < width; ++x)
             all[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
@@ -45,18 +47,24 @@ Vec3 colour_of(std::uint32_t number) {
     return {channel(0), channel(8), channel(16)};
 }
 
+/// How coarse a layer is to be made, and when no more of it is wanted.
+struct Detail {
+    int step;
+    const std::function<bool()>& cancelled;
+};
+
 template <class Colour>
-Image of_sights(const Exhibit& shown, int step, const Colour& colour) {
-    Image image = blank(shown, step);
-    const std::vector<PrimaryHit> seen = sights(shown, image.width, image.height);
+Image of_sights(const Exhibit& shown, const Detail& detail, const Colour& colour) {
+    Image image = blank(shown, detail.step);
+    const std::vector<PrimaryHit> seen = sights(shown, image.width, image.height, detail.cancelled);
     for (std::size_t i = 0; i < seen.size(); ++i)
         if (seen[i].met) image.pixels[i] = colour(seen[i]);
     return image;
 }
 
-Image depths(const Exhibit& shown, int step) {
-    Image image = blank(shown, step);
-    const std::vector<PrimaryHit> seen = sights(shown, image.width, image.height);
+Image depths(const Exhibit& shown, const Detail& detail) {
+    Image image = blank(shown, detail.step);
+    const std::vector<PrimaryHit> seen = sights(shown, image.width, image.height, detail.cancelled);
     double nearest = std::numeric_limits<double>::infinity();
     for (const PrimaryHit& each : seen)
         if (each.met) nearest = std::min(nearest, each.distance);
@@ -66,7 +74,8 @@ Image depths(const Exhibit& shown, int step) {
 }
 
 template <class Value>
-Image of_film(const Exhibit& shown, int step, const Value& value) {
+Image of_film(const Exhibit& shown, const Detail& detail, const Value& value) {
+    const int step = detail.step;
     Image image = blank(shown, step);
     double most = 0;
     for (const PixelSum& pixel : shown.film.pixels()) most = std::max(most, value(pixel));
@@ -79,36 +88,36 @@ Image of_film(const Exhibit& shown, int step, const Value& value) {
 struct NamedView {
     std::string_view name;
     bool still;
-    Image (*made)(const Exhibit&, int step);
+    Image (*made)(const Exhibit&, const Detail&);
 };
 constexpr auto all_views = std::to_array<NamedView>({
     {"albedo", true,
-     [](const Exhibit& shown, int step) {
-         return of_sights(shown, step, [](const PrimaryHit& seen) { return seen.albedo; });
+     [](const Exhibit& shown, const Detail& detail) {
+         return of_sights(shown, detail, [](const PrimaryHit& seen) { return seen.albedo; });
      }},
     {"normal", true,
-     [](const Exhibit& shown, int step) {
-         return of_sights(shown, step,
+     [](const Exhibit& shown, const Detail& detail) {
+         return of_sights(shown, detail,
                           [](const PrimaryHit& seen) { return 0.5 * (seen.normal + 1.0); });
      }},
     {"depth", true, depths},
     {"object", true,
-     [](const Exhibit& shown, int step) {
-         return of_sights(shown, step,
+     [](const Exhibit& shown, const Detail& detail) {
+         return of_sights(shown, detail,
                           [](const PrimaryHit& seen) { return colour_of(seen.object); });
      }},
     {"variance", false,
-     [](const Exhibit& shown, int step) {
-         return of_film(shown, step,
+     [](const Exhibit& shown, const Detail& detail) {
+         return of_film(shown, detail,
                         [](const PixelSum& pixel) { return pixel.variance_of_mean(); });
      }},
     {"samples", false,
-     [](const Exhibit& shown, int step) {
-         return of_film(shown, step, [](const PixelSum& pixel) { return double(pixel.samples); });
+     [](const Exhibit& shown, const Detail& detail) {
+         return of_film(shown, detail, [](const PixelSum& pixel) { return double(pixel.samples); });
      }},
     {"shadow_rays", false,
-     [](const Exhibit& shown, int step) {
-         return of_film(shown, step,
+     [](const Exhibit& shown, const Detail& detail) {
+         return of_film(shown, detail,
                         [](const PixelSum& pixel) { return double(pixel.shadow_rays); });
      }},
 });
@@ -163,10 +172,11 @@ bool is_still(std::string_view name) {
     return found != all_views.end() && found->still;
 }
 
-std::optional<Image> view(const Exhibit& shown, std::string_view name, int step) {
+std::optional<Image> view(const Exhibit& shown, std::string_view name, int step,
+                          const std::function<bool()>& cancelled) {
     const auto found = std::ranges::find(all_views, name, &NamedView::name);
     if (found == all_views.end()) return std::nullopt;
-    return found->made(shown, step);
+    return found->made(shown, {step, cancelled});
 }
 
 std::string what_is_under(const Exhibit& shown, int x, int y) {

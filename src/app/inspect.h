@@ -20,8 +20,10 @@ bool is_still(std::string_view name);
 
 /// One of these, in colours for a screen: directions from -1 to 1 as 0 to 1, near things bright,
 /// each object in a colour of its own, and numbers as shares of their greatest. Nothing for
-/// another name. `step`: of so many rows and columns one is taken.
-std::optional<Image> view(const Exhibit&, std::string_view name, int step = 1);
+/// another name. `step`: of so many rows and columns one is taken. `cancelled`: asked by several
+/// threads, may be empty; once it is true, rows may be missing.
+std::optional<Image> view(const Exhibit&, std::string_view name, int step = 1,
+                          const std::function<bool()>& cancelled = {});
 
 /// Colour, place, object and texture under a pixel, and the statements that light it with their
 /// shares, each on a line; empty outside of the picture.

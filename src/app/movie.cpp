@@ -36,7 +36,7 @@ bool run_ffmpeg(const std::vector<std::string>& frames, double frame_rate, const
     std::error_code gone;
     for (const std::string& path : {film, list}) fs::remove(path, gone);
     if (!write_file(list, movie_list(frames, frame_rate), diagnostics)) return false;
-    std::vector<std::string> words = movie_arguments(list, frames.front(), film);
+    std::vector<std::string> words = movie_arguments(list, film);
     words[0] = program;
     const int status = run_program(words);
     std::error_code none;
@@ -63,12 +63,9 @@ std::string movie_list(const std::vector<std::string>& frames, double frame_rate
     return text;
 }
 
-std::vector<std::string> movie_arguments(const std::string& list, const std::string& frame,
-                                         const std::string& film) {
-    std::vector<std::string> words = {"ffmpeg", "-nostdin", "-y", "-loglevel", "error"};
-    // Values of EXR are light, those of films are for screens.
-    if (frame.ends_with(".exr")) words.insert(words.end(), {"-apply_trc", "iec61966_2_1"});
-    words.insert(words.end(), {"-f", "concat", "-safe", "0", "-i", list});
+std::vector<std::string> movie_arguments(const std::string& list, const std::string& film) {
+    std::vector<std::string> words = {"ffmpeg", "-nostdin", "-y", "-loglevel", "error", "-f",
+                                      "concat", "-safe",    "0",  "-i",        list};
     // A gif has 256 colours: those of the film. Most players of others want even sizes and this
     // form of colour.
     if (film.ends_with(".gif"))

@@ -13,15 +13,15 @@ namespace candelabra {
 /// after a report. To be asked before long work.
 bool can_make_movie(double frame_rate, const std::string& film, Diagnostics&);
 
-/// What ffmpeg is told to make the film of frames that the list names, all of the kind of `frame`.
-std::vector<std::string> movie_arguments(const std::string& list, const std::string& frame,
-                                         const std::string& film);
+/// What ffmpeg is told to make the film of frames that the list names.
+std::vector<std::string> movie_arguments(const std::string& list, const std::string& film);
 
 /// The list of frames, as ffmpeg's "concat" reads it.
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate);
 
 /// Makes the film; who looks sees the whole of it or the one before. False, after a report, when
-/// ffmpeg is not there or fails; the frames stay. At least one frame.
+/// ffmpeg is not there or fails; the frames stay. At least one frame; none is an OpenEXR file, whose
+/// texts ffmpeg 5 does not read when they are long.
 bool make_movie(const std::vector<std::string>& frames, double frame_rate, const std::string& film,
                 Diagnostics&);
 

@@ -73,7 +73,7 @@ private:
         console.interrupts.take = [this] { return left() ? Interrupt::stop : Interrupt::none; };
         console.stage = [&](const Staged& staged) {
             desk_.stand([](Standing& standing) { standing.errors.clear(); });
-            render_on_stage(staged, desk_, [this] { return left(); });
+            render_on_stage(staged, desk_, {[this] { return left(); }, [this] { return ends(); }});
         };
         console.files_read = [this](const std::vector<ReadFile>& files) { remember(files); };
         remember({{*options_.scene, {}}});
@@ -126,17 +126,27 @@ private:
     /// Whether the scene is not the one that was read any more, or all ends. May be asked by any
     /// thread, as often as it likes.
     bool left() {
-        if (ending_ || desk_.turned()) return true;
+        if (desk_.turned()) return true;
+        look();
+        return ending_ || file_changed_;
+    }
+
+    bool ends() {
+        look();
+        return ending_;
+    }
+
+    /// At files and signals, now and then.
+    void look() {
         const double now = seconds_now();
-        if (now < look_at_) return file_changed_;
+        if (now < look_at_) return;
         const std::lock_guard lock(look_);
-        if (now < look_at_) return file_changed_;
+        if (now < look_at_) return;
         look_at_ = now + between_looks;
         if (console_.interrupts.take && console_.interrupts.take() == Interrupt::stop)
             ending_ = true;
         for (const auto& [path, time] : times_)
             if (time_of(path) != time) file_changed_ = true;
-        return ending_ || file_changed_;
     }
 
     void remember(const std::vector<ReadFile>& files) {

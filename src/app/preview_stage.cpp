@@ -12,6 +12,7 @@
 #include "render/render.h"
 #include "text/message.h"
 #include "transport/primary_hit.h"
+#include "world/quick_lights.h"
 
 #include <algorithm>
 #include <chrono>
@@ -25,7 +26,7 @@ namespace {
 /// A coarse picture that came later than this would be missed, in seconds.
 constexpr double soon = 0.1;
 /// A coarse picture has at least so many pixels in each direction.
-constexpr int least_edge = 8;
+constexpr int min_edge = 8;
 /// Sums of lights may take so many bytes.
 constexpr double light_bytes = 512e6;
 
@@ -64,10 +65,10 @@ Vec3 mean_of(const Image& image) {
 
 class StageRun {
 public:
-    StageRun(const Staged& staged, PreviewDesk& desk, const std::function<bool()>& left)
+    StageRun(const Staged& staged, PreviewDesk& desk, const Leaving& leaving)
         : staged_(staged),
           desk_(desk),
-          left_(left),
+          leaving_(leaving),
           settings_(timed(staged.options)),
           sent_(SentLight::of(staged.world, settings_.seed, settings_.threads)),
           base_{staged.world.view.camera, distance_ahead(staged.world, settings_)} {
@@ -79,9 +80,11 @@ public:
                  statement_text(staged.world.provenance.light_statements[k], staged.sources)});
     }
 
+    /// A hand that never rests sees one picture of each scene.
     void run() {
         tell_scene();
-        while (!left_()) render();
+        do render();
+        while (!leaving_.soon());
         desk_.questions().close();
     }
 
@@ -127,7 +130,7 @@ private:
 
     /// Whether the picture that is being made is not wanted any more.
     bool outdated() const {
-        if (left_()) return true;
+        if (leaving_.soon()) return true;
         if (desk_.wish_version() == wish_version_) return false;
         return is_other(desk_.wishes());
     }
@@ -140,18 +143,19 @@ private:
     /// The first coarse picture is shown whatever happens, so that a hand that never rests sees
     /// what it does. False: something else is wanted.
     bool make_rough() {
+        const QuickLights quick(staged_.world);
         bool shown = false;
         for (const int step : coarse_steps) {
             RenderSettings settings = settings_;
             settings.width = (settings_.width + step - 1) / step;
             settings.height = (settings_.height + step - 1) / step;
-            if (std::min(settings.width, settings.height) < least_edge) continue;
+            if (std::min(settings.width, settings.height) < min_edge) continue;
             settings.samples = 1;
             settings.noise = 0;
             settings.antialias = false;
             RenderHooks hooks;
             hooks.aovs = aovs_;
-            hooks.cancelled = [&] { return shown && outdated(); };
+            hooks.cancelled = [&] { return shown ? outdated() : leaving_.at_once(); };
             const double before = seconds_now();
             RenderState state = begin_picture(settings, aovs_.count(staged_.world));
             LightLedger rays;
@@ -186,14 +190,11 @@ private:
     }
 
     void make_fine() {
-        if (!plan_) plan_.emplace(plan_of(staged_.world, settings_, sent_));
         RenderState state = begin_picture(settings_, aovs_.count(staged_.world));
-        state.share.region = region_of(staged_.options);
+        state.shard.region = region_of(staged_.options);
         rays_ = {};
         done_ = 0;
-        begun_ = seconds_now();
-        constexpr double first_look = 0.3;
-        show_at_ = begun_ + first_look;
+        begin_clock();
         bool finished = finished_ = false;
         while (!outdated()) {
             if (!finished && !wishes_.paused) finished = stretch(state);
@@ -206,8 +207,26 @@ private:
         }
     }
 
+    void begin_clock() {
+        begun_ = seconds_now();
+        constexpr double first_look = 0.3;
+        show_at_ = begun_ + first_look;
+    }
+
+    /// Whether somebody wants something.
+    bool called() const {
+        return leaving_.soon() || desk_.wish_version() != wish_version_ ||
+               desk_.questions().waiting();
+    }
+
     /// Renders until somebody wants something; true at the end.
     bool stretch(RenderState& state) {
+        if (!plan_) {
+            const auto plan = plan_of(staged_.world, settings_, sent_, [this] { return called(); });
+            if (!plan) return false;
+            plan_.emplace(*plan);
+            begin_clock();
+        }
         RenderHooks hooks;
         hooks.counts_lights = true;
         hooks.aovs = aovs_;
@@ -216,8 +235,7 @@ private:
                 Vec2(wishes_.focus->x * settings_.width, wishes_.focus->y * settings_.height);
         hooks.progress = [this](double done) { done_ = std::max<double>(done_, done); };
         hooks.cancelled = [this] {
-            return left_() || desk_.wish_version() != wish_version_ ||
-                   desk_.questions().waiting() || seconds_now() >= std::min(show_at_, deadline());
+            return called() || seconds_now() >= std::min(show_at_, deadline());
         };
         return advance(*plan_, state, rays_, hooks) || seconds_now() >= deadline();
     }
@@ -265,7 +283,12 @@ private:
                 constexpr int quick = 4;
                 plate.view = view(exhibit, view_name, quick);
                 show(plate);
-                plate.view = still_[view_name] = *view(exhibit, view_name);
+                plate.view = view(exhibit, view_name, 1, [this] { return called(); });
+                if (called()) {
+                    show_at_ = before;  // the whole of it is still to come
+                    return;
+                }
+                still_[view_name] = *plate.view;
             } else {
                 plate.view = view(exhibit, view_name);
             }
@@ -354,7 +377,7 @@ private:
 
     const Staged& staged_;
     PreviewDesk& desk_;
-    const std::function<bool()>& left_;
+    const Leaving& leaving_;
     const RenderSettings settings_;
     const SentLight sent_;  ///< from lamps, once for all cameras
     const Sight base_;
@@ -380,8 +403,8 @@ private:
 
 }  // namespace
 
-void render_on_stage(const Staged& staged, PreviewDesk& desk, const std::function<bool()>& left) {
-    StageRun(staged, desk, left).run();
+void render_on_stage(const Staged& staged, PreviewDesk& desk, const Leaving& leaving) {
+    StageRun(staged, desk, leaving).run();
 }
 
 }  // namespace candelabra

@@ -9,8 +9,12 @@
 
 namespace candelabra {
 
-/// Until `left` says that the scene has changed or the run ends; it is asked often, by any thread.
-void render_on_stage(const Staged&, PreviewDesk&, const std::function<bool()>& left);
+/// Both are asked often, by any thread.
+struct Leaving {
+    std::function<bool()> soon;     ///< the scene is another: one coarse picture is still made
+    std::function<bool()> at_once;  ///< the run ends; so it is soon, too
+};
+void render_on_stage(const Staged&, PreviewDesk&, const Leaving&);
 
 /// Pixels of the whole picture to one of the coarse ones, in each direction. The first is shown
 /// only where the second would come late.

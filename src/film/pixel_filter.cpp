@@ -81,18 +81,27 @@ double PixelFilter::Lobes::at(double share) const {
 }
 
 PixelFilter::PixelFilter(FilterShape shape)
-    : shape_(shape), above_(lobes(shape, false)), below_(lobes(shape, true)) {}
+    : shape_(shape),
+      above_(lobes(shape, false)),
+      below_(lobes(shape, true)),
+      both_above_(above_.all * above_.all),
+      both_below_(below_.all * below_.all),
+      mixed_(2 * above_.all * below_.all) {}
 
-FilteredPlace PixelFilter::place(double u, double v, std::uint32_t sample) const {
-    if (is_box()) return {{u, v}, false};
-    // Of the plane's filter, which is the product of two: where both have one sign it is above 0.
-    const double both_above = above_.all * above_.all, both_below = below_.all * below_.all,
-                 mixed = 2 * above_.all * below_.all;
-    const double negative_share = mixed / (both_above + both_below + mixed);
-    const double number = sample;
-    const bool negative =
-        std::floor((number + 1) * negative_share + 0.5) > std::floor(number * negative_share + 0.5);
-    const double first = negative ? 0.5 : both_above / (both_above + both_below);
+std::uint32_t PixelFilter::negatives_among(std::uint32_t samples) const {
+    const double share = mixed_ / (both_above_ + both_below_ + mixed_);
+    return static_cast<std::uint32_t>(samples * share + 0.5);
+}
+
+FilteredPlace PixelFilter::place(const Key& key) const {
+    if (is_box()) return {{uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)}, false};
+    const std::uint32_t before = negatives_among(key.sample);
+    const bool negative = negatives_among(key.sample + 1) > before;
+    // A part of an even sequence need not be even, so each sign has a sequence of its own.
+    Key own = key.with_branch(negative ? 1 : 0);
+    own.sample = negative ? before : key.sample - before;
+    const double u = uniform(own, Purpose::pixel_x), v = uniform(own, Purpose::pixel_y);
+    const double first = negative ? 0.5 : both_above_ / (both_above_ + both_below_);
     const bool is_first = u < first;
     const double rest = is_first ? u / first : (u - first) / (1 - first);
     const Lobes& across = is_first ? above_ : below_;

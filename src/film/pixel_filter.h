@@ -4,6 +4,7 @@
 // shared and joined as with the box.
 #pragma once
 
+#include "base/random.h"
 #include "base/vector.h"
 #include "camera/film_settings.h"
 
@@ -27,9 +28,9 @@ public:
 
     bool is_box() const { return shape_ == FilterShape::box; }
 
-    /// u, v: uniform in [0, 1). Which samples are negative depends on their number only, so that
-    /// all pixels have the same share of them.
-    FilteredPlace place(double u, double v, std::uint32_t sample) const;
+    /// Of the sample of a key. Which samples are negative depends on their number only, so that all
+    /// pixels have the same share of them. Those of each sign are spread evenly among themselves.
+    FilteredPlace place(const Key&) const;
 
     /// The filter's height, in one direction, at a distance in pixels; its integral is 1.
     static double height(FilterShape, double distance);
@@ -45,9 +46,13 @@ private:
         double at(double share) const;
     };
     static Lobes lobes(FilterShape, bool negative);
+    /// So many of the first samples are negative.
+    std::uint32_t negatives_among(std::uint32_t samples) const;
 
     FilterShape shape_;
     Lobes above_, below_;
+    // Of the plane's filter, which is the product of two: where both have one sign it is above 0.
+    double both_above_, both_below_, mixed_;
 };
 
 }  // namespace candelabra

@@ -46,7 +46,7 @@ constexpr double min_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
 /// Surfaces may ask for light as they scatter it where no luminaire is brighter than so many times
 /// the mean of what is seen: then no ray can bring much more than others.
 constexpr double max_glare = 16;
-/// Share of the shadow rays that surfaces which are all gloss scatter.
+/// Share of the shadow rays that surfaces without a diffuse part draw as they scatter.
 constexpr double max_by_surface = 0.5;
 
 bool near(const Box& box, const Vec3& position) {
@@ -62,11 +62,11 @@ double estimate(const LightTree& tree, const LightCluster& c, const Receiver& po
                    : square;
 }
 
-/// Entries on top for those that face away from a cell: as many again where all luminaires lean.
+/// Entries on top for those that face away from a cell: as many again where all luminaires shine one way only.
 int entries_for(int cut, std::span<const Luminaire> luminaires) {
-    double leaning = 0;
-    for (const Luminaire& luminaire : luminaires) leaning += 2 * length(luminaire.lean);
-    const double share = luminaires.empty() ? 0 : leaning / static_cast<double>(luminaires.size());
+    double one_way = 0;  // luminaires that shine one way only
+    for (const Luminaire& luminaire : luminaires) one_way += 2 * length(luminaire.bent_normal);
+    const double share = luminaires.empty() ? 0 : one_way / static_cast<double>(luminaires.size());
     return static_cast<int>(std::lround(cut * (1 + share)));
 }
 
@@ -243,7 +243,7 @@ std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const 
         const LightProxy g = state_->tree.light_proxy(cluster);
         const Vec3 v = g.centre - middle;
         given[i] = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
-        if (g.lean != Vec3(0)) given[i] *= turned(g, v, radius + g.radius);
+        if (g.bent_normal != Vec3(0)) given[i] *= turned(g, v, radius + g.radius);
         if (const Falloff* falloff = state_->tree.falloff(cluster))
             given[i] *= against_square_law(*falloff, v, radius + g.radius);
         learned += given[i] * shares[i];
@@ -440,7 +440,8 @@ BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
     else
         octree.weigh_choice(receiver_, query.lobes, weights_);
     if (!bsdf_) return;
-    by_surface_ = weights_.as_scattered ? 1 : max_by_surface * std::sqrt(bsdf_->gloss);
+    by_surface_ =
+        weights_.as_scattered ? 1 : max_by_surface * std::sqrt(bsdf_->specular_probability);
     by_outlook_ = (1 - by_surface_) * weights_.by_direction;
     by_choice_ = 1 - (by_surface_ + by_outlook_);
 }

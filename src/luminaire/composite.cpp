@@ -8,6 +8,7 @@
 
 #include <map>
 #include <numbers>
+#include <utility>
 
 namespace candelabra {
 
@@ -57,6 +58,8 @@ constexpr double astray = 0.125, guided = 1 - astray;
 /// Of luminaires whose glow varies: triangles have no edge longer than this share of the size, and
 /// have so much of the luminance from those around them.
 constexpr double longest_edge = 1.0 / 12, neighbour_share = 0.25;
+/// Of these, too: a mesh with more triangles gives way to one of larger cells.
+constexpr std::size_t many_faces = 1 << 15;
 
 /// Of a direction that meets the leaf, which is within the ball.
 double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
@@ -102,21 +105,23 @@ Mesh grown(Mesh mesh, double by) {
 
 /// Adds the guide of triangles that nearly all rays meet which meet the leaf, the first of those
 /// with so many cells that does. What they do not cover makes noise, what they cover beyond it
-/// costs rays.
+/// costs rays. `make`: none when the next one is to be tried.
 void guide(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
-           std::initializer_list<int> cell_numbers, FunctionRef<Guide(const Mesh&)> make) {
+           std::initializer_list<int> cell_numbers,
+           FunctionRef<std::optional<Guide>(const Mesh&)> make) {
     double most = 0.9;
     for (const int cells : cell_numbers) {
         const Mesh mesh = seen_tessellation(*e.composite, e.leaf, cells);
         if (mesh.faces.empty()) continue;
-        Guide made = make(grown(mesh, ball.radius / (6 * cells)));
+        std::optional<Guide> made = make(grown(mesh, ball.radius / (6 * cells)));
+        if (!made) continue;
         const auto covered =
-            std::ranges::count_if(survey.met, [&](const Ray& ray) { return made.met_by(ray); });
+            std::ranges::count_if(survey.met, [&](const Ray& ray) { return made->met_by(ray); });
         const double reached =
             static_cast<double>(covered) / static_cast<double>(survey.met.size());
         if (reached > most) {
             most = reached;
-            e.guide = make_handle<Guide>(std::move(made));
+            e.guide = make_handle<Guide>(std::move(*made));
         }
         if (most >= 0.97) break;
     }
@@ -217,18 +222,21 @@ CompositeEmitter bright_composite_emitter(Handle<Composite> composite, std::uint
                                           FunctionRef<double(const Vec3&)> luminance) {
     Measured made(std::move(composite), leaf);
     if (made.survey.met.empty()) return made.emitter;
-    guide(made.emitter, made.ball, made.survey, {64, 32}, [&](const Mesh& coarse) {
-        const Mesh mesh = divided(coarse, longest_edge * made.ball.radius);
-        const Brightnesses found(mesh, luminance);
-        const double area = MeshArea(mesh).total(), sum = MeshArea(mesh, found.mean).total();
-        if (!(sum > 0)) return Guide(mesh);
-        made.emitter.mean = sum / area;
-        made.emitter.unevenness = MeshArea(mesh, found.square).total() * area / (sum * sum);
-        // What the least noise asks for where the luminance changes within a face.
-        std::vector<double> worth;
-        for (const double square : found.square) worth.push_back(std::sqrt(square));
-        return Guide(mesh, std::move(worth));
-    });
+    bool is_first = true;
+    guide(made.emitter, made.ball, made.survey, {64, 32},
+          [&](const Mesh& coarse) -> std::optional<Guide> {
+              if (std::exchange(is_first, false) && coarse.faces.size() > many_faces) return {};
+              const Mesh mesh = divided(coarse, longest_edge * made.ball.radius);
+              const Brightnesses found(mesh, luminance);
+              const double area = MeshArea(mesh).total(), sum = MeshArea(mesh, found.mean).total();
+              if (!(sum > 0)) return Guide(mesh);
+              made.emitter.mean = sum / area;
+              made.emitter.unevenness = MeshArea(mesh, found.square).total() * area / (sum * sum);
+              // What the least noise asks for where the luminance changes within a face.
+              std::vector<double> worth;
+              for (const double square : found.square) worth.push_back(std::sqrt(square));
+              return Guide(mesh, std::move(worth));
+          });
     return made.emitter;
 }
 

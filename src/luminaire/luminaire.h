@@ -114,7 +114,7 @@ struct Luminaire {
     /// Where its light gets out of what it is set into (a window's not into its own house):
     /// towards this, with all its strength, and the other way by twice its length less. Length 0:
     /// all around. At most half.
-    Vec3 lean = Vec3(0);
+    Vec3 bent_normal = Vec3(0);
 
     /// Whether its points lie between surfaces, and not on one.
     bool is_volume() const { return std::holds_alternative<VolumeEmitter>(emitter); }
@@ -133,7 +133,7 @@ struct LightBounds {
     double luminance = 0;  ///< of its brightest point
     double evenness = 0;   ///< what a flat one with some thickness shows in all directions, as a
                            ///< share of its intensity
-    Vec3 lean = Vec3(0);   ///< see Luminaire
+    Vec3 bent_normal = Vec3(0);  ///< see Luminaire
 };
 
 /// Luminance that steers the choice of luminaires: grey(), but never 0 where any channel is above

@@ -62,13 +62,14 @@ void try_pixel(Integrator& integrator, const World& world, const RenderSettings&
 
 }  // namespace
 
-PilotNoise pilot_noise(const World& world, const RenderSettings& settings, const SentLight& sent) {
+PilotNoise pilot_noise(const World& world, const RenderSettings& settings, const SentLight& sent,
+                       const std::function<bool()>& cancelled) {
     const int columns = std::clamp(settings.width / pixels_for_each, 1, max_across),
               rows = std::clamp(settings.height / pixels_for_each, 1, max_across);
     std::vector<PilotNoise> noise(static_cast<std::size_t>(rows));
     run_parallel(noise.size(), settings.threads, [&](std::size_t row) {
         Integrator integrator(world, {.sent = sent});
-        for (int column = 0; column < columns; ++column)
+        for (int column = 0; column < columns && !(cancelled && cancelled()); ++column)
             try_pixel(integrator, world, settings, {column, static_cast<int>(row), columns, rows},
                       noise[row]);
         noise[row].of_hits = integrator.noise();
@@ -97,10 +98,11 @@ bool is_quiet(const PilotNoise& noise) {
     return noise.places > 0 && noise.shown < noise.places * squared(quiet_deviation);
 }
 
-Pilot pilot(const World& world, const RenderSettings& settings, const SentLight& sent) {
+Pilot pilot(const World& world, const RenderSettings& settings, const SentLight& sent,
+            const std::function<bool()>& cancelled) {
     if (settings.shadow_rays > 0) return {settings.shadow_rays};
     if (!world.light_is_drawn() || world.view.camera.mesh) return {1};
-    const PilotNoise noise = pilot_noise(world, settings, sent);
+    const PilotNoise noise = pilot_noise(world, settings, sent, cancelled);
     const HitNoise& hits = noise.of_hits;
     return {{best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0}, is_quiet(noise)};
 }

@@ -6,6 +6,8 @@
 #include "scene/settings.h"
 #include "transport/integrator.h"
 
+#include <functional>
+
 namespace candelabra {
 
 /// Variances of one sample of a pixel, over all pixels that were tried.
@@ -16,8 +18,10 @@ struct PilotNoise {
     int places = 0;        ///< on the picture, which these are sums over
     HitNoise of_hits;      ///< as their cells expect it
 };
-/// `sent`: light of the world; none: the pilot makes it, where there is some.
-PilotNoise pilot_noise(const World&, const RenderSettings&, const SentLight& sent = {});
+/// `sent`: light of the world; none: the pilot makes it, where there is some. `cancelled`: asked by
+/// several threads, may be empty; once it is true, the answer means nothing.
+PilotNoise pilot_noise(const World&, const RenderSettings&, const SentLight& sent = {},
+                       const std::function<bool()>& cancelled = {});
 
 /// Whether the light is nearly as quiet as if nothing were left to chance, so that pixels need no
 /// more samples than their contrast asks for.
@@ -34,6 +38,7 @@ struct Pilot {
     ShadowRays shadow_rays;
     bool quiet = false;  ///< see is_quiet(); false where no pixels were tried
 };
-Pilot pilot(const World&, const RenderSettings&, const SentLight& sent = {});
+Pilot pilot(const World&, const RenderSettings&, const SentLight& sent = {},
+            const std::function<bool()>& cancelled = {});
 
 }  // namespace candelabra

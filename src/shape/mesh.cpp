@@ -145,6 +145,7 @@ std::array<Vec2, 3> face_uvs(const Mesh& mesh, std::size_t i) {
 
 BuiltMesh build(const Mesh& mesh, const RayIndex& index) {
     std::vector<Box> boxes;
+    boxes.reserve(mesh.faces.size());
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         Box box;
         for (std::size_t k = 0; k < 3; ++k) box = join(box, corner(mesh, i, k));

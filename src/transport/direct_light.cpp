@@ -89,7 +89,7 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
     const BsdfLobes lobes = scatterer.lobes();
     const auto draw = [&](Vec2 u) { return scatterer.sample(u); };
     const auto pdf = [&](const Vec3& direction) { return scatterer.pdf(direction); };
-    const BsdfSampler sampler{scatterer.gloss(), draw, pdf};
+    const BsdfSampler sampler{scatterer.specular_probability(), draw, pdf};
     const auto look = [&](const Ray& ray, double tolerance) {
         return first_sight(world_, ray, tolerance);
     };

@@ -6,8 +6,8 @@
 #include "index/tree_builder.h"
 #include "luminaire/brightness.h"
 #include "shape/leaf_pack.h"
-#include "shape/moved.h"
 #include "shape/segment_bound.h"
+#include "shape/transformed.h"
 #include "surface/quality.h"
 #include "world/bent_normals.h"
 #include "world/flatten.h"
@@ -66,7 +66,7 @@ std::vector<Plane> world_planes(const Geometry& geometry) {
         const PlacedShape* placed = geometry.shape(item);
         const Plane* plane = placed ? std::get_if<Plane>(&placed->shape) : nullptr;
         if (!plane) continue;
-        planes.push_back(placed->transform ? moved(*plane, *placed->transform)
+        planes.push_back(placed->transform ? transformed(*plane, *placed->transform)
                                            : Plane{unit(plane->normal), plane->distance});
     }
     return planes;

@@ -194,7 +194,7 @@ private:
         if (!opens_group(world_.lights.groups, group, here)) return;
         const std::uint32_t number = here.light_group;
         for (const PlacedLight& light : group.lights)
-            add_light(here.transform ? moved(light, *here.transform) : light, number);
+            add_light(here.transform ? transformed(light, *here.transform) : light, number);
     }
 
     /// Whether any part does.

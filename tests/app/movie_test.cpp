@@ -18,7 +18,7 @@ TEST_CASE("frames are listed with their time, quotes in names and all", "[app]")
 
 TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {
     const auto has = [](const std::string& film, const std::string& word) {
-        for (const std::string& each : movie_arguments("list", "a.png", film))
+        for (const std::string& each : movie_arguments("list", film))
             if (each == word) return true;
         return false;
     };
@@ -26,6 +26,29 @@ TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {
     CHECK_FALSE(has("a.gif", "yuv420p"));
     // A name that begins with a hyphen is no option of ffmpeg.
     CHECK(has("-a.mp4", "./-a.mp4"));
+}
+
+TEST_CASE("a film has the frames with less noise, if they were asked for", "[app][denoise]") {
+    if (find_program("ffmpeg").empty()) return;
+    Shell shell;
+    const auto film_of = [&](const std::string& frames, std::vector<std::string> more) {
+        std::vector<std::string> words = {"+KFF2", "+W32",       "+H24", "--samples",
+                                          "4",     "--response", "agx"};
+        words.insert(words.end(), {"+O" + shell.path(frames), "--movie", shell.path("film.gif")});
+        words.insert(words.end(), more.begin(), more.end());
+        REQUIRE(shell.render(words) == 0);
+        return shell.content("film.gif");
+    };
+    const std::string exact = film_of("a.png", {}), quiet = film_of("a.png", {"--denoise"});
+    CHECK(exact != quiet);
+    // The exact frames alone are not all that the film needs.
+    std::filesystem::remove(shell.path("a2.denoised.png"));
+    CHECK(film_of("a.png", {"--denoise", "--skip-existing"}) == quiet);
+    // Light is developed first.
+    CHECK(film_of("b.exr", {}) == exact);
+    CHECK(film_of("b.exr", {"--denoise"}) == quiet);
+    for (const auto& each : std::filesystem::directory_iterator(shell.path("")))
+        CHECK(each.path().string().find("film.gif.") == std::string::npos);
 }
 
 TEST_CASE("films are made whole, and kinds that are none are refused before the work", "[app]") {

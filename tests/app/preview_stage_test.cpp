@@ -49,8 +49,8 @@ struct Rehearsal {
         ready = true;
         leaves = false;
         std::thread stage([this] {
-            render_on_stage({world, sources, options, {}, {}, lights}, desk,
-                            [this] { return leaves.load(); });
+            const auto left = [this] { return leaves.load(); };
+            render_on_stage({world, sources, options, {}, {}, lights}, desk, {left, left});
         });
         bool is_so = false;
         for (int i = 0; i < 4000 && !is_so; ++i) {
@@ -78,6 +78,21 @@ TEST_CASE("the first picture is a coarse one of all, and the last has each pixel
     CHECK(first.height == 48);
     // No part of it is black; the ball has no blue.
     for (std::size_t i = 0; i < first.bytes->size(); i += 4) CHECK((*first.bytes)[i] != 0);
+}
+
+TEST_CASE("a scene that is another at once has its coarse picture, one that ends has none",
+          "[app]") {
+    for (const bool ends : {false, true}) {
+        Rehearsal rehearsal;
+        rehearsal.ready = true;
+        render_on_stage(
+            {rehearsal.world, rehearsal.sources, rehearsal.options, {}, {}, rehearsal.lights},
+            rehearsal.desk, {[] { return true; }, [&] { return ends; }});
+        // Pictures are developed by a thread of the desk's own.
+        for (int i = 0; i < 400 && !ends && rehearsal.desk.picture().width == 0; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        CHECK((rehearsal.desk.picture().width == 0) == ends);
+    }
 }
 
 TEST_CASE("a camera that is moved begins another picture of the same world", "[app]") {

@@ -11,59 +11,83 @@
 
 namespace candelabra {
 
-TEST_CASE("the preview shows a picture, an error after a change, and the picture again") {
-    if (std::system("command -v python3 > /dev/null") != 0) return;
-    const Shell shell;
-    shell.write("lit.pov",
-                "#ifndef (Size) #declare Size = 1; #end  // 0.5 to 2 by 0.5: of the lamp\n" +
-                    std::string(lit_scene));
-    shell.write("client.py", R"(
+namespace {
+
+/// What all clients begin with: the preview of a scene, with options, and how to ask it.
+constexpr auto client_beginning = R"(
 import json, re, subprocess, sys, time, urllib.error, urllib.parse, urllib.request
 program, scene = sys.argv[1:]
-run = subprocess.Popen([program, scene, "+W64", "+H48", "--preview", "0", "+BS16"],
-                       stderr=subprocess.PIPE, text=True)
-said = ""
-while not said.splitlines()[-1:] or not said.splitlines()[-1].startswith("preview: "): said += run.stderr.readline()
-assert "`+BS16` is ignored" in said
-address = said.split()[-1]
+run = said = address = token = None
+def begin(*options):
+    global run, said, address, token
+    run = subprocess.Popen([program, scene, *options, "--preview", "0"], stderr=subprocess.PIPE, text=True)
+    said = ""
+    while not said.splitlines()[-1:] or not said.splitlines()[-1].startswith("preview: "): said += run.stderr.readline()
+    address = said.split()[-1]
+    token = re.search("content=.([0-9a-f]{32}).>", get("").decode()).group(1)
 def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
-def post(path, form, expected=200):
-    request = urllib.request.Request(address + path, form, {"X-Token": token})
-    try: code = urllib.request.urlopen(request, timeout=10).status
-    except urllib.error.HTTPError as refusal: code = refusal.code
-    assert code == expected, (path, form, code)
-def turn(token, method="POST", **more):
-    form = urllib.parse.urlencode({"name": "Size", "value": 7}).encode()
-    heads = {"X-Token": token, **{name.replace("_", "-"): value for name, value in more.items()}}
-    request = urllib.request.Request(address + "turn", form, heads, method=method)
-    if method == "GET": request = urllib.request.Request(address + "turn?name=Size&value=7", None, heads)
+def code(path, form=None, heads={}):
+    request = urllib.request.Request(address + path, form, heads)
     try: return urllib.request.urlopen(request, timeout=10).status
     except urllib.error.HTTPError as refusal: return refusal.code
+def post(path, form): return code(path, form, {"X-Token": token})
 def status(): return json.loads(get("status"))
 def until(what, test):
     for _ in range(300):
         if test(status()): return
         time.sleep(0.1)
     sys.exit("never: " + what + " " + str(status()))
-try:
+)";
+
+/// Ends the preview, whatever the client found.
+constexpr auto client_ending = R"(
+try: look()
+finally: run.terminate() if run else None
+assert run.wait(20) == 0
+)";
+
+/// Whether a client finds all as it should be. It begins the preview and looks at it in `look()`.
+bool client_succeeds(const Shell& shell, const std::string& client) {
+    shell.write("client.py", client_beginning + client + client_ending);
+    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
+                                " " CANDELABRA_BINARY " " + shell.path("scene.pov");
+    return std::system(command.c_str()) == 0;
+}
+
+bool has_python() { return std::system("command -v python3 > /dev/null") == 0; }
+
+}  // namespace
+
+TEST_CASE("the preview shows a picture, an error after a change, and the picture again") {
+    if (!has_python()) return;
+    const Shell shell;
+    shell.write("scene.pov",
+                "#ifndef (Size) #declare Size = 1; #end  // 0.5 to 2 by 0.5: of the lamp\n" +
+                    std::string(lit_scene));
+    CHECK(client_succeeds(shell, R"(
+def turn(own, method="POST", **more):
+    heads = {"X-Token": own, **{name.replace("_", "-"): value for name, value in more.items()}}
+    if method == "GET": return code("turn?name=Size&value=7", None, heads)
+    return code("turn", b"name=Size&value=7", heads)
+def look():
+    begin("+W64", "+H48", "+BS16")
+    assert "`+BS16` is ignored" in said
     until("a finished picture", lambda s: s["progress"] == 1 and not s["errors"])
     assert get("picture.png")[1:4] == b"PNG"
     assert b"<!DOCTYPE html>" in get("")
     assert get("picture")[:8] == bytes([64, 0, 0, 0, 48, 0, 0, 0]) and len(get("picture")) == 20 + 4 * 64 * 48
-    token = re.search("content=.([0-9a-f]{32}).>", get("").decode()).group(1)
     assert get("pick?x=3&y=40").startswith(b"<3, 40>: rgb <")
     under = get("pick?x=32&y=40").decode()
     assert "\nobject 2: " in under and "pigment { checker" in under and "100 %  " in under, under
     assert get("pick?x=64&y=0") == b""
-    assert b"lit.pov:" in get("report") and b"%" in get("report")
+    assert b"scene.pov:" in get("report") and b"%" in get("report")
     pictures = set()
     for name in status()["views"]:
-        post("look", b"view=" + name.encode())
+        assert post("look", b"view=" + name.encode()) == 200
         until("the view", lambda s: s["shown_view"] == name and s["columns"] == 64)
         pictures.add(get("picture.png"))
     assert len(pictures) == 8 and all(p[1:4] == b"PNG" for p in pictures)
-    post("look", b"view=none", 400)
-    post("look", b"view=picture")
+    assert post("look", b"view=none") == 400 and post("look", b"view=picture") == 200
     until("the picture", lambda s: s["shown_view"] == "picture")
     assert status()["knobs"] == [{"name": "Size", "value": 1, "low": 0.5, "high": 2, "step": 0.5, "help": "of the lamp"}]
     before = status()["generation"]
@@ -77,55 +101,29 @@ try:
     assert turn(token, Origin=address.rstrip("/"), Sec_Fetch_Site="same-origin") == 200
     until("a picture of a larger lamp", lambda s: s["generation"] > before and s["progress"] == 1)
     assert status()["knobs"][0]["value"] == 2
-    none = urllib.request.Request(address + "turn", b"name=None&value=1", {"X-Token": token})
-    try: urllib.request.urlopen(none); assert False
-    except urllib.error.HTTPError as refusal: assert refusal.code == 404
+    assert post("turn", b"name=None&value=1") == 404
     good = open(scene).read()
     open(scene, "w").write(good + "sphere { 0, 1 pigmnt }")
     until("an error", lambda s: "pigmnt" in s["errors"] and "^" in s["errors"])
     before = status()["generation"]
     open(scene, "w").write(good + " ")
     until("a new picture", lambda s: s["generation"] > before and s["progress"] == 1 and not s["errors"])
-finally:
-    run.terminate()
-assert run.wait(20) == 0
-)");
-    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
-                                " " CANDELABRA_BINARY " " + shell.path("lit.pov");
-    CHECK(std::system(command.c_str()) == 0);
+)"));
 }
 
 TEST_CASE("lamps, film and camera of the preview are changed by its page, and by nobody else") {
-    if (std::system("command -v python3 > /dev/null") != 0) return;
+    if (!has_python()) return;
     const Shell shell;
-    shell.write("lit.pov", lit_scene);
-    shell.write("client.py", R"(
-import json, re, subprocess, sys, time, urllib.error, urllib.request
-program, scene = sys.argv[1:]
-run = subprocess.Popen([program, scene, "+W64", "+H48", "--samples", "4", "--preview", "0"],
-                       stderr=subprocess.PIPE, text=True)
-said = ""
-while not said.startswith("preview: "): said = run.stderr.readline()
-address = said.split()[-1]
-def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
-def status(): return json.loads(get("status"))
-token = re.search("content=.([0-9a-f]{32}).>", get("").decode()).group(1)
-def code(path, form=None, heads={}):
-    try: return urllib.request.urlopen(urllib.request.Request(address + path, form, heads), timeout=10).status
-    except urllib.error.HTTPError as refusal: return refusal.code
-def post(path, form): return code(path, form, {"X-Token": token})
-def until(what, test):
-    for _ in range(300):
-        if test(status()): return
-        time.sleep(0.1)
-    sys.exit("never: " + what + " " + str(status()))
+    shell.write("scene.pov", lit_scene);
+    CHECK(client_succeeds(shell, R"(
 def floor(): return list(get("picture")[20 + 4 * (64 * 40 + 32):][:3])
 def changed(path, form):
     before = status()["picture"]
     assert post(path, form) == 200, (path, form)
     until("a picture", lambda s: s["picture"] > before)
 addresses = ["turn", "develop", "dim", "look", "orbit", "point", "pause"]
-try:
+def look():
+    begin("+W64", "+H48", "--samples", "4")
     until("a finished picture", lambda s: s["progress"] == 1)
     generation, before = status()["generation"], status()
     for path in addresses:
@@ -139,7 +137,7 @@ try:
         assert code(path, None, {"Origin": "http://evil.example"}) == 403, path
         assert code(path, None, {"Host": "evil.example"}) == 403, path
         assert code(path, None, {"Sec-Fetch-Site": "cross-site"}) == 403, path
-    for path in ["manual/../lit.pov", "manual//etc/passwd", "manual/%2e%2e/x.html", "manual/.x.html"]:
+    for path in ["manual/../scene.pov", "manual//etc/passwd", "manual/%2e%2e/x.html", "manual/.x.html"]:
         assert code(path) == 404, path
     assert status()["version"] == before["version"] and status()["film"] == before["film"]
     for path, form in [("dim", b"lamp=9&strength=1&red=1&green=1&blue=1")]: assert post(path, form) == 404
@@ -170,53 +168,33 @@ try:
     assert post("orbit", b"reset=all") == 200
     until("the scene's camera", lambda s: not s["moved"] and s["progress"] == 1 and floor() == bright)
     saved = urllib.request.urlopen(address + "save.exr")
-    assert "lit.exr" in saved.headers["Content-Disposition"] and saved.read()[:4] == bytes([0x76, 0x2f, 0x31, 1])
+    assert "scene.exr" in saved.headers["Content-Disposition"] and saved.read()[:4] == bytes([0x76, 0x2f, 0x31, 1])
     assert get("save.png")[1:4] == b"PNG"
     assert post("point", b"x=0.5&y=0.9") == 200 and post("pause", b"on=yes") == 200 and status()["paused"]
     assert b"book" in get("manual") if code("manual") == 200 else code("manual") == 404
-finally:
-    run.terminate()
-assert run.wait(20) == 0
-)");
-    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
-                                " " CANDELABRA_BINARY " " + shell.path("lit.pov");
-    CHECK(std::system(command.c_str()) == 0);
+)"));
 }
 
 TEST_CASE("of an animation the preview shows the frame that is chosen") {
-    if (std::system("command -v python3 > /dev/null") != 0) return;
+    if (!has_python()) return;
     const Shell shell;
-    shell.write("moving.pov",
+    shell.write("scene.pov",
                 "camera { orthographic location -5*z right 4*x up 3*y }\n"
                 "plane { z, 1 pigment { rgb clock } finish { ambient 1 diffuse 0 } }");
-    shell.write("client.py", R"(
-import json, subprocess, sys, time, urllib.request
-run = subprocess.Popen([sys.argv[1], sys.argv[2], "+W8", "+H6", "--preview", "0", "+KFI3", "+KFF5"],
-                       stderr=subprocess.PIPE, text=True)
-said = ""
-while not said.startswith("preview: "): said = run.stderr.readline()
-address = said.split()[-1]
-def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
-def status(): return json.loads(get("status"))
+    CHECK(client_succeeds(shell, R"(
 def red():
     for _ in range(300):
         if status()["progress"] == 1: return get("pick?x=3&y=3").decode().split("rgb <")[1].split(",")[0]
         time.sleep(0.1)
-try:
+def look():
+    begin("+W8", "+H6", "+KFI3", "+KFF5")
     assert red() == "0"
     assert [(k["name"], k["low"], k["high"]) for k in status()["knobs"]] == [("frame_number", 3, 5)]
     before = status()["generation"]
-    token = get("").decode().split('name="token" content="')[1].split('"')[0]
-    urllib.request.urlopen(urllib.request.Request(address + "turn", b"name=frame_number&value=5", {"X-Token": token}))
+    assert post("turn", b"name=frame_number&value=5") == 200
     while status()["generation"] == before: time.sleep(0.1)
     assert red() == "1", red()
-finally:
-    run.terminate()
-assert run.wait(20) == 0
-)");
-    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
-                                " " CANDELABRA_BINARY " " + shell.path("moving.pov");
-    CHECK(std::system(command.c_str()) == 0);
+)"));
 }
 
 }  // namespace candelabra

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/pixel_filter.h"
 
-#include "base/random.h"
-
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -13,6 +11,49 @@ namespace {
 
 constexpr auto wide_filters = {FilterShape::triangle, FilterShape::mitchell,
                                FilterShape::blackman_harris};
+
+/// Something soft and an edge, of which a pixel sees a part.
+double seen_at(const Vec2& place) {
+    return (place.x + 0.4 * place.y < 0.6 ? 1 : 0) + std::sin(place.x - 2 * place.y);
+}
+
+/// Of many pixels: mean and deviation of the mean of so many samples.
+struct Means {
+    double mean = 0, deviation = 0;
+};
+template <class Place>
+Means means_of(std::uint32_t samples, const Place& place) {
+    constexpr int pixels = 1000;
+    Means means;
+    double squares = 0;
+    for (std::uint64_t pixel = 0; pixel < pixels; ++pixel) {
+        double sum = 0, weight = 0;
+        for (std::uint32_t i = 0; i < samples; ++i) {
+            const FilteredPlace one = place(Key{mix(pixel), i});
+            sum += (one.negative ? -1 : 1) * seen_at(one.place);
+            weight += one.negative ? -1 : 1;
+        }
+        means.mean += sum / weight / pixels;
+        squares += sum / weight * (sum / weight) / pixels;
+    }
+    means.deviation = std::sqrt(squares - means.mean * means.mean);
+    return means;
+}
+
+double filtered(FilterShape shape) {
+    double sum = 0, weight = 0;
+    constexpr int steps = 1000;
+    for (int row = 0; row < steps; ++row)
+        for (int column = 0; column < steps; ++column) {
+            const Vec2 from_middle =
+                4.0 * (Vec2(column, row) + 0.5) / static_cast<double>(steps) - 2.0;
+            const double height = PixelFilter::height(shape, from_middle.x) *
+                                  PixelFilter::height(shape, from_middle.y);
+            sum += height * seen_at(from_middle + 0.5);
+            weight += height;
+        }
+    return sum / weight;
+}
 
 }  // namespace
 
@@ -33,8 +74,9 @@ TEST_CASE("filters have an integral of 1", "[film][filter]") {
 }
 
 TEST_CASE("a box leaves samples where they are", "[film][filter]") {
-    const FilteredPlace place = PixelFilter(FilterShape::box).place(0.3, 0.7, 5);
-    CHECK(place.place == Vec2(0.3, 0.7));
+    const Key key{3, 5};
+    const FilteredPlace place = PixelFilter(FilterShape::box).place(key);
+    CHECK(place.place == Vec2(uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)));
     CHECK_FALSE(place.negative);
 }
 
@@ -47,10 +89,7 @@ TEST_CASE("samples are as dense as the filter is high", "[film][filter]") {
         double weight = 0;
         constexpr std::uint32_t count = 400000;
         for (std::uint32_t i = 0; i < count; ++i) {
-            const auto random = [&](std::uint64_t n) {
-                return static_cast<double>(mix(2 * std::uint64_t{i} + n) >> 11) * 0x1p-53;
-            };
-            const FilteredPlace one = filter.place(random(0), random(1), i);
+            const FilteredPlace one = filter.place({mix(i), i});
             const double sign = one.negative ? -1 : 1;
             weight += sign;
             across[static_cast<int>(std::floor((one.place.x - 0.5) * 4)) + cells / 2] += sign;
@@ -67,18 +106,33 @@ TEST_CASE("samples are as dense as the filter is high", "[film][filter]") {
     }
 }
 
+TEST_CASE("samples are spread evenly over each filter, and show what it shows", "[film][filter]") {
+    for (const FilterShape shape : wide_filters) {
+        const PixelFilter filter(shape);
+        constexpr std::uint32_t samples = 64;
+        const auto even = [&](const Key& key) { return filter.place(key); };
+        const Means means = means_of(samples, even);
+        CHECK(means.mean == Approx(filtered(shape)).margin(0.004));
+        // The same, but each sample as if it were of another pixel.
+        const auto random = [&](const Key& key) {
+            return filter.place({mix(key.pixel ^ mix(key.sample)), key.sample});
+        };
+        CHECK(means.deviation < 0.4 * means_of(samples, random).deviation);
+    }
+}
+
 TEST_CASE("all pixels have as many samples below zero, and never too many", "[film][filter]") {
     const PixelFilter mitchell(FilterShape::mitchell);
     int negative = 0;
     for (std::uint32_t i = 0; i < 1000; ++i) {
-        negative += mitchell.place(0.3, 0.4, i).negative;
-        CHECK(mitchell.place(0.9, 0.1, i).negative == mitchell.place(0.3, 0.4, i).negative);
+        negative += mitchell.place({1, i}).negative;
+        CHECK(mitchell.place({2, i}).negative == mitchell.place({1, i}).negative);
         CHECK(2 * negative < static_cast<int>(i) + 1);
     }
     CHECK(negative > 50);
     CHECK(negative < 200);
     for (std::uint32_t i = 0; i < 1000; ++i)
-        CHECK_FALSE(PixelFilter(FilterShape::triangle).place(0.3, 0.4, i).negative);
+        CHECK_FALSE(PixelFilter(FilterShape::triangle).place({1, i}).negative);
 }
 
 }  // namespace candelabra

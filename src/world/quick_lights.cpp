@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/quick_lights.h"
+
+#include <utility>
+
+namespace candelabra {
+
+QuickLights::QuickLights(World& world) {
+    replace_all(world);
+    for (World& moment : world.shutter) replace_all(moment);
+}
+
+QuickLights::~QuickLights() {
+    for (Replaced& each : replaced_) *each.place = std::move(each.sampler);
+}
+
+void QuickLights::replace_all(World& world) {
+    replace(world.lights.sampler, world.lights.luminaires);
+    for (SourceSet& set : world.lights.source_sets)
+        if (set.drawn()) replace(set.sampler, set.emitters);
+}
+
+void QuickLights::replace(BuiltLightSampler& place, std::span<const Luminaire> luminaires) {
+    if (luminaires.empty()) return;
+    replaced_.push_back({&place, std::exchange(place, BuiltLightBvh(luminaires))});
+}
+
+}  // namespace candelabra
