@@ -16,7 +16,7 @@ namespace candelabra {
 namespace {
 
 /// Photons that one way through media has, at most.
-constexpr double most_places = 4;
+constexpr double most_places = 8;
 
 }  // namespace
 

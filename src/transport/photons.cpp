@@ -24,7 +24,7 @@ constexpr std::uint32_t batch = 2048;
 constexpr double disc_of_target = 0.1;
 /// Share of the photons that are wanted in a disc that are in a ball in the air: a ray of the eye
 /// goes through many of these.
-constexpr double wanted_in_air = 0.2, least_in_air = 8;
+constexpr double wanted_in_air = 0.6, least_in_air = 8;
 
 }  // namespace
 
