@@ -20,8 +20,8 @@ std::vector<std::string> movie_arguments(const std::string& list, const std::str
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate);
 
 /// Makes the film; who looks sees the whole of it or the one before. False, after a report, when
-/// ffmpeg is not there or fails; the frames stay. At least one frame; none is an OpenEXR file, whose
-/// texts ffmpeg 5 does not read when they are long.
+/// ffmpeg is not there or fails; the frames stay. At least one frame; none is an OpenEXR file,
+/// whose texts ffmpeg 5 does not read when they are long.
 bool make_movie(const std::vector<std::string>& frames, double frame_rate, const std::string& film,
                 Diagnostics&);
 
