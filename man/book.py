@@ -76,6 +76,11 @@ def macro_frame(file, words):
             light + view + words)
 
 
+def plain(text):
+    """HTML as text in one line."""
+    return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", text)).split())
+
+
 def sentence(head):
     """The head of a section, which manual pages write in capitals."""
     number, _, words = head.rpartition(". ")
@@ -265,10 +270,28 @@ class Book:
                       text, count=1, flags=re.S)
         text = re.sub(r'(<h1 class="Sh" id="[^"]*"><a[^>]*>)([^<]*)(</a>)',
                       lambda m: m[1] + sentence(m[2]) + m[3], text)
-        for match in re.finditer(r'<h1 class="Sh" id="([^"]*)">.*?>([^<]*)</a>', text):
+        self.entry(title, "page", page + ".html", plain(re.search(r"</h1>\s*<p>(.*?)</p>", text, flags=re.S)[1]))
+        for match in re.finditer(r'<h1 class="Sh" id="([^"]*)">.*?>([^<]*)</a></h1>(.*?)(?=<h1 |$)', text, flags=re.S):
             if match[2] not in ("See also", "Description", "Synopsis"):
-                self.entry(match[2], title, f"{page}.html#{match[1]}", "")
+                self.entry(plain(match[2]), title, f"{page}.html#{match[1]}", plain(match[3]))
+        text = self.with_options_found(text, page, title)
         self.bodies[page + ".html"] = (title, ["page", text, page])
+
+    def with_options_found(self, text, page, title):
+        """The page with a place at each option, which the search finds."""
+        places = {}
+
+        def placed(match):
+            name = plain(match[1])
+            if not re.match(r"[-+]", name):
+                return match[0]
+            place = "option" + re.match(r"[-+\w]*", name)[0]
+            places[place] = places.get(place, 0) + 1
+            if places[place] > 1:
+                place += f"_{places[place]}"
+            self.entry(name, title, f"{page}.html#{place}", plain(match[2]))
+            return f'<dt id="{place}"><b>{html.escape(name)}</b></dt>{match[2]}'
+        return re.sub(r"<dt[^>]*>(.*?)</dt>(\s*<dd.*?</dd>)", placed, text, flags=re.S)
 
     def sources(self, page):
         """The examples of a page as they are written: mandoc keeps no empty lines."""

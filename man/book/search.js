@@ -3,21 +3,33 @@
 const field = document.getElementById("search");
 const found = document.getElementById("found");
 
-// How well an entry fits: its title before its text, and a beginning before a middle.
+// Letters only, so that "light ring" finds Light_Ring, and "light report" --light-report.
+function plain(text) {
+    return text.toLowerCase().replace(/[_\-+#]+/g, " ").trim();
+}
+
+// How well an entry fits: its title before its text, a beginning before a middle, and all words
+// together before each of them somewhere.
 function rank(entry, wanted) {
-    const title = entry[0].toLowerCase();
+    const title = plain(entry[0]), text = plain(entry[3]);
     if (title === wanted) return 0;
     if (title.startsWith(wanted)) return 1;
     if (title.includes(wanted)) return 2;
-    return entry[3].toLowerCase().includes(wanted) ? 3 : 4;
+    if (text.includes(wanted)) return 3;
+    return wanted.split(/\s+/).every(word => title.includes(word) || text.includes(word)) ? 4 : 5;
 }
 
 function show() {
-    const wanted = field.value.trim().toLowerCase().replace(/^#/, "");
+    const wanted = plain(field.value);
     found.replaceChildren();
     if (wanted === "") return;
-    const ranked = words.map(entry => [rank(entry, wanted), entry]).filter(([place]) => place < 4);
+    const ranked = words.map(entry => [rank(entry, wanted), entry]).filter(([place]) => place < 5);
     ranked.sort(([a], [b]) => a - b);
+    if (ranked.length === 0) {
+        const none = document.createElement("li");
+        none.textContent = "Nothing is found.";
+        found.append(none);
+    }
     for (const [, [title, kind, address, text]] of ranked.slice(0, 20)) {
         const link = document.createElement("a");
         link.href = address;

@@ -116,10 +116,10 @@ std::optional<std::uint64_t> checksum(const LayeredPicture& picture) {
 }
 
 std::string share_text(const Checkpoint& checkpoint) {
-    const Share& share = checkpoint.state.share;
-    const Region& r = share.region;
-    return message(r.left, ' ', r.top, ' ', r.right, ' ', r.bottom, ' ', share.first_tile, ' ',
-                   share.tile_step, ' ', share.first_sample, ' ', checkpoint.samples, ' ',
+    const PictureShard& shard = checkpoint.state.shard;
+    const Region& r = shard.region;
+    return message(r.left, ' ', r.top, ' ', r.right, ' ', r.bottom, ' ', shard.first_tile, ' ',
+                   shard.tile_step, ' ', shard.first_sample, ' ', checkpoint.samples, ' ',
                    checkpoint.all_samples);
 }
 
@@ -144,17 +144,17 @@ bool are_possible(const Film& film) {
 /// False when the texts are not those of a state.
 bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint64_t& sum) {
     checkpoint.identity = identity_from(picture.texts[0].second);
-    Share& share = checkpoint.state.share;
-    Region& r = share.region;
-    share.width = picture.width;
+    PictureShard& shard = checkpoint.state.shard;
+    Region& r = shard.region;
+    shard.width = picture.width;
     std::istringstream first(picture.texts[1].second), second(picture.texts[2].second);
-    first >> r.left >> r.top >> r.right >> r.bottom >> share.first_tile >> share.tile_step >>
-        share.first_sample >> checkpoint.samples >> checkpoint.all_samples;
+    first >> r.left >> r.top >> r.right >> r.bottom >> shard.first_tile >> shard.tile_step >>
+        shard.first_sample >> checkpoint.samples >> checkpoint.all_samples;
     second >> checkpoint.state.rounds >> checkpoint.finished >> sum;
-    const bool tiles = share.first_tile >= 0 && share.first_tile < share.tile_step &&
-                       share.tile_step <= max_shards;
+    const bool tiles = shard.first_tile >= 0 && shard.first_tile < shard.tile_step &&
+                       shard.tile_step <= max_shards;
     const bool samples = checkpoint.samples <= checkpoint.all_samples &&
-                         share.first_sample <= checkpoint.all_samples - checkpoint.samples;
+                         shard.first_sample <= checkpoint.all_samples - checkpoint.samples;
     const bool region = r.left >= 0 && r.top >= 0 && r.left <= r.right && r.top <= r.bottom &&
                         r.right <= picture.width && r.bottom <= picture.height;
     const bool counts =

@@ -27,7 +27,7 @@ public:
     /// For a scene, whose ending may be left out, or another INI file that stands alone.
     BrokenRule of_read(const std::string& path) const;
     /// For these files: the one that is judged is the one that is read.
-    Reader reader(const Reader& of_all) const { return of_all.within(Door(readable_, {})); }
+    Reader reader(const Reader& of_all) const { return of_all.within(FileAccess(readable_, {})); }
     /// Whether a limit is higher than outside of the file, and what is said then.
     bool exceeded(const Options&) const;
     static std::string limit_rule();

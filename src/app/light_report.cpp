@@ -70,6 +70,12 @@ std::string light_report(const World& world, const LightLedger& counted,
         line(lights[i], message(made[i]),
              statement_text(world.provenance.light_statements[i], sources));
     line(lights.back(), "", "rays that met no light");
+    for (const std::size_t i : order)
+        if (lights[i].light.value() == 0 && light > 0)
+            text +=
+                message("no light came from ",
+                        statement_text(world.provenance.light_statements[i], sources),
+                        "\n    it may stand inside or below something that lets no light out\n");
     return text;
 }
 

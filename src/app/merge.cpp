@@ -32,7 +32,7 @@ public:
     Joiner(Gaps gaps, Diagnostics& diagnostics) : gaps_(gaps), diagnostics_(diagnostics) {}
 
     void add(const std::string& name, const Checkpoint& state) {
-        parts_.push_back({name, state.state.share, state.state.rounds, state.samples});
+        parts_.push_back({name, state.state.shard, state.state.rounds, state.samples});
         if (parts_.size() == 1)
             begin(state);
         else
@@ -45,31 +45,31 @@ public:
     /// Nothing when anything was wrong. Precondition: at least one state was added.
     std::optional<Checkpoint> finish() {
         std::ranges::stable_sort(parts_, {}, [](const Part& part) {
-            return std::pair(part.share.first_sample, part.share.first_tile);
+            return std::pair(part.shard.first_sample, part.shard.first_tile);
         });
         if (!diagnostics_.failed()) {
-            if (share().tile_step > 1)
+            if (shard().tile_step > 1)
                 check_tiles();
             else
                 check_samples();
         }
         if (diagnostics_.failed()) return std::nullopt;
-        if (share().tile_step > 1) sum_.samples = sum_.all_samples;
+        if (shard().tile_step > 1) sum_.samples = sum_.all_samples;
         sum_.state.rounds = parts_.front().rounds;
-        sum_.state.share.first_sample = parts_.front().share.first_sample;
-        sum_.state.share.first_tile = 0;
-        sum_.state.share.tile_step = 1;
+        sum_.state.shard.first_sample = parts_.front().shard.first_sample;
+        sum_.state.shard.first_tile = 0;
+        sum_.state.shard.tile_step = 1;
         return std::move(sum_);
     }
 
 private:
     struct Part {
         std::string name;
-        Share share;
+        PictureShard shard;
         std::uint32_t rounds, samples;
     };
 
-    const Share& share() const { return sum_.state.share; }
+    const PictureShard& shard() const { return sum_.state.shard; }
 
     void refuse(std::string text) { diagnostics_.add(error(Fault::option, {}, std::move(text))); }
 
@@ -89,7 +89,7 @@ private:
         sum_.identity = first.identity;
         sum_.all_samples = first.all_samples;
         sum_.finished = true;
-        sum_.state.share = first.state.share;
+        sum_.state.shard = first.state.shard;
         sum_.state.film = Film(film.width(), film.height(), film.aovs());
     }
 
@@ -106,10 +106,10 @@ private:
                                  sum_.all_samples));
         const Film& film = one.state.film;
         const Film& other = sum_.state.film;
-        const Share& its = one.state.share;
+        const PictureShard& its = one.state.shard;
         if (film.width() != other.width() || film.height() != other.height() ||
-            film.aovs() != other.aovs() || its.tile_step != share().tile_step ||
-            its.region != share().region)
+            film.aovs() != other.aovs() || its.tile_step != shard().tile_step ||
+            its.region != shard().region)
             mixed("the picture was cut in another way");
     }
 
@@ -119,7 +119,7 @@ private:
         for (int y = 0; y < part.height(); ++y)
             for (int x = 0; x < part.width(); ++x)
                 // A shard of tiles also has samples around its tiles.
-                if (one.state.share.owns(x, y)) {
+                if (one.state.shard.owns(x, y)) {
                     film.add(film.index(x, y), part);
                     film.at(x, y).target += part.at(x, y).target;
                 }
@@ -128,10 +128,10 @@ private:
     }
 
     void check_tiles() {
-        const int count = share().tile_step;
+        const int count = shard().tile_step;
         std::set<int> found;
         for (const Part& part : parts_)
-            if (const int number = part.share.first_tile; !found.insert(number).second)
+            if (const int number = part.shard.first_tile; !found.insert(number).second)
                 refuse(message("shard ", number + 1, " of ", count, " is there twice: `",
                                printable(part.name), "`"));
         for (int i = 0; i < count; ++i)
@@ -148,7 +148,7 @@ private:
                         least);
         };
         for (const Part& part : parts_) {
-            const std::uint32_t begin = part.share.first_sample;
+            const std::uint32_t begin = part.shard.first_sample;
             if (begin < end && part.samples > 0)
                 refuse(message("`", printable(part.name), "` has samples from ", begin,
                                " on, of which another shard has some, too"));

@@ -32,6 +32,15 @@ std::string path_of(const Options& options, PictureType type) {
     return type_of_name(given) == type ? given : given + ending;
 }
 
+/// The ending of a format that other programs write and this one does not; empty for others.
+std::string other_format(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    for (const char* known : {".webp", ".tif", ".tiff", ".gif", ".avif", ".heic", ".svg", ".pdf"})
+        if (ending == known) return ending.substr(1);
+    return {};
+}
+
 }  // namespace
 
 bool is_stream(const std::string& path) {
@@ -50,6 +59,11 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
     output.format.grey = options.grey;
     output.format.file_gamma = options.file_gamma;
     output.path = path_of(options, output.format.type);
+    if (const auto other = other_format(options.output); !other.empty() && !options.type)
+        diagnostics.add(error(Fault::option, {},
+                              message("pictures are not written as ", other, ", which `",
+                                      printable(options.output), "` asks for"))
+                            .with_help("by the name's ending: png, jpg, exr, hdr, bmp, tga, ppm"));
     const auto refuse = [&](std::string_view what, std::string help) {
         diagnostics.add(error(Fault::option, {},
                               message("a file of format ", extension(output.format.type), what))

@@ -104,7 +104,7 @@ WebAnswer orbit(const WebRequest& request, PreviewDesk& desk) {
     }
     if (!values || std::abs((*values)[0]) > most || std::abs((*values)[1]) > most)
         return refuse("a camera is moved by=turn or by=pan, right and up, or to approach");
-    const auto [right, up] = *values;
+    const double right = (*values)[0], up = (*values)[1];
     if (way == "turn")
         desk.move_camera([&](Orbit& moved, const Sight& given) { moved.turn(given, right, up); });
     else if (way == "pan")

@@ -69,8 +69,8 @@ void Darkroom::work() {
 }
 
 bool Darkroom::is_slow(const Order& now) {
-    constexpr int least_edge = 64;
-    return now.plate->light.width >= quick_step * least_edge && !now.plate->view &&
+    constexpr int min_edge = 64;
+    return now.plate->light.width >= quick_step * min_edge && !now.plate->view &&
            film_with(now.frame->film, now.look).glares;
 }
 

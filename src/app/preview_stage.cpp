@@ -26,7 +26,7 @@ namespace {
 /// A coarse picture that came later than this would be missed, in seconds.
 constexpr double soon = 0.1;
 /// A coarse picture has at least so many pixels in each direction.
-constexpr int least_edge = 8;
+constexpr int min_edge = 8;
 /// Sums of lights may take so many bytes.
 constexpr double light_bytes = 512e6;
 
@@ -149,7 +149,7 @@ private:
             RenderSettings settings = settings_;
             settings.width = (settings_.width + step - 1) / step;
             settings.height = (settings_.height + step - 1) / step;
-            if (std::min(settings.width, settings.height) < least_edge) continue;
+            if (std::min(settings.width, settings.height) < min_edge) continue;
             settings.samples = 1;
             settings.noise = 0;
             settings.antialias = false;
@@ -191,7 +191,7 @@ private:
 
     void make_fine() {
         RenderState state = begin_picture(settings_, aovs_.count(staged_.world));
-        state.share.region = region_of(staged_.options);
+        state.shard.region = region_of(staged_.options);
         rays_ = {};
         done_ = 0;
         begin_clock();

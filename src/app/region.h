@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/options.h"
-#include "film/share.h"
+#include "film/picture_shard.h"
 
 namespace candelabra {
 

@@ -62,21 +62,21 @@ bool RenderJob::can_keep() const {
 void RenderJob::begin() {
     RenderState& state = checkpoint_.state;
     state = begin_picture(rendering_.settings, extras_.count(rendering_.world));
-    state.share.region = region_of(plan_.options);
+    state.shard.region = region_of(plan_.options);
     checkpoint_.identity = plan_.identity;
     checkpoint_.all_samples = rendering_.samples;
     checkpoint_.samples = checkpoint_.all_samples;
     if (!plan_.shard) return;
     const Shard& shard = *plan_.shard;
     if (plan_.options.shard_by == ShardBy::tiles) {
-        state.share.first_tile = shard.number - 1;
-        state.share.tile_step = shard.count;
+        state.shard.first_tile = shard.number - 1;
+        state.shard.tile_step = shard.count;
         return;
     }
-    state.share.first_sample = first_of(shard, checkpoint_.all_samples);
+    state.shard.first_sample = first_of(shard, checkpoint_.all_samples);
     const Shard next{shard.number + 1, shard.count};
     checkpoint_.samples =
-        first_of(next, checkpoint_.all_samples) - checkpoint_.state.share.first_sample;
+        first_of(next, checkpoint_.all_samples) - checkpoint_.state.shard.first_sample;
     rendering_.samples = checkpoint_.samples;
     rendering_.settings.samples = static_cast<int>(checkpoint_.samples);
 }
@@ -85,12 +85,13 @@ bool RenderJob::fits(const Checkpoint& old) {
     const std::string path = printable(state_path(plan_));
     const auto refuse = [&](const std::string& why) {
         diagnostics_.add(error(Fault::option, {}, message("cannot go on from `", path, "`: ", why))
-                             .with_help("without +C the picture is begun anew"));
+                             .with_help("+C goes on with the options that the run was begun with; "
+                                        "without it the picture is begun anew"));
         return false;
     };
     const std::string changed = difference(old.identity, plan_.identity);
     if (!changed.empty()) return refuse(changed);
-    if (!(old.state.share == checkpoint_.state.share) ||
+    if (!(old.state.shard == checkpoint_.state.shard) ||
         old.state.film.width() != rendering_.settings.width ||
         old.state.film.height() != rendering_.settings.height ||
         old.state.film.aovs() != checkpoint_.state.film.aovs())

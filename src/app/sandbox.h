@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second wall. The door (text/door.h) decides which files a scene may name; the sandbox takes
-// from the process itself the power to open others, so that a mistake in a reader or in the door
+// The second wall. FileAccess decides which files a scene may name; the sandbox takes
+// from the process itself the power to open others, so that a mistake in a reader or in FileAccess
 // reaches nothing. It stands on Linux's Landlock for files and seccomp for system calls. The
 // program confines itself once its inputs are known; nothing can undo that.
 #pragma once

@@ -29,7 +29,9 @@ std::string luminaire_text(const World& world) {
         greatest = std::max(greatest, max_component(luminaire.radiance));
     }
     return message(world.lights.luminaires.size(), " (", counts[0], " spheres, ", counts[1],
-                   " triangles, ", counts[2] + counts[3], " others), greatest radiance ", greatest);
+                   " triangles, ", counts[2] + counts[3], " others",
+                   counts[5] > 0 ? message(", ", counts[5], " boxes of media") : "",
+                   "), greatest radiance ", greatest);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/handle.h"
-#include "base/pages.h"
+#include "base/memory_pages.h"
 
 #include <new>
 

@@ -51,7 +51,7 @@ struct Binder {
     Memo<Texture> moved_appearances = {};
     Memo<Interior> interiors = {};
     Memo<Texture, Object> objects = {};  ///< the base is the default texture
-    /// Words that have no effect, and have been told of.
+    /// Words that have no effect, and have been reported.
     std::set<std::string, std::less<>> warned = {};
     /// What has been read already, by file and coding.
     std::map<std::pair<std::string, TexelCoding>, Handle<Texels>> pictures = {};

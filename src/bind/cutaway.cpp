@@ -40,7 +40,7 @@ public:
         for (const ObjectHandle& part : parts->children) {
             collect(*part, around,
                     cuts(*parts) ? where
-                    : around     ? candelabra::moved(part, *around)
+                    : around     ? candelabra::transformed(part, *around)
                                  : part);
             if (parts->csg == Csg::difference) return;
         }

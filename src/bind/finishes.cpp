@@ -209,6 +209,12 @@ bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     ItemReader fields(block, *block.item, &interior);
     MediaReader media(block, interior.media);
     block.read(element.body, declared, fields, media);
+    const auto emits = [](const Media& each) { return each.emission != Vec3(0); };
+    if (interior.luminaire && fields.given("luminaire") &&
+        std::ranges::none_of(interior.media, emits))
+        block.report(warning(Fault::no_effect, element.word_span,
+                             "`luminaire` has no effect: no media of the interior emit light")
+                         .with_help("interior { media { emission 2 } luminaire }"));
     return !block.broken;
 }
 

@@ -28,7 +28,7 @@ public:
             placed_.projected_through = std::move(object);
             return true;
         }
-        placed_.looks_like = moved(std::move(object), Transform::translation(location()));
+        placed_.looks_like = transformed(std::move(object), Transform::translation(location()));
         placed_.looks_like.edit().no_shadow = true;
         return true;
     }
@@ -100,7 +100,7 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
         fields.complete();
     });
     const auto apply = [&](const Transform& transform) {
-        placed = moved(std::move(placed), transform);
+        placed = transformed(std::move(placed), transform);
     };
     TransformReader moves(block, apply);
     LightObjects look(block, placed);

@@ -15,7 +15,6 @@ namespace {
 /// Words of POV-Ray's ways of sampling; `intervals` and `samples` say how much effort is worth it.
 constexpr auto words_of_sampling = std::to_array<std::string_view>(
     {"method", "aa_level", "aa_threshold", "confidence", "variance", "ratio", "jitter"});
-constexpr auto words_of_photons = std::to_array<std::string_view>({"collect"});
 
 /// scattering { type, colour ... }: the last one counts.
 class ScatteringReader : public SimpleReader {
@@ -89,8 +88,6 @@ bool read_media(Binder& binder, const Element& element, Media& media) {
         block, block.name, fields,
         {words_of_sampling, "light between surfaces is estimated without bias in any case"},
         element.word_span);
-    warn_of_idle_fields(block, block.name, fields, {words_of_photons, "photons do not light media"},
-                        element.word_span);
     return !block.broken;
 }
 

@@ -40,7 +40,7 @@ void ObjectDraft::move(const Movement& next) {
     modified = true;
     for (auto* objects : {&clipping.clips, &clipping.bounds})
         for (ObjectHandle& each : *objects)
-            each = candelabra::moved(std::move(each), next.transform);
+            each = candelabra::transformed(std::move(each), next.transform);
     if (const auto& interior = made->interior; interior && moves(*interior))
         made.edit().interior = make_handle<Interior>(transformed(*interior, next.transform));
     if (switches.uv_mapping) return;
@@ -60,7 +60,8 @@ void append_lights(const Object& object, std::vector<PlacedLight>& lights) {
     if (!together) return;
     for (const PlacedLight& light :
          together->light_group ? together->free_lights : together->lights)
-        lights.push_back(object.transform ? candelabra::moved(light, *object.transform) : light);
+        lights.push_back(object.transform ? candelabra::transformed(light, *object.transform)
+                                          : light);
 }
 
 void take_lights(const Object& part, Union& whole) {

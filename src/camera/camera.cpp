@@ -37,8 +37,8 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
                 between(0, 1000000)}),
         F{"focal_point", &T::focal_point, item,
           "a point at the distance that is sharp (default: as far as direction is long)"},
-        F{"variance", &T::variance, item, "greatest variance of a blurred pixel's mean",
-          at_least(0)},
+        F{"variance", &T::variance, item,
+          "greatest variance of a blurred pixel's mean; 0: all rays are made", at_least(0)},
         F{"confidence", &T::confidence, item, "in this variance", Range{0, 1, true}},
         F{"shutter", &T::shutter, item,
           "how far the clock runs on while the picture is taken: what it moves is blurred",
@@ -297,8 +297,9 @@ Vec3 spherical(const Projection& f, double u, double v) {
 }  // namespace
 
 double BlurRule::allowed(int rays) const {
-    if (rays < least) return -1;
     if (rays >= most) return std::numeric_limits<double>::infinity();
+    // As in POV-Ray, a variance of 0 asks for all rays, also where the first ones are the same.
+    if (rays < least || variance <= 0) return -1;
     return variance * chi_squared(rays, confidence) / chi_squared(most - 1, confidence);
 }
 

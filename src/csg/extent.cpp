@@ -3,7 +3,7 @@
 
 #include "csg/shape_extent.h"
 #include "shape/built_shape.h"
-#include "shape/moved.h"
+#include "shape/transformed.h"
 
 namespace candelabra {
 
@@ -36,7 +36,7 @@ Box cutting(const Object& object, bool inverse) {
     const Plane* plane = shape ? std::get_if<Plane>(shape) : nullptr;
     if (!plane) return inverse != object.inverse ? everywhere() : extent(object);
     Plane placed = *plane;
-    if (object.transform) placed = moved(*plane, *object.transform);
+    if (object.transform) placed = transformed(*plane, *object.transform);
     if (inverse != object.inverse) placed = {-placed.normal, -placed.distance};
     return inside_bounds(placed);
 }

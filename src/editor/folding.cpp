@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_unclosed = 100;
+    static constexpr std::size_t max_unclosed = 100;
 
     struct Opening {
         TokenKind kind;
@@ -61,7 +61,7 @@ private:
     /// What closes is the innermost counterpart that is not outside of a directive, unless very
     /// many brackets in it are still open.
     void close(const Token& token) {
-        const std::size_t end = open_.size() - std::min(open_.size(), most_unclosed);
+        const std::size_t end = open_.size() - std::min(open_.size(), max_unclosed);
         for (std::size_t i = open_.size(); i-- > end;) {
             const TokenKind closer = closer_of(open_[i].kind);
             if (closer == token.kind) {

@@ -49,7 +49,8 @@ public:
 private:
     void add_scene(Workspace& workspace, const std::string& scene) {
         const std::string folder = directory_of(scene);
-        loaders_.push_back(workspace.loader(folder, Door({folder, "", workspace.library()}, {})));
+        loaders_.push_back(
+            workspace.loader(folder, FileAccess({folder, "", workspace.library()}, {})));
     }
 
     TokenKind kind(std::size_t i) const { return file_.tokens[i].kind; }

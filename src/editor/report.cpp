@@ -20,7 +20,7 @@ void report(const Workspace& workspace, const std::string& path,
             const std::string& folder_for_writing, Report& result) {
     const std::string folder = directory_of(path);
     const std::optional<Found> found =
-        workspace.loader(folder, Door()).load(path, "", FileKind::data);
+        workspace.loader(folder, FileAccess()).load(path, "", FileKind::data);
     if (!found) return;
     const SourceId main = result.sources.add(path, found->text);
     if (path.ends_with(".inc")) {
@@ -30,11 +30,11 @@ void report(const Workspace& workspace, const std::string& path,
         lint(tree, names, result.diagnostics);
         return;
     }
-    const Door door({folder, "", workspace.library()}, {folder_for_writing});
+    const FileAccess access({folder, "", workspace.library()}, {folder_for_writing});
     EvaluateOptions options;
     options.limits.steps = max_steps;
-    const Scene scene =
-        evaluate(result.sources, workspace.loader(folder, door), main, options, result.diagnostics);
+    const Scene scene = evaluate(result.sources, workspace.loader(folder, access), main, options,
+                                 result.diagnostics);
     if (!result.diagnostics.failed())
         review(scene, survey(scene, result.diagnostics), result.diagnostics);
 }

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-constexpr std::size_t most_symbols = 1000;
+constexpr std::size_t max_symbols = 1000;
 
 bool same_folded(char a, char b) { return lower_case(a) == lower_case(b); }
 
@@ -41,14 +41,14 @@ public:
             if (!has_letters(name, query_)) continue;
             if (library && !is_for_scenes(guide, name, is_macro)) continue;
             auto& list = begins_with(name, query_) ? first_ : others_;
-            if (list.size() < most_symbols)
+            if (list.size() < max_symbols)
                 list.push_back({std::string(name), is_macro, file.path, each.place});
         }
     }
 
     std::vector<Symbol> take() {
         std::ranges::move(others_, std::back_inserter(first_));
-        if (first_.size() > most_symbols) first_.resize(most_symbols);
+        if (first_.size() > max_symbols) first_.resize(max_symbols);
         return std::move(first_);
     }
 

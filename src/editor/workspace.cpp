@@ -20,8 +20,8 @@ std::vector<std::string> Workspace::open_files() const {
     return paths;
 }
 
-Reader Workspace::reader(const Door& door) const {
-    const Reader disk = scene_reader(door);
+Reader Workspace::reader(const FileAccess& access) const {
+    const Reader disk = scene_reader(access);
     const auto read = [this, disk](const std::string& path) -> std::optional<std::string> {
         const auto document = documents_.find(path);
         if (document != documents_.end()) return document->second;
@@ -36,13 +36,13 @@ Loader Workspace::loader(const std::string& folder) const {
     std::vector<std::string> readable = {folder, "", library_};
     if (library_.empty()) readable.pop_back();
     for (const auto& [path, text] : documents_) readable.push_back(directory_of(path));
-    return loader(folder, Door(readable, {}));
+    return loader(folder, FileAccess(readable, {}));
 }
 
-Loader Workspace::loader(const std::string& folder, const Door& door) const {
+Loader Workspace::loader(const std::string& folder, const FileAccess& access) const {
     std::vector<std::string> library;
     if (!library_.empty()) library = {library_, library_ + "/pictures"};
-    Loader result(reader(door), folder, std::move(library), door, disk_lister());
+    Loader result(reader(access), folder, std::move(library), access, disk_lister());
     result.set_standard_library(library_);
     return result;
 }
@@ -52,7 +52,7 @@ bool Workspace::in_library(const std::string& path) const {
 }
 
 FileHandle Workspace::file(const std::string& path) {
-    std::optional<std::string> text = reader(Door())(path);
+    std::optional<std::string> text = reader(FileAccess())(path);
     if (!text) return nullptr;
     FileHandle& known = read_[path];
     if (!known || known->text != *text) {

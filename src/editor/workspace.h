@@ -40,9 +40,9 @@ public:
     std::vector<Found> declarations(NameId, const std::string& path, std::uint32_t offset);
 
     /// Finds files for a scene in this folder; open documents come before the disk. It reads what
-    /// the door lets through, by default what belongs to open scenes.
+    /// the FileAccess permits, by default what belongs to open scenes.
     Loader loader(const std::string& folder) const;
-    Loader loader(const std::string& folder, const Door& door) const;
+    Loader loader(const std::string& folder, const FileAccess& access) const;
     bool in_library(const std::string& path) const;
     const std::string& library() const { return library_; }
     Names& names() { return names_; }
@@ -50,7 +50,7 @@ public:
 private:
     static constexpr std::size_t max_files = 1000;
 
-    Reader reader(const Door&) const;
+    Reader reader(const FileAccess&) const;
     void add_with_includes(const std::string& path, const std::string& folder,
                            std::vector<FileHandle>& files);
 

@@ -9,9 +9,9 @@ namespace candelabra {
 namespace {
 
 constexpr double middle_grey_shown = 0.18 / 1.18;
-constexpr double least_stops = -20, most_stops = 40;
+constexpr double min_stops = -20, max_stops = 40;
 /// By which a dark picture can be made lighter.
-constexpr double most_lift = 4;
+constexpr double max_lift = 4;
 
 double mean_shown(const std::vector<double>& luminances, double stops) {
     const double factor = std::exp2(stops);
@@ -33,13 +33,13 @@ double stops_asked_by(const Image& image) {
         lit.push_back(light > 0 ? std::fmin(light, most) : 0);
     }
     if (lit.empty()) return 0;
-    double below = least_stops, above = most_stops;
+    double below = min_stops, above = max_stops;
     constexpr int halvings = 40;
     for (int i = 0; i < halvings; ++i) {
         const double middle = (below + above) / 2;
         (mean_shown(lit, middle) < middle_grey_shown ? below : above) = middle;
     }
-    return below > 0 ? most_lift * -std::expm1(-below / most_lift) : below;
+    return below > 0 ? max_lift * -std::expm1(-below / max_lift) : below;
 }
 
 }  // namespace candelabra

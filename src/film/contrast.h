@@ -6,7 +6,7 @@
 #include "base/function_ref.h"
 #include "base/random.h"
 #include "base/vector.h"
-#include "film/share.h"
+#include "film/picture_shard.h"
 #include "scene/settings.h"
 
 #include <optional>

@@ -21,7 +21,7 @@ constexpr double normal_unit = 0.2;
 /// Of the depth, for each pixel between two.
 constexpr double depth_unit = 0.02;
 /// Light of a surface that is black is not divided by nothing.
-constexpr double least_albedo = 0.02;
+constexpr double min_albedo = 0.02;
 /// A weight of exp(-this) is none.
 constexpr double no_weight = 16;
 
@@ -155,7 +155,7 @@ private:
 };
 
 Vec3 divisor(const NoisyPicture& noisy, std::size_t pixel) {
-    return noisy.albedo.pixels[pixel] + Vec3(least_albedo);
+    return noisy.albedo.pixels[pixel] + Vec3(min_albedo);
 }
 
 std::vector<DenoisedPixel> pixels_of(const NoisyPicture& noisy) {
@@ -187,7 +187,7 @@ QuietPicture denoised(const NoisyPicture& noisy, int threads) {
         rows.add_all();
         for (int y = top; y < bottom; ++y)
             for (int x = 0; x < size.width; ++x) {
-                const Vec3 by = noisy.albedo.at(x, y) + Vec3(least_albedo);
+                const Vec3 by = noisy.albedo.at(x, y) + Vec3(min_albedo);
                 made.light.at(x, y) = by * rows.mean(x, y);
                 for (std::size_t k = 0; k < divided.size(); ++k)
                     made.parts[k].at(x, y) = by * rows.mean_of_part(k, x, y);

@@ -10,11 +10,11 @@ namespace {
 /// More samples than this are not taken for the sake of noise, unless --samples says so.
 constexpr std::uint32_t max_for_noise = 1 << 16;
 
-/// Whether a neighbour of the pixel, or itself, belongs to the share.
-bool borders(const Share& share, int x, int y) {
+/// Whether a neighbour of the pixel, or itself, belongs to the shard.
+bool borders(const PictureShard& shard, int x, int y) {
     for (int v = y - 1; v <= y + 1; ++v)
         for (int u = x - 1; u <= x + 1; ++u)
-            if (share.owns(u, v)) return true;
+            if (shard.owns(u, v)) return true;
     return false;
 }
 
@@ -41,7 +41,7 @@ void refine(RenderState& state, const RenderSettings& settings, const NoiseRule&
     const AdaptiveRule rule = rule_of(settings, noise);
     std::vector<std::uint32_t> more(state.film.pixels().size());
     for_pixels(state.film, [&](int x, int y, const PixelSum& pixel) {
-        if (!state.share.owns(x, y)) return;
+        if (!state.shard.owns(x, y)) return;
         std::uint32_t& add = more[state.film.index(x, y)];
         add = samples_to_add(state.film, x, y, rule);
         // A first guess of the noise may be far off; doubling comes near from below.
@@ -56,7 +56,7 @@ void refine(RenderState& state, const RenderSettings&, const BlurRule& rule) {
     const auto most = static_cast<std::uint32_t>(rule.most);
     for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
         const std::uint32_t n = pixel.samples;
-        if (state.share.owns(x, y) && pixel.variance_of_mean() > rule.allowed(static_cast<int>(n)))
+        if (state.shard.owns(x, y) && pixel.variance_of_mean() > rule.allowed(static_cast<int>(n)))
             pixel.target = std::min(most, n + n / 4 + 1);
     });
 }
@@ -65,7 +65,7 @@ void refine(RenderState& state, const RenderSettings&, const BlurRule& rule) {
 void refine(RenderState&, const RenderSettings&, const ContrastRule&) {}
 void refine(RenderState&, const RenderSettings&, const CornerRule&) {}
 
-/// Whether pixels are judged by those around them, which a share then needs, too.
+/// Whether pixels are judged by those around them, which a shard then needs, too.
 bool looks_around(const RenderSettings& settings, const SampleRule& rule) {
     return !is_even(settings, rule) && !std::holds_alternative<BlurRule>(rule) &&
            !is_settled_by_tiles(rule);
@@ -93,7 +93,7 @@ bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_
     if (is_even(settings, rule) || state.rounds == 0) {
         const bool around = looks_around(settings, rule);
         for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
-            const bool wanted = around ? borders(state.share, x, y) : state.share.owns(x, y);
+            const bool wanted = around ? borders(state.shard, x, y) : state.shard.owns(x, y);
             pixel.target = wanted ? samples : 0;
             all.add(pixel);
         });

@@ -8,7 +8,7 @@
 #include "film/contrast.h"
 #include "film/corners.h"
 #include "film/film.h"
-#include "film/share.h"
+#include "film/picture_shard.h"
 #include "scene/settings.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace candelabra {
 /// A picture on its way.
 struct RenderState {
     Film film;
-    Share share;
+    PictureShard shard;
     std::uint32_t rounds = 0;  ///< that have been planned
 
     friend bool operator==(const RenderState&, const RenderState&) = default;

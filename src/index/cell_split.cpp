@@ -43,13 +43,13 @@ public:
           count_(static_cast<double>(count)),
           item_cost_(costs.group_cost / costs.group) {
         const double whole = area(box);
-        least_ = (cost_of_items(count_, costs) - costs.node_cost) * whole;
+        min_saving_ = (cost_of_items(count_, costs) - costs.node_cost) * whole;
         // Many items have many more planes before them, and come to be in one place by these.
         const double late = std::min(1.0, few_in_cell / count_);
         reference_cost_ = costs.reference_cost * whole * late;
     }
 
-    bool can_pay() const { return least_ > 0; }
+    bool can_pay() const { return min_saving_ > 0; }
 
     /// Of so many items on both sides, in boxes that the plane does not cut yet.
     [[gnu::always_inline]] void consider(const CellAxis& axis, double position, double below,
@@ -61,18 +61,18 @@ public:
         const double first = area(below_box), second = area(above_box);
         const double twice = reference_cost_ * (below + above - count_);
         // Most planes are no better even without what rounding up to groups adds.
-        if (!(item_cost_ * (first * below + second * above) + twice < least_)) return;
+        if (!(item_cost_ * (first * below + second * above) + twice < min_saving_)) return;
         const double cost =
             first * cost_of_items(below, costs_) + second * cost_of_items(above, costs_) + twice;
-        if (!(cost < least_)) return;
-        least_ = cost;
+        if (!(cost < min_saving_)) return;
+        min_saving_ = cost;
         best_ = {axis.number, position, axis.tolerance};
     }
     const CellSplit& best() const { return best_; }
 
 private:
     const TreeSettings& costs_;
-    double count_, item_cost_, least_, reference_cost_;
+    double count_, item_cost_, min_saving_, reference_cost_;
     CellSplit best_;
 };
 

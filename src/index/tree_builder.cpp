@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "index/tree_builder.h"
 
-#include "base/page_advice.h"
+#include "base/memory_pages.h"
 #include "base/parallel.h"
 #include "index/node_builder.h"
 

@@ -2,7 +2,7 @@
 #include "index/wide_tree.h"
 
 #include "base/lanes.h"
-#include "base/page_advice.h"
+#include "base/memory_pages.h"
 #include "base/parallel.h"
 #include "base/target_clones.h"
 

@@ -66,7 +66,7 @@ Value Evaluator::State::prefixed(const Tree& tree, const node::Prefixed& node, N
     const Numbers* given = value.numbers();
     if (!given)
         return broken(Fault::wrong_type, tree.span(id),
-                      message("`", prefix, "` takes numbers, but this is ", kind_name(value)));
+                      message("`", prefix, "` takes numbers, but this is ", kind_and_text(value)));
     const std::string_view form = prefix.substr(prefix.starts_with("s") ? 4 : 3);
     const int wanted = form.empty() ? 3 : form == "ft" ? 5 : 4;
     if (!given->is_scalar() && given->count != wanted)
@@ -106,9 +106,11 @@ Value Evaluator::State::colour(const Tree& tree, const node::Colour& node, NodeI
         if (base.broken()) return base;
         const Numbers* given = base.numbers();
         if (!given || given->count == 2) {
-            constexpr const char* quoted = "colours have names without quotes: Red, in colors.inc";
+            constexpr const char* quoted =
+                "colours have names without quotes: Red, in colors.inc; in a table they are "
+                "written as #ff8800";
             report(error(Fault::wrong_type, tree.span(id),
-                         message("a colour is wanted, but this is ", kind_name(base)))
+                         message("a colour is wanted, but this is ", kind_and_text(base)))
                        .with_help(base.text() ? quoted : ""));
             return Absence::broken;
         }

@@ -39,7 +39,8 @@ bool is_hex_colour(std::string_view cell) {
     return of_a_colour && cell.find_first_not_of("0123456789abcdefABCDEF") == nowhere;
 }
 
-CsvRows::CsvRows(std::string_view text, std::size_t most) : text_(text), most_(most) {
+CsvRows::CsvRows(std::string_view text, std::size_t max_cells)
+    : text_(text), max_cells_(max_cells) {
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
 }
 
@@ -101,7 +102,7 @@ bool CsvRows::take_row(char separator, std::vector<CsvCell>& cells, CsvProblem& 
             while (cell.last > cell.first && is_gap(text_[cell.last - 1])) --cell.last;
         }
         cells.push_back(cell);
-        if (cells.size() > most_) {
+        if (cells.size() > max_cells_) {
             problem = {cell.first, cell.last, {}, true};
             return false;
         }

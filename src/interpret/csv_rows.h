@@ -22,8 +22,8 @@ struct CsvCell {
 /// Goes through the lines of a table.
 class CsvRows {
 public:
-    /// `most`: how many cells a row may have.
-    CsvRows(std::string_view text, std::size_t most);
+    /// `max_cells`: how many cells a row may have.
+    CsvRows(std::string_view text, std::size_t max_cells);
 
     std::string_view text() const { return text_; }
     std::string_view text(const CsvCell& cell) const {
@@ -52,7 +52,7 @@ private:
     bool take_quoted(char separator, std::size_t& i, std::size_t& last, CsvCell&, CsvProblem&);
 
     std::string_view text_;
-    std::size_t most_;
+    std::size_t max_cells_;
     std::size_t at_ = 0;
 };
 

@@ -27,7 +27,7 @@ std::optional<BinaryForm> binary_form(std::string_view name);
 
 class DataWriter {
 public:
-    /// A file that the door has opened; closed ones have failed.
+    /// A file that FileAccess has opened; a closed one has failed.
     explicit DataWriter(OpenedFile);
     /// What is written goes to the end of this text, and to no disk.
     explicit DataWriter(std::shared_ptr<std::string> text) : text_(std::move(text)) {}

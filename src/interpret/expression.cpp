@@ -322,9 +322,9 @@ bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<do
                 return true;
             }
             if (!value.broken())
-                broken(
-                    Fault::wrong_type, span,
-                    message("a component of a vector is a number, but this is ", kind_name(value)));
+                broken(Fault::wrong_type, span,
+                       message("a component of a vector is a number, but this is ",
+                               kind_and_text(value)));
             return false;
         };
         const auto* call = tree.get_if<node::Call>(id);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files of a scene as trees. An include file is parsed when the walk comes to its #include, or
 // before that, when a file is parsed that names it: it may define macros that open braces, which
-// the parser has to know. What is wrong in it is told of when the walk comes to it.
+// the parser has to know. Its errors are reported when the walk comes to it.
 #pragma once
 
 #include "syntax/parser.h"

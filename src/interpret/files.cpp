@@ -53,16 +53,16 @@ void Evaluator::State::open_for_reading(DataFile& file, Span span) {
 void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) {
     constexpr std::uint64_t making = 300'000;  // a file system takes long
     if (!spend(making, span)) return;
-    const Door& door = loader.door();
-    const std::optional<std::string> path = door.destination(file.name);
-    const std::string rule = !path                 ? door.writing_rule(file.name)
+    const FileAccess& access = loader.file_access();
+    const std::optional<std::string> path = access.destination(file.name);
+    const std::string rule = !path                 ? access.writing_rule(file.name)
                              : loader.keeps(*path) ? std::string()
-                                                   : door.rule_of_file(*path);
+                                                   : access.rule_of_file(*path);
     if (!rule.empty())
         return report(
             error(Fault::file_access, span, message("a scene may not write `", file.name, "`"))
                 .with_note(rule)
-                .with_help(door.writing_help(file.name)));
+                .with_help(access.writing_help(file.name)));
     const std::shared_ptr<DataWriter> writer = writer_for(*path, append);
     if (!writer->good())
         return report(
@@ -74,11 +74,11 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
     written_files.push_back({file.name, file.opened, writer});
 }
 
-/// A writer at a destination of the door; in a run that changes nothing it writes to memory, where
+/// A writer at a destination that FileAccess permits; in a run that changes nothing it writes to memory, where
 /// the loader finds the text.
 std::unique_ptr<DataWriter> Evaluator::State::writer_for(const std::string& path, bool append) {
     if (!loader.keeps_off_disk())
-        return std::make_unique<DataWriter>(loader.door().open(path, append));
+        return std::make_unique<DataWriter>(loader.file_access().open(path, append));
     auto text = std::make_shared<std::string>();
     if (append)
         if (auto before = loader.load(path, {}, FileKind::data)) *text = std::move(before->text);

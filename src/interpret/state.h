@@ -62,7 +62,7 @@ struct Evaluator::State {
         diagnostics.add(std::move(diagnostic));
         if (diagnostics.full()) stopped_ = true;
     }
-    /// What is wrong in the library is told of where the scene calls it.
+    /// Errors in the library are reported where the scene calls it.
     void point_at_scene(Diagnostic&) const;
     Span outside_library(Span) const;
     std::string data_folder(Span) const;

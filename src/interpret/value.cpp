@@ -2,6 +2,8 @@
 #include "interpret/value.h"
 
 #include "interpret/array_data.h"
+#include "text/message.h"
+#include "text/printable.h"
 
 namespace candelabra {
 
@@ -34,6 +36,15 @@ std::string kind_name(const Value& value) {
     if (value.absent()) return "nothing";
     if (value.macro()) return "a macro";
     return value.shared_.kind->name();
+}
+
+std::string kind_and_text(const Value& value) {
+    constexpr std::size_t shown = 40;
+    const std::string* text = value.text();
+    if (!text) return kind_name(value);
+    if (text->empty()) return "an empty string";
+    const bool whole = text->size() <= shown;
+    return message("the string \"", printable(text->substr(0, shown)), whole ? "\"" : "...\"");
 }
 
 }  // namespace candelabra

@@ -227,5 +227,8 @@ static_assert(sizeof(Value) <= 56);
 /// What a value is, for messages: "a number", "a vector of 3", "a colour", "a string", "a pigment",
 /// ...
 std::string kind_name(const Value&);
+/// The same, with the beginning of what a string says: "the string \"north\"". For values that come
+/// from tables, where this tells which one it is.
+std::string kind_and_text(const Value&);
 
 }  // namespace candelabra

@@ -27,7 +27,7 @@ struct BsdfLobes {
 
 /// Directions drawn as a surface scatters light.
 struct BsdfSampler {
-    double gloss = 0;  ///< share of the directions that highlights draw
+    double specular_probability = 0;  ///< share of the directions that highlights draw
     FunctionRef<std::optional<Vec3>(Vec2)> sample;
     FunctionRef<double(const Vec3&)> pdf;  ///< per steradian
 };

@@ -2,6 +2,7 @@
 #include "lighting/cut_calibration.h"
 
 #include "base/random.h"
+#include "luminaire/volume.h"
 
 #include <algorithm>
 
@@ -55,6 +56,20 @@ std::vector<float> judged(std::span<const Trial> trials) {
 
 }  // namespace
 
+namespace {
+
+/// The share of light from so far away that surfaces leave.
+double left_on_way(const Ray& ray, double tolerance, double distance, const LightProbe& probe) {
+    double left = 1;
+    look_along(ray, tolerance, probe, [&](const ProbeHit& sight, double share) {
+        left = sight.distance < distance ? share * sight.passes : share;
+        return sight.distance >= distance;
+    });
+    return left;
+}
+
+}  // namespace
+
 double arriving(std::span<const Luminaire> luminaires, LightIndex light, const SurveyPlace& from,
                 const Vec2& u, const LightProbe& probe) {
     const auto drawn = sample(luminaires[light], from.point, u);
@@ -68,6 +83,9 @@ double arriving(std::span<const Luminaire> luminaires, LightIndex light, const S
         const bool hidden = sight && sight->distance < drawn->distance * (1 - 1e-9);
         return hidden ? 0 : unoccluded(luminaires[light], from.point);
     }
+    if (const auto* volume = std::get_if<VolumeEmitter>(&luminaires[light].emitter))
+        return left_on_way(ray, from.tolerance, drawn->distance, probe) *
+               emitted_about(*volume, drawn->position) * cosine / drawn->density;
     double luminance = 0;
     look_along(ray, from.tolerance, probe, [&](const ProbeHit& sight, double share) {
         if (sight.light != light) return false;

@@ -46,7 +46,7 @@ constexpr double min_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
 /// Surfaces may ask for light as they scatter it where no luminaire is brighter than so many times
 /// the mean of what is seen: then no ray can bring much more than others.
 constexpr double max_glare = 16;
-/// Share of the shadow rays that surfaces which are all gloss scatter.
+/// Share of the shadow rays that surfaces without a diffuse part draw as they scatter.
 constexpr double max_by_surface = 0.5;
 
 bool near(const Box& box, const Vec3& position) {
@@ -62,11 +62,11 @@ double estimate(const LightTree& tree, const LightCluster& c, const Receiver& po
                    : square;
 }
 
-/// Entries on top for those that face away from a cell: as many again where all luminaires lean.
+/// Entries on top for those that face away from a cell: as many again where all luminaires shine one way only.
 int entries_for(int cut, std::span<const Luminaire> luminaires) {
-    double leaning = 0;
-    for (const Luminaire& luminaire : luminaires) leaning += 2 * length(luminaire.lean);
-    const double share = luminaires.empty() ? 0 : leaning / static_cast<double>(luminaires.size());
+    double one_way = 0;  // luminaires that shine one way only
+    for (const Luminaire& luminaire : luminaires) one_way += 2 * length(luminaire.bent_normal);
+    const double share = luminaires.empty() ? 0 : one_way / static_cast<double>(luminaires.size());
     return static_cast<int>(std::lround(cut * (1 + share)));
 }
 
@@ -124,7 +124,8 @@ struct BuiltCutOctree::State {
     std::optional<Vec3> eye;
     /// Size of cells that are small, at distance 1 from the eye if there is one.
     double coarse = 0;
-    double brightest = 0;  ///< luminance
+    double brightest = 0;                           ///< luminance
+    bool any_volume = false, only_volumes = false;  ///< which no direction meets
     Box cube;
     std::atomic<Cell*> root;
     std::atomic<Cell*> air;  ///< of points between surfaces
@@ -159,6 +160,8 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     state_->ball = ball_around(lights.box, scene.luminaires);
     for (const Luminaire& luminaire : scene.luminaires)
         state_->brightest = std::fmax(state_->brightest, luminance(luminaire.radiance));
+    state_->any_volume = std::ranges::any_of(scene.luminaires, &Luminaire::is_volume);
+    state_->only_volumes = std::ranges::all_of(scene.luminaires, &Luminaire::is_volume);
     state_->cube = cube;
 }
 
@@ -196,14 +199,22 @@ BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cu
     CellSurvey result;
     // Sources are not seen; and from points in the air luminaires are small.
     if (state_->tree.falloff(state_->tree.root()) || cell.in_air) return result;
+    const Found by_choice = found_by_choice(cut, receivers, probe);
+    const double found = by_choice.noise, choice = doubt * found + min_noise;
+    if (state_->any_volume && by_choice.irradiance > 0) {
+        result.irradiance = by_choice.irradiance;
+        result.noise = by_choice.irradiance * std::sqrt(found + min_noise);
+    }
+    if (state_->only_volumes) return result;
     result.outlook.emplace(box, state_->ball, receivers, probe);
-    const double found = noise_of_choice(cut, receivers, probe), choice = doubt * found + min_noise,
-                 outlook = result.outlook->noise() + min_noise;
+    const double outlook = result.outlook->noise() + min_noise;
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     if (found > no_noise)
         result.by_direction = std::clamp(
             share, min_by_direction * std::fmin(found / little_noise, 1), state_->settings.outlook);
+    // What the outlook knows of surfaces is not all.
+    if (state_->any_volume) return result;
     const double scattering = result.outlook->noise_of_scattering();
     result.as_scattered = scattering <= std::fmin(outlook, found + min_noise) &&
                           state_->brightest <= max_glare * result.outlook->mean_luminance();
@@ -232,7 +243,7 @@ std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const 
         const LightProxy g = state_->tree.light_proxy(cluster);
         const Vec3 v = g.centre - middle;
         given[i] = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
-        if (g.lean != Vec3(0)) given[i] *= turned(g, v, radius + g.radius);
+        if (g.bent_normal != Vec3(0)) given[i] *= turned(g, v, radius + g.radius);
         if (const Falloff* falloff = state_->tree.falloff(cluster))
             given[i] *= against_square_law(*falloff, v, radius + g.radius);
         learned += given[i] * shares[i];
@@ -251,8 +262,9 @@ std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const 
     return result;
 }
 
-double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const SurveyPlace> receivers,
-                                       const LightProbe& probe) const {
+BuiltCutOctree::Found BuiltCutOctree::found_by_choice(const LightCut& cut,
+                                                      std::span<const SurveyPlace> receivers,
+                                                      const LightProbe& probe) const {
     Weights weights;
     weights.cut = &cut;
     LightPicks picks;
@@ -274,13 +286,14 @@ double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Surv
         at_place[i % receivers.size()] += found[i];
     }
     const std::vector<double> counts = balanced(at_place);
-    double sum = 0, squares = 0;
+    double sum = 0, squares = 0, light = 0;
     for (std::size_t i = 0; i < trials; ++i) {
         const double given = counts[i % receivers.size()] * found[i];
         sum += given;
         squares += given * given;
+        light += found[i];
     }
-    return sum > 0 ? trials * squares / (sum * sum) - 1 : INFINITY;
+    return {sum > 0 ? trials * squares / (sum * sum) - 1 : INFINITY, light / trials};
 }
 
 /// The cell at a place of the tree, which is made when there is none.
@@ -419,13 +432,16 @@ std::size_t BuiltCutOctree::memory_bytes() const {
 std::size_t BuiltCutOctree::cells() const { return state_->cells; }
 
 BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
-    : octree_(octree), receiver_(query.receiver), bsdf_(query.bsdf) {
+    : octree_(octree),
+      receiver_(query.receiver),
+      bsdf_(octree.state_->only_volumes ? nullptr : query.bsdf) {
     if (query.scene)
         octree.weigh(query, weights_);
     else
         octree.weigh_choice(receiver_, query.lobes, weights_);
     if (!bsdf_) return;
-    by_surface_ = weights_.as_scattered ? 1 : max_by_surface * std::sqrt(bsdf_->gloss);
+    by_surface_ =
+        weights_.as_scattered ? 1 : max_by_surface * std::sqrt(bsdf_->specular_probability);
     by_outlook_ = (1 - by_surface_) * weights_.by_direction;
     by_choice_ = 1 - (by_surface_ + by_outlook_);
 }

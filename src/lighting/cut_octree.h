@@ -64,7 +64,12 @@ private:
     std::unique_ptr<Cell> make(const Box&, const Cell& parent, const LightProbe*) const;
     CellSurvey survey(const Cell&, LightCut&, const LightProbe&) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
-    double noise_of_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
+    /// What shadow rays to chosen luminaires found: variance over squared mean, and the mean
+    /// irradiance for each unit of the total weight.
+    struct Found {
+        double noise, irradiance;
+    };
+    Found found_by_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
     std::uint32_t descend(const Receiver&, LightCluster, const Key&, double u,
                           double& probability) const;
 
@@ -85,6 +90,7 @@ public:
         return by_choice_ > 0 ? octree_.expected(receiver_, weights_, light) : 0;
     }
     double pdf(const Vec3& direction, double expected, double of_point) const;
+    double picked() const { return by_choice_; }
     double noise() const { return weights_.noise; }
     double irradiance() const { return weights_.irradiance; }
     double expected_light() const { return weights_.total; }

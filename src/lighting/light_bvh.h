@@ -43,6 +43,7 @@ public:
         double pdf(const Vec3& direction, double expected, double of_point) const {
             return expected * of_point + (bsdf_ ? bsdf_->pdf(direction) : 0);
         }
+        double picked() const { return 1; }
         double noise() const { return -1; }
         double irradiance() const { return 0; }
         double expected_light() const { return -1; }

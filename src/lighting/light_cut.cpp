@@ -17,7 +17,7 @@ constexpr double min_strength = 1e-24;
 constexpr float slack = 1e-6f;
 /// What a surface without a diffuse part is thought to answer at least: highlights are not quite
 /// what the formula says.
-constexpr double min_dull = 0.02;
+constexpr double min_diffuse = 0.02;
 /// Of entries that are lower over the horizon, weights are not divided by the cosine, but by this.
 constexpr float min_cosine = 0.05f;
 
@@ -25,7 +25,7 @@ struct EntryColumns {
     const float *x, *y, *z, *radius, *strength;
     const float *axis_x, *axis_y, *axis_z, *evenness;
     const float *half_x, *half_y, *half_z;
-    const float *lean_x, *lean_y, *lean_z, *lean;
+    const float *bent_x, *bent_y, *bent_z, *bent_length;
 };
 struct SourceColumns {
     const float *fade_power, *per_fade_distance, *dark, *per_edge;
@@ -78,17 +78,17 @@ template <Horizon horizon>
 
 [[gnu::always_inline]] inline void turn_to_point(const EntryColumns& c, std::size_t first,
                                                  const Place& p, Rows& out) {
-    constexpr auto kept = static_cast<float>(min_leaning);
+    constexpr auto kept = static_cast<float>(min_unoccluded);
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
         const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
         const float r2 = c.radius[row] * c.radius[row];
         const float d2 = vx * vx + vy * vy + vz * vz;
         const float along = std::abs(c.axis_x[row] * vx + c.axis_y[row] * vy + c.axis_z[row] * vz);
-        const float leaning = c.lean_x[row] * vx + c.lean_y[row] * vy + c.lean_z[row] * vz;
+        const float outwards = c.bent_x[row] * vx + c.bent_y[row] * vy + c.bent_z[row] * vz;
         const float inverse = 1 / std::sqrt(d2 > r2 ? d2 : r2);
-        const float seen = c.evenness[row] + (along - leaning) * inverse;
-        const float least = c.lean[row] * (kept + c.radius[row] * inverse);
+        const float seen = c.evenness[row] + (along - outwards) * inverse;
+        const float least = c.bent_length[row] * (kept + c.radius[row] * inverse);
         out[i] *= seen > least ? seen : least;
     }
 }
@@ -151,7 +151,7 @@ template <Horizon horizon>
 
 struct Look {
     Horizon horizon;
-    bool turned;                   ///< some luminaires are flat, or lean
+    bool turned;                   ///< some luminaires are flat, or have a bent normal
     const SourceColumns* sources;  ///< null: there are luminaires only
 };
 
@@ -200,12 +200,12 @@ struct Peak {
 }
 
 CANDELABRA_TARGET_CLONES
-void weigh_answers_of_rows(const EntryColumns& c, std::size_t count, const Place& place, float dull,
-                           std::span<const Peak> peaks, CutWeights& result) {
+void weigh_answers_of_rows(const EntryColumns& c, std::size_t count, const Place& place,
+                           float diffuse, std::span<const Peak> peaks, CutWeights& result) {
     const Place p = place;
     for (std::size_t first = 0; first < count; first += block) {
         Rows answers;
-        answers.fill(dull);
+        answers.fill(diffuse);
         for (const Peak& peak : peaks) shine(c, first, p, peak, answers);
         Rows rows;
         for (std::size_t i = 0; i < block; ++i) rows[i] = result.weight[first + i] * answers[i];
@@ -222,7 +222,7 @@ double total(const CutWeights& weights, std::size_t rows) {
 
 LightProxy exact_proxy(const Luminaire& luminaire) {
     const LightBounds b = bounds(luminaire);
-    return leaning(light_proxy(b), b.lean);
+    return with_bent_normal(light_proxy(b), b.bent_normal);
 }
 
 }  // namespace
@@ -268,11 +268,11 @@ void LightCut::fill(std::size_t entry, const LightProxy& g) {
     column(axis_y)[entry] = static_cast<float>(g.axis.y);
     column(axis_z)[entry] = static_cast<float>(g.axis.z);
     column(evenness)[entry] = static_cast<float>(g.evenness);
-    column(lean_x)[entry] = static_cast<float>(g.lean.x);
-    column(lean_y)[entry] = static_cast<float>(g.lean.y);
-    column(lean_z)[entry] = static_cast<float>(g.lean.z);
-    column(lean)[entry] = static_cast<float>(length(g.lean));
-    turned_ = turned_ || g.axis != Vec3(0) || g.lean != Vec3(0);
+    column(bent_x)[entry] = static_cast<float>(g.bent_normal.x);
+    column(bent_y)[entry] = static_cast<float>(g.bent_normal.y);
+    column(bent_z)[entry] = static_cast<float>(g.bent_normal.z);
+    column(bent_length)[entry] = static_cast<float>(length(g.bent_normal));
+    turned_ = turned_ || g.axis != Vec3(0) || g.bent_normal != Vec3(0);
 }
 
 void LightCut::fill(std::size_t entry, const Falloff& f) {
@@ -304,7 +304,7 @@ LightCut::Rough LightCut::rough(const Receiver& point) const {
              static_cast<float>(point.normal.z)},
             {column(x), column(y), column(z), column(radius), column(strength), column(axis_x),
              column(axis_y), column(axis_z), column(evenness), column(half_x), column(half_y),
-             column(half_z), column(lean_x), column(lean_y), column(lean_z), column(lean)}};
+             column(half_z), column(bent_x), column(bent_y), column(bent_z), column(bent_length)}};
 }
 
 void LightCut::weigh(const Receiver& point, CutWeights& result) const {
@@ -328,7 +328,7 @@ void LightCut::weigh_answers(const Receiver& point, const BsdfLobes& lobes,
     }
     const Rough all = rough(point);
     weigh_answers_of_rows(all.columns, rows_, all.place,
-                          static_cast<float>(std::fmax(lobes.diffuse, min_dull)),
+                          static_cast<float>(std::fmax(lobes.diffuse, min_diffuse)),
                           std::span(peaks).first(lobes.count), result);
     result.total = total(result, rows_);
 }

@@ -58,10 +58,10 @@ private:
         axis_y,
         axis_z,
         evenness,
-        lean_x,
-        lean_y,
-        lean_z,
-        lean,  ///< its length
+        bent_x,
+        bent_y,
+        bent_z,
+        bent_length,  ///< its length
         columns,
         /// Of light sources only, behind the others.
         fade_power = columns,
@@ -81,7 +81,7 @@ private:
     Vec3 middle_;
     double scale_ = 1;  ///< of lengths
     std::size_t rows_ = 0;
-    bool turned_ = false;  ///< some are flat, or lean
+    bool turned_ = false;  ///< some are flat, or have a bent normal
     bool sources_ = false;
     double noise_ = 0;
     std::vector<LightCluster> clusters_;  ///< in the tree's order

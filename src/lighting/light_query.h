@@ -43,6 +43,8 @@ concept LightAnswer = requires(const T& at, const Key& key, LightSamples& sample
     // Density of a point of a luminaire by all ways together, per steradian: its direction, how
     // often the luminaire is expected to be picked, and the density that it then has.
     { at.pdf(direction, double{}, double{}) } -> std::same_as<double>;
+    // Share of the picks in it, for luminaires that no direction meets: volumes.
+    { at.picked() } -> std::same_as<double>;
     // Standard deviation that one shadow ray's irradiance is expected to have; below 0: not known.
     { at.noise() } -> std::same_as<double>;
     { at.irradiance() } -> std::same_as<double>;  // that is expected; known where the noise is
@@ -65,6 +67,7 @@ public:
         return built_.expected(receiver_, key, light);
     }
     double pdf(const Vec3&, double expected, double of_point) const { return expected * of_point; }
+    double picked() const { return 1; }
     double noise() const { return -1; }
     double irradiance() const { return 0; }
     double expected_light() const { return -1; }

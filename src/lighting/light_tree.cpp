@@ -44,13 +44,14 @@ struct Bin {
 
 /// How luminaires shine on the whole: sums over a node, weighed by intensity.
 struct Shine {
-    Vec3 axis = Vec3(0), lean = Vec3(0);
+    Vec3 axis = Vec3(0), bent_normal = Vec3(0);
     double flat = 0, even = 0, all = 0;
 };
 
 Shine join(const Shine& a, const Shine& b) {
     const Vec3 turned = dot(a.axis, b.axis) < 0 ? -b.axis : b.axis;
-    return {a.axis + turned, a.lean + b.lean, a.flat + b.flat, a.even + b.even, a.all + b.all};
+    return {a.axis + turned, a.bent_normal + b.bent_normal, a.flat + b.flat, a.even + b.even,
+            a.all + b.all};
 }
 
 /// Components as numbers of parts, of which a unit has so many.
@@ -247,21 +248,21 @@ private:
         if (cluster.count == 1) {
             const LightBounds b = bounds(luminaires_[tree_.order_[cluster.first]]);
             const bool flat = b.axis != Vec3(0);
-            const double rest = b.intensity * (1 - length(b.lean));
-            sum = {rest * b.axis, b.intensity * b.lean, flat ? rest : 0,
+            const double rest = b.intensity * (1 - length(b.bent_normal));
+            sum = {rest * b.axis, b.intensity * b.bent_normal, flat ? rest : 0,
                    flat ? rest * (flat_evenness + b.evenness) : rest, b.intensity};
         } else {
             const auto [first, second] = tree_.halves(cluster);
             const Shine before = shine(first);
             sum = join(before, shine(second));
         }
-        const bool plain = !(sum.flat > 0) && sum.lean == Vec3(0);
+        const bool plain = !(sum.flat > 0) && sum.bent_normal == Vec3(0);
         if (plain || !(sum.all > 0)) return sum;
         LightTreeNode& node = tree_.nodes_[cluster.node];
         const double spread = sum.flat > 0 ? sum.flat - length(sum.axis) : 0;
         const double even = (sum.even + 0.5 * spread) / sum.all;
         node.axis = in_bytes(sum.axis / sum.all, 127);
-        node.lean = in_bytes(sum.lean / sum.all, 254);
+        node.bent_normal = in_bytes(sum.bent_normal / sum.all, 254);
         node.evenness = static_cast<std::uint8_t>(std::clamp(std::ceil(255 * even), 1.0, 255.0));
         return sum;
     }
@@ -295,7 +296,7 @@ LightProxy LightTree::light_proxy(const LightCluster& c) const {
             Vec3(n.axis[0], n.axis[1], n.axis[2]) / 127.0,
             n.evenness / 255.0,
             0.5 * around.size() + rounding,
-            Vec3(n.lean[0], n.lean[1], n.lean[2]) / 254.0};
+            Vec3(n.bent_normal[0], n.bent_normal[1], n.bent_normal[2]) / 254.0};
 }
 
 std::uint64_t LightTree::strength_before(const LightCluster& c) const {

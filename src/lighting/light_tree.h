@@ -18,9 +18,9 @@ struct LightTreeNode {
     std::array<float, 3> low, high;
     /// Mean axis of the flat ones, 127 long if all are parallel.
     std::array<std::int8_t, 3> axis{};
-    std::uint8_t evenness = 255;        ///< see LightProxy; in 255ths
-    std::uint32_t first_half = 0;       ///< luminaires in the first half; 0: it is a single one
-    std::array<std::int8_t, 3> lean{};  ///< see LightProxy; 254 long for 1
+    std::uint8_t evenness = 255;   ///< see LightProxy; in 255ths
+    std::uint32_t first_half = 0;  ///< luminaires in the first half; 0: it is a single one
+    std::array<std::int8_t, 3> bent_normal{};  ///< see LightProxy; 254 long for 1
 };
 static_assert(sizeof(LightTreeNode) == 36);
 

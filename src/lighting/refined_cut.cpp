@@ -63,7 +63,8 @@ private:
         const double d = length(g.centre - centre_);
         Entry entry{cluster, 0, 0};
         entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
-        if (g.lean != Vec3(0)) entry.weight *= turned(g, g.centre - centre_, radius_ + g.radius);
+        if (g.bent_normal != Vec3(0))
+            entry.weight *= turned(g, g.centre - centre_, radius_ + g.radius);
         if (const Falloff* falloff = tree_.falloff(cluster))
             entry.weight *= against_square_law(*falloff, g.centre - centre_, radius_ + g.radius);
         if (cluster.count > 1) {

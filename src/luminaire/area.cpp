@@ -72,17 +72,30 @@ Vec3 stretched_normal(const AreaEmitter& e, const Vec3& normal) {
 }
 
 /// Which points of the surface shine on a point: solids hide their far side from outside, their
-/// near one from inside.
+/// near one from within. A point on the surface looks at it from within, as what is convex turns
+/// away from itself outside.
 class TurnedSide {
 public:
-    TurnedSide(const AreaEmitter& e, const Vec3& from)
-        : solid_(closed(e)), within_(solid_ && inside(e.shape, to_shape_point(e, from))) {}
+    TurnedSide(const AreaEmitter& e, const Receiver& from)
+        : solid_(closed(e)), within_(solid_ && within(e, from)) {}
 
     bool shows(const Vec3& normal, const Vec3& from_surface) const {
         return !solid_ || (dot(normal, from_surface) > 0) != within_;
     }
 
 private:
+    /// Whether it is inside, or on the surface as far as rounding lets it be known.
+    static bool within(const AreaEmitter& e, const Receiver& from) {
+        const Vec3 here = to_shape_point(e, from.position);
+        if (inside(e.shape, here)) return true;
+        const Vec3 normal =
+            unit(e.transform ? e.transform->inverse_direction(from.normal) : from.normal);
+        const double rounding =
+            1e-9 * (max_component(bounds(e.shape).size()) + max_abs_component(here));
+        return inside(e.shape, here + rounding * normal) ||
+               inside(e.shape, here - rounding * normal);
+    }
+
     bool solid_, within_;
 };
 
@@ -105,7 +118,7 @@ std::pair<Vec3, double> sphere_around(const T& shape) {
     return {box.centre(), length(box.size()) / 2};
 }
 
-/// The faces of a box seen from outside and above the horizon; nothing for other shapes.
+/// The faces of a box that are seen above the horizon; nothing for other shapes.
 std::optional<SeenFaces> seen_faces(const AreaEmitter& e, const Vec3& from, const Vec3* normal) {
     const Cuboid* box = std::get_if<Cuboid>(&e.shape);
     if (!box) return {};
@@ -175,24 +188,6 @@ const Vec3* horizon_of(const Receiver& point) {
     return point.horizon == Horizon::one_side ? &point.normal : nullptr;
 }
 
-std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const Vec3* normal,
-                                 const Vec2& u) {
-    if (const auto faces = seen_faces(e, from, normal)) {
-        const auto drawn = faces->draw(u);
-        return drawn ? std::optional(drawn->point) : std::nullopt;
-    }
-    const SurfacePoint drawn = sample_area(e.shape, u);
-    const double per_area = 1 / surface_area(e.shape);
-    const Vec3 position = to_world_point(e, drawn.position), offset = position - from;
-    const double distance = length(offset);
-    if (!(distance > 0)) return {};
-    const Vec3 direction = offset / distance, turned = stretched_normal(e, drawn.normal);
-    if (!TurnedSide(e, from).shows(turned, -direction)) return {};
-    const double seen = std::abs(dot(turned, direction));
-    if (!(seen > 0)) return {};
-    return LightPoint{position, direction, distance, solid_angle_density(per_area, distance, seen)};
-}
-
 }  // namespace
 
 LightBounds bounds(const AreaEmitter& e, double luminance) {
@@ -221,11 +216,24 @@ double unoccluded(const AreaEmitter& e, double luminance, const Receiver& point)
 }
 
 std::optional<LightPoint> sample(const AreaEmitter& e, const Receiver& point, const Vec2& u) {
-    return sample(e, point.position, horizon_of(point), u);
+    if (const auto faces = seen_faces(e, point.position, horizon_of(point))) {
+        const auto drawn = faces->draw(u);
+        return drawn ? std::optional(drawn->point) : std::nullopt;
+    }
+    const SurfacePoint drawn = sample_area(e.shape, u);
+    const double per_area = 1 / surface_area(e.shape);
+    const Vec3 position = to_world_point(e, drawn.position), offset = position - point.position;
+    const double distance = length(offset);
+    if (!(distance > 0)) return {};
+    const Vec3 direction = offset / distance, turned = stretched_normal(e, drawn.normal);
+    if (!TurnedSide(e, point).shows(turned, -direction)) return {};
+    const double seen = std::abs(dot(turned, direction));
+    if (!(seen > 0)) return {};
+    return LightPoint{position, direction, distance, solid_angle_density(per_area, distance, seen)};
 }
 
 std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const Vec2& u) {
-    return sample(e, from, nullptr, u);
+    return sample(e, Receiver{from, Vec3(0), Horizon::none}, u);
 }
 
 void intersect(const AreaEmitter& e, const Receiver& point, const Vec3& direction,
@@ -234,19 +242,22 @@ void intersect(const AreaEmitter& e, const Receiver& point, const Vec3& directio
     Crossings met;
     crossings(e.shape, e.transform ? e.transform->inverse_ray(ray) : ray, met);
     if (met.size() == 0) return;
-    const TurnedSide side(e, point.position);
     const auto faces = seen_faces(e, point.position, horizon_of(point));
+    std::optional<TurnedSide> side;
+    if (!faces) side.emplace(e, point);
     const double per_area = 1 / surface_area(e.shape);
-    const auto broadest = [](const Vec3& own_normal) {
-        const Vec3 size = glm::abs(own_normal);
-        return size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const auto face_of = [](const Vec3& outward) {
+        const Vec3 size = glm::abs(outward);
+        const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+        return SeenFaces::face(axis, outward[axis] > 0);
     };
     for (std::size_t i = 0; i < met.size(); ++i) {
         const double distance = met[i].t;
         const Vec3 normal = stretched_normal(e, own_normal(e, met[i]));
         const double seen = std::abs(dot(normal, direction));
-        if (!(distance > 0 && seen > 0 && side.shows(normal, -direction))) continue;
-        const double density = faces ? faces->density(broadest(met[i].normal), direction, distance)
+        if (!(distance > 0 && seen > 0)) continue;
+        if (side && !side->shows(normal, -direction)) continue;
+        const double density = faces ? faces->density(face_of(met[i].normal), direction, distance)
                                      : solid_angle_density(per_area, distance, seen);
         if (density > 0) found.push_back({distance, density});
     }

@@ -7,6 +7,7 @@
 #include "luminaire/source.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
+#include "luminaire/volume.h"
 
 #include <numbers>
 

@@ -12,13 +12,13 @@ namespace candelabra {
 /// axis.
 struct LightProxy {
     Vec3 centre = Vec3(0);
-    double radius = 1;        ///< above 0
-    double strength = 0;      ///< intensity / radius
-    Vec3 axis = Vec3(0);      ///< 0: the same in all directions
-    double evenness = 1;      ///< share of the intensity that goes in all directions
-    Vec3 half = Vec3(1e300);  ///< of a box around it, from the centre: some are thinner than the
-                              ///< sphere
-    Vec3 lean = Vec3(0);      ///< see leaning()
+    double radius = 1;           ///< above 0
+    double strength = 0;         ///< intensity / radius
+    Vec3 axis = Vec3(0);         ///< 0: the same in all directions
+    double evenness = 1;         ///< share of the intensity that goes in all directions
+    Vec3 half = Vec3(1e300);     ///< of a box around it, from the centre: some are thinner than the
+                                 ///< sphere
+    Vec3 bent_normal = Vec3(0);  ///< see with_bent_normal()
 };
 
 /// Flat luminaires are thought to shine a little along their plane too, since the estimate looks at
@@ -37,18 +37,19 @@ inline LightProxy light_proxy(const LightBounds& b) {
 }
 
 /// The same with what it is set into taken into account: towards a unit vector d it has the
-/// strength that it had times (1 - |lean|), and dot(lean, d) of the strength face on.
-inline LightProxy leaning(LightProxy g, const Vec3& lean) {
-    const double rest = 1 - length(lean);
+/// strength that it had times (1 - |bent_normal|), and dot(bent_normal, d) of the strength face on.
+inline LightProxy with_bent_normal(LightProxy g, const Vec3& bent_normal) {
+    const double rest = 1 - length(bent_normal);
     g.axis *= rest;
     g.evenness *= rest;
-    g.lean = lean;
+    g.bent_normal = bent_normal;
     return g;
 }
 
-/// What one that leans keeps in any case, as a share of its lean: rays that were tried when the
-/// scene was made do not tell all, and from nearby not all of it is seen in the same direction.
-inline constexpr double min_leaning = 0.1;
+/// The share of its bent normal's length that a luminaire keeps from every direction: the rays of
+/// find_bent_normals() do not find every gap, and from nearby a luminaire is seen in several
+/// directions at once.
+inline constexpr double min_unoccluded = 0.1;
 
 /// Radius over distance at which rounding may still lift a luminaire over the horizon.
 inline constexpr double horizon_slack = 1e-14;
@@ -115,11 +116,11 @@ template <Horizon horizon>
     return evenness + std::abs(axis.x * v.x + axis.y * v.y + axis.z * v.z) / std::sqrt(outside2);
 }
 
-/// The factor for the direction in which something is seen that may lean.
+/// The factor for the direction in which something is seen that may have a bent normal.
 inline double turned(const LightProxy& g, const Vec3& v, double radius) {
     const double distance = std::sqrt(std::fmax(dot(v, v), radius * radius));
-    const double seen = g.evenness + (std::abs(dot(g.axis, v)) - dot(g.lean, v)) / distance;
-    return std::fmax(seen, length(g.lean) * (min_leaning + radius / distance));
+    const double seen = g.evenness + (std::abs(dot(g.axis, v)) - dot(g.bent_normal, v)) / distance;
+    return std::fmax(seen, length(g.bent_normal) * (min_unoccluded + radius / distance));
 }
 
 /// Estimate of the irradiance of one luminaire; see unoccluded().
@@ -134,7 +135,7 @@ inline double irradiance(const LightProxy& g, const Receiver& point) {
                         : point.horizon == Horizon::both_sides
                             ? of_sphere.template operator()<Horizon::both_sides>()
                             : of_sphere.template operator()<Horizon::none>();
-    if (g.lean != Vec3(0)) return even * turned(g, v, g.radius);
+    if (g.bent_normal != Vec3(0)) return even * turned(g, v, g.radius);
     return g.axis == Vec3(0) ? even * g.evenness : even * facing(v, g.radius, g.axis, g.evenness);
 }
 

@@ -8,6 +8,7 @@
 #include "luminaire/source.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
+#include "luminaire/volume.h"
 
 #include <algorithm>
 
@@ -89,7 +90,7 @@ LightBounds bounds(const Luminaire& luminaire) {
     LightBounds result = std::visit(
         [&](const auto& e) { return bounds(e, luminance(luminaire.radiance)); }, luminaire.emitter);
     result.intensity *= mean_share(luminaire);
-    result.lean = luminaire.lean;
+    result.bent_normal = luminaire.bent_normal;
     return result;
 }
 

@@ -47,7 +47,7 @@ struct LightPoint {
     Vec3 position;
     Vec3 direction;  ///< unit, from the shading point
     double distance;
-    double density;  ///< probability per steradian; above 0
+    double density;  ///< probability per steradian, of volumes also per length; above 0
 };
 
 /// A glowing sphere, sampled uniformly in the cone that it fills (by its area from inside).
@@ -88,22 +88,36 @@ struct SourceEmitter {
     Falloff falloff;
 };
 
+class EmissionGrid;
+
+/// A box, or a part of one, that is filled with what glows: see volume.h.
+struct VolumeEmitter {
+    Box box;
+    Handle<EmissionGrid> grid;
+};
+
 class Brightness;
 
-using Emitter =
-    std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter, SourceEmitter>;
+using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter,
+                             SourceEmitter, VolumeEmitter>;
 
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they look in POV-Ray.
 struct Luminaire {
     Emitter emitter;
-    Vec3 radiance;         ///< greatest radiance anywhere on it, per channel; a source's colour
-    bool varying = false;  ///< whether the radiance changes over the surface
+    /// Greatest radiance anywhere on it, per channel; a source's colour; of a volume all that may
+    /// be emitted along a line through it.
+    Vec3 radiance;
+    bool varying = false;                     ///< whether the radiance changes over the surface
     Handle<Brightness> brightness = nullptr;  ///< where it is bright; null: not known
-    std::uint32_t primitive;  ///< the world's primitive that it is; of sources: its light
+    std::uint32_t primitive;  ///< the world's primitive that it is; of sources: its light; of
+                              ///< volumes: one of the solid that it is in
     /// Where its light gets out of what it is set into (a window's not into its own house):
     /// towards this, with all its strength, and the other way by twice its length less. Length 0:
     /// all around. At most half.
-    Vec3 lean = Vec3(0);
+    Vec3 bent_normal = Vec3(0);
+
+    /// Whether its points lie between surfaces, and not on one.
+    bool is_volume() const { return std::holds_alternative<VolumeEmitter>(emitter); }
 };
 
 /// Where a luminaire (or a cluster of them) is, where it shines, and how much: enough to estimate
@@ -119,7 +133,7 @@ struct LightBounds {
     double luminance = 0;  ///< of its brightest point
     double evenness = 0;   ///< what a flat one with some thickness shows in all directions, as a
                            ///< share of its intensity
-    Vec3 lean = Vec3(0);   ///< see Luminaire
+    Vec3 bent_normal = Vec3(0);  ///< see Luminaire
 };
 
 /// Luminance that steers the choice of luminaires: grey(), but never 0 where any channel is above
@@ -177,9 +191,10 @@ void intersect(const Luminaire&, const Receiver&, const Vec3& direction, LightHi
 /// A ray that leaves a luminaire.
 struct EmittedRay {
     Ray ray;      ///< from its surface; the direction is a unit vector
-    Vec3 normal;  ///< unit, of the surface there, on the side of the ray; 0 of sources
-    /// Of point and direction together, per area and steradian; of sources, which have no area, per
-    /// steradian.
+    Vec3 normal;  ///< unit, of the surface there, on the side of the ray; 0 of sources, and the
+                  ///< direction itself where there is no surface
+    /// Of point and direction together, per area (of volumes per volume) and steradian; of sources,
+    /// which have no area, per steradian.
     double density;
 };
 

@@ -49,61 +49,67 @@ double SeenFaces::Face::height(const Vec3& from, const Vec3& normal) const {
     return sum / 4;
 }
 
+double SeenFaces::weight(Face& f, const Vec3* normal) const {
+    if (normal && !f.rise_above(from_, *normal)) return 0;
+    // What it fills of the view, exactly or as seen from its middle.
+    const Vec3 offset = f.corner + 0.5 * (f.side1 + f.side2) - from_;
+    const double distance2 = dot(offset, offset), distance = std::sqrt(distance2);
+    const double side2 = dot(f.side1, f.side1) + dot(f.side2, f.side2);
+    const bool is_large = side2 > large * distance2;
+    double weight = std::abs(dot(cross(f.side1, f.side2), offset)) / (distance2 * distance);
+    if (is_large && std::abs(dot(f.side1, f.side2)) < 1e-12 * side2) {
+        const SphericalRectangle near(from_, f.corner, f.side1, f.side2);
+        if (near.solid_angle() > 1e-3) {
+            weight = near.solid_angle();
+            f.near = near;
+        }
+    }
+    if (!normal) return weight;
+    return weight * (min_height + (is_large ? f.height(from_, *normal)
+                                            : std::fmax(dot(*normal, offset) / distance, 0)));
+}
+
 SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from, const Vec3* normal)
     : from_(from) {
     const Vec3 here = map ? map->inverse_point(from) : from, size = box.size();
     const double margin = surface * (max_component(size) + max_abs_component(here));
+    const bool within = contains({box.low - margin, box.high + margin}, here);
     double sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const bool low = here[axis] < box.low[axis] - margin;
-        if (!low && !(here[axis] > box.high[axis] + margin)) continue;
-        Face& f = face_[axis];
-        f.corner = box.low;
-        if (!low) f.corner[axis] = box.high[axis];
-        f.side1[(axis + 1) % 3] = size[(axis + 1) % 3];
-        f.side2[(axis + 2) % 3] = size[(axis + 2) % 3];
-        if (map) {
-            f.corner = map->point(f.corner);
-            f.side1 = map->direction(f.side1);
-            f.side2 = map->direction(f.side2);
-        }
-        if (normal && !f.rise_above(from, *normal)) continue;
-        // What it fills of the view, exactly or as seen from its middle.
-        const Vec3 offset = f.corner + 0.5 * (f.side1 + f.side2) - from;
-        const double distance2 = dot(offset, offset), distance = std::sqrt(distance2);
-        const double side2 = dot(f.side1, f.side1) + dot(f.side2, f.side2);
-        const bool is_large = side2 > large * distance2;
-        share_[axis] = std::abs(dot(cross(f.side1, f.side2), offset)) / (distance2 * distance);
-        if (is_large && std::abs(dot(f.side1, f.side2)) < 1e-12 * side2) {
-            const SphericalRectangle near(from, f.corner, f.side1, f.side2);
-            if (near.solid_angle() > 1e-3) {
-                share_[axis] = near.solid_angle();
-                f.near = near;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool high : {false, true}) {
+            const double beyond = high ? here[axis] - box.high[axis] : box.low[axis] - here[axis];
+            if (!(within ? beyond < -margin : beyond > margin)) continue;
+            Face& f = face_[face(axis, high)];
+            f.corner = box.low;
+            if (high) f.corner[axis] = box.high[axis];
+            f.side1[(axis + 1) % 3] = size[(axis + 1) % 3];
+            f.side2[(axis + 2) % 3] = size[(axis + 2) % 3];
+            if (map) {
+                f.corner = map->point(f.corner);
+                f.side1 = map->direction(f.side1);
+                f.side2 = map->direction(f.side2);
             }
+            sum += share_[face(axis, high)] = weight(f, normal);
         }
-        if (normal)
-            share_[axis] *= min_height + (is_large ? f.height(from, *normal)
-                                                   : std::fmax(dot(*normal, offset) / distance, 0));
-        sum += share_[axis];
-    }
-    for (double& share : share_) share = sum > 0 ? share / sum : 0;
+    any_ = sum > 0;
+    for (double& share : share_) share = any_ ? share / sum : 0;
 }
 
-double SeenFaces::density(int axis, const Vec3& direction, double distance) const {
-    if (!(share_[axis] > 0)) return 0;
-    const Face& f = face_[axis];
-    if (f.near) return share_[axis] / f.near->solid_angle();
+double SeenFaces::density(int face, const Vec3& direction, double distance) const {
+    if (!(share_[face] > 0)) return 0;
+    const Face& f = face_[face];
+    if (f.near) return share_[face] / f.near->solid_angle();
     const double seen = std::abs(dot(cross(f.side1, f.side2), direction));
-    return seen > 0 ? share_[axis] * distance * distance / seen : 0;
+    return seen > 0 ? share_[face] * distance * distance / seen : 0;
 }
 
 std::optional<SeenFaces::Drawn> SeenFaces::draw(Vec2 u) const {
     int last = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!(share_[axis] > 0)) continue;
-        last = axis;
-        if (u.x < share_[axis]) break;
-        u.x -= share_[axis];
+    for (int face = 0; face < 6; ++face) {
+        if (!(share_[face] > 0)) continue;
+        last = face;
+        if (u.x < share_[face]) break;
+        u.x -= share_[face];
     }
     u.x = std::fmin(u.x / share_[last], 1 - 0x1p-53);
     const Face& f = face_[last];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faces of a glowing box that a point outside sees, and points on them. Used by area
-// luminaires, for which boxes are the one shape whose far side never shows.
+// The faces of a glowing box that a point sees, and points on them: from outside those that face
+// it, from within all.
 #pragma once
 
 #include "luminaire/luminaire.h"
@@ -15,17 +15,20 @@ public:
     /// faces more often that stand higher.
     SeenFaces(const Box&, const Transform*, const Vec3& from, const Vec3* normal);
 
-    /// False from inside and on the surface, and where all is below the horizon.
-    bool any() const { return share_[0] + share_[1] + share_[2] > 0; }
+    /// False where all is below the horizon.
+    bool any() const { return any_; }
+
+    /// The face of a box across an axis (0 to 2), at its high or low end.
+    static int face(int axis, bool high) { return 2 * axis + high; }
 
     struct Drawn {
-        int axis;  ///< of the face
+        int face;
         LightPoint point;
     };
     /// Nothing where rounding puts the point in the plane of the face.
     std::optional<Drawn> draw(Vec2 u) const;
-    /// Density of a point of the face across an axis, in the direction of the given unit vector.
-    double density(int axis, const Vec3& direction, double distance) const;
+    /// Density of a point of the face, in the direction of the given unit vector.
+    double density(int face, const Vec3& direction, double distance) const;
 
 private:
     struct Face {
@@ -37,8 +40,12 @@ private:
         /// Mean sine of the corners' heights above it; those below count as 0.
         double height(const Vec3& from, const Vec3& normal) const;
     };
-    std::array<Face, 3> face_;
-    std::array<double, 3> share_{};  ///< how probably a point is drawn from it
+    /// How much counts of a face that is seen; 0 where it is below the horizon.
+    double weight(Face&, const Vec3* normal) const;
+
+    std::array<Face, 6> face_;
+    std::array<double, 6> share_{};  ///< how probably a point is drawn from it
+    bool any_ = false;
     Vec3 from_;
 };
 

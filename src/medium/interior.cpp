@@ -23,7 +23,9 @@ const ItemInfo Interior::vocabulary = described<Interior>([] {
         F{"dispersion", &Interior::dispersion, item,
           "index of refraction at violet over that at red", above(0)},
         F{"dispersion_samples", &Interior::dispersion_samples, item,
-          "rays that white light is split into", between(2, 100)});
+          "rays that white light is split into", between(2, 100)},
+        F{"luminaire", &Interior::luminaire, flag,
+          "what its media emit lights the scene, as a luminaire does"});
 });
 
 Interior transformed(Interior interior, const Transform& transform) {

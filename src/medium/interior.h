@@ -15,6 +15,7 @@ struct Interior {
     double caustics = 0;    ///< strength of bright spots in shadows; 0: none
     double dispersion = 1;  ///< index of refraction at violet over that at red
     int dispersion_samples = 7;
+    bool luminaire = false;         ///< what its media emit lights the scene
     std::vector<Media> media = {};  ///< all of them fill it
 
     static const ItemInfo vocabulary;

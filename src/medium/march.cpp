@@ -116,34 +116,36 @@ public:
           result_(result) {}
 
     void go() {
-        const double distance = stretch_.distance;
-        const int count = stretch_.count;
-        double near = stretch_.near;
         const bool scatters = std::ranges::any_of(media_, &Media::scatters);
+        if (!even_) greatest_ = max_extinction(media_);
+        if (!even_ || scatters) walk();
         if (even_) {
-            result_.veil = whole(distance);
-            if (!scatters) return;
-        } else {
-            greatest_ = max_extinction(media_);
+            left_ = glm::exp(-stretch_.distance * first_.extinction);
+            emitted_ = whole(first_.emission);
+            of_luminaires_ = whole(first_.luminaires);
         }
-        if (!(near > 0)) near = distance;
+        if (!scatters) result_.places.clear();
+        if (!stretch_.counted) result_.of_luminaires = of_luminaires_;
+        result_.veil = {left_, emitted_ + result_.of_luminaires};
+    }
+
+private:
+    /// What is emitted along the whole way, where it is the same everywhere.
+    Vec3 whole(const Vec3& e) const {
+        const Vec3& x = first_.extinction;
+        const double way = stretch_.distance;
+        return {emitted(e.x, x.x, way), emitted(e.y, x.y, way), emitted(e.z, x.z, way)};
+    }
+
+    void walk() {
+        const double distance = stretch_.distance,
+                     near = stretch_.near > 0 ? stretch_.near : distance;
+        const int count = stretch_.count;
         const bool far = distance > far_from * near;
         const int far_count = far ? std::max(1, static_cast<int>(far_share * count)) : 0;
         add_places(0, far ? near : distance, count - far_count, false);
         if (far) add_places(near, distance, far_count, true);
-        if (!even_) {
-            if (!opaque_) pass_to(distance);
-            result_.veil = {left_, emitted_};
-        }
-        if (!scatters) result_.places.clear();
-    }
-
-private:
-    Veil whole(double way) const {
-        const Vec3& e = first_.emission;
-        const Vec3& x = first_.extinction;
-        return {glm::exp(-way * x),
-                Vec3(emitted(e.x, x.x, way), emitted(e.y, x.y, way), emitted(e.z, x.z, way))};
+        if (!even_ && !opaque_) pass_to(distance);
     }
 
     void add_places(double from, double to, int count, bool far) {
@@ -183,6 +185,7 @@ private:
         }
         const MediumPoint here = pass_to(distance);
         emitted_ += way * left_ * here.emission;
+        of_luminaires_ += way * left_ * here.luminaires;
         if (here.scattering != Vec3(0))
             result_.places.push_back({distance, way * left_, here.scattering});
     }
@@ -210,7 +213,7 @@ private:
     MediaMarch& result_;
     double passed_ = 0;
     bool opaque_ = false;  ///< nothing comes from further on
-    Vec3 before_ = first_.extinction, left_ = Vec3(1), emitted_ = Vec3(0);
+    Vec3 before_ = first_.extinction, left_ = Vec3(1), emitted_ = Vec3(0), of_luminaires_ = Vec3(0);
 };
 
 }  // namespace
@@ -218,6 +221,7 @@ private:
 void march(MediaView media, const MediaStretch& stretch, const PatternScene& scene, const Key& key,
            MediaMarch& result) {
     result.veil = {};
+    result.of_luminaires = Vec3(0);
     result.places.clear();
     if (media.empty() || !(stretch.distance > 0)) return;
     Marcher(media, stretch, scene, key, result).go();

@@ -22,7 +22,8 @@ struct MediaPlace {
 };
 
 struct MediaMarch {
-    Veil veil;  ///< emission is what it adds
+    Veil veil;                     ///< emission is what it adds
+    Vec3 of_luminaires = Vec3(0);  ///< the part of it that is luminaires'
     /// Empty where nothing is scattered. The sum of weight times a function of the distance over
     /// them is an unbiased estimate of that function's integral times the transmittance.
     ShortList<MediaPlace, 64> places;
@@ -39,6 +40,7 @@ struct MediaStretch {
     /// is 0 does not stay without points.
     using Worth = FunctionRef<void(std::span<const Vec3>, std::span<double>)>;
     const Worth* worth = nullptr;
+    bool counted = false;  ///< what luminaires emit does not count here
 };
 
 void march(MediaView, const MediaStretch&, const PatternScene&, const Key&, MediaMarch&);

@@ -50,7 +50,7 @@ const ItemInfo Media::vocabulary = described<Media>([] {
         F{"ratio", &Media::ratio, item, "of POV-Ray's sampling; without effect", at_least(0)},
         F{"jitter", &Media::jitter, item, "of POV-Ray's sampling; without effect"},
         F{"collect", &Media::collect, flag,
-          "whether photons light it, which they do not yet; without effect"});
+          "shows light that photons bring, not what comes straight through targets"});
 });
 
 namespace {
@@ -108,7 +108,7 @@ MediumPoint coefficients(MediaView media, const Vec3& point, const PatternScene&
     for (const Media* each : media) {
         const Vec3 here = density(*each, point, scene);
         sum.extinction += here * each->extinction();
-        sum.emission += here * each->emission;
+        (each->luminaire ? sum.luminaires : sum.emission) += here * each->emission;
         sum.scattering += here * each->scattering.colour;
     }
     return sum;

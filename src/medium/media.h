@@ -52,6 +52,8 @@ struct Media {
     double ratio = 0.9;
     double jitter = 0;
     bool collect = true;
+    /// What it emits is counted as that of a luminaire; set where a world is made.
+    bool luminaire = false;
 
     static const ItemInfo vocabulary;
 
@@ -78,7 +80,8 @@ using MediaView = std::span<const Media* const>;
 /// What media do to light at a point, per unit of length.
 struct MediumPoint {
     Vec3 extinction = Vec3(0);
-    Vec3 emission = Vec3(0);    ///< radiance
+    Vec3 emission = Vec3(0);    ///< radiance, but for that of luminaires
+    Vec3 luminaires = Vec3(0);  ///< radiance that luminaires emit
     Vec3 scattering = Vec3(0);  ///< without phase functions
 };
 MediumPoint coefficients(MediaView, const Vec3& point, const PatternScene&);

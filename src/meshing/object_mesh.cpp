@@ -3,7 +3,7 @@
 
 #include "csg/assemble.h"
 #include "csg/solid.h"
-#include "shape/moved.h"
+#include "shape/transformed.h"
 #include "shape/tessellation.h"
 #include "text/message.h"
 
@@ -106,7 +106,7 @@ private:
     std::optional<Part> of_shape(const Shape& shape, const Transform* transform) {
         if (const auto* plane = std::get_if<Plane>(&shape)) {
             Part half;
-            half.plane = transform ? moved(*plane, *transform) : *plane;
+            half.plane = transform ? transformed(*plane, *transform) : *plane;
             return half;
         }
         Mesh mesh;

@@ -104,13 +104,13 @@ double stretch(const MapWarp& warp, double distance) {
     return warp.dist_exp == 0 ? 1 : std::pow(distance, warp.dist_exp);
 }
 
-Vec3 moved(const TurbulenceWarp& warp, const Vec3& p) {
+Vec3 warped(const TurbulenceWarp& warp, const Vec3& p) {
     const Octaves octaves = {warp.octaves, static_cast<float>(warp.omega),
                              static_cast<float>(warp.lambda)};
     return p + warp.amount * turbulence(p, octaves);
 }
 
-Vec3 moved(const RepeatWarp& warp, const Vec3& p) {
+Vec3 warped(const RepeatWarp& warp, const Vec3& p) {
     const int axis = warp.width.x != 0 ? 0 : warp.width.y != 0 ? 1 : 2;
     const double width = single_precision(warp.width[axis]);
     if (width == 0) return p;
@@ -125,7 +125,7 @@ Vec3 moved(const RepeatWarp& warp, const Vec3& p) {
     return result + count * warp.offset;
 }
 
-Vec3 moved(const BlackHole& hole, const Vec3& p) {
+Vec3 warped(const BlackHole& hole, const Vec3& p) {
     Vec3 centre = hole.centre;
     if (hole.repeat != Vec3(0)) {
         Vec3 block(0);
@@ -150,13 +150,13 @@ Vec3 moved(const BlackHole& hole, const Vec3& p) {
     return hole.inverse ? p - force * away : p + force * away;
 }
 
-Vec3 moved(const CylindricalWarp& warp, const Vec3& p) {
+Vec3 warped(const CylindricalWarp& warp, const Vec3& p) {
     const double distance = std::sqrt(p.x * p.x + p.z * p.z);
     if (distance == 0) return p;
     return oriented(warp.orientation, turn(p.x, p.z) * stretch(warp, distance), p.y, distance);
 }
 
-Vec3 moved(const SphericalWarp& warp, const Vec3& p) {
+Vec3 warped(const SphericalWarp& warp, const Vec3& p) {
     const double distance = length(p);
     if (distance == 0) return p;
     const double height = 0.5 + std::asin(std::clamp(p.y / distance, -1.0, 1.0)) / pi;
@@ -165,7 +165,7 @@ Vec3 moved(const SphericalWarp& warp, const Vec3& p) {
     return oriented(warp.orientation, around * factor, height * factor, distance);
 }
 
-Vec3 moved(const ToroidalWarp& warp, const Vec3& p) {
+Vec3 warped(const ToroidalWarp& warp, const Vec3& p) {
     const double away = std::sqrt(p.x * p.x + p.z * p.z);
     if (away == 0) return p;
     const double outwards = away - warp.major_radius;
@@ -176,13 +176,13 @@ Vec3 moved(const ToroidalWarp& warp, const Vec3& p) {
                     distance);
 }
 
-Vec3 moved(const PlanarWarp& warp, const Vec3& p) {
+Vec3 warped(const PlanarWarp& warp, const Vec3& p) {
     return oriented(warp.orientation, p.x, p.y, warp.distance);
 }
 
 /// The faces of the cube lie as a cross: +y, +z, -y in the second column, -x, +z, +x, -z in the
 /// middle row.
-Vec3 moved(const CubicWarp&, const Vec3& p) {
+Vec3 warped(const CubicWarp&, const Vec3& p) {
     const auto half = [](double t) { return (t + 1) / 2; };
     const Vec3 size = glm::abs(p);
     if (p == Vec3(0)) return p;
@@ -202,7 +202,7 @@ Vec3 moved(const CubicWarp&, const Vec3& p) {
 }  // namespace
 
 Vec3 warped(const Warp& warp, const Vec3& point) {
-    return std::visit([&](const auto& kind) { return moved(kind, point); }, warp);
+    return std::visit([&](const auto& kind) { return warped(kind, point); }, warp);
 }
 
 Vec3 within_reach(const Vec3& p) { return {limited(p.x), limited(p.y), limited(p.z)}; }

@@ -41,7 +41,7 @@ std::optional<std::string> numbers_of_codes(std::string_view codes, unsigned bit
     std::string output;
     std::uint32_t store = 0;
     unsigned stored = 0, width = bits + 1;
-    constexpr unsigned most_bits = 12;
+    constexpr unsigned max_bits = 12;
     for (const char byte : codes) {
         store |= static_cast<std::uint32_t>(static_cast<unsigned char>(byte)) << stored;
         stored += 8;
@@ -55,7 +55,7 @@ std::optional<std::string> numbers_of_codes(std::string_view codes, unsigned bit
             else if (!words.add(code, output))
                 return std::nullopt;
             width = bits + 1;
-            while (width < most_bits && words.next_code() >= (1U << width)) ++width;
+            while (width < max_bits && words.next_code() >= (1U << width)) ++width;
             if (output.size() < wanted) continue;
             output.resize(wanted);  // the last word may be longer
             return output;

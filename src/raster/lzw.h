@@ -44,7 +44,7 @@ public:
             if (at >= clear_) at = words_[at].before;
         }
         if (is_next) output[begun + length - 1] = output[begun];
-        if (last_ != none && next_ < most_words) {
+        if (last_ != none && next_ < max_words) {
             words_[next_] = {last_, length_of(last_) + 1, output[begun]};
             ++next_;
         }
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t most_words = 4096, none = ~0U;
+    static constexpr std::uint32_t max_words = 4096, none = ~0U;
     /// A shorter word and one byte more.
     struct Word {
         std::uint32_t before = 0, length = 0;
@@ -64,7 +64,7 @@ private:
     }
 
     std::uint32_t clear_, next_ = 0, last_ = none;
-    std::array<Word, most_words> words_{};
+    std::array<Word, max_words> words_{};
 };
 
 }  // namespace candelabra

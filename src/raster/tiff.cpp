@@ -93,7 +93,7 @@ private:
 };
 
 std::optional<std::string> without_lzw(std::string_view packed, std::size_t wanted) {
-    constexpr unsigned first_bits = 9, most_bits = 12;
+    constexpr unsigned first_bits = 9, max_bits = 12;
     LzwWords words(8);
     std::string output;
     std::uint32_t store = 0;
@@ -112,7 +112,7 @@ std::optional<std::string> without_lzw(std::string_view packed, std::size_t want
         if (output.size() >= wanted) return output;
         // One earlier than in GIF files.
         width = first_bits;
-        while (width < most_bits && words.next_code() + 1 >= (1U << width)) ++width;
+        while (width < max_bits && words.next_code() + 1 >= (1U << width)) ++width;
     }
     return std::nullopt;
 }

@@ -70,11 +70,11 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
     if (settings.samples > 0) return settings.samples;
     if (world.view.camera.blurs()) return std::max(2, world.view.camera.blur.least);
     // With more shadow rays each, fewer samples tell as much.
-    constexpr int least = 4, to_middle = 16, least_in_media = 2;
+    constexpr int least = 4, to_middle = 16, min_in_media = 2;
     if (!settings.antialias) {
         if (!world.left_to_chance()) return 1;
         if (world.differs_by_light()) return std::max(least, to_middle / rays);
-        return world.photon_targets.empty() ? least_in_media : least;
+        return world.photon_targets.empty() ? min_in_media : least;
     }
     const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
     return rays == 1 ? first : std::min(first, std::max(least, first / rays));
@@ -143,7 +143,7 @@ private:
     /// For samples of each pixel from the number `from` to before `to`, if any are wanted.
     void prepare(std::uint32_t from, std::uint32_t to) {
         if (!plan_.sent) return;
-        const std::uint32_t first = state_.share.first_sample;
+        const std::uint32_t first = state_.shard.first_sample;
         std::uint32_t least = to;
         for_pixels({0, 0, state_.film.width(), state_.film.height()}, [&](const PixelSum& pixel) {
             if (pixel.samples < pixel.target) least = std::min(least, pixel.samples);
@@ -236,7 +236,7 @@ private:
     /// A pixel that goes into this with more than one sample has them from an earlier run. Those
     /// of the tile that are not wanted are compared, too: the others look as in the whole picture.
     std::uint64_t compare_tile(Work& work, const Region& tile, const ContrastRule& rule) {
-        const Region own = common(tile, state_.share.region);
+        const Region own = common(tile, state_.shard.region);
         const auto apart = [&](int x, int y, std::uint32_t samples) {
             PixelSum pixel;
             std::vector<ExactSum> extra(state_.film.aovs());
@@ -281,7 +281,7 @@ private:
         PixelSum& pixel = state_.film.at(x, y);
         const std::span<ExactSum> extra = aovs_of(x, y);
         for (; pixel.samples < wanted && !stop(work); ++work.made) {
-            const std::uint32_t sample = state_.share.first_sample + pixel.samples;
+            const std::uint32_t sample = state_.shard.first_sample + pixel.samples;
             const Seen seen = look(work, x, y, sample, extra);
             pixel.add(seen.colour, seen.negative, exposure_);
             pixel.shadow_rays += seen.shadow_rays;

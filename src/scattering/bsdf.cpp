@@ -19,7 +19,7 @@ using std::numbers::pi;
 constexpr double sharpest = 1e6;
 /// Surfaces without a diffuse part are drawn from as if they had some: away from its middle, a
 /// highlight falls off slower than its density.
-constexpr double max_gloss = 0.9;
+constexpr double max_specular_probability = 0.9;
 
 /// A direction about an axis, in proportion to a power of the cosine.
 Vec3 draw_about(const Vec3& axis, double exponent, Vec2 u) {
@@ -54,8 +54,9 @@ Bsdf::Bsdf(const Shading& s, const ShadingRules& rules, Part part, double ior)
     }
     for (const Lobe& lobe : highlight_lobes()) highlights_ += lobe.share;
     if (!(highlights_ > 0)) return;
-    gloss_ = std::fmin(highlights_ / (highlights_ + diffuse_), max_gloss);
-    for (std::size_t i = 0; i < count_; ++i) lobes_[i].share *= gloss_ / highlights_;
+    specular_probability_ =
+        std::fmin(highlights_ / (highlights_ + diffuse_), max_specular_probability);
+    for (std::size_t i = 0; i < count_; ++i) lobes_[i].share *= specular_probability_ / highlights_;
 }
 
 void Bsdf::add(Lobe::Kind kind, double extent, double light) {
@@ -67,7 +68,7 @@ BsdfLobes Bsdf::lobes() const {
     const double cosine = std::fmax(-dot(shading_.view, shading_.normal), 1e-3);
     for (std::size_t i = 0; i < count_; ++i) {
         const auto& [kind, extent, share] = lobes_[i];
-        const double light = share * highlights_ / gloss_;
+        const double light = share * highlights_ / specular_probability_;
         // The half vector turns half as far as the light, and so its cosine changes by a quarter.
         double sharpness = extent, peak = light * (extent + 1) / 2;
         if (kind == Lobe::about_normal) {
@@ -115,14 +116,14 @@ std::optional<Vec3> Bsdf::sample(Vec2 u) const {
         if (u.x < lobe.share) return sample(lobe, {u.x / lobe.share, u.y});
         u.x -= lobe.share;
     }
-    return sample_diffuse({std::fmin(u.x / (1 - gloss_), 1 - 0x1p-53), u.y});
+    return sample_diffuse({std::fmin(u.x / (1 - specular_probability_), 1 - 0x1p-53), u.y});
 }
 
 double Bsdf::pdf(const Vec3& direction) const {
     const double cosine = dot(shading_.normal, direction);
     const double diffuse =
         shading_.both_sides ? std::abs(cosine) / (2 * pi) : std::fmax(cosine, 0) / pi;
-    double sum = (1 - gloss_) * diffuse;
+    double sum = (1 - specular_probability_) * diffuse;
     for (const Lobe& lobe : highlight_lobes()) sum += lobe.share * pdf(lobe, direction);
     return sum;
 }

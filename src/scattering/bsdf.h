@@ -67,8 +67,8 @@ public:
     double pdf(const Vec3& direction) const;
 
     /// Share of the directions that are drawn from highlights: about that of the light which they
-    /// send on when it comes from everywhere. 0 of dull surfaces.
-    double gloss() const { return gloss_; }
+    /// send on when it comes from everywhere. 0 of surfaces without highlights.
+    double specular_probability() const { return specular_probability_; }
     /// What highlights send to the viewer of light of colour 1 that comes from everywhere, roughly.
     double highlights() const { return highlights_; }
     /// The same as the choice of luminaires knows it.
@@ -99,7 +99,7 @@ private:
     const ShadingRules* rules_;
     Part part_;
     double ior_;  ///< of the solid that light enters
-    double gloss_ = 0, highlights_ = 0, diffuse_ = 0;
+    double specular_probability_ = 0, highlights_ = 0, diffuse_ = 0;
     std::array<Lobe, 2> lobes_;
     std::size_t count_ = 0;
 };

@@ -58,9 +58,15 @@ double drawn_cosine(const Scattering& s, double u) {
 
 }  // namespace
 
+bool collects_photons(MediaView media) {
+    return std::ranges::any_of(media, &Media::scatters) &&
+           std::ranges::all_of(
+               media, [](const Media* each) { return each->collect || !each->scatters(); });
+}
+
 PhaseFunction::PhaseFunction(MediaView media, const Vec3& position, const Vec3& view,
                              const PatternScene& scene, const Vec3& weight)
-    : position_(position), view_(view) {
+    : position_(position), view_(view), collects_(collects_photons(media)) {
     for (const Media* each : media) {
         if (!each->scatters()) continue;
         const Vec3 coefficient = weight * density(*each, position, scene) * each->scattering.colour;

@@ -9,6 +9,9 @@
 
 namespace candelabra {
 
+/// Whether light that photons bring shows in the media: they scatter, and none that does says no.
+bool collects_photons(MediaView);
+
 class PhaseFunction {
 public:
     /// `view` is the unit direction of the ray that sees the point; `weight` is by what the light
@@ -29,6 +32,7 @@ public:
     Receiver receiver() const { return {position_, Vec3(0), Horizon::none}; }
     /// Whether a medium scatters light again and again.
     bool multiple() const { return multiple_; }
+    bool collects() const { return collects_; }  ///< see collects_photons()
 
 private:
     struct Part {
@@ -40,7 +44,7 @@ private:
     Vec3 position_, view_;
     ShortList<Part, 4> parts_;
     double total_ = 0;
-    bool multiple_ = false;
+    bool multiple_ = false, collects_ = false;
 };
 
 }  // namespace candelabra

@@ -38,7 +38,7 @@ public:
         return bsdf_ ? bsdf_->pdf(direction) : phase_->pdf(direction);
     }
     /// Share of the directions that are drawn from highlights.
-    double gloss() const { return bsdf_ ? bsdf_->gloss() : 0; }
+    double specular_probability() const { return bsdf_ ? bsdf_->specular_probability() : 0; }
     /// The same as the choice of luminaires knows it.
     BsdfLobes lobes() const { return bsdf_ ? bsdf_->lobes() : BsdfLobes{}; }
 

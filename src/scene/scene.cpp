@@ -21,7 +21,7 @@ const ItemInfo Switches::vocabulary = described<Switches>([] {
           "textures are wrapped around the shape and do not move with it"});
 });
 
-ObjectHandle moved(ObjectHandle object, const Transform& transform) {
+ObjectHandle transformed(ObjectHandle object, const Transform& transform) {
     if (object->texture || object->part_textures || object->clipping) {
         ObjectHandle whole = make_handle<Object>();
         whole.edit().span = object->span;
@@ -34,10 +34,10 @@ ObjectHandle moved(ObjectHandle object, const Transform& transform) {
     return object;
 }
 
-PlacedLight moved(PlacedLight placed, const Transform& transform) {
+PlacedLight transformed(PlacedLight placed, const Transform& transform) {
     std::visit([&](auto& light) { light = transformed(light, transform); }, placed.light);
     for (ObjectHandle* object : {&placed.looks_like, &placed.projected_through})
-        if (*object) *object = moved(std::move(*object), transform);
+        if (*object) *object = transformed(std::move(*object), transform);
     return placed;
 }
 

@@ -95,7 +95,7 @@ struct Switches {
     bool hollow = false;
     bool inverse = false;
     bool double_illuminate = false;
-    bool uv_mapping = false;  ///< textures are on u and v
+    bool uv_mapping = false;                  ///< textures are on u and v
     Handle<ObjectPhotons> photons = nullptr;  ///< null: the parent's, or nothing is said
 
     static const ItemInfo vocabulary;
@@ -128,9 +128,9 @@ inline void nest(Object& outer, const Object& inner) {
 }
 
 /// An object after one more transformation, with its textures and what clips it.
-ObjectHandle moved(ObjectHandle, const Transform&);
+ObjectHandle transformed(ObjectHandle, const Transform&);
 /// A light source after one more transformation, with all that belongs to it.
-PlacedLight moved(PlacedLight, const Transform&);
+PlacedLight transformed(PlacedLight, const Transform&);
 
 struct Scene {
     std::vector<ObjectHandle> objects;

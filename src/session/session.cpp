@@ -44,22 +44,22 @@ bool Session::read() {
 }
 
 /// What the scene may touch: what belongs to it, and what it is allowed besides.
-Door Session::door() const {
+FileAccess Session::file_access() const {
     const SceneSource& source = settings_.source;
     std::vector<std::string> readable = {folder_, ""};
     readable.insert(readable.end(), source.library.begin(), source.library.end());
     readable.insert(readable.end(), source.readable.begin(), source.readable.end());
-    Door door(readable, source.writable);
-    if (source.made_files) door.knows(source.made_files);
-    return door;
+    FileAccess access(readable, source.writable);
+    if (source.made_files) access.remembers(source.made_files);
+    return access;
 }
 
 Scene Session::evaluate() { return evaluate(0, diagnostics_); }
 
 Scene Session::evaluate(double clock_ahead, Diagnostics& diagnostics) {
     const SceneSource& source = settings_.source;
-    const Door scene_door = door();
-    Loader loader(noted(scene_reader(scene_door)), folder_, source.library, scene_door,
+    const FileAccess scene_access = file_access();
+    Loader loader(noted(scene_reader(scene_access)), folder_, source.library, scene_access,
                   disk_lister());
     loader.set_standard_library(source.standard_library);
     // Files are written once, not for each sample of an open shutter.

@@ -74,7 +74,7 @@ public:
 
 private:
     Reader noted(Reader);
-    Door door() const;
+    FileAccess file_access() const;
     Scene evaluate(double clock_ahead, Diagnostics&);
     std::optional<Scene> scene_at(double clock_ahead);
 

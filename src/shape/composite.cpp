@@ -5,10 +5,10 @@
 #include "base/short_list.h"
 #include "index/asked.h"
 #include "index/tree_builder.h"
-#include "shape/moved.h"
 #include "shape/part_index.h"
 #include "shape/segment_bound.h"
 #include "shape/slabs.h"
+#include "shape/transformed.h"
 
 namespace candelabra {
 
@@ -72,7 +72,7 @@ PartRef CompositeBuilder::add(CompositeLeaf leaf) {
     const Plane* plane = std::get_if<Plane>(&leaf.shape);
     // A turned plane may be level again, and is then known to end in one direction.
     if (plane && transform) {
-        leaf.shape = moved(*plane, *transform);
+        leaf.shape = transformed(*plane, *transform);
         leaf.transform = nullptr;
         transform = nullptr;
     }

@@ -21,7 +21,7 @@ Stick round(const Vec3& from, const Vec3& to, double radius) {
 }
 
 /// The image of the line, and of what is around it.
-Stick moved(const Stick& stick, const Transform& map) {
+Stick transformed(const Stick& stick, const Transform& map) {
     Vec3 reach(0);
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 side(0);
@@ -43,7 +43,7 @@ Stick along(const Box& box, int axis) {
 }  // namespace
 
 Stick stick_around(const BuiltShape& shape, const Box& box, const Transform* map) {
-    const auto placed = [&](const Stick& stick) { return map ? moved(stick, *map) : stick; };
+    const auto placed = [&](const Stick& stick) { return map ? transformed(stick, *map) : stick; };
     if (const auto* c = std::get_if<Cylinder>(&shape))
         return placed(round(c->base, c->cap, c->radius));
     if (const auto* c = std::get_if<Cone>(&shape))

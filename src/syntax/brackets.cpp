@@ -41,7 +41,7 @@ Token Brackets::next() {
     if (may_be_marked[static_cast<std::size_t>(token.kind)] || hangs_) {
         if (const auto mark = mark_before(token)) {
             pending_.push_back(token);
-            // What ends here ends in an operator: that is told of where it is computed.
+            // The part ends in an operator: the error is reported where the part is computed.
             if (*mark == TokenKind::continues && closes(token.kind) && !ends_part(token.kind))
                 pending_.push_back({TokenKind::nothing, 0, token.first, token.first, 0});
             token = {*mark, 0, token.first, token.first, 0};

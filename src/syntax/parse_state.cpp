@@ -151,7 +151,7 @@ NodeId ParseState::postponed(Stretch part, bool alone) {
         return part.first <= span.first && span.last <= part.last;
     };
     for (const Diagnostic& each : diagnostics.all()) {
-        // What the part leaves open is told of where it ends.
+        // Brackets that the part leaves open are reported where it ends.
         const bool here =
             alone ? covers(each.span) && std::ranges::all_of(each.labels, covers, &Label::span)
                   : covers(each.span) || std::ranges::any_of(each.labels, covers, &Label::span);

@@ -53,15 +53,15 @@ Reader disk_reader() {
             [](const std::string& path) { return is_regular_file(path); }, scene_reader};
 }
 
-Reader scene_reader(const Door& door) {
-    const auto read = [door](const std::string& path) -> std::optional<std::string> {
-        const auto real = path.empty() ? std::nullopt : door.place(path);
+Reader scene_reader(const FileAccess& access) {
+    const auto read = [access](const std::string& path) -> std::optional<std::string> {
+        const auto real = path.empty() ? std::nullopt : access.place(path);
         // What is not a regular file is not opened; what becomes another one is not read.
         if (!real || !is_regular_file(*real)) return {};
         return content_of(open_without_links(*real, O_RDONLY), longest_text);
     };
-    const auto holds = [door](const std::string& path) {
-        const auto real = path.empty() ? std::nullopt : door.place(path);
+    const auto holds = [access](const std::string& path) {
+        const auto real = path.empty() ? std::nullopt : access.place(path);
         return real && is_regular_file(*real);
     };
     return {read, holds};
@@ -74,11 +74,11 @@ std::string directory_of(const std::string& path) {
 }
 
 Loader::Loader(Reader reader, std::string scene_directory, std::vector<std::string> library_paths,
-               Door door, Lister lister)
+               FileAccess access, Lister lister)
     : reader_(std::move(reader)),
       scene_directory_(std::move(scene_directory)),
       library_paths_(std::move(library_paths)),
-      door_(std::move(door)),
+      access_(std::move(access)),
       lister_(std::move(lister)) {}
 
 std::vector<std::string> Loader::places(const std::string& name,
@@ -105,7 +105,7 @@ std::vector<std::string> Loader::searched(const std::string& name,
     std::vector<std::string> paths;
     const auto folders = places(name, including_directory);
     for (const std::string& candidate : candidates(name, kind)) {
-        if (const auto own = written_.empty() ? std::nullopt : door_.destination(candidate);
+        if (const auto own = written_.empty() ? std::nullopt : access_.destination(candidate);
             own && written_.contains(*own))
             add_once(paths, *own);
         for (const std::string& folder : folders) add_once(paths, inside(folder, candidate));
@@ -116,7 +116,7 @@ std::vector<std::string> Loader::searched(const std::string& name,
 std::optional<Found> Loader::load(const std::string& name, const std::string& including_directory,
                                   FileKind kind) const {
     for (std::string& path : searched(name, including_directory, kind)) {
-        if (!door_.may_read(path)) continue;
+        if (!access_.may_read(path)) continue;
         if (const auto own = written_.find(path); own != written_.end() && own->second)
             return Found{std::move(path), *own->second};
         if (auto text = reader_(path)) return Found{std::move(path), std::move(*text)};
@@ -140,9 +140,9 @@ std::optional<std::string> Loader::closed_path(const std::string& name,
                                                FileKind kind) const {
     for (const std::string& folder : places(name, including_directory)) {
         // Where a scene reads nothing it is not looked for.
-        if (!is_absolute(name) && !door_.may_read(folder)) continue;
+        if (!is_absolute(name) && !access_.may_read(folder)) continue;
         for (const std::string& candidate : candidates(name, kind))
-            if (std::string path = inside(folder, candidate); !door_.may_read(path)) return path;
+            if (std::string path = inside(folder, candidate); !access_.may_read(path)) return path;
     }
     return {};
 }
@@ -151,19 +151,19 @@ std::optional<std::string> Loader::odd_path(const std::string& name,
                                             const std::string& including_directory,
                                             FileKind kind) const {
     for (const std::string& path : searched(name, including_directory, kind))
-        if (door_.is_odd(path)) return path;
+        if (access_.is_special(path)) return path;
     return {};
 }
 
 std::vector<std::string> Loader::listed(const std::string& folder) const {
-    return door_.may_read(folder) ? lister_(folder) : std::vector<std::string>();
+    return access_.may_read(folder) ? lister_(folder) : std::vector<std::string>();
 }
 
 std::optional<std::string> Loader::located(const std::string& name,
                                            const std::string& including_directory,
                                            FileKind kind) const {
     for (std::string& path : searched(name, including_directory, kind))
-        if (keeps(path) || (door_.may_read(path) && reader_.holds(path))) return std::move(path);
+        if (keeps(path) || (access_.may_read(path) && reader_.holds(path))) return std::move(path);
     return {};
 }
 
@@ -182,8 +182,8 @@ Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
                            const std::string& including_directory) const {
     if (const auto path = closed_path(name, including_directory, kind))
         return error(Fault::file_access, span, message("a scene may not read `", *path, "`"))
-            .with_note(door_.reading_rule())
-            .with_help(Door::reading_help(*path));
+            .with_note(access_.reading_rule())
+            .with_help(FileAccess::reading_help(*path));
     if (const auto path = odd_path(name, including_directory, kind))
         return error(Fault::file_access, span, message("a scene may not read `", *path, "`"))
             .with_note("it is a pipe or a device, and a scene reads regular files only");
@@ -198,7 +198,7 @@ Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
     if (!lister_) return result;
     std::vector<std::string> folders;
     for (const std::string& folder : places(name, including_directory))
-        if (door_.may_read(folder)) folders.push_back(folder);
+        if (access_.may_read(folder)) folders.push_back(folder);
     const auto lister = [this](const std::string& folder) { return listed(folder); };
     if (const std::string near = similar_file(name, folders, lister); !near.empty())
         result.with_help(message("did you mean `", near, "`?"));
@@ -231,7 +231,7 @@ std::string Loader::library_file_declaring(std::string_view name) const {
         for (const std::string& file : files) {
             if (!file.ends_with(".inc")) continue;
             const std::string path = inside(folder, file);
-            if (!door_.may_read(path)) continue;
+            if (!access_.may_read(path)) continue;
             const std::optional<std::string> text = reader_(path);
             if (text && declares(*text, name)) return file;
         }

@@ -4,11 +4,11 @@
 // Finds and reads the files that a scene names. The evaluator asks; how a path is read is an
 // argument, so that tests need no disk. A relative name is looked for in the folder of the
 // including file, the folder of the scene, the current directory, and the library paths in order;
-// a file that the scene itself has written comes first. What the door does not let through is not
+// a file that the scene itself has written comes first. What FileAccess does not permit is not
 // opened, and whether there is such a file is asked without reading it.
 
 #include "text/diagnostic.h"
-#include "text/door.h"
+#include "text/file_access.h"
 #include "text/similar_file.h"
 
 #include <functional>
@@ -29,7 +29,7 @@ class Reader {
 public:
     using Read = std::function<std::optional<std::string>(const std::string& path)>;
     using Holds = std::function<bool(const std::string& path)>;
-    using Within = std::function<Reader(const Door&)>;
+    using Within = std::function<Reader(const FileAccess&)>;
 
     Reader() = default;
     /// For texts in memory, which cost nothing: there is what can be read.
@@ -45,8 +45,8 @@ public:
     explicit operator bool() const { return bool(read_); }
     std::optional<std::string> operator()(const std::string& path) const { return read_(path); }
     bool holds(const std::string& path) const { return holds_(path); }
-    /// The same for what the door lets through; texts in memory know no door.
-    Reader within(const Door& door) const { return within_ ? within_(door) : *this; }
+    /// The same for the files that may be read; texts in memory are not restricted.
+    Reader within(const FileAccess& access) const { return within_ ? within_(access) : *this; }
 
 private:
     Read read_;
@@ -58,8 +58,8 @@ private:
 /// read give nothing.
 Reader disk_reader();
 
-/// For files that a scene names: regular ones that the door lets through, judged and opened in one.
-Reader scene_reader(const Door&);
+/// For files that a scene names: regular ones that may be read. They are judged and opened in one step.
+Reader scene_reader(const FileAccess&);
 
 /// The folder part of a path: "." for a bare name, "/" for what is in the root.
 std::string directory_of(const std::string& path);
@@ -78,7 +78,7 @@ class Loader {
 public:
     /// The lister serves messages only.
     explicit Loader(Reader reader, std::string scene_directory = {},
-                    std::vector<std::string> library_paths = {}, Door door = {},
+                    std::vector<std::string> library_paths = {}, FileAccess access = {},
                     Lister lister = {});
 
     std::optional<Found> load(const std::string& name, const std::string& including_directory = {},
@@ -111,16 +111,16 @@ public:
     /// The first file of the library that declares the name, or "". For messages.
     std::string library_file_declaring(std::string_view name) const;
 
-    /// The folder of the standard library; what is wrong in a file below it is told of where the
-    /// scene calls it.
+    /// The folder of the standard library. Errors in files below it are reported where the scene
+    /// calls them.
     void set_standard_library(std::string folder) { standard_ = std::move(folder); }
     bool in_standard_library(std::string_view path) const {
         return !standard_.empty() && path.size() > standard_.size() &&
                path.starts_with(standard_) && path[standard_.size()] == '/';
     }
 
-    const Door& door() const { return door_; }
-    /// The scene has written the file at this destination of the door: its text is found under this
+    const FileAccess& file_access() const { return access_; }
+    /// The scene has written the file at this destination: its text is found under this
     /// name from now on; `text`: it is there and not on the disk, and may still grow.
     void written(const std::string& destination, std::shared_ptr<const std::string> text = {}) {
         written_[destination] = std::move(text);
@@ -139,13 +139,13 @@ private:
     std::optional<std::string> odd_path(const std::string& name,
                                         const std::string& including_directory,
                                         FileKind kind) const;
-    /// Lists what the door lets through, so that messages tell of no other names.
+    /// Lists only files that may be read, so that messages name no others.
     std::vector<std::string> listed(const std::string& folder) const;
     std::vector<std::string> places(const std::string& name,
                                     const std::string& including_directory) const;
     std::string searched_note(const std::string& name,
                               const std::string& including_directory) const;
-    /// The first path that leads out of what the door lets through.
+    /// The first path that may not be read.
     std::optional<std::string> closed_path(const std::string& name,
                                            const std::string& including_directory,
                                            FileKind kind) const;
@@ -154,7 +154,7 @@ private:
     std::string scene_directory_;
     std::vector<std::string> library_paths_;
     std::string standard_;
-    Door door_;
+    FileAccess access_;
     Lister lister_;
     std::map<std::string, std::shared_ptr<const std::string>> written_;  ///< null: on the disk
     bool off_disk_ = false;

@@ -3,7 +3,7 @@
 
 // Files that a scene names, opened so that nobody can put another one in their place meanwhile: the
 // path is one that links have been taken out of, none is followed any more, and the handle is what
-// gets checked and used. The door says which paths these are.
+// gets checked and used. FileAccess decides which paths these are.
 
 #include <optional>
 #include <string>

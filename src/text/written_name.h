@@ -2,7 +2,7 @@
 #pragma once
 
 // Which names of files a stranger may choose for what is written: not those that other programs, or
-// the next run of this one, believe. Asked by the door for scenes, and for INI files that come with
+// the next run of this one, believe. Asked by FileAccess for scenes, and for INI files that come with
 // a scene.
 
 #include <filesystem>

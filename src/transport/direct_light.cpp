@@ -53,7 +53,7 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     Vec3 sum(0);
     if (!layer.scatterer.answers_light()) return sum;
     if (layer.sources) sum = from_sources(layer, key, ledger);
-    if (photons_ && !layer.scatterer.in_air() && layer.collects(world_))
+    if (photons_ && !layer.scatterer.in_air() && layer.collects())
         sum += photons_(layer, key, ledger);
     if (layer.luminaires && !world_.lights.luminaires.empty())
         sum += from_luminaires(layer, key, sum, ledger);
@@ -89,7 +89,7 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
     const BsdfLobes lobes = scatterer.lobes();
     const auto draw = [&](Vec2 u) { return scatterer.sample(u); };
     const auto pdf = [&](const Vec3& direction) { return scatterer.pdf(direction); };
-    const BsdfSampler sampler{scatterer.gloss(), draw, pdf};
+    const BsdfSampler sampler{scatterer.specular_probability(), draw, pdf};
     const auto look = [&](const Ray& ray, double tolerance) {
         return first_sight(world_, ray, tolerance);
     };
@@ -132,11 +132,14 @@ Vec3 DirectLight::from_answer(const Answer& answer, const LitLayer& layer, const
                               });
     // The conventional way asks every luminaire once; more shadow rays are more points on each.
     const bool several = samples_.picks.size() > 1;
-    for (const LightPick& pick : samples_.picks)
+    for (const LightPick& pick : samples_.picks) {
+        const bool volume = world_.lights.luminaires[pick.light].is_volume();
         sum += from_luminaire(pick, layer, several ? key.with_branch(pick.light) : key, ledger,
                               [&](const Vec3& direction, double of_point) {
-                                  return answer.pdf(direction, pick.expected, of_point);
+                                  return volume ? answer.picked() * pick.expected * of_point
+                                                : answer.pdf(direction, pick.expected, of_point);
                               });
+    }
     return sum;
 }
 
@@ -174,7 +177,7 @@ Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double dista
     const Vec3 left = candelabra::light_left(
         world_, {ray, vertex.tolerance(), distance, vertex.around}, medium_key_);
     const bool brought =
-        photons_ && left != Vec3(0) && layer.collects(world_) &&
+        photons_ && left != Vec3(0) && layer.collects() &&
         target_between(world_, ways_of_luminaires, ray, vertex.tolerance(), distance);
     return brought ? Vec3(0) : left;
 }

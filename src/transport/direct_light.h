@@ -54,10 +54,9 @@ struct LitLayer {
 
     double grain(const Key&) const;  ///< the random number of the finish's `crand`
     /// Whether it shows light that photons bring, instead of what comes straight through targets.
-    /// Photons light no media; these are dark behind a target, as in POV-Ray, unless the scene asks
-    /// for photons in media.
-    bool collects(const World& world) const {
-        return scatterer.in_air() ? !(world.rules.settings.photons.media > 0)
+    /// Where the scene asks for no photons in media these are dark behind a target, as in POV-Ray.
+    bool collects() const {
+        return scatterer.in_air() ? scatterer.phase().collects()
                                   : vertex.material->photons.collects;
     }
 };
@@ -79,6 +78,7 @@ public:
     /// Of the sample that is followed from now on.
     void begin(std::uint32_t sample) { photons_.begin(sample); }
     const PhotonLight& photons() const { return photons_; }
+    PhotonLight& photons() { return photons_; }
 
     /// Of all hits so far at which it was known.
     const HitNoise& noise() const { return noise_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/light_ledger.h"
 
+#include "world/volumes.h"
+
 #include <utility>
 
 namespace candelabra {
@@ -17,6 +19,13 @@ void record_seen(LightLedger& ledger, const World& world, PrimitiveIndex primiti
     const LightIndex luminaire = world.lights.luminaire_of[primitive];
     if (luminaire != no_primitive)
         ledger.lights[world.provenance.statement_of_luminaire[luminaire]].seen += light;
+}
+
+void record_volume(LightLedger& ledger, const World& world, std::span<const PrimitiveIndex> solids,
+                   const Vec3& light) {
+    if (ledger.lights.empty()) return;
+    if (const GlowingVolume* volume = volume_among(world, solids))
+        ledger.lights[volume->statement].seen += light;
 }
 
 void take_lights(LightLedger& ledger, FunctionRef<void(std::size_t statement, const Vec3&)> use) {

@@ -47,6 +47,10 @@ LightLedger empty_ledger(const World&, bool counted);
 /// Notes the light of a luminaire that is seen itself: what of it comes to the sample.
 void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);
 
+/// The same of media that glow, in those solids: of the innermost one.
+void record_volume(LightLedger&, const World&, std::span<const PrimitiveIndex> solids,
+                   const Vec3& light);
+
 /// The light of each of Provenance::light_statements in all samples since the last call. Lights
 /// must be counted.
 void take_lights(LightLedger&, FunctionRef<void(std::size_t statement, const Vec3&)> use);

@@ -2,6 +2,7 @@
 #include "transport/light_path.h"
 
 #include "base/cosine_direction.h"
+#include "lighting/draw.h"
 #include "scattering/bsdf.h"
 #include "surface/lambertian.h"
 #include "transport/light_left.h"

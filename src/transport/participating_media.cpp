@@ -2,6 +2,7 @@
 #include "transport/participating_media.h"
 
 #include "medium/transmittance.h"
+#include "transport/air_photon_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,8 @@ constexpr int places_for_lit = 4;
 constexpr int luminaire_places = 4;
 /// Light sources that tell at each point how bright it is there; more of them tell nothing.
 constexpr std::size_t max_telling = 16;
+/// Photons that are looked at on a camera's ray, where media differ from place to place.
+constexpr int photon_choices = 8;
 /// Around what is near media count as well, so many of its diameters away.
 constexpr double wide = 2;
 /// Share of the choices that take any place: luminaires that seem to be bright may be hidden.
@@ -77,10 +80,18 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
     const bool scatters = std::ranges::any_of(media_, &Media::scatters);
     march(view_of(media_),
           {path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
-           scatters ? &expected : nullptr},
+           scatters ? &expected : nullptr, path.counted || path.brought},
           world_.pattern_scene(), path.key, march_);
     Veil veil = march_.veil;
+    if (march_.of_luminaires != Vec3(0))
+        record_volume(ledger, world_, {path.media.data(), path.media.size()},
+                      path.throughput * march_.of_luminaires);
     if (!march_.places.empty()) veil.added += scattered(path, direct_light, ledger);
+    if (scatters && direct_light.photons() && collects_photons(view_of(media_)))
+        veil.added += light_of_air_photons(world_, direct_light.photons().maps().in_air,
+                                           {path, std::min(distance, end_of_air), view_of(media_),
+                                            path.depth > 0 ? 1 : photon_choices},
+                                           ledger);
     return veil;
 }
 

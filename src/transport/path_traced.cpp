@@ -45,7 +45,8 @@ bool is_lower(double& u, double share) {
 PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
       rules_(shading_rules(world)),
-      direct_light_(world, wanted.shadow_rays),
+      direct_light_(world, wanted.shadow_rays,
+                    wanted.sent.photons ? wanted.sent.photons : photons_of(world, 0, 1)),
       reflected_(world, wanted.sent.reflected ? wanted.sent.reflected
                                               : reflected_luminaires_of(world, 0, 1)),
       media_(world),
@@ -57,6 +58,7 @@ PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wa
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     sum_ = Vec3(0);
     PathState path = ends_.begin(ray, key);
+    direct_light_.begin(key.sample);
     reflected_.begin(key.sample);
     if (ray.direction == Vec3(0)) return sum_;
     ++ledger_.camera;

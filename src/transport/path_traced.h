@@ -24,7 +24,11 @@ public:
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
     double clear() const { return ends_.clear(); }
-    void prepare(std::uint32_t first, std::uint32_t last) const { reflected_.prepare(first, last); }
+    /// Makes the photons and reflected luminaires that samples from `first` to before `last` need.
+    void prepare(std::uint32_t first, std::uint32_t last) const {
+        direct_light_.photons().prepare(first, last);
+        reflected_.prepare(first, last);
+    }
 
 private:
     /// A way in which a path may go on from a vertex.

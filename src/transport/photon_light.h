@@ -24,6 +24,9 @@ public:
     /// there are photons, and the layer is one of a surface.
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
+    /// All that serve the sample. Precondition: there are some.
+    const PhotonMaps& maps();
+
     /// Makes what samples from `first` to before `last` need.
     void prepare(std::uint32_t first, std::uint32_t last) const {
         if (photons_) photons_->prepare(first, last);
@@ -31,8 +34,8 @@ public:
 
 private:
     std::shared_ptr<Photons> photons_;
-    std::shared_ptr<const PhotonMap> map_;
-    std::uint32_t wanted_ = 0, generation_ = 0;  ///< that is to serve, and that map_ is
+    std::shared_ptr<const PhotonMaps> maps_;
+    std::uint32_t wanted_ = 0, generation_ = 0;  ///< that is to serve, and that maps_ is
 };
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Photons where they have come to surfaces: each lights a small disc around it. A hierarchy of
-// boxes around the discs finds those that a point lies in.
+// boxes around the discs finds those that a point lies in. (In the air: see air_photons.h.)
 #pragma once
 
 #include "base/box.h"
@@ -14,12 +14,15 @@ namespace candelabra {
 struct Photon {
     Vec3 position;
     glm::vec3 direction;  ///< unit, in which it came
-    glm::vec3 normal;     ///< unit, of the surface as it is
-    /// Colour of light times the area that is hit by it straight on.
+    glm::vec3 normal;     ///< unit, of the surface as it is; 0 in the air
+    /// Colour of light times the area that is hit by it straight on; in the air also times the
+    /// length of its way that it stands for.
     glm::vec3 power;
-    float radius = 0;             ///< of its disc
+    float radius = 0;             ///< of its disc or ball
     std::uint32_t statement = 0;  ///< in Provenance::light_statements, that made its lamp
     bool glows = false;           ///< its lamp is a luminaire
+
+    bool in_air() const { return normal == glm::vec3(0); }
 };
 
 /// The share of its power per area that a photon gives a point: densest in the middle of its disc

@@ -4,6 +4,7 @@
 #include "medium/transmittance.h"
 #include "scattering/bsdf.h"
 #include "scattering/mirror.h"
+#include "scattering/phase_function.h"
 #include "scattering/phong.h"
 #include "transport/light_left.h"
 #include "transport/path_steps.h"
@@ -11,6 +12,13 @@
 #include <algorithm>
 
 namespace candelabra {
+
+namespace {
+
+/// Photons that one way through media has, at most.
+constexpr double most_places = 4;
+
+}  // namespace
 
 struct PhotonPaths::Journey {
     const PhotonShot& shot;
@@ -26,6 +34,9 @@ PhotonPaths::PhotonPaths(const World& world) : world_(world), rules_(shading_rul
     most_surfaces_ =
         static_cast<int>(settings.photons.max_trace_level.value_or(settings.max_trace_level));
     least_weight_ = settings.photons.adc_bailout.value_or(settings.adc_bailout);
+    if (world.has_media())
+        places_in_air_ =
+            static_cast<int>(std::clamp(std::ceil(settings.photons.media), 0.0, most_places));
 }
 
 void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
@@ -38,8 +49,10 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
     if (world_.notes_solids()) path.media = world_.containing(shot.ray.origin);
     while (journey.passed < max_surfaces_along) {
         Hit hit;
-        if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit)) return;
-        const double distance = length(hit.position - path.ray.origin);
+        const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
+        const double distance = met ? length(hit.position - path.ray.origin) : INFINITY;
+        if (journey.met > 0) deposit_in_air(journey, distance, found);
+        if (!met) return;
         journey.way += distance;
         pass_media(path, distance);
         const Ray came = path.ray;
@@ -58,6 +71,38 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
             journey.met > 1 && !is_refracted(journey, surface) && !is_reflected(journey, surface);
         if (straight ? !pass(journey, vertex, came) : !scatter(journey, vertex, path.key)) return;
     }
+}
+
+/// Where media scatter light on a stretch of the path, at points that are spread along it. Of a
+/// stretch that leads far away one of them is there.
+void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
+                                 std::vector<Photon>& found) const {
+    if (places_in_air_ == 0) return;
+    const PathState& path = journey.path;
+    MediaList inside;
+    if (std::isfinite(distance)) add_media(world_, {path.media.data(), path.media.size()}, inside);
+    MediaList all = inside;
+    if (in_atmosphere(world_, path.media)) add_atmosphere(world_, all);
+    if (!collects_photons(view_of(all))) return;
+    const auto add = [&](double way, double stands_for) {
+        const Vec3 left = attenuation(innermost(world_, path.media), way) *
+                          transmittance(view_of(inside), path.ray, {0, way}, world_.pattern_scene(),
+                                        path.key.branched(Branch::medium));
+        const Vec3 power = journey.shot.power_after(journey.way + way) * path.throughput * left *
+                           (journey.share * stands_for);
+        if (power != Vec3(0))
+            found.push_back({path.ray.at(way), glm::vec3(path.ray.direction), glm::vec3(0),
+                             glm::vec3(power), 0, journey.shot.statement, journey.shot.glows});
+    };
+    const Box& box = world_.sky.near;
+    const double near = length(path.ray.origin - box.centre()) + length(box.size()),
+                 end = std::min(distance, end_of_air), until = std::min(near, end);
+    const double u = uniform(path.key, Purpose::media_distance);
+    for (int i = 0; i < places_in_air_; ++i)
+        add(until * (i + u) / places_in_air_, until / places_in_air_);
+    if (!(end > near)) return;
+    const double share = 1 - near / end, way = near / (1 - u * share);
+    add(way, share * way * way / near);
 }
 
 /// What media in solids leave on a stretch of the path. Those outside leave all, as in POV-Ray.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way of a photon from its lamp to the surfaces that show it: straight to its target, past what
-// is clear before it, and then as mirrors and glasses send it.
+// The way of a photon from its lamp to what shows it, which are surfaces and the air: straight to
+// its target, past what is clear before it, and then as mirrors and glasses send it.
 #pragma once
 
 #include "transport/layer_stack.h"
@@ -15,8 +15,9 @@ class PhotonPaths {
 public:
     explicit PhotonPaths(const World&);
 
-    /// Adds the photon where it comes to a surface that shows it; it may come to several. `share`:
-    /// by what its power is multiplied.
+    /// Adds the photon where it comes to a surface that shows it; it may come to several. So also
+    /// at some points of its ways through media, if the scene wants that. `share`: by what its
+    /// power is multiplied.
     void follow(const PhotonShot&, const Key&, double share, std::vector<Photon>&) const;
 
 private:
@@ -37,12 +38,14 @@ private:
     bool is_refracted(const Journey&, const PhotonSurface&) const;
     bool is_reflected(const Journey&, const PhotonSurface&) const;
     void deposit(const Journey&, const Vertex&, std::vector<Photon>&) const;
+    void deposit_in_air(const Journey&, double distance, std::vector<Photon>&) const;
     bool answers(const Vertex&) const;
 
     const World& world_;
     ShadingRules rules_;
     int most_surfaces_;
     double least_weight_;
+    int places_in_air_ = 0;  ///< of each way through media
 };
 
 }  // namespace candelabra

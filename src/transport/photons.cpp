@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace candelabra {
 
@@ -21,6 +22,9 @@ constexpr std::size_t most_generations = single_samples + Photons::samples_at_on
 constexpr std::uint32_t batch = 2048;
 /// Of the radius of a target: that of discs where next to nothing comes.
 constexpr double disc_of_target = 0.1;
+/// Share of the photons that are wanted in a disc that are in a ball in the air: a ray of the eye
+/// goes through many of these.
+constexpr double wanted_in_air = 0.2, least_in_air = 8;
 
 }  // namespace
 
@@ -78,15 +82,22 @@ void Photons::shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count
     }
 }
 
-PhotonMap Photons::made(std::uint32_t number) const {
+PhotonMaps Photons::made(std::uint32_t number) const {
     const PhotonSettings& settings = world_.rules.settings.photons;
     const DiscRule rule{std::fmax(settings.gather_most, 1),
                         std::pow(number + 1.0, 0.5 * (alpha - 1)), settings.radius,
                         disc_of_target * world_.photon_targets.front().radius};
-    return {shot(count_, mix(seed_ ^ mix(number + 1))), rule};
+    DiscRule in_air = rule;
+    in_air.wanted = std::fmax(wanted_in_air * rule.wanted, least_in_air);
+    in_air.radius = settings.media_radius;
+    std::vector<Photon> all = shot(count_, mix(seed_ ^ mix(number + 1)));
+    const auto first = std::ranges::stable_partition(all, std::not_fn(&Photon::in_air)).begin();
+    std::vector<Photon> rest(first, all.end());
+    all.erase(first, all.end());
+    return {PhotonMap(std::move(all), rule), AirPhotonMap(std::move(rest), in_air)};
 }
 
-std::shared_ptr<const PhotonMap> Photons::generation(std::uint32_t number) {
+std::shared_ptr<const PhotonMaps> Photons::generation(std::uint32_t number) {
     return generations_.get(number, [&] { return made(number); });
 }
 

@@ -6,11 +6,18 @@
 // number, and is made when it is first asked for; any number of threads may ask.
 #pragma once
 
+#include "transport/air_photons.h"
 #include "transport/generations.h"
 #include "transport/photon_map.h"
 #include "transport/photon_path.h"
 
 namespace candelabra {
+
+/// Those of one generation.
+struct PhotonMaps {
+    PhotonMap on_surfaces;
+    AirPhotonMap in_air;
+};
 
 class Photons {
 public:
@@ -22,7 +29,7 @@ public:
     /// So many samples from a first one on are served from memory.
     static constexpr std::uint32_t samples_at_once = 128;
 
-    std::shared_ptr<const PhotonMap> generation(std::uint32_t number);
+    std::shared_ptr<const PhotonMaps> generation(std::uint32_t number);
     /// Makes what samples from `first` to before `last` need, by all threads.
     void prepare(std::uint32_t first, std::uint32_t last);
 
@@ -30,7 +37,7 @@ private:
     std::vector<Photon> shot(std::uint32_t count, std::uint64_t stream) const;
     void shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count, std::uint64_t stream,
                std::vector<Photon>&) const;
-    PhotonMap made(std::uint32_t number) const;
+    PhotonMaps made(std::uint32_t number) const;
 
     const World& world_;
     PhotonShooter shooter_;
@@ -38,7 +45,7 @@ private:
     std::uint32_t count_;
     std::uint64_t seed_;
     int threads_;
-    Generations<PhotonMap> generations_;
+    Generations<PhotonMaps> generations_;
 };
 
 /// Null where the world has no targets.

@@ -24,7 +24,7 @@ public:
           light_(light),
           window_(world.lights.reach[number].window.get()),
           photons_(world.photon_targets.empty() ? PhotonWays() : ways_of_source(world, number)),
-          collects_(!world.photon_targets.empty() && layer.collects(world)),
+          collects_(!world.photon_targets.empty() && layer.collects()),
           vertex_(layer.vertex),
           scatterer_(layer.scatterer),
           terms_{.highlights = layer.highlights && !light.shadowless},

@@ -22,15 +22,15 @@ constexpr double lean_of_proxy = 0.25;
 
 /// A triangle about it, as large as the distance from which it lights with all of its power.
 Luminaire proxy_of(const ReflectedLuminaire& luminaire, double radius) {
-    const auto [x, y] = perpendiculars(luminaire.normal);
+    const std::pair<Vec3, Vec3> across = perpendiculars(luminaire.normal);
     const double height = std::sqrt(0.75), area = 1.5 * height * radius * radius;
     const auto corner = [&](double along_x, double along_y) {
-        return luminaire.position + radius * (along_x * x + along_y * y);
+        return luminaire.position + radius * (along_x * across.first + along_y * across.second);
     };
     Luminaire proxy{};
     proxy.emitter = TriangleEmitter{corner(1, 0), corner(-0.5, height), corner(-0.5, -height)};
     proxy.radiance = luminaire.power / area;
-    proxy.lean = lean_of_proxy * luminaire.normal;
+    proxy.bent_normal = lean_of_proxy * luminaire.normal;
     return proxy;
 }
 
@@ -41,7 +41,7 @@ std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const World& world,
     const auto* wanted = std::get_if<PathTraced>(&world.rules.settings.integrator);
     if (!wanted || wanted->reflected_luminaires == 0 || wanted->bounces == 0 ||
         world.lights.luminaires.empty() || world.rules.quality < quality_full || world.has_air() ||
-        world.has_media())
+        world.has_media() || !world.photon_targets.empty())
         return nullptr;
     auto made = std::make_shared<ReflectedLuminaires>(
         world, static_cast<std::uint32_t>(wanted->reflected_luminaires), wanted->bounces, seed,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/sight.h"
 
+#include "world/volumes.h"
+
 namespace candelabra {
 
 Vec3 radiance_of(const World& world, const Luminaire& luminaire, const Vec3& position) {
+    if (luminaire.is_volume()) return volume_emission(world, luminaire.primitive, position);
     return luminaire.varying ? world.emission(luminaire.primitive, position) : luminaire.radiance;
 }
 

@@ -10,7 +10,7 @@
 
 namespace candelabra {
 
-/// Radiance of a luminaire at a point of it.
+/// Radiance of a luminaire at a point of it; of volumes along a unit of length.
 Vec3 radiance_of(const World&, const Luminaire&, const Vec3& position);
 
 /// Nothing where the ray meets nothing.

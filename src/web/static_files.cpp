@@ -27,11 +27,11 @@ constexpr auto known_types = std::to_array<KnownType>({{".html", "text/html; cha
                                                        {".svg", "image/svg+xml"},
                                                        {".txt", "text/plain; charset=utf-8"}});
 
-constexpr std::size_t most_bytes = std::size_t{64} << 20, longest_path = 512;
+constexpr std::size_t max_bytes = std::size_t{64} << 20, max_path = 512;
 
 /// Whether each part between slashes is a plain name.
 bool is_plain(std::string_view path) {
-    if (path.size() > longest_path) return false;
+    if (path.size() > max_path) return false;
     while (true) {
         const std::string_view name = path.substr(0, path.find('/'));
         const bool letters =
@@ -57,7 +57,7 @@ WebAnswer static_file(const std::string& folder, std::string_view path) {
     if (failed) return not_there();
     const OpenedFile file = open_without_links((real / name).string(), O_RDONLY);
     if (!file || !is_regular_file(file)) return not_there();
-    auto content = content_of(file, most_bytes);
+    auto content = content_of(file, max_bytes);
     return content ? WebAnswer{std::string(known->type), std::move(*content)} : not_there();
 }
 

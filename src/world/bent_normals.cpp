@@ -120,7 +120,7 @@ void find_bent_normals(World& world, const std::optional<Vec3>& eye, int threads
     if (pairs == 0) return;
     run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {
         for (std::size_t light = n * chunk; light < std::min((n + 1) * chunk, count); ++light)
-            world.lights.luminaires[light].lean = bent_normal_of(world, light, eye, pairs);
+            world.lights.luminaires[light].bent_normal = bent_normal_of(world, light, eye, pairs);
     });
 }
 

@@ -8,7 +8,7 @@
 
 namespace candelabra {
 
-/// Fills in Luminaire::lean: the mean direction in which a luminaire's light gets away, the longer
+/// Fills in Luminaire::bent_normal: the mean direction in which a luminaire's light gets away, the longer
 /// the more of it. It is found by rays from the surface. Those that leave a solid that the eye is
 /// not in do not get away, nor do those of flat luminaires into what they are mounted on. (Whatever
 /// else is near may be what a luminaire is there to light.) More than 2^17 luminaires are left as

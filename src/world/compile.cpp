@@ -6,8 +6,8 @@
 #include "index/tree_builder.h"
 #include "luminaire/brightness.h"
 #include "shape/leaf_pack.h"
-#include "shape/moved.h"
 #include "shape/segment_bound.h"
+#include "shape/transformed.h"
 #include "surface/quality.h"
 #include "world/bent_normals.h"
 #include "world/flatten.h"
@@ -66,7 +66,7 @@ std::vector<Plane> world_planes(const Geometry& geometry) {
         const PlacedShape* placed = geometry.shape(item);
         const Plane* plane = placed ? std::get_if<Plane>(&placed->shape) : nullptr;
         if (!plane) continue;
-        planes.push_back(placed->transform ? moved(*plane, *placed->transform)
+        planes.push_back(placed->transform ? transformed(*plane, *placed->transform)
                                            : Plane{unit(plane->normal), plane->distance});
     }
     return planes;
@@ -168,8 +168,10 @@ ClearSolids find_clear_solids(const World& world) {
 void note_luminaires(World& world) {
     if (world.lights.luminaires.empty()) return;
     world.lights.luminaire_of.assign(world.appearance.material_of.size(), no_primitive);
-    for (LightIndex light = 0; light < world.lights.luminaires.size(); ++light)
-        world.lights.luminaire_of[world.lights.luminaires[light].primitive] = light;
+    for (LightIndex light = 0; light < world.lights.luminaires.size(); ++light) {
+        const Luminaire& luminaire = world.lights.luminaires[light];
+        if (!luminaire.is_volume()) world.lights.luminaire_of[luminaire.primitive] = light;
+    }
 }
 
 /// Finds out where luminaires are bright whose glow varies, unless they are too many.

@@ -14,6 +14,7 @@ bool emits_nothing(const Texture& texture) {
 }  // namespace
 
 bool cannot_emit(const Object& object, const Handle<Texture>* inherited) {
+    if (object.interior && object.interior->luminaire) return false;
     const Handle<Texture>* own = object.texture ? &object.texture : inherited;
     const auto none_emits = [&](const std::vector<ObjectHandle>& parts) {
         return std::ranges::all_of(

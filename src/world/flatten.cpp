@@ -11,8 +11,10 @@
 #include "world/materials.h"
 #include "world/mesh_copies.h"
 #include "world/provenance.h"
+#include "world/volumes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace candelabra {
 
@@ -81,7 +83,7 @@ public:
                 : materials_.index(here);
         const auto* row = std::get_if<SphereRow>(&object.form);
         world_.provenance.object_count += row ? row->spheres.size() : 1;
-        const bool placed = all_ || materials_.glows(material);
+        const bool placed = all_ || materials_.glows(material) || fills(material);
         if (row) {
             for (std::size_t i = 0; placed && i < row->spheres.size(); ++i) {
                 objects_.begin(row->spans[i]);
@@ -146,6 +148,7 @@ public:
             world_.appearance.part_textures[geometry_.primitive(each.kind, each.index)] =
                 std::move(each.textures);
         add_luminaires(world_, glowing_, all_, diagnostics_);
+        add_volumes(world_, filled_, all_, diagnostics_);
         if (all_) place_photon_targets(world_, diagnostics_);
     }
 
@@ -191,7 +194,7 @@ private:
         if (!opens_group(world_.lights.groups, group, here)) return;
         const std::uint32_t number = here.light_group;
         for (const PlacedLight& light : group.lights)
-            add_light(here.transform ? moved(light, *here.transform) : light, number);
+            add_light(here.transform ? transformed(light, *here.transform) : light, number);
     }
 
     /// Whether any part does.
@@ -201,7 +204,7 @@ private:
         if (const Union* group = std::get_if<Union>(&object.form))
             for (const ObjectHandle& child : group->children) any |= glows(*child, here);
         else
-            any = materials_.glows(materials_.index(here));
+            any = materials_.glows(materials_.index(here)) || fills(materials_.index(here));
         if (object.clipping)
             for (const ObjectHandle& clip : object.clipping->clips) any |= glows(*clip, here);
         return any;
@@ -362,13 +365,39 @@ private:
     void note(PrimitiveKind kind, std::size_t index, std::uint32_t material, Span span,
               bool bounded) {
         if (bounded) return note_luminaire(kind, index, material, span);
+        note_volume(kind, index, material, span);
         if (!materials_.glows(material)) return;
         diagnostics_.add(
             warning(Fault::degenerate, span, "an unbounded luminaire glows, but lights nothing")
                 .with_help("make it a large `box` or `disc`, which can be sampled"));
     }
 
+    /// Whether what is in such a primitive lights others.
+    bool fills(std::uint32_t material) const {
+        return lights_from_inside(world_.appearance.materials[material]);
+    }
+
+    void note_volume(PrimitiveKind kind, std::size_t index, std::uint32_t material, Span span) {
+        const Handle<Interior>& interior = world_.appearance.materials[material].interior;
+        if (!interior || !interior->luminaire) return;
+        const bool hollow = world_.appearance.materials[material].hollow,
+                   solid = kind != PrimitiveKind::triangle;
+        if (hollow && solid && fills(material))
+            filled_.push_back(
+                {kind, static_cast<std::uint32_t>(index), span, statements_.number()});
+        if ((hollow && solid) || std::exchange(idle_volume_said_, true)) return;
+        diagnostics_.add(
+            solid ? warning(Fault::no_effect, span,
+                            "the media in this object have no effect: it is not hollow")
+                        .with_help("sphere { 0, 1 hollow pigment { rgbt 1 } interior { ... } }")
+                  : warning(Fault::no_effect, span,
+                            "the media in a mesh light nothing, though its interior says "
+                            "`luminaire`")
+                        .with_help("put the media into a `sphere` or a `box` around it"));
+    }
+
     void note_luminaire(PrimitiveKind kind, std::size_t index, std::uint32_t material, Span span) {
+        note_volume(kind, index, material, span);
         if (materials_.glows(material))
             glowing_.push_back(
                 {kind, static_cast<std::uint32_t>(index), span, statements_.number()});
@@ -380,7 +409,9 @@ private:
     std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_,
         leaf_materials_;
     std::vector<Span> leaf_spans_;
-    std::vector<GlowingPrimitive> glowing_;
+    std::vector<GlowingPrimitive> glowing_;  ///< surfaces
+    std::vector<GlowingPrimitive> filled_;   ///< with media that light the scene
+    bool idle_volume_said_ = false;
     std::vector<Parted> parted_;
     MeshCopies copies_;
     ObjectMemory objects_;

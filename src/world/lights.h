@@ -24,11 +24,19 @@ struct LightReach {
     bool photons_of_grid = false;        ///< they start from all of its grid
 };
 
+/// A solid whose media light the scene.
+struct GlowingVolume {
+    PrimitiveIndex primitive = no_primitive;  ///< one of it
+    std::uint32_t statement = 0;              ///< of Provenance::light_statements
+};
+
 /// What gives light, except for the sky.
 struct WorldLights {
     std::vector<Luminaire> luminaires;
-    /// Per primitive: index in luminaires, or no_primitive; empty if none glows.
+    /// Per primitive: index in luminaires, or no_primitive; empty if there are none. What fills the
+    /// inside of a primitive is none of its own.
     std::vector<std::uint32_t> luminaire_of;
+    std::vector<GlowingVolume> volumes;
     BuiltLightSampler sampler;  ///< among the luminaires
     std::vector<Light> sources;
     std::vector<LightReach> reach;       ///< of each source

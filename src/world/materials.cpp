@@ -4,6 +4,7 @@
 #include "surface/quality.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace candelabra {
 
@@ -103,6 +104,10 @@ void Materials::add(const Inherited& look) {
     material.interior = settled(look.interior ? *look.interior : nullptr, texture);
     if (material.interior && !material.interior->media.empty()) {
         if (world_.rules.quality < quality_full) material.interior.edit().media.clear();
+        if (material.interior->luminaire && look.hollow && !look.no_luminaire &&
+            !std::isinf(world_.rules.settings.luminaires_above))
+            for (Media& media : material.interior.edit().media)
+                media.luminaire = media.emission != Vec3(0);
         world_.appearance.any_media |= !material.interior->media.empty();
         world_.appearance.any_drawn_media |=
             std::ranges::any_of(material.interior->media, &Media::drawn);

@@ -100,17 +100,17 @@ PhotonPairs photon_pairs(const World& world) {
 }
 
 /// Each pair of a source takes 40 bytes, and one of a luminaire some 20 nanoseconds.
-constexpr std::uint64_t most_of_sources = 8'000'000, most_of_luminaires = 60'000'000;
+constexpr std::uint64_t max_of_sources = 8'000'000, max_of_luminaires = 60'000'000;
 
 void refuse_many(const World& world, const PhotonPairs& pairs, Diagnostics& diagnostics) {
-    const bool sources = pairs.of_sources > most_of_sources;
-    if (!sources && pairs.of_luminaires <= most_of_luminaires) return;
+    const bool sources = pairs.of_sources > max_of_sources;
+    if (!sources && pairs.of_luminaires <= max_of_luminaires) return;
     const auto target = std::ranges::find(world.photon_targets, true, &PhotonTarget::shot_at);
     diagnostics.add(
         error(Fault::out_of_range, target->span,
               message("photons of ", sources ? "light sources" : "things that glow",
                       " are shot at targets in more pairs than the limit of ",
-                      sources ? most_of_sources : most_of_luminaires, ": there are ",
+                      sources ? max_of_sources : max_of_luminaires, ": there are ",
                       sources ? pairs.of_sources : pairs.of_luminaires))
             .with_help("a `union` with `photons { target }` is one target, and lights that say "
                        "`photons { refraction off reflection off }` shoot at none"));
@@ -136,9 +136,8 @@ PhotonWays ways_of_source(const World& world, std::uint32_t light) {
 void place_photon_targets(World& world, Diagnostics& diagnostics) {
     std::vector<PhotonTarget>& targets = world.photon_targets;
     if (targets.empty()) return;
-    const bool wanted = world.rules.settings.photons.shoots() &&
-                        world.rules.quality >= quality_full &&
-                        std::holds_alternative<PovRay>(world.rules.settings.integrator);
+    const bool wanted =
+        world.rules.settings.photons.shoots() && world.rules.quality >= quality_full;
     if (wanted) bound(world);
     std::vector<bool> counts;
     for (PhotonTarget& target : targets) {

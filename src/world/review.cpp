@@ -23,9 +23,18 @@ bool shows_itself(const Material& material) {
 }
 
 bool dark(const World& world) {
-    return world.lights.sources.empty() && world.lights.luminaires.empty() && !world.sky.sphere &&
-           greatest(world.sky.background.radiance()) <= 0 &&
+    const auto black = [](const Light& light) {
+        return std::visit([](const auto& l) { return l.colour == Vec3(0); }, light);
+    };
+    return std::ranges::all_of(world.lights.sources, black) && world.lights.luminaires.empty() &&
+           !world.sky.sphere && greatest(world.sky.background.radiance()) <= 0 &&
            std::ranges::none_of(world.appearance.materials, shows_itself);
+}
+
+/// Glows, but what it glows with is black.
+bool glows_black(const Material& material) {
+    return material.texture->finish.emission != Vec3(0) &&
+           greatest(greatest_emission(*material.texture)) <= 0;
 }
 
 class Surroundings {
@@ -102,6 +111,7 @@ const Luminaire* dome(const World& world) {
         const auto* composite = std::get_if<CompositeEmitter>(&luminaire.emitter);
         const bool turned = composite && composite->composite->leaf_count() == 1,
                    hidden = world.material(luminaire.primitive).no_image;
+        if (luminaire.is_volume()) continue;
         const bool within =
             sphere
                 ? length(world.view.camera.location - sphere->centre) < sphere->radius
@@ -131,8 +141,11 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
     else if (dark(world))
         diagnostics.add(
             warning(Fault::no_light, {}, "nothing lights this scene")
-                .with_help("light_source { <10, 20, -10>, rgb 1 }, or finish { emission 5 } in an "
-                           "object"));
+                .with_help(std::ranges::any_of(world.appearance.materials, glows_black)
+                               ? "`emission` is multiplied by the pigment, which is black where "
+                                 "none is given: pigment { rgb 1 } finish { emission 5 }"
+                               : "light_source { <10, 20, -10>, rgb 1 }, or "
+                                 "pigment { rgb 1 } finish { emission 5 } in an object"));
     if (const Luminaire* around = world.rules.settings.luminaires_said ? nullptr : dome(world)) {
         const auto number = static_cast<std::size_t>(around - world.lights.luminaires.data());
         diagnostics.add(
@@ -155,11 +168,15 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`photons` has no effect without a number of them above 0")
                             .with_help("global_settings { photons { count 20000 } }"));
-    if (!std::holds_alternative<PathTraced>(world.rules.settings.integrator)) return;
-    if (photons.on)
-        diagnostics.add(warning(Fault::no_effect, {},
-                                "`photons` has no effect with path_traced, which follows light "
-                                "from the camera"));
+    const auto* path_traced = std::get_if<PathTraced>(&world.rules.settings.integrator);
+    if (!path_traced) return;
+    if (path_traced->reflected_luminaires > 0 &&
+        path_traced->reflected_luminaires != PathTraced{}.reflected_luminaires &&
+        (world.has_air() || world.has_media() || !world.photon_targets.empty()))
+        diagnostics.add(
+            warning(Fault::no_effect, {},
+                    "`reflected_luminaires` has no effect in a scene with fog, media or "
+                    "photons: paths find all reflected light there"));
     if (world.rules.settings.radiosity.on)
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`radiosity` has no effect with path_traced, which follows all "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shutter samples: while the camera's shutter stays open, the scene at some later times is a world
-// of its own. What is told of their lights is told of all of them together. Called by compile().
+// of its own. The light report has one row for a light in all of these worlds. Called by compile().
 #pragma once
 
 #include "text/source.h"

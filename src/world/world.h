@@ -92,7 +92,9 @@ public:
         return appearance.any_transparent || appearance.any_media || has_air();
     }
     /// Whether rays begin in places of which it must be found out fast what they are in.
-    bool indexes_solids() const { return view.camera.parallel || !photon_targets.empty(); }
+    bool indexes_solids() const {
+        return view.camera.parallel || !photon_targets.empty() || !lights.volumes.empty();
+    }
     /// Whether there is fog, a rainbow or a medium outside of solids.
     bool has_air() const {
         return !sky.fogs.empty() || !sky.rainbows.empty() || !sky.media.empty();

@@ -17,7 +17,7 @@ Checkpoint example() {
     settings.height = 5;
     Checkpoint checkpoint{
         {{"program", "x"}, {"file a b.pov", "12"}}, begin_picture(settings, 2), 3, 9, true};
-    checkpoint.state.share = {{0, 1, 7, 5}, 2, 4, 6, 7};
+    checkpoint.state.shard = {{0, 1, 7, 5}, 2, 4, 6, 7};
     checkpoint.state.rounds = 2;
     double value = -1;
     for (PixelSum& pixel : checkpoint.state.film.pixels()) {
@@ -62,7 +62,7 @@ TEST_CASE("a state comes back bit by bit; a damaged one is an error and no crash
     std::filesystem::remove(path);
 }
 
-TEST_CASE("a state whose share cannot be is refused") {
+TEST_CASE("a state whose shard cannot be is refused") {
     const std::string path = std::filesystem::temp_directory_path() / "candelabra_share.exr";
     const auto readable = [&](const auto& change) {
         Checkpoint made = example();
@@ -74,14 +74,14 @@ TEST_CASE("a state whose share cannot be is refused") {
         return read_checkpoint(path, diagnostics).has_value();
     };
     CHECK(readable([](Checkpoint&) {}));
-    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.first_tile = 4; }));
-    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.first_tile = -1; }));
-    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.tile_step = 2'000'000'000; }));
-    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.first_sample = 7; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.shard.first_tile = 4; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.shard.first_tile = -1; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.shard.tile_step = 2'000'000'000; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.shard.first_sample = 7; }));
     CHECK_FALSE(readable([](Checkpoint& c) { c.samples = 0xffffffffu; }));
-    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.region.right = 8; }));
-    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.region.top = -1; }));
-    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.region.left = 8; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.shard.region.right = 8; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.shard.region.top = -1; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.shard.region.left = 8; }));
     CHECK_FALSE(readable([](Checkpoint& c) { c.state.rounds = 0xffffffffu; }));
     CHECK_FALSE(readable([](Checkpoint& c) { c.all_samples = 0xffffffffu; }));
     std::filesystem::remove(path);

@@ -134,10 +134,10 @@ TEST_CASE("an INI file that a stranger's names is judged and opened in one", "[a
             return disk(path);
         },
         [&](const std::string& path) { return disk.holds(path); },
-        [&](const Door& door) {
-            return Reader([&, door](const std::string& path) {
+        [&](const FileAccess& access) {
+            return Reader([&, access](const std::string& path) {
                 by_stranger.push_back(path);
-                return scene_reader(door)(path);
+                return scene_reader(access)(path);
             });
         });
     Diagnostics diagnostics;

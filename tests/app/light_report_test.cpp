@@ -48,6 +48,20 @@ TEST_CASE("the report of light has a line for each statement that makes lights",
     CHECK(light_report(world, rendered(world, 3).rays, sources) == text);
 }
 
+TEST_CASE("the report names lamps from which no light comes", "[app]") {
+    const std::string hidden = "sphere { <0, -2, 0>, 0.1 pigment { rgb 1 } finish { emission 3 } }";
+    for (const bool any : {false, true}) {
+        const std::string script = ten_lights + (any ? hidden : "");
+        const World world = world_of(script);
+        SourceStore sources;
+        sources.add("scene.pov", script);
+        const std::string text = light_report(world, rendered(world, 1).rays, sources);
+        INFO(text);
+        CHECK((text.find("no light came from scene.pov:9: sphere { <0, -2") != std::string::npos) ==
+              any);
+    }
+}
+
 TEST_CASE("lights are counted only when that is asked for", "[app]") {
     RenderSettings settings;
     settings.width = settings.height = 4;

@@ -22,6 +22,23 @@ Output of(std::string scene, std::string output = {}, std::optional<PictureType>
 
 }  // namespace
 
+TEST_CASE("endings of formats that are not written are refused") {
+    const auto errors = [](std::string output, std::optional<PictureType> type) {
+        Options options;
+        options.scene = "a.pov";
+        options.output = std::move(output);
+        options.type = type;
+        Diagnostics diagnostics;
+        output_of(options, diagnostics);
+        return diagnostics.all().size();
+    };
+    for (const char* name : {"a.webp", "b/a.TIFF", "a.tif", "a.gif"}) {
+        CHECK(errors(name, {}) == 1);
+        CHECK(errors(name, PictureType::png) == 0);
+    }
+    for (const char* name : {"a.png", "a.jpeg", "a.2", "webp"}) CHECK(errors(name, {}) == 0);
+}
+
 TEST_CASE("the picture's name comes from the scene's and the options") {
     struct Case {
         std::string scene, output;

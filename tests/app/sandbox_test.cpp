@@ -67,14 +67,14 @@ int tried(const SandboxRules& rules, const std::string& inside, const std::strin
     });
 }
 
-/// What a scene says when it is evaluated with a door that lets everything pass, in a process that
+/// What a scene says when it is evaluated where every file may be read and written, in a process that
 /// is confined to a folder: 0 when it has no error.
-int through_open_door(const std::string& folder, const std::string& script) {
+int without_file_access(const std::string& folder, const std::string& script) {
     return apart([&] {
         if (!confine({{folder}, {folder}})) return 64;
         SourceStore sources;
         Diagnostics diagnostics;
-        Loader loader(disk_reader(), folder, {}, Door({"/"}, {"/"}));
+        Loader loader(disk_reader(), folder, {}, FileAccess({"/"}, {"/"}));
         EvaluateOptions options;
         options.print = [](std::string_view) {};
         const SourceId main = sources.add("scene.pov", script);
@@ -106,7 +106,7 @@ TEST_CASE("a confined process reaches what its rules name, and nothing else", "[
     CHECK(tried({{in}, {}, true, false}, in, out) == (reads_inside | sockets));
 }
 
-TEST_CASE("a hole in the door leads to the wall", "[app]") {
+TEST_CASE("a mistake in the file access leads to the sandbox", "[app]") {
     const Folder folder;
     const std::string in = (folder.path() / "in").string(), out = (folder.path() / "out").string();
     for (const std::string& each : {in, out}) {
@@ -119,15 +119,15 @@ TEST_CASE("a hole in the door leads to the wall", "[app]") {
     const auto writes = [&](const std::string& to) {
         return "#version 3.7; #fopen F \"" + to + "/b.txt\" write #write (F, 1) #fclose F";
     };
-    const int inside = through_open_door(in, reads(in));
+    const int inside = without_file_access(in, reads(in));
     if (inside == 64) {
         WARN("this system has no Landlock or no seccomp");
         return;
     }
     CHECK(inside == 0);
-    CHECK(through_open_door(in, writes(in)) == 0);
-    CHECK(through_open_door(in, reads(out)) == 1);
-    CHECK(through_open_door(in, writes(out)) == 1);
+    CHECK(without_file_access(in, writes(in)) == 0);
+    CHECK(without_file_access(in, reads(out)) == 1);
+    CHECK(without_file_access(in, writes(out)) == 1);
     CHECK_FALSE(std::filesystem::exists(out + "/b.txt"));
 }
 

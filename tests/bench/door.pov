@@ -2,6 +2,7 @@
 // A room that is lit through a door, by lamps in the next one, with all bounces of light.
 #version 3.7;
 #ifndef (Reflected) #declare Reflected = 5000; #end
+#ifdef (Rival) global_settings { light_sampler { light_bvh { mis } } } #end
 global_settings { assumed_gamma 1 integrator { path_traced { bounces 8 reflected_luminaires Reflected } } }
 camera { location <0.5, 1.6, 0.5> look_at <3.6, 1.1, 3> angle 75 right 4/3*x }
 #declare Matt = finish { ambient 0 diffuse 1 };

@@ -18,11 +18,10 @@ TEST_CASE("media have coefficients, scattering, densities and hints", "[bind]") 
                 aa_level 4 aa_threshold 0.2 collect off translate x density { rgb 2 } }
         sphere { 0, 1 hollow interior { ior 1.1 media { Haze } media { emission 1 } } })");
     INFO(done.text);
-    REQUIRE(done.said.size() == 2);
+    REQUIRE(done.said.size() == 1);
     CHECK(done.said[0].message ==
           "`method`, `aa_level`, `aa_threshold`, `confidence`, `variance`, `ratio`, `jitter` of "
           "`media` have no effect: light between surfaces is estimated without bias in any case");
-    CHECK(done.said[1].message == "`collect` of `media` has no effect: photons do not light media");
     REQUIRE(done.scene.media.size() == 1);
     const Media& media = done.scene.media[0];
     CHECK(media.scattering.type == 5);
@@ -42,6 +41,20 @@ TEST_CASE("media have coefficients, scattering, densities and hints", "[bind]") 
     const Object& sphere = *done.scene.objects.at(0);
     REQUIRE(sphere.interior);
     CHECK(sphere.interior->media.size() == 2);
+}
+
+TEST_CASE("an interior says that its media light the scene, if they emit", "[bind]") {
+    const Script done = run(R"(#version 3.7;
+        #declare Flame = interior { media { emission 1 } luminaire }
+        sphere { 0, 1 interior { Flame } }
+        sphere { 0, 1 interior { Flame luminaire off } }
+        sphere { 0, 1 interior { media { absorption 1 } luminaire } })");
+    INFO(done.text);
+    REQUIRE(done.said.size() == 1);
+    CHECK(done.said[0].message ==
+          "`luminaire` has no effect: no media of the interior emit light");
+    CHECK(done.scene.objects.at(0)->interior->luminaire);
+    CHECK_FALSE(done.scene.objects.at(1)->interior->luminaire);
 }
 
 TEST_CASE("densities move with what is in them, as they were written", "[bind]") {

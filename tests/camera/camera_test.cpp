@@ -153,6 +153,18 @@ TEST_CASE("a blurred pixel gets rays until its mean is known", "[camera]") {
     CHECK(rule.allowed(10) == Approx(0.01 * 15.987 / 62.038).epsilon(0.01));
 }
 
+TEST_CASE("a blurred pixel whose variance is to be 0 gets all rays, however alike they are",
+          "[camera]") {
+    Perspective camera;
+    camera.aperture = 1;
+    camera.blur_samples = 50;
+    camera.variance = 0;
+    const BlurRule rule = projection(camera).blur;
+    CHECK(rule.allowed(7) < 0);
+    CHECK(rule.allowed(49) < 0);
+    CHECK(rule.allowed(50) > 1e300);
+}
+
 TEST_CASE("lens and focal distance are the same wherever the camera goes", "[camera]") {
     Perspective camera;
     camera.aperture = 1;

@@ -67,10 +67,10 @@ TEST_CASE("rounds go on until the noise is low enough or the samples are used up
 TEST_CASE("a share has its own pixels, and in the adaptive scheme their neighbours", "[render]") {
     RenderSettings settings = tiny();
     RenderState state = begin_picture(settings);
-    state.share.first_tile = 1;
-    state.share.tile_step = 4;
-    CHECK(state.share.owns(32, 0));
-    CHECK_FALSE(state.share.owns(31, 0));
+    state.shard.first_tile = 1;
+    state.shard.tile_step = 4;
+    CHECK(state.shard.owns(32, 0));
+    CHECK_FALSE(state.shard.owns(31, 0));
     REQUIRE(plan_round(state, settings, 8));
     CHECK(state.film.at(33, 31).target == 8);
     CHECK(state.film.at(31, 31).target == 8);
@@ -104,8 +104,8 @@ TEST_CASE("where tiles find out what pixels need there is one round, of the shar
         CHECK(is_settled_by_tiles(rule));
         CHECK_FALSE(is_even(settings, rule));
         RenderState state = begin_picture(settings);
-        state.share.first_tile = 1;
-        state.share.tile_step = 4;
+        state.shard.first_tile = 1;
+        state.shard.tile_step = 4;
         REQUIRE(plan_round(state, settings, 1, rule));
         CHECK(state.film.at(32, 3).target == 1);
         CHECK(state.film.at(31, 3).target == 0);

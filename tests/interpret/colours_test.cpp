@@ -21,9 +21,9 @@ TEST_CASE("colours have POV-Ray's values", "[interpret]") {
         {"#declare C = srgb <0, 0.5, 1>; V(3,C)", "<0.0000,0.2140,1.0000>"},
         {"#declare C = rgb <1,.5,0>; P(C.gray) P(C.green) P(C.transmit)",
          "0.591500 0.500000 0.000000"},
-        {"#declare C = rgb \"s\";", "error: `rgb` takes numbers, but this is a string\n"},
+        {"#declare C = rgb \"s\";", "error: `rgb` takes numbers, but this is the string \"s\"\n"},
         {"#declare C = rgb <1, 2>;", "warning: `rgb` takes 3 numbers, but here are 2\n"},
-        {"#declare C = color \"s\";", "error: a colour is wanted, but this is a string\n"},
+        {"#declare C = color \"s\";", "error: a colour is wanted, but this is the string \"s\"\n"},
         {"#declare C = color red x;",
          "error: the amount of `red` must be a number, but it is a vector of 3\n"},
     }));

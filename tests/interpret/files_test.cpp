@@ -31,9 +31,9 @@ SaidWithFiles said(const SceneFolder& folder, const std::string& script, const L
     const std::string here = folder.path().string();
     SourceStore sources;
     Diagnostics diagnostics;
-    Door door({here}, {here});
-    door.knows(folder.made);
-    Loader loader(scene_reader(door), here, {}, door);
+    FileAccess access({here}, {here});
+    access.remembers(folder.made);
+    Loader loader(scene_reader(access), here, {}, access);
     if (off_disk) loader.keep_off_disk();
     SaidWithFiles result;
     EvaluateOptions options;

@@ -13,8 +13,8 @@ std::string spent(const std::string& script, const Limits& limits, const Folder&
     const std::string here = folder.path().string();
     SourceStore sources;
     Diagnostics diagnostics;
-    Door door({here}, {here});
-    Loader loader(scene_reader(door), here, {}, door);
+    FileAccess access({here}, {here});
+    Loader loader(scene_reader(access), here, {}, access);
     EvaluateOptions options;
     options.limits = limits;
     evaluate(sources, loader, sources.add(here + "/main.pov", "#version 3.7; " + script), options,

@@ -116,15 +116,16 @@ TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
     }
 }
 
-TEST_CASE("an entry that leans weighs less behind itself, but something everywhere", "[lighting]") {
+TEST_CASE("an entry with a bent normal weighs less behind itself, but something everywhere",
+          "[lighting]") {
     for (const int kind : {0, 3}) {
         Draw draw(4);
         std::vector<Luminaire> luminaires;
-        // Twenty in a heap that lean in one way, and one far away that does not.
+        // Twenty in a heap that shine one way, and one far away that shines all around.
         for (int i = 0; i < 20; ++i) {
             luminaires.push_back(
                 glowing(emitter(kind, Vec3(0, 0, 10) + draw.point(0.1), 0.1, draw)));
-            luminaires.back().lean = Vec3(0, 0, -0.48);
+            luminaires.back().bent_normal = Vec3(0, 0, -0.48);
         }
         luminaires.push_back(glowing(SphereEmitter{Vec3(500, 0, 10), 1}));
         const LightTree tree(luminaires);

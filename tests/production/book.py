@@ -46,7 +46,8 @@ def problems(book):
         if leads_nowhere("index.html", address):
             yield f"the search leads {title} to {address}"
     titles = {entry[0] for entry in words}
-    for word in ("sphere", "bozo", "light_octree", "Light_Ring", "Round_Box", "declare", "vrotate", "media"):
+    for word in ("sphere", "bozo", "light_octree", "Light_Ring", "Round_Box", "declare", "vrotate", "media",
+                 "Tutorial", "How bright", "--light-report"):
         if word not in titles:
             yield f"the search does not find {word}"
     scenes = len(re.findall(r'class="scene"', texts["candelabra-tutorial.7.html"]))

@@ -185,17 +185,17 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
     CHECK(advance(plan_of(world, settings), whole, rays, hooks));
     for (int i = 0; i < 3; ++i) {
         RenderState part = begin_picture(settings, hooks.aovs.count(world));
-        part.share.first_tile = i;
-        part.share.tile_step = 3;
+        part.shard.first_tile = i;
+        part.shard.tile_step = 3;
         CHECK(advance(plan_of(world, settings), part, rays, hooks));
         for (int y = 0; y < settings.height; ++y)
             for (int x = 0; x < settings.width; ++x)
-                if (part.share.owns(x, y)) parts.film.add(part.film.index(x, y), part.film);
+                if (part.shard.owns(x, y)) parts.film.add(part.film.index(x, y), part.film);
     }
     CHECK(parts.film.image().pixels == whole.film.image().pixels);
     for (int edge = 34; edge < 42; ++edge) {
         RenderState part = begin_picture(settings, hooks.aovs.count(world));
-        part.share.region = {13, 9, edge, edge};
+        part.shard.region = {13, 9, edge, edge};
         CHECK(advance(plan_of(world, settings), part, rays, hooks));
         int others = 0;
         for (int y = 9; y < edge; ++y)
@@ -225,7 +225,7 @@ TEST_CASE("samples of one picture can be taken in parts and added", "[render]") 
     for (const auto& [first, count] : {std::pair{3u, 2}, std::pair{0u, 1}, std::pair{1u, 2}}) {
         settings.samples = count;
         RenderState part = begin_picture(settings);
-        part.share.first_sample = first;
+        part.shard.first_sample = first;
         advance(plan_of(world, settings), part, rays, {});
         for (std::size_t i = 0; i < sum.pixels().size(); ++i)
             sum.pixels()[i].add(part.film.pixels()[i]);
@@ -262,7 +262,7 @@ TEST_CASE("a picture with photons has the same bytes however it is made", "[rend
     for (const auto& [first, count] : {std::pair{18u, 2}, std::pair{0u, 5}, std::pair{5u, 13}}) {
         settings.samples = count;
         RenderState part = begin_picture(settings);
-        part.share.first_sample = first;
+        part.shard.first_sample = first;
         advance(plan_of(world, settings), part, rays, {});
         for (std::size_t i = 0; i < sum.pixels().size(); ++i)
             sum.pixels()[i].add(part.film.pixels()[i]);

@@ -96,18 +96,17 @@ TEST_CASE("directions are drawn with the density that is said", "[render]") {
                 for (std::size_t b = both ? 0 : 64; b < 128; ++b) {
                     CAPTURE(b, both, view.x, finish.phong, finish.specular, finish.microfacet.on,
                             finish.microfacet.roughness);
-                    if (both && b < 64 && bsdf.gloss() > 0) continue;
+                    if (both && b < 64 && bsdf.specular_probability() > 0) continue;
                     CHECK(drawn[b] == Approx(said[b]).margin(0.004));
                 }
             }
 }
 
-TEST_CASE("dull surfaces, and those whose highlights are left to reflection, have no gloss",
-          "[render]") {
+TEST_CASE("surfaces without highlights, or that leave them to reflection, draw none", "[render]") {
     const Look dull(looks().front()), mirror(facets(0.1, 1)), shiny(highlights(0, 1, 40, 0, 0.05));
-    CHECK(Bsdf(dull.shading, ShadingRules()).gloss() == 0);
-    CHECK(Bsdf(mirror.shading, ShadingRules()).gloss() == 0);
-    CHECK(Bsdf(shiny.shading, ShadingRules()).gloss() > 0.5);
+    CHECK(Bsdf(dull.shading, ShadingRules()).specular_probability() == 0);
+    CHECK(Bsdf(mirror.shading, ShadingRules()).specular_probability() == 0);
+    CHECK(Bsdf(shiny.shading, ShadingRules()).specular_probability() > 0.5);
 }
 
 TEST_CASE("what the choice of luminaires knows of highlights is near what they answer",

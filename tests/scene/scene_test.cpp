@@ -10,14 +10,14 @@ TEST_CASE("a light takes with it what belongs to it", "[scene]") {
     placed.looks_like = make_handle<Object>();
     placed.looks_like.edit().no_shadow = true;
     placed.projected_through = make_handle<Object>();
-    const PlacedLight there = moved(placed, Transform::translation(Vec3(1, 2, 3)));
+    const PlacedLight there = transformed(placed, Transform::translation(Vec3(1, 2, 3)));
     CHECK(std::get<PointLight>(there.light).location == Vec3(1, 2, 3));
     for (const ObjectHandle& object : {there.looks_like, there.projected_through})
         CHECK(object->transform->point(Vec3(0)) == Vec3(1, 2, 3));
     CHECK(there.looks_like->no_shadow);
     CHECK_FALSE(there.projected_through->no_shadow);
     // However often it is moved, that does not become deeper.
-    const PlacedLight further = moved(there, Transform::scaling(Vec3(2)));
+    const PlacedLight further = transformed(there, Transform::scaling(Vec3(2)));
     for (const ObjectHandle& object : {further.looks_like, further.projected_through}) {
         CHECK(object->transform->point(Vec3(0)) == Vec3(2, 4, 6));
         CHECK(object->depth <= 1);
@@ -31,8 +31,8 @@ TEST_CASE("however often an object is moved, it is wrapped once at most", "[scen
     textured.edit().texture = make_handle<Texture>();
     const ObjectHandle inner = textured;
     for (int i = 0; i < 3; ++i) {
-        plain = moved(plain, step);
-        textured = moved(textured, step);
+        plain = transformed(plain, step);
+        textured = transformed(textured, step);
     }
     CHECK(std::holds_alternative<Shape>(plain->form));
     CHECK(plain->transform->point(Vec3(0)) == Vec3(3, 0, 0));

@@ -50,8 +50,8 @@ Outcome run(const std::string& script, const fs::path& folder) {
     SourceStore sources;
     Diagnostics diagnostics;
     const std::string library = CANDELABRA_SOURCE_DIR "/stdlib";
-    const Door door({folder.string(), library}, {folder.string()});
-    const Loader loader(scene_reader(door), folder.string(), {library}, door);
+    const FileAccess access({folder.string(), library}, {folder.string()});
+    const Loader loader(scene_reader(access), folder.string(), {library}, access);
     Outcome outcome;
     EvaluateOptions options;
     options.facts.image_width = 8;

@@ -110,11 +110,11 @@ TEST_CASE("the message about a missing file names the places and what was perhap
     CHECK(loader.problem("zz.inc", {}).help.empty());
 }
 
-TEST_CASE("what the door does not let through is not read, and the message names the option") {
+TEST_CASE("what may not be read is not read, and the message names the option") {
     const Folder folder;
     folder.put("scene/a.inc", "inside");
     folder.put("b.inc", "outside");
-    const Loader loader(disk_reader(), folder / "scene", {}, Door({folder / "scene"}, {}));
+    const Loader loader(disk_reader(), folder / "scene", {}, FileAccess({folder / "scene"}, {}));
     CHECK(loader.load("a.inc")->text == "inside");
     CHECK_FALSE(loader.load("../b.inc"));
     CHECK(loader.refused("../b.inc"));
@@ -130,9 +130,10 @@ TEST_CASE("a file that the scene has written is found before others of its name"
     const Folder folder;
     folder.put("scene/a.inc", "old");
     folder.put("out/a.inc", "new");
-    Loader loader(disk_reader(), folder / "scene", {}, Door({folder / "scene"}, {folder / "out"}));
+    Loader loader(disk_reader(), folder / "scene", {},
+                  FileAccess({folder / "scene"}, {folder / "out"}));
     CHECK(loader.load("a.inc")->text == "old");
-    loader.written(*loader.door().destination("a.inc"));
+    loader.written(*loader.file_access().destination("a.inc"));
     CHECK(loader.load("a.inc")->text == "new");
     CHECK(loader.load("a")->text == "new");
 }
@@ -207,7 +208,8 @@ TEST_CASE("what a scene may not read is not opened, and existence is not asked b
             asked.push_back(path);
             return disk.holds(path);
         });
-    const Loader loader(noting, folder / "scene", {}, Door({folder / "scene"}, {}), disk_lister());
+    const Loader loader(noting, folder / "scene", {}, FileAccess({folder / "scene"}, {}),
+                        disk_lister());
     CHECK(loader.finds("a.inc"));
     CHECK_FALSE(loader.finds("../b.inc"));
     CHECK(loader.refused("../b.inc"));
@@ -224,8 +226,8 @@ TEST_CASE("a scene reads regular files only", "[text]") {
     REQUIRE(mkfifo((folder / "scene/pipe.inc").c_str(), 0600) == 0);
     std::filesystem::create_symlink("../b.inc", folder / "scene/link.inc");
     std::filesystem::create_symlink("a.inc", folder / "scene/inner.inc");
-    const Door door({folder / "scene"}, {});
-    const Reader read = scene_reader(door);
+    const FileAccess access({folder / "scene"}, {});
+    const Reader read = scene_reader(access);
     CHECK(read(folder / "scene/a.inc") == "inside");
     CHECK(read(folder / "scene/inner.inc") == "inside");
     for (const char* name : {"b.inc", "scene/link.inc", "scene/pipe.inc", "scene", "scene/none"}) {
@@ -234,8 +236,8 @@ TEST_CASE("a scene reads regular files only", "[text]") {
         CHECK_FALSE(read.holds(folder / name));
     }
     CHECK_FALSE(read(""));
-    CHECK_FALSE(scene_reader(Door())("/dev/zero"));
-    const Loader loader(read, folder / "scene", {}, door);
+    CHECK_FALSE(scene_reader(FileAccess())("/dev/zero"));
+    const Loader loader(read, folder / "scene", {}, access);
     CHECK_FALSE(loader.load("pipe.inc"));
     const Diagnostic problem = loader.problem("pipe.inc", {});
     CHECK(problem.fault == Fault::file_access);
@@ -249,8 +251,8 @@ TEST_CASE("what was perhaps meant tells of no name outside of the folders", "[te
     folder.put("secret.inc", "");
     folder.put("vault/gold.inc", "");
     std::filesystem::create_symlink("../vault", folder / "scene/way");
-    const Loader loader(scene_reader(Door({folder / "scene"}, {})), folder / "scene", {},
-                        Door({folder / "scene"}, {}), disk_lister());
+    const Loader loader(scene_reader(FileAccess({folder / "scene"}, {})), folder / "scene", {},
+                        FileAccess({folder / "scene"}, {}), disk_lister());
     const auto help = [&](const std::string& name) {
         return loader.problem(name, {}, FileKind::data).help;
     };

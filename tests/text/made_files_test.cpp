@@ -26,7 +26,7 @@ struct MadePlace {
 
 }  // namespace
 
-TEST_CASE("a scene writes to files that it has made, and to no others", "[door]") {
+TEST_CASE("a scene writes to files that it has made, and to no others", "[file_access]") {
     const MadePlace place;
     place.folder.put("old.txt", "o");
     MadeFiles made("");
@@ -41,7 +41,7 @@ TEST_CASE("a scene writes to files that it has made, and to no others", "[door]"
     CHECK(place.folder.get("old.txt") == "oa");
 }
 
-TEST_CASE("files of a scene are known in its next run, and by no other scene", "[door]") {
+TEST_CASE("files of a scene are known in its next run, and by no other scene", "[file_access]") {
     const MadePlace place;
     place.folder.put("one.pov", "");
     place.folder.put("two.pov", "");
@@ -54,7 +54,7 @@ TEST_CASE("files of a scene are known in its next run, and by no other scene", "
     CHECK_FALSE(place.write(nobody, "a.txt", 'c'));
 }
 
-TEST_CASE("links and what has two names are not written to", "[door]") {
+TEST_CASE("links and what has two names are not written to", "[file_access]") {
     const MadePlace place;
     place.folder.put("victim.txt", "v");
     MadeFiles made("");
@@ -71,7 +71,7 @@ TEST_CASE("links and what has two names are not written to", "[door]") {
     CHECK(place.folder.get("victim.txt") == "v");
 }
 
-TEST_CASE("what ends in .tmp belongs to all scenes", "[door]") {
+TEST_CASE("what ends in .tmp belongs to all scenes", "[file_access]") {
     const MadePlace place;
     place.folder.put("one.pov", "");
     place.folder.put("two.pov", "");

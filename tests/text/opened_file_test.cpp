@@ -24,7 +24,7 @@ std::string opened_text(const std::string& path, std::size_t most = 1000) {
 
 }  // namespace
 
-TEST_CASE("no part of the path of an opened file is a link", "[door]") {
+TEST_CASE("no part of the path of an opened file is a link", "[file_access]") {
     const Folder folder;
     const std::string here = fs::canonical(folder.path()).string();
     folder.put("a/b.txt", "text");
@@ -41,7 +41,7 @@ TEST_CASE("no part of the path of an opened file is a link", "[door]") {
     CHECK_FALSE(open_without_links("/", O_WRONLY));
 }
 
-TEST_CASE("only regular files have a content, which is bounded", "[door]") {
+TEST_CASE("only regular files have a content, which is bounded", "[file_access]") {
     const Folder folder;
     const std::string here = fs::canonical(folder.path()).string();
     folder.put("a.txt", std::string(9000, 'x'));
@@ -58,7 +58,7 @@ TEST_CASE("only regular files have a content, which is bounded", "[door]") {
     CHECK_FALSE(is_regular_file(OpenedFile()));
 }
 
-TEST_CASE("the user names regular files and pipes, and they are what is read", "[door]") {
+TEST_CASE("the user names regular files and pipes, and they are what is read", "[file_access]") {
     const Folder folder;
     folder.put("a.txt", "text");
     fs::create_symlink("a.txt", folder / "link");
@@ -75,7 +75,7 @@ TEST_CASE("the user names regular files and pipes, and they are what is read", "
     writer.join();
 }
 
-TEST_CASE("what comes into the place of a file is not waited for", "[door]") {
+TEST_CASE("what comes into the place of a file is not waited for", "[file_access]") {
     const Folder folder;
     folder.put("file", "text");
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
@@ -88,7 +88,7 @@ TEST_CASE("what comes into the place of a file is not waited for", "[door]") {
     });
     int read = 0;
     for (int i = 0; i < 3000; ++i)
-        if (const auto text = scene_reader(Door())(folder / "file")) read += *text == "text";
+        if (const auto text = scene_reader(FileAccess())(folder / "file")) read += *text == "text";
     ends = true;
     swapper.join();
     CHECK(read > 0);

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace fs = std::filesystem;
 
-TEST_CASE("names that programs believe are not written", "[door]") {
+TEST_CASE("names that programs believe are not written", "[file_access]") {
     for (const char* name : {"candelabra.ini",
                              "a.INI",
                              "a.iNi",
@@ -44,7 +44,7 @@ TEST_CASE("names that programs believe are not written", "[door]") {
     CHECK(names_settings("a.InI"));
 }
 
-TEST_CASE("a path has no links, and none that leads to nothing", "[door]") {
+TEST_CASE("a path has no links, and none that leads to nothing", "[file_access]") {
     const Folder folder;
     const fs::path here = fs::canonical(folder.path());
     folder.put("a/b.txt", "");

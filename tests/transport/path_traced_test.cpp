@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/path_traced.h"
 
+#include "support/draw.h"
 #include "support/scripts.h"
 #include "transport/integrator.h"
 #include "world/compile.h"
@@ -45,6 +46,38 @@ TEST_CASE("a closed room that glows everywhere has the sum of all reflections", 
         }
 }
 
+TEST_CASE("in a closed isothermal room all things look the same", "[transport]") {
+    // What reflects a share R emits 1 - R of what a black body does (Kirchhoff), so that each thing
+    // and each wall shows the black body's radiance, 1, from everywhere.
+    const World world = world_of(R"(#version 3.7; global_settings { max_trace_level 40
+        integrator { path_traced { bounces 40 reflected_luminaires 0 } } }
+        #macro Grey(R) pigment { rgb R } finish { ambient 0 diffuse 1 emission (1 - R) / R } #end
+        box { <-2, -1, -3>, <2, 3, 2> Grey(0.3) }
+        sphere { <-0.6, -0.5, 0.5>, 0.5 Grey(0.5) }
+        cylinder { <0.8, -1, 0.3>, <0.8, 0.4, 0.3>, 0.4 Grey(0.3) }
+        cone { <0, -0.9, 1.3>, 0.6, <0, 0.6, 1.3>, 0.1 Grey(0.5) }
+        box { -0.35, 0.35 rotate <20, 30, 10> translate <-1.4, 0.2, 1.2> Grey(0.4) }
+        torus { 0.4, 0.12 rotate 60*x translate <1.3, 1.3, 1> Grey(0.5) }
+        difference { sphere { 0, 0.4 } box { 0, 1 } translate <0.2, 1.6, 0.4> Grey(0.4) }
+        disc { <1.2, -0.98, -0.6>, y, 0.5 Grey(0.2) }
+        triangle { <-1.9, -0.9, 1.9>, <-1, -0.9, 1.9>, <-1.9, 0.5, 1.9> Grey(0.3) }
+        sphere { <0.2, -0.6, -0.5>, 0.3 pigment { rgb 1 } finish { ambient 0 diffuse 0 reflection 1 } })");
+    Integrator integrator(world, {});
+    Draw draw(1);
+    Key key;
+    double sum = 0, squares = 0;
+    constexpr int count = 120000;
+    for (key.sample = 0; key.sample < count; ++key.sample) {
+        Vec3 towards = draw.direction();
+        towards.z = std::abs(towards.z);
+        const double seen = integrator.radiance({Vec3(-1.5, 0.5, -2.7), towards}, key).x;
+        sum += seen, squares += seen * seen;
+    }
+    const double mean = sum / count;
+    INFO("standard error " << std::sqrt((squares / count - mean * mean) / count));
+    CHECK(mean == Approx(1).epsilon(1e-3));
+}
+
 TEST_CASE("luminaires light by reflections as surfaces that glow do", "[transport]") {
     // Once chosen by the light strategy, which looks one reflection further, once met by chance.
     const auto corner = [](int bounces, const std::string& finish) {
@@ -76,6 +109,47 @@ TEST_CASE("without bounces all integrators see the same", "[transport]") {
                    other = path_seen(traced(0) + scene, 40000, ray);
         CAPTURE(towards.x);
         for (int i = 0; i < 3; ++i) CHECK(other[i] == Approx(one[i]).epsilon(0.03));
+    }
+}
+
+TEST_CASE("light that photons bring by a mirror lights others as light that is met by chance",
+          "[transport]") {
+    // The lamp stands in a cup and shines up only, at a mirror, which lights the floor, which
+    // lights the wall.
+    const auto seen = [](const std::string& mirror, int bounces, const Vec3& towards,
+                         std::uint32_t count) {
+        const World world = world_of(R"(#version 3.7;
+            global_settings { photons { count 20000 radius 0.3 }
+                integrator { path_traced { reflected_luminaires 0 bounces )" +
+                                     std::to_string(bounces) + R"( } } }
+            #default { finish { ambient 0 diffuse 1 } }
+            plane { y, 0 pigment { rgb <0.8, 0.6, 0.4> } }
+            box { <-4, 0, 2>, <4, 3, 2.1> pigment { rgb 0.7 } }
+            disc { <0, 5, 0>, y, 1.2 pigment { rgb 0 } finish { reflection 0.9 } )" +
+                                     mirror +
+                                     R"( }
+            sphere { <0, 3, 0>, 0.5 pigment { rgb 1 } finish { diffuse 0 emission 20 } }
+            cylinder { <0, 2.4, 0>, <0, 3.8, 0>, 0.6 open pigment { rgb 0 } }
+            disc { <0, 2.4, 0>, y, 0.6 pigment { rgb 0 } })");
+        Integrator integrator(world, {});
+        const Vec3 camera(0.5, 1.5, -5);
+        Draw draw(2);
+        Vec3 sum(0);
+        Key key;
+        constexpr std::uint32_t rays = 32;
+        for (; key.sample < count; ++key.sample)
+            for (key.pixel = 0; key.pixel < rays; ++key.pixel) {
+                const Vec3 place =
+                    towards + Vec3(draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), 0);
+                sum += integrator.radiance({camera, unit(place - camera)}, key);
+            }
+        return sum / static_cast<double>(count * rays);
+    };
+    const std::string target = "photons { target reflection on refraction off }";
+    for (const Vec3& towards : {Vec3(1, 0.5, -1), Vec3(0.5, 0.8, 2)}) {
+        const Vec3 brought = seen(target, 1, towards, 300), met = seen("", 2, towards, 40000);
+        CAPTURE(towards.z);
+        for (int i = 0; i < 3; ++i) CHECK(brought[i] == Approx(met[i]).epsilon(0.03));
     }
 }
 

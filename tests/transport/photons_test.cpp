@@ -34,11 +34,11 @@ TEST_CASE("a generation is the same for any number of threads and any order", "[
     const World world = world_of(glass_on_floor);
     Photons one(world, 0, 1), four(world, 0, 4), other(world, 1, 1);
     four.prepare(3, 6);
-    CHECK(same(*one.generation(5), *four.generation(5)));
-    CHECK(same(*one.generation(0), *four.generation(0)));
-    CHECK_FALSE(same(*one.generation(0), *one.generation(1)));
-    CHECK_FALSE(same(*one.generation(0), *other.generation(0)));
-    CHECK(one.generation(0)->photons().size() > 1000);
+    CHECK(same(one.generation(5)->on_surfaces, four.generation(5)->on_surfaces));
+    CHECK(same(one.generation(0)->on_surfaces, four.generation(0)->on_surfaces));
+    CHECK_FALSE(same(one.generation(0)->on_surfaces, one.generation(1)->on_surfaces));
+    CHECK_FALSE(same(one.generation(0)->on_surfaces, other.generation(0)->on_surfaces));
+    CHECK(one.generation(0)->on_surfaces.photons().size() > 1000);
 }
 
 TEST_CASE("generations that are far apart are made again", "[transport]") {
@@ -46,7 +46,7 @@ TEST_CASE("generations that are far apart are made again", "[transport]") {
     Photons photons(world, 0, 1);
     const auto first = photons.generation(0);
     for (std::uint32_t i = 1; i < 80; ++i) photons.generation(i);
-    CHECK(same(*first, *photons.generation(0)));
+    CHECK(same(first->on_surfaces, photons.generation(0)->on_surfaces));
 }
 
 TEST_CASE("each sample has a generation, and later ones share theirs", "[transport]") {
@@ -63,8 +63,8 @@ TEST_CASE("radii shrink from generation to generation", "[transport]") {
     const auto mean = [&](std::uint32_t number) {
         const auto map = photons.generation(number);
         double sum = 0;
-        for (const Photon& photon : map->photons()) sum += std::log(photon.radius);
-        return std::exp(sum / static_cast<double>(map->photons().size()));
+        for (const Photon& photon : map->on_surfaces.photons()) sum += std::log(photon.radius);
+        return std::exp(sum / static_cast<double>(map->on_surfaces.photons().size()));
     };
     CHECK(mean(63) / mean(0) == Approx(0.5).epsilon(0.1));
 }
@@ -77,7 +77,8 @@ TEST_CASE("all lamps together send as much to the floor whatever the number", "[
         Photons photons(world, 0, 1);
         double sum = 0;
         for (std::uint32_t i = 0; i < 4; ++i)
-            for (const Photon& photon : photons.generation(i)->photons()) sum += photon.power.x;
+            for (const Photon& photon : photons.generation(i)->on_surfaces.photons())
+                sum += photon.power.x;
         return sum / 4;
     };
     CHECK(power("3000") == Approx(power("40000")).epsilon(0.03));

@@ -16,7 +16,8 @@ std::vector<Vec3> bent_normals(const std::string& text, const std::string& eye =
         world_of("#version 3.7; camera { location " + eye + " look_at 0 }\n" +
                  "#declare G = texture { pigment { rgb 1 } finish { emission 1 } }\n" + text);
     std::vector<Vec3> result;
-    for (const Luminaire& luminaire : world.lights.luminaires) result.push_back(luminaire.lean);
+    for (const Luminaire& luminaire : world.lights.luminaires)
+        result.push_back(luminaire.bent_normal);
     return result;
 }
 
@@ -25,13 +26,14 @@ const std::string window = "box { <-0.2, 1, -1.02>, <0.2, 1.5, -0.98> texture { 
 
 }  // namespace
 
-TEST_CASE("luminaires that nothing is next to do not lean", "[world]") {
+TEST_CASE("luminaires that nothing is next to have no bent normal", "[world]") {
     for (const Vec3& bent : bent_normals(far + "sphere { 0, 1 texture { G } }"
                                                "box { <-1, 4, -0.1>, <1, 6, 0.1> texture { G } }"))
         CHECK(bent == Vec3(0));
 }
 
-TEST_CASE("a window leans away from its house, whatever that is made of", "[world]") {
+TEST_CASE("a window's bent normal points away from its house, whatever that is made of",
+          "[world]") {
     for (const char* house : {"box { <-1, 0, -1>, <1, 3, 1> }", "cylinder { 0, 3*y, 1 }",
                               "difference { box { <-1, 0, -1>, <1, 3, 1> } sphere { 3*y, 0.5 } }",
                               "object { box { -1, 1 } translate y scale <1, 1.5, 1> }",
@@ -45,7 +47,8 @@ TEST_CASE("a window leans away from its house, whatever that is made of", "[worl
     }
 }
 
-TEST_CASE("a ball that is half in a box leans out of it, one that lies on it does not", "[world]") {
+TEST_CASE("the bent normal of a ball half in a box points out of it, one that lies on it has none",
+          "[world]") {
     const std::string box = " box { <-9, -9, -9>, <9, 0, 9> }";
     const std::vector<Vec3> half_in = bent_normals(far + "sphere { 0, 1 texture { G } }" + box);
     CHECK(half_in[1].y > 0.2);
@@ -64,11 +67,11 @@ TEST_CASE("a solid that the eye is in hides nothing, nor does one that light pas
         CHECK(bent == Vec3(0));
 }
 
-TEST_CASE("one that nothing gets away from does not lean", "[world]") {
+TEST_CASE("a luminaire whose light gets nowhere has no bent normal", "[world]") {
     CHECK(bent_normals(far + "sphere { 0, 1 texture { G } } box { -2, 2 }")[1] == Vec3(0));
 }
 
-TEST_CASE("leans are the same for any number of threads", "[world]") {
+TEST_CASE("bent normals are the same for any number of threads", "[world]") {
     std::string text = far + "box { <-90, -9, -90>, <90, 0.2, 90> }";
     for (int i = 0; i < 600; ++i)
         text += "sphere { <" + std::to_string(i % 25) + ", 0.2, " + std::to_string(i / 25) +
@@ -83,7 +86,7 @@ TEST_CASE("leans are the same for any number of threads", "[world]") {
     const World three = compile(scene, options, diagnostics);
     REQUIRE(one.lights.luminaires.size() == 601);
     for (std::size_t i = 0; i < one.lights.luminaires.size(); ++i)
-        CHECK(one.lights.luminaires[i].lean == three.lights.luminaires[i].lean);
+        CHECK(one.lights.luminaires[i].bent_normal == three.lights.luminaires[i].bent_normal);
 }
 
 }  // namespace candelabra

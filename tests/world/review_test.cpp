@@ -87,6 +87,21 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
     CHECK(said_about(script, true) == said);
 }
 
+TEST_CASE("a lamp without a pigment is told why it is dark", "[world]") {
+    const auto help = [](const std::string& rest) {
+        Diagnostics diagnostics;
+        const Scene scene = scene_of("camera { location -z } " + rest);
+        review(scene, compile(scene, {}, diagnostics), diagnostics);
+        REQUIRE(diagnostics.all().size() == 1);
+        REQUIRE(diagnostics.all().front().fault == Fault::no_light);
+        return diagnostics.all().front().help;
+    };
+    const std::string lamp = "sphere { 0, 1 finish { emission 3 } }";
+    CHECK(help(lamp).find("black where none is given") != std::string::npos);
+    CHECK(help("sphere { 0, 1 }").find("light_source") != std::string::npos);
+    CHECK(help("sphere { 0, 1 } light_source { 9*y }").find("light_source") != std::string::npos);
+}
+
 TEST_CASE("a camera inside of what changes no picture is not spoken of", "[world]") {
     const std::string camera = "camera { location z look_at 0 } ";
     const std::string outside = "light_source { 99*y, 1 } ", within = "light_source { y, 1 } ";
@@ -125,12 +140,15 @@ TEST_CASE("what path tracing passes over is warned of", "[world]") {
           "no-effect no-effect ");
 }
 
-TEST_CASE("photons that nobody counts or follows are warned of", "[world]") {
+TEST_CASE("numbers of photons and of reflected luminaires without effect are warned of",
+          "[world]") {
     const std::string seen = "light_source { 0, 1 } camera { location -9*z } sphere { 0, 1 } ";
     CHECK(said_about(seen + "global_settings { photons { count 10 } }", false).empty());
     CHECK(said_about(seen + "global_settings { photons { } }", false) == "no-effect ");
-    CHECK(said_about(seen + "global_settings { photons { count 10 } integrator { path_traced } }",
-                     false) == "no-effect ");
+    const std::string settings =
+        "global_settings { integrator { path_traced reflected_luminaires 9 } } ";
+    CHECK(said_about(seen + settings, false).empty());
+    CHECK(said_about(seen + settings + "fog { distance 9 }", false) == "no-effect ");
 }
 
 }  // namespace candelabra

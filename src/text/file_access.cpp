@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "text/door.h"
+#include "text/file_access.h"
 
 #include "text/message.h"
 #include "text/written_name.h"
@@ -19,7 +19,7 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-Door::Door(const std::vector<std::string>& readable, std::vector<std::string> writable)
+FileAccess::FileAccess(const std::vector<std::string>& readable, std::vector<std::string> writable)
     : write_folder_(writable.empty() ? std::string() : writable.front()), locked_(true) {
     for (const std::string& folder : writable)
         writable_.push_back(path_without_links(folder).value_or("").string());
@@ -29,7 +29,7 @@ Door::Door(const std::vector<std::string>& readable, std::vector<std::string> wr
         if (!folder.empty()) readable_.push_back(folder);
 }
 
-std::optional<std::string> Door::admitted(const std::string& path) const {
+std::optional<std::string> FileAccess::admitted(const std::string& path) const {
     if (!locked_) return path;
     const auto real = path_without_links(path);
     const bool allowed = real && std::ranges::any_of(readable_, [&](const std::string& folder) {
@@ -38,20 +38,20 @@ std::optional<std::string> Door::admitted(const std::string& path) const {
     return allowed ? std::optional(real->string()) : std::nullopt;
 }
 
-std::optional<std::string> Door::place(const std::string& path) const {
+std::optional<std::string> FileAccess::place(const std::string& path) const {
     if (locked_) return admitted(path);
     const auto real = path_without_links(path);
     return real ? std::optional(real->string()) : std::nullopt;
 }
 
-bool Door::is_odd(const std::string& path) const {
+bool FileAccess::is_special(const std::string& path) const {
     if (!locked_) return false;
     const auto real = admitted(path);
     std::error_code none;
     return real && fs::is_other(*real, none);
 }
 
-std::optional<std::size_t> Door::writable_folder(const std::string& real) const {
+std::optional<std::size_t> FileAccess::writable_folder(const std::string& real) const {
     for (std::size_t i = 0; i < writable_.size(); ++i) {
         if (writable_[i].empty()) continue;
         if (const auto part = part_below(writable_[i], real); part && !part->empty()) return i;
@@ -59,7 +59,7 @@ std::optional<std::size_t> Door::writable_folder(const std::string& real) const 
     return std::nullopt;
 }
 
-std::optional<std::string> Door::destination(const std::string& name) const {
+std::optional<std::string> FileAccess::destination(const std::string& name) const {
     if (name.empty() || name.ends_with('/')) return {};
     const auto real = path_without_links((fs::path(write_folder_) / name).string());
     const auto folder = real ? writable_folder(real->string()) : std::nullopt;
@@ -67,28 +67,28 @@ std::optional<std::string> Door::destination(const std::string& name) const {
     return real->string();
 }
 
-bool Door::overwrites(const std::string& destination) const {
+bool FileAccess::overwrites(const std::string& destination) const {
     if (names_source(destination)) return false;
     for (std::size_t i = 1; i < writable_.size(); ++i)
         if (!writable_[i].empty() && part_below(writable_[i], destination)) return true;
     return false;
 }
 
-std::string Door::rule_of_file(const std::string& destination) const {
+std::string FileAccess::rule_of_file(const std::string& destination) const {
     if (made_->may_write(destination, overwrites(destination))) return {};
     return "a scene creates files, and overwrites only those that it has made itself";
 }
 
-OpenedFile Door::open(const std::string& destination, bool append) const {
+OpenedFile FileAccess::open(const std::string& destination, bool append) const {
     return made_->open(destination, append, overwrites(destination));
 }
 
-std::string Door::reading_rule() const {
+std::string FileAccess::reading_rule() const {
     return "a scene reads files below its own folder, the current directory, the folder of its "
            "picture and the folders of +L";
 }
 
-std::string Door::writing_rule(const std::string& name) const {
+std::string FileAccess::writing_rule(const std::string& name) const {
     if (writable_.empty()) return "this run writes no files";
     if (const auto real = path_without_links((fs::path(write_folder_) / name).string()))
         if (const auto folder = writable_folder(real->string()))
@@ -101,11 +101,11 @@ std::string Door::writing_rule(const std::string& name) const {
                    ", and no names that begin with a point");
 }
 
-std::string Door::reading_help(const std::string& path) {
+std::string FileAccess::reading_help(const std::string& path) {
     return message("`--allow-read ", folder_of(path), "` allows it");
 }
 
-std::string Door::writing_help(const std::string& name) const {
+std::string FileAccess::writing_help(const std::string& name) const {
     if (!forbidden_name(fs::path(name).filename()).empty()) return {};
     const auto there = destination(name);
     if (there && names_source(*there)) return "remove that file before, or choose another name";

@@ -8,6 +8,6 @@
 namespace candelabra {
 
 /// The plane under a map; its normal is a unit vector.
-Plane moved(const Plane&, const Transform&);
+Plane transformed(const Plane&, const Transform&);
 
 }  // namespace candelabra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "text/door.h"
+#include "text/file_access.h"
 
 #include "support/folder.h"
 
@@ -11,20 +11,20 @@ namespace candelabra {
 
 namespace fs = std::filesystem;
 
-TEST_CASE("a door without folders lets everything be read and nothing be written", "[door]") {
-    const Door door;
-    CHECK(door.may_read("/etc/passwd"));
-    CHECK_FALSE(door.destination("a.txt"));
+TEST_CASE("without folders everything may be read and nothing written", "[file_access]") {
+    const FileAccess access;
+    CHECK(access.may_read("/etc/passwd"));
+    CHECK_FALSE(access.destination("a.txt"));
 }
 
-TEST_CASE("reading takes place below the folders", "[door]") {
+TEST_CASE("reading takes place below the folders", "[file_access]") {
     const Folder folder;
     folder.put("scene/a.inc", "");
     folder.put("other/b.inc", "");
     folder.put("scenery/c.inc", "");
     fs::create_symlink(folder / "other", folder / "scene/link");
     fs::create_symlink("a.inc", folder / "scene/inner");
-    const Door door({folder / "scene/"}, {});
+    const FileAccess access({folder / "scene/"}, {});
     struct Case {
         const char* path;
         bool allowed;
@@ -43,49 +43,49 @@ TEST_CASE("reading takes place below the folders", "[door]") {
     };
     for (const Case& c : cases) {
         INFO(c.path);
-        CHECK(door.may_read(folder / c.path) == c.allowed);
+        CHECK(access.may_read(folder / c.path) == c.allowed);
     }
-    CHECK_FALSE(door.may_read(folder / std::string("scene/a\0.inc", 12)));
+    CHECK_FALSE(access.may_read(folder / std::string("scene/a\0.inc", 12)));
 }
 
-TEST_CASE("writing takes place below the writable folders", "[door]") {
+TEST_CASE("writing takes place below the writable folders", "[file_access]") {
     const Folder folder;
     folder.put("out/sub/old.txt", "");
     folder.put("other/b.txt", "");
     fs::create_symlink(folder / "other", folder / "out/link");
     fs::create_symlink(folder / "other/b.txt", folder / "out/file");
-    const Door door({folder / "scene"}, {folder / "out", folder / "more"});
+    const FileAccess access({folder / "scene"}, {folder / "out", folder / "more"});
     const std::string out = fs::canonical(folder.path()).string() + "/out/";
-    CHECK(door.destination("a.txt") == out + "a.txt");
-    CHECK(door.destination("sub/a.txt") == out + "sub/a.txt");
-    CHECK(door.destination("sub/../a.txt") == out + "a.txt");
-    CHECK(door.destination(folder / "out/a.txt") == out + "a.txt");
-    CHECK(door.destination(folder / "more/a.txt"));
-    CHECK(door.may_read(folder / "out/a.txt"));
+    CHECK(access.destination("a.txt") == out + "a.txt");
+    CHECK(access.destination("sub/a.txt") == out + "sub/a.txt");
+    CHECK(access.destination("sub/../a.txt") == out + "a.txt");
+    CHECK(access.destination(folder / "out/a.txt") == out + "a.txt");
+    CHECK(access.destination(folder / "more/a.txt"));
+    CHECK(access.may_read(folder / "out/a.txt"));
     for (const std::string& name :
          {std::string("../a.txt"), folder / "scene/a.txt", std::string("link/b.txt"),
           std::string("file"), std::string(), std::string("sub/"), std::string("."),
           std::string(".bashrc"), std::string(".git/config"), std::string("sub/.x"),
           std::string("a\0b", 3)}) {
         INFO(name);
-        CHECK_FALSE(door.destination(name));
+        CHECK_FALSE(access.destination(name));
     }
 }
 
-TEST_CASE("a hidden folder of the run's own choice can be written", "[door]") {
+TEST_CASE("a hidden folder of the run's own choice can be written", "[file_access]") {
     const Folder folder;
     fs::create_directory(folder / ".cache");
-    CHECK(Door({}, {folder / ".cache"}).destination("a.txt"));
+    CHECK(FileAccess({}, {folder / ".cache"}).destination("a.txt"));
 }
 
-TEST_CASE("the rules name the folder of the picture", "[door]") {
-    const std::string out = Door({}, {"out"}).writing_rule("../a.txt");
+TEST_CASE("the rules name the folder of the picture", "[file_access]") {
+    const std::string out = FileAccess({}, {"out"}).writing_rule("../a.txt");
     CHECK(out.find("`out`") != std::string::npos);
-    const Door here({}, {""});
+    const FileAccess here({}, {""});
     CHECK(here.writing_rule("/a.txt").find("the current directory") != std::string::npos);
     CHECK(here.writing_rule("a.ini").starts_with("INI files are never written"));
-    CHECK(Door().writing_rule("a.txt") == "this run writes no files");
-    CHECK(Door::reading_help("/data/a.inc") == "`--allow-read /data` allows it");
+    CHECK(FileAccess().writing_rule("a.txt") == "this run writes no files");
+    CHECK(FileAccess::reading_help("/data/a.inc") == "`--allow-read /data` allows it");
     CHECK(here.writing_help("../a.txt") == "`--allow-write ..` allows it");
     CHECK(here.writing_help("a.ini").empty());
     CHECK(here.writing_help("a.txt") ==
@@ -94,12 +94,12 @@ TEST_CASE("the rules name the folder of the picture", "[door]") {
 }
 
 TEST_CASE("no name of a file that others believe is a destination, whatever it is written like",
-          "[door]") {
+          "[file_access]") {
     const Folder folder;
     folder.put("out/candelabra.ini", "");
     fs::create_symlink("candelabra.ini", folder / "out/notes.txt");
     fs::create_symlink("none.ini", folder / "out/loose.txt");
-    const Door door({}, {folder / "out", folder / "more"});
+    const FileAccess access({}, {folder / "out", folder / "more"});
     for (const std::string& name :
          {std::string("candelabra.ini"), std::string("CANDELABRA.INI"), std::string("new.ini"),
           std::string("sub/../new.ini"), std::string("new.ini/."), std::string("new.ini."),
@@ -107,22 +107,22 @@ TEST_CASE("no name of a file that others believe is a destination, whatever it i
           std::string("a.png.state.exr"), folder / "more/new.ini",
           folder / "out/../out/./candelabra.ini"}) {
         INFO(name);
-        CHECK_FALSE(door.destination(name));
-        CHECK_FALSE(door.writing_rule(name).empty());
+        CHECK_FALSE(access.destination(name));
+        CHECK_FALSE(access.writing_rule(name).empty());
     }
 }
 
-TEST_CASE("files of others are overwritten only where the run permits it", "[door]") {
+TEST_CASE("files of others are overwritten only where the run permits it", "[file_access]") {
     const Folder folder;
     folder.put("out/old.txt", "");
     folder.put("more/old.txt", "");
     folder.put("more/old.inc", "");
-    const Door door({}, {folder / "out", folder / "more"});
+    const FileAccess access({}, {folder / "out", folder / "more"});
     const auto opens = [&](const std::string& name) {
-        const auto place = door.destination(name);
+        const auto place = access.destination(name);
         REQUIRE(place);
-        CHECK(door.rule_of_file(*place).empty() == bool(door.open(*place, true)));
-        return bool(door.open(*place, false));
+        CHECK(access.rule_of_file(*place).empty() == bool(access.open(*place, true)));
+        return bool(access.open(*place, false));
     };
     CHECK(opens("new.txt"));
     CHECK(opens("new.txt"));
@@ -133,16 +133,16 @@ TEST_CASE("files of others are overwritten only where the run permits it", "[doo
     CHECK(opens(folder / "more/new.inc"));
 }
 
-TEST_CASE("pipes and devices are odd", "[door]") {
+TEST_CASE("pipes and devices are odd", "[file_access]") {
     const Folder folder;
     folder.put("a.txt", "");
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
-    const Door door({folder / "."}, {});
-    CHECK(door.is_odd(folder / "pipe"));
-    CHECK_FALSE(door.is_odd(folder / "a.txt"));
-    CHECK_FALSE(door.is_odd(folder / "."));
-    CHECK_FALSE(door.is_odd(folder / "none"));
-    CHECK_FALSE(door.is_odd("/dev/zero"));  // not let through
+    const FileAccess access({folder / "."}, {});
+    CHECK(access.is_special(folder / "pipe"));
+    CHECK_FALSE(access.is_special(folder / "a.txt"));
+    CHECK_FALSE(access.is_special(folder / "."));
+    CHECK_FALSE(access.is_special(folder / "none"));
+    CHECK_FALSE(access.is_special("/dev/zero"));  // not let through
 }
 
 }  // namespace candelabra

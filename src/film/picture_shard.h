@@ -26,7 +26,7 @@ inline Region common(const Region& a, const Region& b) {
             std::min(a.bottom, b.bottom)};
 }
 
-struct Share {
+struct PictureShard {
     Region region;
     /// Every so many tiles, counted row by row, from this one on.
     int first_tile = 0, tile_step = 1;
@@ -34,16 +34,16 @@ struct Share {
     std::uint32_t first_sample = 0;
     int width = 0;  ///< of the whole picture
 
-    /// Whether the pixel belongs to this share.
+    /// Whether the pixel belongs to this shard.
     bool owns(int x, int y) const {
         if (!region.contains(x, y)) return false;
         const int tiles = (width + tile_size - 1) / tile_size;
         return tile_step == 1 || (y / tile_size * tiles + x / tile_size) % tile_step == first_tile;
     }
-    friend bool operator==(const Share&, const Share&) = default;
+    friend bool operator==(const PictureShard&, const PictureShard&) = default;
 };
 
-inline Share whole_picture(int width, int height) {
+inline PictureShard whole_picture(int width, int height) {
     return {{0, 0, width, height}, 0, 1, 0, width};
 }
 

@@ -14,29 +14,29 @@
 
 namespace candelabra {
 
-class Door {
+class FileAccess {
 public:
     /// Everything may be read and nothing written: for readers that know no disk.
-    Door() = default;
+    FileAccess() = default;
 
     /// Reading below all of these folders, writing below the writable ones; relative names are
     /// written below the first of them, where files of others stay as they are. "" or "." is the
     /// current directory.
-    Door(const std::vector<std::string>& readable, std::vector<std::string> writable);
+    FileAccess(const std::vector<std::string>& readable, std::vector<std::string> writable);
 
     /// The files that the scene has made in this run and before; without it only files that are
     /// not there are written.
-    void knows(std::shared_ptr<MadeFiles> made) { made_ = std::move(made); }
+    void remembers(std::shared_ptr<MadeFiles> made) { made_ = std::move(made); }
 
     bool may_read(const std::string& path) const { return admitted(path).has_value(); }
     /// Where a path that may be read leads, with all links followed; nothing if it may not. Looks
     /// at nothing but links.
     std::optional<std::string> admitted(const std::string& path) const;
-    /// The same, also for a door without folders.
+    /// The same, also where no folders are named.
     std::optional<std::string> place(const std::string& path) const;
-    /// Whether a path that may be read leads to something that is neither a regular file nor a
+    /// Whether a path that may be read leads to a special file, neither a regular file nor a
     /// folder: a pipe, a device.
-    bool is_odd(const std::string& path) const;
+    bool is_special(const std::string& path) const;
 
     /// Where a name that a scene writes to leads, with all links followed; nothing if it may not be
     /// written, whatever is there. Names that begin with a point are never written: they belong to

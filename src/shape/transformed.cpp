@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "shape/moved.h"
+#include "shape/transformed.h"
 
 namespace candelabra {
 
-Plane moved(const Plane& plane, const Transform& map) {
+Plane transformed(const Plane& plane, const Transform& map) {
     const Vec3 normal = unit(plane.normal), turned = unit(map.normal(normal));
     return {turned, dot(turned, map.point(plane.distance * normal))};
 }

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/air_photon_light.h"
+
+#include "medium/transmittance.h"
+#include "scattering/phase_function.h"
+
+#include <algorithm>
+
+namespace candelabra {
+
+namespace {
+
+/// A photon whose ball the ray goes through.
+struct Passed {
+    const Photon* photon;
+    double distance;
+    Vec3 power;    ///< colour of light times length
+    double until;  ///< sum of the powers up to this one
+};
+
+class AirGatherer {
+public:
+    AirGatherer(const World& world, const AirStretch& stretch, LightLedger& ledger)
+        : world_(world), scene_(world.pattern_scene()), stretch_(stretch), ledger_(ledger) {}
+
+    Vec3 of_all(std::span<const Passed> passed) {
+        for (const Passed& each : passed) add(each, 1, 0);
+        return sum_;
+    }
+
+    /// Some of them, in proportion to their power.
+    Vec3 of_some(std::span<const Passed> passed) {
+        const double total = passed.back().until, count = stretch_.choices;
+        const double shift = uniform(stretch_.path.key, Purpose::media_choice);
+        for (int i = 0; i < stretch_.choices; ++i) {
+            const double target = std::min((i + shift) / count * total, total * (1 - 0x1p-53));
+            const auto found = std::ranges::upper_bound(passed, target, {}, &Passed::until);
+            const double before = found == passed.begin() ? 0 : std::prev(found)->until;
+            add(*found, total / (count * (found->until - before)), i);
+        }
+        return sum_;
+    }
+
+private:
+    void add(const Passed& passed, double weight, int number) {
+        const Ray& ray = stretch_.path.ray;
+        const Vec3 left = transmittance(
+            stretch_.media, ray, {0, passed.distance}, scene_,
+            stretch_.path.key.branched(Branch::medium, static_cast<std::uint32_t>(number)));
+        const PhaseFunction phase(stretch_.media, ray.at(passed.distance), ray.direction, scene_,
+                                  weight * left * passed.power);
+        const Vec3 seen = phase.evaluate(-Vec3(passed.photon->direction));
+        sum_ += seen;
+        if (ledger_.lights.empty()) return;
+        LightCount& own = ledger_.lights[passed.photon->statement];
+        own.light.add(grey(seen));
+        own.seen += stretch_.path.throughput * seen;
+    }
+
+    const World& world_;
+    PatternScene scene_;
+    const AirStretch& stretch_;
+    LightLedger& ledger_;
+    Vec3 sum_ = Vec3(0);
+};
+
+}  // namespace
+
+Vec3 light_of_air_photons(const World& world, const AirPhotonMap& map, const AirStretch& stretch,
+                          LightLedger& ledger) {
+    std::vector<Passed> passed;
+    double total = 0;
+    map.along(stretch.path.ray, stretch.distance,
+              [&](const Photon& photon, double distance, double away2) {
+                  const Vec3 power = air_photon_density(photon, away2) * Vec3(photon.power);
+                  const double size = max_component(glm::abs(power));
+                  if (size > 0) passed.push_back({&photon, distance, power, total += size});
+              });
+    if (passed.empty()) return Vec3(0);
+    AirGatherer gatherer(world, stretch, ledger);
+    const bool few = passed.size() <= static_cast<std::size_t>(stretch.choices);
+    return few || homogeneous(stretch.media) ? gatherer.of_all(passed) : gatherer.of_some(passed);
+}
+
+}  // namespace candelabra

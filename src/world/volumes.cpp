@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/volumes.h"
+
+#include "luminaire/volume.h"
+#include "text/message.h"
+
+#include <algorithm>
+
+namespace candelabra {
+
+namespace {
+
+/// Boxes that all volumes together, and one of them, are cut into, about; and how many times as
+/// long as wide a volume may be.
+constexpr double most_boxes = 8192, most_boxes_of_one = 128, longest = 64;
+/// Points that are looked at in each cell of a box.
+constexpr std::uint32_t points_in_cell = 2;
+/// What a box counts as at least, as a share of the mean of all: something may have been missed.
+constexpr double least_of_mean = 0.01;
+
+bool is_same_solid(const World& world, PrimitiveIndex a, PrimitiveIndex b) {
+    return world.solid(a) == world.solid(b) ||
+           world.geometry.item_of(a) == world.geometry.item_of(b);
+}
+
+Vec3 emission_of_media(const World& world, PrimitiveIndex volume, const Vec3& point) {
+    Vec3 sum(0);
+    for (const Media& media : world.material(volume).interior->media)
+        if (media.luminaire) sum += density(media, point, world.pattern_scene()) * media.emission;
+    return sum;
+}
+
+/// What may be emitted along a unit of length anywhere in it.
+Vec3 greatest_emission_of(const World& world, PrimitiveIndex volume) {
+    Vec3 sum(0);
+    for (const Media& media : world.material(volume).interior->media)
+        if (media.luminaire) sum += max_density(media) * glm::abs(media.emission);
+    return sum;
+}
+
+/// A box cut into boxes that are about as long as wide.
+class Cut {
+public:
+    Cut(const Box& box, double count) : box_(box) {
+        const Vec3 size = box.size();
+        const double edge = std::cbrt(size.x * size.y * size.z / count);
+        for (int axis = 0; axis < 3; ++axis)
+            number_[axis] = std::clamp(std::round(size[axis] / edge), 1.0, longest);
+    }
+
+    std::size_t count() const {
+        return static_cast<std::size_t>(number_.x * number_.y * number_.z);
+    }
+    Box part(std::size_t number) const {
+        Vec3 place;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto here = static_cast<std::size_t>(number_[axis]);
+            place[axis] = static_cast<double>(number % here);
+            number /= here;
+        }
+        const Vec3 size = box_.size();
+        return {box_.low + place / number_ * size, box_.low + (place + Vec3(1)) / number_ * size};
+    }
+
+private:
+    Box box_;
+    Vec3 number_;
+};
+
+/// Of one volume.
+class VolumeSurvey {
+public:
+    using Cells = std::array<double, EmissionGrid::count>;
+
+    VolumeSurvey(const World& world, PrimitiveIndex volume) : world_(world), volume_(volume) {}
+
+    /// Of a box that has that number.
+    Cells brightness(const Box& box, std::size_t number) const {
+        constexpr auto side = EmissionGrid::side;
+        const Vec3 size = box.size() / static_cast<double>(side);
+        Cells cells{};
+        for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
+            const Vec3 corner(cell % side, cell / side % side, cell / (side * side));
+            for (std::uint32_t i = 0; i < points_in_cell; ++i) {
+                Vec3 within;
+                for (std::uint32_t axis = 0; axis < 3; ++axis)
+                    within[static_cast<int>(axis)] =
+                        uniform(Key::of(Survey::seen_area, number, cell * points_in_cell + i, axis),
+                                Purpose::light_representative);
+                const Vec3 point = box.low + (corner + within) * size;
+                if (world_.contains_point(volume_, point))
+                    cells[cell] += luminance(glm::abs(emission_of_media(world_, volume_, point))) /
+                                   points_in_cell;
+            }
+        }
+        return cells;
+    }
+
+private:
+    const World& world_;
+    PrimitiveIndex volume_;
+};
+
+class VolumeMaker {
+public:
+    VolumeMaker(World& world, double boxes_of_one, bool surveyed)
+        : world_(world), boxes_(boxes_of_one), surveyed_(surveyed) {}
+
+    void add(const GlowingVolume& volume, const Box& box) {
+        const Cut cut(box, boxes_);
+        const VolumeSurvey survey(world_, volume.primitive);
+        std::vector<VolumeSurvey::Cells> cells(cut.count());
+        double mean = 0;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (surveyed_) cells[i] = survey.brightness(cut.part(i), i);
+            for (const double each : cells[i])
+                mean += each / static_cast<double>(cells.size() * EmissionGrid::count);
+        }
+        const Vec3 greatest = greatest_emission_of(world_, volume.primitive);
+        const double least = least_of_mean * (mean > 0 ? mean : luminance(greatest));
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            Luminaire luminaire;
+            const Box part = cut.part(i);
+            luminaire.emitter = VolumeEmitter{part, make_handle<EmissionGrid>(cells[i], least)};
+            luminaire.radiance = length(part.size()) * greatest;
+            luminaire.varying = true;
+            luminaire.primitive = volume.primitive;
+            world_.lights.luminaires.push_back(std::move(luminaire));
+            world_.provenance.statement_of_luminaire.push_back(volume.statement);
+        }
+    }
+
+private:
+    World& world_;
+    double boxes_;
+    bool surveyed_;
+};
+
+}  // namespace
+
+bool lights_from_inside(const Material& material) {
+    return material.interior && std::ranges::any_of(material.interior->media, &Media::luminaire);
+}
+
+void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool surveyed,
+                 Diagnostics& diagnostics) {
+    const Geometry& geometry = world.geometry;
+    const double share = most_boxes / std::max<double>(static_cast<double>(glowing.size()), 1);
+    VolumeMaker maker(world, surveyed ? std::clamp(share, 1.0, most_boxes_of_one) : 1, surveyed);
+    std::uint32_t last = no_primitive;
+    for (const GlowingPrimitive& glow : glowing) {
+        const PrimitiveIndex primitive = geometry.primitive(glow.kind, glow.index);
+        const std::uint32_t item = geometry.item_of(primitive);
+        // The leaves of a composite come one after the other.
+        if (std::exchange(last, item) == item) continue;
+        const Box box = geometry.inside_bounds(item);
+        const Vec3 size = box.size();
+        if (!finite(box)) {
+            diagnostics.add(warning(Fault::degenerate, glow.span,
+                                    "media without bounds emit light, but light nothing")
+                                .with_help("put them into a large `box`, which can be sampled"));
+        } else if (size.x * size.y * size.z > 0) {
+            world.lights.volumes.push_back({primitive, glow.statement});
+            maker.add(world.lights.volumes.back(), box);
+        }
+    }
+}
+
+Vec3 volume_emission(const World& world, PrimitiveIndex volume, const Vec3& point) {
+    int together = 0;
+    bool within = false;
+    for (const PrimitiveIndex solid : world.containing(point)) {
+        if (!world.material(solid).hollow) return Vec3(0);
+        within |= world.geometry.item_of(solid) == world.geometry.item_of(volume);
+        together += is_same_solid(world, solid, volume) ? 1 : 0;
+    }
+    if (!within || together % 2 == 0) return Vec3(0);
+    return emission_of_media(world, volume, point) / static_cast<double>(together);
+}
+
+const GlowingVolume* volume_among(const World& world, std::span<const PrimitiveIndex> solids) {
+    for (std::size_t i = solids.size(); i-- > 0;) {
+        const auto found =
+            std::ranges::find_if(world.lights.volumes, [&](const GlowingVolume& volume) {
+                return is_same_solid(world, volume.primitive, solids[i]);
+            });
+        if (found != world.lights.volumes.end()) return &*found;
+    }
+    return nullptr;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Media that are luminaires give the light that closed forms say, and the light that paths find
+// which meet them by chance, whatever the light strategy.
+
+#include "support/scripts.h"
+#include "transport/integrator.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+const std::string clear_hollow = " pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow ";
+
+struct Found {
+    Vec3 mean = Vec3(0), deviation = Vec3(0);  ///< of the mean
+};
+
+Found seen(const std::string& script, std::uint32_t count, const Ray& ray) {
+    const World world = world_of("#version 3.7; " + script);
+    Integrator integrator(world, {});
+    Vec3 sum(0), squares(0);
+    Key key;
+    for (key.sample = 0; key.sample < count; ++key.sample) {
+        const Vec3 one = integrator.radiance(ray, key);
+        sum += one;
+        squares += one * one;
+    }
+    const Vec3 mean = sum / static_cast<double>(count);
+    return {mean, glm::sqrt(glm::max(squares / static_cast<double>(count) - mean * mean, Vec3(0)) /
+                            static_cast<double>(count))};
+}
+
+void check_alike(const Found& a, const Found& b) {
+    for (int i = 0; i < 3; ++i) {
+        const double deviation = std::hypot(a.deviation[i], b.deviation[i]);
+        CHECK(std::abs(a.mean[i] - b.mean[i]) <= 4.5 * deviation + 1e-9);
+    }
+}
+
+std::string with(const std::string& sampler, const std::string& integrator) {
+    return "global_settings { max_trace_level 12 light_sampler { " + sampler + " } integrator { " +
+           integrator + " } } ";
+}
+
+}  // namespace
+
+TEST_CASE("a ball of glowing gas lights by the square law", "[statistics]") {
+    // Every part of it emits as much to all sides, so the ball as a whole obeys the law exactly:
+    // volume times emission over squared distance.
+    const std::string scene = "sphere { <0, 2, 0>, 1" + clear_hollow +
+                              "interior { media { emission <3, 1.5, 0> } luminaire } } "
+                              "plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 1 } } ";
+    const double square = 4 + 2.25, cosine = 2 / std::sqrt(square), pi = std::acos(-1);
+    const double expected = 0.5 / pi * 3 * 4.0 / 3 * pi * cosine / square;
+    for (const char* const sampler :
+         {"light_octree", "light_octree { alone }", "light_octree { paper }", "light_bvh",
+          "light_bvh { mis }", "linear_alpha", "constant_alpha", "every_light"})
+        for (const char* const integrator : {"pov_ray", "path_traced { bounces 0 }"}) {
+            CAPTURE(sampler, integrator);
+            const bool slow = std::string(sampler) == "every_light";
+            const Found found = seen(with(sampler, integrator) + scene, slow ? 200 : 4000,
+                                     {Vec3(1.5, 1, -8), unit(Vec3(0, -1, 8))});
+            CHECK(std::abs(found.mean.x - expected) <= 4.5 * found.deviation.x);
+            CHECK(found.deviation.x < 0.05 * expected);
+            CHECK(found.mean.y == Approx(found.mean.x / 2));
+            CHECK(found.mean.z == 0);
+        }
+}
+
+TEST_CASE("air is lit by glowing gas as by what is small", "[statistics]") {
+    // Light of colour E V / (pi d^2), over half of a line that passes at distance 2.
+    const Found found = seen("media { scattering { 1, 1 extinction 0 } } sphere { <2, 0, 0>, 0.05" +
+                                 clear_hollow + "interior { media { emission 400 } luminaire } }",
+                             20000, {Vec3(0), Vec3(0, 0, 1)});
+    const double volume = 4.0 / 3 * std::acos(-1) * 0.05 * 0.05 * 0.05;
+    CHECK(found.mean.x == Approx(400 * volume / (2 * 2)).epsilon(0.03));
+}
+
+TEST_CASE("in a room full of glowing gas all is as bright", "[statistics]") {
+    // The gas by itself has radiance 2 / 0.5, and so have walls that emit what they do not reflect.
+    const std::string room =
+        "sphere { 0, 2.999" + clear_hollow +
+        "interior { media { emission 2 absorption 0.5 } luminaire } } sphere { 0, 3 inverse hollow "
+        "pigment { rgb 1 } finish { ambient 0 diffuse 0.5 emission 2 } } ";
+    for (const char* const sampler : {"light_octree", "light_bvh { mis }"})
+        for (const Vec3& from : {Vec3(0, 0, -2.5), Vec3(0.1, 0.2, 0.3)}) {
+            CAPTURE(sampler);
+            const Found found = seen(with(sampler, "path_traced { bounces 100 }") + room, 3000,
+                                     {from, unit(Vec3(0.2, 0.1, 1))});
+            CHECK(std::abs(found.mean.x - 4) <= 4.5 * found.deviation.x);
+            CHECK(found.deviation.x < 0.12);
+        }
+}
+
+TEST_CASE("paths count glowing media once, however they meet them", "[statistics]") {
+    // Without the word, paths find the light by chance: by one diffuse bounce more.
+    const std::string flame = "sphere { 0, 1 scale <0.8, 1.2, 0.8> translate y" + clear_hollow +
+                              "interior { media { emission <4, 2, 1> absorption <0, 0.3, 0.6> "
+                              "density { spherical scale <0.8, 1.2, 0.8> translate y } } $ } } ";
+    const std::string around =
+        "camera { location <0, 3, -6> } #default { finish { ambient 0 diffuse 0.7 } } "
+        "plane { y, 0 pigment { rgb 1 } } "
+        "box { <-3, 0, 2>, <3, 3, 3> pigment { rgb 1 } finish { microfacet { roughness 0.5 } } } "
+        "sphere { <1.6, 0.7, 0>, 0.6 pigment { rgb 0.2 } finish { diffuse 0 reflection 0.9 } } "
+        "sphere { <-1.6, 0.7, 0>, 0.6 pigment { rgbt 0.9 } finish { diffuse 0.1 } } ";
+    const auto scene = [&](const std::string& integrator, bool luminaire) {
+        std::string own = flame;
+        own.replace(own.find('$'), 1, luminaire ? "luminaire" : "");
+        return with("light_octree", integrator) + own + around;
+    };
+    const std::vector<Ray> rays = {{Vec3(0, 3, -6), unit(Vec3(-0.2, -2.9, 5))},
+                                   {Vec3(0, 1, -6), unit(Vec3(0.1, 0.1, 6))},
+                                   {Vec3(0, 1, -6), unit(Vec3(1.5, -0.2, 6))},
+                                   {Vec3(-2.4, 1, -6), unit(Vec3(0, 0.8, 8))},
+                                   {Vec3(0, 3, -6), unit(Vec3(-1.6, -2.3, 6))}};
+    for (const Ray& ray : rays) {
+        CAPTURE(ray.direction.x, ray.direction.y);
+        check_alike(seen(scene("path_traced { bounces 2 }", true), 4000, ray),
+                    seen(scene("path_traced { bounces 3 }", false), 16000, ray));
+    }
+}
+
+}  // namespace candelabra
