@@ -6,15 +6,15 @@
 global_settings { assumed_gamma 1.0 max_trace_level 5 integrator { path_traced bounces 4 } }
 
 camera {
-    location <0.9, 1.5, -11>
+    location <0, 1, -12.6>
     right 16/9*x
     up y
-    angle 66
-    look_at <0, 4.1, 4>
+    angle 64
+    look_at <0, 2.9, 4>
     film {
-        exposure 0.6
+        exposure 1.2
         response agx
-        white_balance 5800
+        white_balance 4000
         vignette 0.25
         glare { veil 0.1 halo 0.003 star 0.02 blades 8 angle 10 length 0.35 }
     }
@@ -71,7 +71,7 @@ camera {
     texture { Gold }
 }
 #for (I, 0, 4)
-    object { Chandelier scale 1.25 translate <0, 5.2, -3.5 + 6.4*I> }
+    object { Chandelier scale 1.25 translate <0, 5.2, -1.5 + 6.4*I> }
 #end
 
 // The hall: a barrel vault with gilded ribs over two rows of columns
@@ -117,34 +117,100 @@ difference {
         pigment { rgb <0.1, 0.24, 0.22> }
         finish { Matt }
     }
+    #for (I, 0, 9)
+        union {
+            box { <-0.04, 0.9, -0.04>, <0.04, 4.9, 0.04> }
+            #for (Bar, 0, 3) box { <-0.03, 1.7 + 0.8*Bar, -1>, <0.03, 1.75 + 0.8*Bar, 1> } #end
+            box { <-0.25, 0.85, -1.15>, <0.25, 0.95, 1.15> }
+            translate <5.75*Side, 0, -8 + 4*I>
+            texture { Gold }
+        }
+    #end
 #end
 box { <-6, 0, Far>, <6, 12, Far + 0.5> texture { Plaster } }
 box { <-6, 0, -14.5>, <6, 12, -14> texture { Plaster } }
-background { rgb <0.003, 0.0055, 0.013> }
+background { rgb <0.007, 0.013, 0.032> }
 
 // A couple dances alone
+#declare Skin = texture { pigment { rgb <0.6, 0.36, 0.25> } finish { Matt } }
+#declare Silk = texture {
+    pigment { rgb <0.72, 0.02, 0.035> }
+    finish { ambient 0 diffuse 0.8 specular 0.2 roughness 0.05 }
+}
+#declare Black = texture {
+    pigment { rgb 0.018 }
+    finish { ambient 0 diffuse 0.9 specular 0.1 roughness 0.1 }
+}
+#declare Hair = texture { pigment { rgb <0.05, 0.025, 0.015> } finish { Matt } }
+#declare Lady = union {
+    // The gown, a skirt that swings out
+    sor {
+        10
+        <0.7, -0.1>, <0.62, 0.01>, <0.5, 0.2>, <0.36, 0.5>, <0.23, 0.8>
+        <0.13, 1>, <0.115, 1.08>, <0.15, 1.25>, <0.12, 1.36>, <0.05, 1.42>
+        open
+        scale <1, 1, 0.85>
+        texture { Silk }
+    }
+    sphere { 0, 0.1 scale <0.85, 1.15, 0.95> translate 1.57*y }
+    cylinder { 1.33*y, 1.5*y, 0.042 }
+    sphere_sweep {
+        cubic_spline 5
+        <-0.2, 1.2, 0>, 0.045 <-0.12, 1.33, 0>, 0.045 <-0.3, 1.28, 0.18>, 0.036
+        <-0.22, 1.36, 0.36>, 0.03 <-0.1, 1.4, 0.5>, 0.03
+    }
+    sphere_sweep {
+        cubic_spline 5
+        <0, 1.3, 0>, 0.045 <0.12, 1.33, 0>, 0.045 <0.36, 1.27, 0.06>, 0.036
+        <0.58, 1.44, 0.2>, 0.028 <0.7, 1.5, 0.25>, 0.025
+    }
+    sphere { 0, 0.105 scale <0.95, 1, 1> translate <0, 1.6, -0.025> texture { Hair } }
+    sphere { <0, 1.66, -0.1>, 0.06 texture { Hair } }
+    texture { Skin }
+}
+#declare Gentleman = union {
+    sor {
+        8
+        <0.17, 0.6>, <0.2, 0.75>, <0.165, 1.02>, <0.19, 1.25>
+        <0.215, 1.42>, <0.13, 1.52>, <0.06, 1.55>, <0.03, 1.6>
+        scale <1, 1, 0.62>
+    }
+    sphere_sweep {
+        cubic_spline 5
+        <-0.1, 0.5, -0.14>, 0.07 <-0.08, 0.9, -0.03>, 0.1 <-0.09, 0.45, 0>, 0.075
+        <-0.1, 0.05, 0.02>, 0.055 <-0.1, -0.2, 0.02>, 0.05
+    }
+    sphere_sweep {
+        cubic_spline 5
+        <0.1, 0.5, -0.14>, 0.07 <0.08, 0.9, -0.03>, 0.1 <0.1, 0.48, -0.08>, 0.075
+        <0.12, 0.06, -0.2>, 0.055 <0.12, -0.2, -0.3>, 0.05
+    }
+    sphere_sweep {
+        cubic_spline 5
+        <0.1, 1.4, 0>, 0.065 <0.2, 1.4, 0>, 0.065 <0.34, 1.22, -0.12>, 0.05
+        <0.12, 1.18, -0.33>, 0.04 <0, 1.2, -0.4>, 0.04
+    }
+    sphere_sweep {
+        cubic_spline 5
+        <-0.1, 1.4, 0>, 0.065 <-0.2, 1.4, 0>, 0.065 <-0.42, 1.3, -0.08>, 0.05
+        <-0.6, 1.44, -0.18>, 0.038 <-0.7, 1.5, -0.2>, 0.03
+    }
+    cylinder { 1.5*y, 1.66*y, 0.05 texture { Skin } }
+    sphere { 0, 0.1 scale <0.88, 1.18, 1> translate 1.72*y texture { Skin } }
+    sphere { 0, 0.106 scale <0.92, 1, 1> translate <0, 1.765, 0.03> texture { Hair } }
+    texture { Black }
+}
 union {
-    sphere { 1.5*y, 0.11 }
-    cone { 0, 0.42, 1.02*y, 0.12 pigment { rgb <0.75, 0.03, 0.04> } }
-    cone { 0.98*y, 0.12, 1.36*y, 0.15 pigment { rgb <0.75, 0.03, 0.04> } }
-    cylinder { 1.34*y, <0.4, 1.3, 0>, 0.04 }
-    cylinder { <0.4, 1.3, 0>, <0.45, 1.42, 0.35>, 0.04 }
-    sphere { <0, 1.68, 0.32>, 0.115 }
-    cylinder { <0, 1.45, 0.33>, <0, 1.6, 0.32>, 0.05 }
-    cylinder { 1.34*y, 1.42*y, 0.045 }
-    cone { <0, 0.85, 0.34>, 0.14, <0, 1.5, 0.34>, 0.19 pigment { rgb 0.02 } }
-    cylinder { <-0.08, 0, 0.36>, <-0.08, 0.9, 0.34>, 0.08 pigment { rgb 0.02 } }
-    cylinder { <0.08, 0, 0.4>, <0.08, 0.9, 0.34>, 0.08 pigment { rgb 0.02 } }
-    pigment { rgb <0.5, 0.3, 0.2> }
-    finish { Matt }
-    rotate -35*y
-    translate <0.3, 0, -2.2>
+    object { Lady }
+    object { Gentleman scale <-1, 1, 1> translate 0.4*z }
+    rotate -50*y
+    translate <0.2, 0, -4.2>
 }
 
 // The floor, of polished marble
 box {
     <-6, -1, -14>, <6, 0, Far>
     pigment { checker rgb <0.62, 0.56, 0.48>, rgb <0.07, 0.045, 0.04> scale 0.95 rotate 45*y }
-    finish { ambient 0 diffuse 0.8 reflection { 0.08, 0.8 fresnel } }
-    interior { ior 1.7 }
+    finish { ambient 0 diffuse 0.7 reflection { 0.12, 0.9 fresnel } }
+    interior { ior 1.8 }
 }

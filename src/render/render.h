@@ -32,8 +32,8 @@ struct RenderPlan {
 
 /// Traces some pixels where the settings leave open what pays best.
 RenderPlan plan_of(const World&, const RenderSettings&);
-/// The same where the light that is sent from lamps is there already. Nothing once `cancelled`, which
-/// several threads ask, is true; it may be empty.
+/// The same where the light that is sent from lamps is there already. Nothing once `cancelled`,
+/// which several threads ask, is true; it may be empty.
 std::optional<RenderPlan> plan_of(const World&, const RenderSettings&, const SentLight&,
                                   const std::function<bool()>& cancelled);
 
