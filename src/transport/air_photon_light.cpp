@@ -10,6 +10,9 @@ namespace candelabra {
 
 namespace {
 
+/// So many times as many photons are looked at where media are the same everywhere, which is quick.
+constexpr int choices_in_even_media = 4;
+
 /// A photon whose ball the ray goes through.
 struct Passed {
     const Photon* photon;
@@ -21,7 +24,12 @@ struct Passed {
 class AirGatherer {
 public:
     AirGatherer(const World& world, const AirStretch& stretch, LightLedger& ledger)
-        : world_(world), scene_(world.pattern_scene()), stretch_(stretch), ledger_(ledger) {}
+        : scene_(world.pattern_scene()),
+          stretch_(stretch),
+          ledger_(ledger),
+          choices_((homogeneous(stretch.media) ? choices_in_even_media : 1) * stretch.choices) {}
+
+    std::size_t choices() const { return static_cast<std::size_t>(choices_); }
 
     Vec3 of_all(std::span<const Passed> passed) {
         for (const Passed& each : passed) add(each, 1, 0);
@@ -30,9 +38,9 @@ public:
 
     /// Some of them, in proportion to their power.
     Vec3 of_some(std::span<const Passed> passed) {
-        const double total = passed.back().until, count = stretch_.choices;
+        const double total = passed.back().until, count = choices_;
         const double shift = uniform(stretch_.path.key, Purpose::media_choice);
-        for (int i = 0; i < stretch_.choices; ++i) {
+        for (int i = 0; i < choices_; ++i) {
             const double target = std::min((i + shift) / count * total, total * (1 - 0x1p-53));
             const auto found = std::ranges::upper_bound(passed, target, {}, &Passed::until);
             const double before = found == passed.begin() ? 0 : std::prev(found)->until;
@@ -57,10 +65,10 @@ private:
         own.seen += stretch_.path.throughput * seen;
     }
 
-    const World& world_;
     PatternScene scene_;
     const AirStretch& stretch_;
     LightLedger& ledger_;
+    int choices_;  ///< photons that are looked at
     Vec3 sum_ = Vec3(0);
 };
 
@@ -78,8 +86,7 @@ Vec3 light_of_air_photons(const World& world, const AirPhotonMap& map, const Air
               });
     if (passed.empty()) return Vec3(0);
     AirGatherer gatherer(world, stretch, ledger);
-    const bool few = passed.size() <= static_cast<std::size_t>(stretch.choices);
-    return few || homogeneous(stretch.media) ? gatherer.of_all(passed) : gatherer.of_some(passed);
+    return passed.size() <= gatherer.choices() ? gatherer.of_all(passed) : gatherer.of_some(passed);
 }
 
 }  // namespace candelabra

@@ -14,7 +14,8 @@ struct AirStretch {
     const PathState& path;
     double distance;  ///< from the origin of its ray on
     MediaView media;
-    int choices = 8;  ///< photons that are looked at where media differ from place to place
+    int choices = 8;  ///< photons that are looked at where media differ from place to place; of
+                      ///< others more are
 };
 
 /// Radiance that comes along the path's ray; below the blur of the photons' balls an unbiased
