@@ -41,16 +41,17 @@ TEST_CASE("half spaces cut", "[modelling]") {
     CHECK(volume_of(group(Csg::intersection, {ball, below}), 48) ==
           Approx(2 * pi / 3).epsilon(0.01));
     CHECK(volume_of(group(Csg::difference, {ball, below}), 48) == Approx(2 * pi / 3).epsilon(0.01));
-    const ObjectHandle far = moved(object(Plane{y, 0}), Transform::translation(-10.0 * y));
+    const ObjectHandle far = transformed(object(Plane{y, 0}), Transform::translation(-10.0 * y));
     CHECK(problem_of(group(Csg::intersection, {ball, far})) == "nothing is left");
 }
 
 TEST_CASE("parts are turned, stretched and mirrored as they are placed", "[modelling]") {
     const ObjectHandle box = object(Cuboid{o, Vec3(1)});
-    CHECK(volume_of(moved(box, Transform::scaling({-2, 1, 3}))) == Approx(6));
-    const ObjectHandle two = group(
-        Csg::together, {box, moved(object(Cuboid{o, Vec3(1)}), Transform::translation(5.0 * x))});
-    CHECK(volume_of(moved(two, Transform::scaling(Vec3(2)))) == Approx(16));
+    CHECK(volume_of(transformed(box, Transform::scaling({-2, 1, 3}))) == Approx(6));
+    const ObjectHandle two =
+        group(Csg::together,
+              {box, transformed(object(Cuboid{o, Vec3(1)}), Transform::translation(5.0 * x))});
+    CHECK(volume_of(transformed(two, Transform::scaling(Vec3(2)))) == Approx(16));
 }
 
 TEST_CASE("what is no closed solid says so", "[modelling]") {
