@@ -12,7 +12,7 @@ namespace candelabra {
 namespace {
 
 constexpr double highest = 89;  ///< degrees
-constexpr double least_factor = 1e-4, greatest_factor = 1e4;
+constexpr double min_factor = 1e-4, greatest_factor = 1e4;
 
 /// The axis of the scene that is upright in the picture.
 Vec3 upright(const Projection& camera) {
@@ -106,7 +106,7 @@ void Orbit::pan(const Sight& given, double right, double up) {
 
 void Orbit::approach(double factor) {
     if (!(factor > 0)) return;
-    factor_ = std::clamp(factor_ * factor, least_factor, greatest_factor);
+    factor_ = std::clamp(factor_ * factor, min_factor, greatest_factor);
     moved_ = true;
 }
 

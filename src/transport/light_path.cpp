@@ -20,7 +20,7 @@ namespace {
 /// By what share of the size of a luminaire its light starts away from it.
 constexpr double off_its_lamp = 1e-7;
 /// That light goes on at a surface which reflects next to none.
-constexpr double least_survival = 0.05;
+constexpr double min_light_survival = 0.05;
 /// Light that comes along the surface brings nothing that could be seen, and no number either.
 constexpr double grazing_cosine = 1e-6;
 
@@ -119,7 +119,7 @@ void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
                          lit.reflections, lit.statement});
         const double survival =
             std::clamp(max_component(glm::abs(power)) / max_component(glm::abs(lit.power)),
-                       least_survival, 1.0);
+                       min_light_survival, 1.0);
         if (uniform(lit.path.key, Purpose::roulette) >= survival) return;
         lit.power = power / survival;
         const Vec2 u{uniform(lit.path.key, Purpose::bounce_u),

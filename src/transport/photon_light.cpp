@@ -8,7 +8,7 @@ namespace candelabra {
 namespace {
 
 /// Photons that come along the surface bring no light that could be seen, and no number either.
-constexpr double least_cosine = 1e-6;
+constexpr double min_arriving_cosine = 1e-6;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
         if (density == 0) return;
         const Vec3 to_light = -Vec3(photon.direction);
         const double cosine = std::abs(dot(to_light, Vec3(photon.normal)));
-        if (cosine < least_cosine) return;
+        if (cosine < min_arriving_cosine) return;
         // What comes to the surface counts by its cosine already.
         const Vec3 seen = Vec3(photon.power) * (density / cosine) *
                           layer.scatterer.evaluate(to_light, terms, grain);

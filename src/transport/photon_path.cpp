@@ -16,7 +16,7 @@ namespace candelabra {
 namespace {
 
 /// Photons that one way through media has, at most.
-constexpr double most_places = 8;
+constexpr double max_air_places = 8;
 
 }  // namespace
 
@@ -31,12 +31,12 @@ struct PhotonPaths::Journey {
 
 PhotonPaths::PhotonPaths(const World& world) : world_(world), rules_(shading_rules(world)) {
     const GlobalSettings& settings = world.rules.settings;
-    most_surfaces_ =
+    max_surfaces_ =
         static_cast<int>(settings.photons.max_trace_level.value_or(settings.max_trace_level));
-    least_weight_ = settings.photons.adc_bailout.value_or(settings.adc_bailout);
+    min_weight_ = settings.photons.adc_bailout.value_or(settings.adc_bailout);
     if (world.has_media())
         places_in_air_ =
-            static_cast<int>(std::clamp(std::ceil(settings.photons.media), 0.0, most_places));
+            static_cast<int>(std::clamp(std::ceil(settings.photons.media), 0.0, max_air_places));
 }
 
 void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
@@ -65,7 +65,7 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
             if (other || !pass(journey, vertex, came)) return;
             continue;
         }
-        if (++journey.met > most_surfaces_) return;
+        if (++journey.met > max_surfaces_) return;
         if (journey.met > 1) deposit(journey, vertex, found);
         const bool straight =
             journey.met > 1 && !is_refracted(journey, surface) && !is_reflected(journey, surface);
@@ -184,7 +184,7 @@ bool PhotonPaths::choose(Journey& journey, const Vertex& vertex,
         }
         path.throughput *= way.share * (all / own);
         path.weight *= own;
-        if (path.weight < least_weight_) return false;
+        if (path.weight < min_weight_) return false;
         if (way.mirrors) {
             path = mirrored_path(path, vertex, way.shading);
             return true;

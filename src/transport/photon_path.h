@@ -43,8 +43,8 @@ private:
 
     const World& world_;
     ShadingRules rules_;
-    int most_surfaces_;
-    double least_weight_;
+    int max_surfaces_;
+    double min_weight_;
     int places_in_air_ = 0;  ///< of each way through media
 };
 

@@ -15,11 +15,11 @@ namespace {
 using std::numbers::pi;
 
 /// More at a time take more memory than they are worth.
-constexpr double most_photons = 1 << 18;
+constexpr double max_photons = 1 << 18;
 /// Share of a shaped light's strength that a target gets at least that its shape touches.
-constexpr double least_share = 0.05;
+constexpr double min_share = 0.05;
 /// Pairs of luminaires and targets that are looked at to find what targets get.
-constexpr std::size_t most_pairs = std::size_t{1} << 24;
+constexpr std::size_t max_lamp_pairs = std::size_t{1} << 24;
 /// By what share of the distance photons of luminaires start away from them.
 constexpr double away_from_lamp = 1e-7;
 
@@ -80,7 +80,7 @@ double light_at(const PointLight& light, const PhotonTarget& target) {
     }
     if (!touches) return 0;
     return std::clamp(std::abs(grey(incidence(light, light.location, there).colour)),
-                      least_share * most, most);
+                      min_share * most, most);
 }
 
 bool shoots_at(const PhotonWays& lamp, const PhotonTarget& target) {
@@ -122,7 +122,7 @@ double share_inside(const Luminaire& luminaire, const PhotonTarget& target) {
     // All of the surface of a large ball may be outside.
     if (is_ball && around.radius - away >= target.radius) return 0;
     const double outside = (away + around.radius - target.radius) / (2 * around.radius);
-    return std::clamp(1 - outside, least_share, 1.0);
+    return std::clamp(1 - outside, min_share, 1.0);
 }
 
 }  // namespace
@@ -162,7 +162,7 @@ void PhotonShooter::aim_luminaires(std::uint32_t number) {
     const PhotonTarget& target = world_.photon_targets[number];
     if (!shoots_at(ways_of_luminaires, target)) return;
     const auto& all = world_.lights.luminaires;
-    const std::size_t step = 1 + all.size() * world_.photon_targets.size() / most_pairs;
+    const std::size_t step = 1 + all.size() * world_.photon_targets.size() / max_lamp_pairs;
     const Receiver middle{target.centre, Vec3(0), Horizon::none};
     double light = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -174,7 +174,7 @@ void PhotonShooter::aim_luminaires(std::uint32_t number) {
         if (i % step != 0) continue;
         // Close to a luminaire the estimate has no bound.
         const double here = std::fmin(unoccluded(all[i], middle) / pi, 4 * brightness);
-        light += static_cast<double>(step) * std::fmax(1 - inside, least_share) * here;
+        light += static_cast<double>(step) * std::fmax(1 - inside, min_share) * here;
     }
     add({Aim::luminaires, 0, number, light * shadow_of(target)});
 }
@@ -190,7 +190,7 @@ std::uint32_t PhotonShooter::count() const {
             count += shadow_of(target) / (spacing * spacing);
         }
     }
-    return static_cast<std::uint32_t>(std::clamp(count, 1.0, most_photons));
+    return static_cast<std::uint32_t>(std::clamp(count, 1.0, max_photons));
 }
 
 std::optional<PhotonShot> PhotonShooter::shoot(const Aim& aim, const Key& key) const {

@@ -17,14 +17,14 @@ constexpr std::uint32_t single_samples = 16, samples_of_generation = 4;
 /// fastest so.
 constexpr double alpha = 2.0 / 3;
 /// Kept in memory; others are made again when they are asked for.
-constexpr std::size_t most_generations = single_samples + Photons::samples_at_once / 4 + 4;
+constexpr std::size_t max_generations = single_samples + Photons::samples_at_once / 4 + 4;
 /// Photons that one thread follows at a time.
 constexpr std::uint32_t batch = 2048;
 /// Of the radius of a target: that of discs where next to nothing comes.
 constexpr double disc_of_target = 0.1;
 /// Share of the photons that are wanted in a disc that are in a ball in the air: a ray of the eye
 /// goes through many of these.
-constexpr double wanted_in_air = 0.6, least_in_air = 8;
+constexpr double wanted_in_air = 0.6, min_in_air = 8;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ Photons::Photons(const World& world, int seed, int threads)
       count_(shooter_.count()),
       seed_(mix(static_cast<std::uint64_t>(seed))),
       threads_(threads),
-      generations_(most_generations) {}
+      generations_(max_generations) {}
 
 std::uint32_t Photons::generation_of(std::uint32_t sample) {
     return sample < single_samples
@@ -88,7 +88,7 @@ PhotonMaps Photons::made(std::uint32_t number) const {
                         std::pow(number + 1.0, 0.5 * (alpha - 1)), settings.radius,
                         disc_of_target * world_.photon_targets.front().radius};
     DiscRule in_air = rule;
-    in_air.wanted = std::fmax(wanted_in_air * rule.wanted, least_in_air);
+    in_air.wanted = std::fmax(wanted_in_air * rule.wanted, min_in_air);
     in_air.radius = settings.media_radius;
     std::vector<Photon> all = shot(count_, mix(seed_ ^ mix(number + 1)));
     const auto first = std::ranges::stable_partition(all, std::not_fn(&Photon::in_air)).begin();

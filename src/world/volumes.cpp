@@ -12,11 +12,11 @@ namespace {
 
 /// Boxes that all volumes together, and one of them, are cut into, about; and how many times as
 /// long as wide a volume may be.
-constexpr double most_boxes = 8192, most_boxes_of_one = 128, longest = 64;
+constexpr double max_boxes = 8192, max_boxes_of_one = 128, longest = 64;
 /// Points that are looked at in each cell of a box.
 constexpr std::uint32_t points_in_cell = 2;
 /// What a box counts as at least, as a share of the mean of all: something may have been missed.
-constexpr double least_of_mean = 0.01;
+constexpr double min_of_mean = 0.01;
 
 bool is_same_solid(const World& world, PrimitiveIndex a, PrimitiveIndex b) {
     return world.solid(a) == world.solid(b) ||
@@ -117,7 +117,7 @@ public:
                 mean += each / static_cast<double>(cells.size() * EmissionGrid::count);
         }
         const Vec3 greatest = greatest_emission_of(world_, volume.primitive);
-        const double least = least_of_mean * (mean > 0 ? mean : luminance(greatest));
+        const double least = min_of_mean * (mean > 0 ? mean : luminance(greatest));
         for (std::size_t i = 0; i < cells.size(); ++i) {
             Luminaire luminaire;
             const Box part = cut.part(i);
@@ -145,8 +145,8 @@ bool lights_from_inside(const Material& material) {
 void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool surveyed,
                  Diagnostics& diagnostics) {
     const Geometry& geometry = world.geometry;
-    const double share = most_boxes / std::max<double>(static_cast<double>(glowing.size()), 1);
-    VolumeMaker maker(world, surveyed ? std::clamp(share, 1.0, most_boxes_of_one) : 1, surveyed);
+    const double share = max_boxes / std::max<double>(static_cast<double>(glowing.size()), 1);
+    VolumeMaker maker(world, surveyed ? std::clamp(share, 1.0, max_boxes_of_one) : 1, surveyed);
     std::uint32_t last = no_primitive;
     for (const GlowingPrimitive& glow : glowing) {
         const PrimitiveIndex primitive = geometry.primitive(glow.kind, glow.index);
