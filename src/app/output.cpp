@@ -2,6 +2,7 @@
 #include "app/output.h"
 
 #include "picture/file.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -34,8 +35,7 @@ std::string path_of(const Options& options, PictureType type) {
 
 /// The ending of a format that other programs write and this one does not; empty for others.
 std::string other_format(const std::string& path) {
-    std::string ending = fs::path(path).extension().string();
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const std::string ending = lower_case(fs::path(path).extension().string());
     for (const char* known : {".webp", ".tif", ".tiff", ".gif", ".avif", ".heic", ".svg", ".pdf"})
         if (ending == known) return ending.substr(1);
     return {};

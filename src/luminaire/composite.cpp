@@ -105,8 +105,7 @@ Mesh grown(Mesh mesh, double by) {
 
 /// Adds the guide of triangles that nearly all rays meet which meet the leaf, the first of those
 /// with so many cells that does. Parts of the leaf that it does not cover make noise, and what it
-/// covers beyond the leaf costs rays. `make`: none when the next
-/// one is to be tried.
+/// covers beyond the leaf costs rays. `make` gives none where the next number is to be tried.
 void guide(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
            std::initializer_list<int> cell_numbers,
            FunctionRef<std::optional<Guide>(const Mesh&)> make) {

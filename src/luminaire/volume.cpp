@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/volume.h"
 
+#include "base/ray.h"
 #include "luminaire/light_proxy.h"
 
 #include <algorithm>
@@ -59,19 +60,9 @@ PlaceInVolume draw_place(const VolumeEmitter& e, Vec2 u) {
             cell_density(e, cell)};
 }
 
-/// What is in the box of a ray that starts anywhere; empty when it misses it.
+/// The part of a ray from a point that is in the box; empty when it misses it.
 Interval chord(const Box& box, const Vec3& from, const Vec3& direction) {
-    Interval inside{0, INFINITY};
-    for (int axis = 0; axis < 3; ++axis) {
-        const double inverse = 1 / direction[axis];
-        const double a = (box.low[axis] - from[axis]) * inverse,
-                     b = (box.high[axis] - from[axis]) * inverse;
-        // 0 times infinity: the ray runs in the plane of a face.
-        if (std::isnan(a) || std::isnan(b)) return {1, 0};
-        inside.min = std::max(inside.min, std::min(a, b));
-        inside.max = std::min(inside.max, std::max(a, b));
-    }
-    return inside;
+    return clip({from, direction}, box, {});
 }
 
 /// How a point sees the ball around the box.
@@ -153,10 +144,11 @@ std::optional<LightPoint> sample(const VolumeEmitter& e, const Vec3& from, const
     const BallView view(e, from);
     const double share = view.share();
     Vec3 direction;
+    Interval inside;
     double distance, by_place;
     if (u.x < share) {
         direction = view.draw({u.x / share, u.y});
-        const Interval inside = chord(e.box, from, direction);
+        inside = chord(e.box, from, direction);
         distance = inside.min + (inside.max - inside.min) * second_number(u.y);
         const Vec3 part = (from + distance * direction - e.box.low) / e.box.size();
         by_place = cell_density(e, cell_at(part));
@@ -165,12 +157,12 @@ std::optional<LightPoint> sample(const VolumeEmitter& e, const Vec3& from, const
         const Vec3 offset = place.position - from;
         distance = length(offset);
         direction = offset / distance;
+        if (share > 0) inside = chord(e.box, from, direction);
         by_place = place.density;
     }
     if (!(distance > 0)) return {};
     double density = (1 - share) * by_place * distance * distance;
     if (share > 0) {
-        const Interval inside = chord(e.box, from, direction);
         if (!(inside.max > inside.min)) return {};
         density += share * view.density() / (inside.max - inside.min);
     }

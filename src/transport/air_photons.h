@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "transport/photon_map.h"
+#include "transport/photon_tree.h"
 
 namespace candelabra {
 
@@ -20,45 +20,31 @@ public:
     AirPhotonMap(std::vector<Photon>, const DiscRule&);
 
     /// In an order that depends on them only.
-    const std::vector<Photon>& photons() const { return photons_; }
+    const std::vector<Photon>& photons() const { return tree_.photons(); }
 
     /// Calls use(photon, distance, squared distance from the ray) for those whose ball the ray goes
     /// through with its middle beside the ray, from its origin to so far; always in the same order.
     /// The ray's direction is a unit vector.
     template <class Use>
     void along(const Ray& ray, double until, const Use& use) const {
-        for (std::size_t at = 0; at < nodes_.size();) {
-            const Node& node = nodes_[at];
-            if (!is_met(node.box, ray, until)) {
-                at = node.next;
-                continue;
-            }
-            for (std::uint32_t i = node.first; i < node.last; ++i) {
-                const Vec3 offset = photons_[i].position - ray.origin;
+        tree_.walk(
+            [&](const Box& box) {
+                const Interval inside = clip(ray, box, {0, until});
+                return inside.min <= inside.max;
+            },
+            [&](const Photon& photon) {
+                const Vec3 offset = photon.position - ray.origin;
                 const double distance = dot(offset, ray.direction);
-                const double radius = photons_[i].radius;
+                const double radius = photon.radius;
                 const Vec3 beside = offset - distance * ray.direction;
                 const double away2 = dot(beside, beside);
                 if (distance > 0 && distance < until && away2 < radius * radius)
-                    use(photons_[i], distance, away2);
-            }
-            ++at;
-        }
+                    use(photon, distance, away2);
+            });
     }
 
 private:
-    /// In the order of a walk that enters all of them; leaves have photons.
-    struct Node {
-        Box box;                 ///< around the balls
-        std::uint32_t next = 0;  ///< the node after all that are in this one
-        std::uint32_t first = 0, last = 0;
-    };
-
-    static bool is_met(const Box&, const Ray&, double until);
-    Box divide(std::uint32_t first, std::uint32_t last, const DiscRule&);
-
-    std::vector<Photon> photons_;
-    std::vector<Node> nodes_;
+    PhotonTree tree_;
 };
 
 }  // namespace candelabra

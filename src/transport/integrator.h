@@ -54,7 +54,8 @@ private:
     using Built = std::variant<PovRayIntegrator, PathTracedIntegrator>;
 
     /// As the settings say, in the order of IntegratorSettings.
-    static Built built(const World& world, const Tracing& wanted) {
+    static Built built(const World& world, Tracing wanted) {
+        if (!wanted.sent) wanted.sent = SentLight::of(world, 0, 1);
         if (std::holds_alternative<PathTraced>(world.rules.settings.integrator))
             return PathTracedIntegrator(world, wanted);
         return PovRayIntegrator(world, wanted);

@@ -45,10 +45,8 @@ bool is_lower(double& u, double share) {
 PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
       rules_(shading_rules(world)),
-      direct_light_(world, wanted.shadow_rays,
-                    wanted.sent.photons ? wanted.sent.photons : photons_of(world, 0, 1)),
-      reflected_(world, wanted.sent.reflected ? wanted.sent.reflected
-                                              : reflected_luminaires_of(world, 0, 1)),
+      direct_light_(world, wanted.shadow_rays, wanted.sent.photons),
+      reflected_(world, wanted.sent.reflected),
       media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)),
