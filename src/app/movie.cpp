@@ -14,12 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A hidden file beside the film.
+std::string beside(const std::string& film, std::string_view ending) {
+    const fs::path path(film);
+    return (path.parent_path() / message(".", path.stem().string(), ".part", ending)).string();
+}
+
 /// What is made until it is complete. ffmpeg sees from the ending which kind it shall be.
 std::string draft_of(const std::string& film) {
-    const fs::path path(film);
-    return (path.parent_path() /
-            message(".", path.stem().string(), ".part", path.extension().string()))
-        .string();
+    return beside(film, fs::path(film).extension().string());
 }
 
 /// Makes a film of frames; what it needs beside it is removed.
@@ -53,6 +56,10 @@ bool fail(std::string text, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+std::string developed_frame(const std::string& film, std::size_t number) {
+    return beside(film, message('.', number, ".png"));
+}
 
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate) {
     std::string text = "ffconcat version 1.0\n";

@@ -19,6 +19,9 @@ std::vector<std::string> movie_arguments(const std::string& list, const std::str
 /// The list of frames, as ffmpeg's "concat" reads it.
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate);
 
+/// A picture for the film of a frame that has light, while the film is made: hidden beside it.
+std::string developed_frame(const std::string& film, std::size_t number);
+
 /// Makes the film; a reader sees the whole of it or the one before. False, after a report, when
 /// ffmpeg is not there or fails; the frames stay. At least one frame; none is an OpenEXR file,
 /// whose texts ffmpeg 5 does not read when they are long.

@@ -16,6 +16,11 @@ TEST_CASE("frames are listed with their time, quotes in names and all", "[app]")
           "duration 0.04\n");
 }
 
+TEST_CASE("pictures that are made for a film only are hidden, one for each frame", "[app]") {
+    CHECK(developed_frame("films/a.mp4", 7) == "films/.a.part.7.png");
+    CHECK(developed_frame("a.mp4", 0) == ".a.part.0.png");
+}
+
 TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {
     const auto has = [](const std::string& film, const std::string& word) {
         for (const std::string& each : movie_arguments("list", film))
@@ -48,7 +53,8 @@ TEST_CASE("a film has the frames with less noise, if they were asked for", "[app
     CHECK(film_of("b.exr", {}) == exact);
     CHECK(film_of("b.exr", {"--denoise"}) == quiet);
     for (const auto& each : std::filesystem::directory_iterator(shell.path("")))
-        CHECK(each.path().string().find("film.gif.") == std::string::npos);
+        for (const char* left_over : {"film.gif.", ".part."})
+            CHECK(each.path().string().find(left_over) == std::string::npos);
 }
 
 TEST_CASE("films are made whole, and kinds that are none are refused before the work", "[app]") {
