@@ -21,9 +21,9 @@ struct ReflectedLuminaire {
     std::uint32_t statement = 0;  ///< in Provenance::light_statements, that made its lamp
 };
 
-/// Whether reflected luminaires can stand for a layer's diffuse reflection: it is the same in all
-/// directions of one side.
-bool is_lambertian(const World&, const Shading&);
+/// Whether reflected luminaires can stand for the diffuse reflection of a layer at a vertex: it is
+/// the same in all directions of one side.
+bool is_lambertian(const World&, const Vertex&, const Shading&);
 /// The terms of such a layer's BSDF.
 inline constexpr BsdfTerms diffuse_terms{.highlights = false, .facets = FacetLobes::none};
 

@@ -29,6 +29,7 @@ struct Material {
     bool hollow = false;
     bool other_light = false;  ///< what it sends to other surfaces is more than diffuse reflection
     bool uv = false;           ///< a texture asks for u and v
+    bool by_view = false;      ///< a pattern depends on the direction of the ray
     Handle<Texture> inner = nullptr;  ///< of the side that is seen from inside; null: as outside
     std::uint32_t light_group = 0;    ///< in WorldLights::groups; 0: none
     /// Number of the union that gave its interior to all of its parts: rays take them for one solid
