@@ -66,7 +66,7 @@ public:
     /// A set element other than i, or Absence::uninitialised.
     Value other(std::size_t i) const;
 
-    /// Sets an element, even to a value of another kind: callers that care ask fits() first.
+    /// Sets an element, even to a value that does not fit: callers check fits() first.
     void set(std::size_t i, Value value);
     void set(std::size_t i, const Numbers& numbers);
     /// Makes an element unset.

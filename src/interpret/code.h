@@ -16,13 +16,13 @@ namespace candelabra {
 
 /// One version of an expression's code, for the kinds that its names had when it was compiled.
 struct Code {
-    /// A name that is read first. It must stand for `count` numbers.
+    /// A name that is read first. Its value must have `count` numbers.
     struct Input {
         NameId name;
         std::uint16_t first;  ///< its first register
         std::uint16_t count;
     };
-    /// A name that is called. It must still stand for this function.
+    /// A called function. Its name must still stand for it.
     struct Callee {
         NameId name;
         const void* function;

@@ -47,7 +47,7 @@ struct CsvTable {
     /// The cells of all columns, instead of `numbers`, if a column is not numeric.
     std::vector<std::string> cells;
     enum class Kind : std::uint8_t { numbers, colours, strings };
-    std::vector<Kind> kinds;  ///< of the columns, where there are `cells`
+    std::vector<Kind> kinds;  ///< of the columns, if there are `cells`
 };
 
 /// Returns the table, or nothing and the reason. `most`: maximum number of cells.

@@ -41,8 +41,8 @@ public:
     char find_separator() const;
     /// Reads the cells of the current line and moves past it. A quoted cell may contain line ends.
     bool take_row(char separator, std::vector<CsvCell>& cells, CsvProblem& problem);
-    /// Does the same for a row of `columns` numbers and nothing else, which is faster. Returns
-    /// false, with no effect, for other rows.
+    /// A faster take_row() for rows of `columns` numbers and nothing else. Returns false, with no
+    /// effect, for other rows.
     bool take_numbers(char separator, std::size_t columns, std::vector<double>& numbers);
 
 private:

@@ -42,7 +42,7 @@ private:
     Tree tree_;  ///< holds the numbers and strings of the tokens
     Lexer lexer_;
     Token ahead_;
-    bool after_comma_ = true;  ///< or at the start
+    bool after_comma_ = true;  ///< or at the start of the file
     Span place_;
     std::uint32_t taken_ = 0;  ///< end of the last token taken
     bool behind_line_end_ = false;

@@ -33,7 +33,7 @@ struct Evaluator::State::FunctionCompiler {
     Result unary(const Tree&, const node::Unary&, NodeId);
     Result binary(const Tree&, const node::Binary&, NodeId);
     Result negative(Result);
-    /// An expression with macros or directives among its operands.
+    /// Compiles an expression with macros or directives among its operands.
     Result open(const Tree&, NodeId);
     Result combine(const Tree&, Operator, Result a, Result b, NodeId right);
     Result logical(const Tree&, NodeId);

@@ -22,7 +22,7 @@ struct Indices {
     std::size_t count = 0;
     const Tree* tree = nullptr;
     NodeId first = no_node;
-    std::vector<Text> texts;  ///< those that are strings
+    std::vector<Text> texts;  ///< the indices that are strings
     Span path;                ///< known: of a path, which has been taken apart
     bool asking = false;      ///< tests for the element: a name may be missing
 

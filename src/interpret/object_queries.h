@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Queries about objects, which the binder answers. To the language an object is an opaque value.
-// Compiled expressions and functions of objects ask them.
+// Compiled expressions and functions of objects use them.
 #pragma once
 
 #include "base/handle.h"

@@ -49,7 +49,7 @@ struct Evaluator::State {
     // ---- evaluator.cpp
     void add_functions(std::span<const FunctionInfo>);
     void run(SourceId main);
-    /// Does the same, and reports if memory runs out.
+    /// run(), with a report if memory runs out.
     void run_within_memory(SourceId main);
     /// Whether there is stack left to recurse further. Reports if there is not.
     bool room(const Tree& tree, NodeId id) {
@@ -85,7 +85,7 @@ struct Evaluator::State {
     /// A block element as it is passed to the handlers.
     Element block_element(const Tree&, NodeId);
 
-    // ---- compute.cpp: the fast way for numbers
+    // ---- compute.cpp: the fast path for numbers
     struct Compiler;  ///< compiler.h
     /// Computes the numbers of an expression if nothing has to be reported. Otherwise returns
     /// false, without effects, and walk_expression() must do it.
@@ -97,7 +97,7 @@ struct Evaluator::State {
 
     // ---- expression.cpp
     Value evaluate(const Tree&, NodeId);
-    /// The same without an attempt to compute() it.
+    /// evaluate() without an attempt to compute() first.
     Value walk_expression(const Tree&, NodeId);
     Value name_value(NameId, Span);
     Value index_value(const Tree&, const node::Index&, NodeId);

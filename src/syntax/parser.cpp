@@ -33,7 +33,7 @@ public:
     bool member() const { return has(TokenKind::channel) && !value() && !element(); }
     bool name() const { return has(TokenKind::name) && !value() && !member(); }
 
-    /// "`)` or a value"
+    /// The expected tokens in words: "`)` or a value".
     std::string list() const;
 
 private:

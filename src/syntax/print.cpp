@@ -62,7 +62,7 @@ bool needs_comma(const Tree& tree, const Names& names, NodeId before, NodeId id)
     return !(word && !channel_word);
 }
 
-/// Whether `( ... )` can hold these: directives, then perhaps a value.
+/// Whether `( ... )` can hold these nodes: directives, then perhaps a value.
 bool fits_parentheses(const Tree& tree, NodeId first) {
     NodeId last = first;
     while (last != no_node && tree[last].next != no_node) last = tree[last].next;

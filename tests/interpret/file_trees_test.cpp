@@ -40,7 +40,7 @@ TEST_CASE("files share the macros that open braces", "[files]") {
            "P(max_extent(O).x)"},
           {"a.inc", "#macro Begin(R) union { sphere { 0, R } #end #macro End() } #end"}},
          "2 "},
-        // In a file that is read once, by way of another.
+        // A macro of a file that is included once, through another file.
         {{{"main.pov",
            "#include \"b.inc\" #include \"b.inc\" #declare O = Begin() box { 0, 3 } } "
            "P(max_extent(O).x)"},
