@@ -3,6 +3,7 @@
 
 #include "interpret/csv_rows.h"
 #include "text/ascii.h"
+#include "text/decimal.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -176,8 +177,7 @@ std::optional<double> csv_number(std::string_view cell, bool decimal_comma) {
     if (behind != end) return std::nullopt;
     if (failure == std::errc()) return result;
     // A number that is too small for a double is 0; one that is too large is not a number.
-    const std::size_t exponent = cell.find_first_of("eE");
-    if (exponent != cell.npos && cell.substr(exponent + 1).starts_with('-')) return 0.0;
+    if (underflows(cell.substr(cell[0] == '-' ? 1 : 0))) return 0.0;
     return std::nullopt;
 }
 

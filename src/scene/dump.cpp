@@ -60,6 +60,8 @@ std::string settings_text(const Scene& scene) {
         luminaires("none");
     else if (settings.luminaires_above > 0)
         luminaires("above ", settings.luminaires_above);
+    else if (settings.luminaires_said && !settings.ambient_luminaires)
+        luminaires("emission");
     if (settings.subsurface.on) {
         const std::string fields =
             written_fields(SubsurfaceSettings::vocabulary, &settings.subsurface);

@@ -185,12 +185,14 @@ std::string matrix_text(const Transform& transform) {
 std::string colour_text(const Colour& colour) { return written(colour, FieldType::colour); }
 
 std::string dump(const Pigment& pigment) {
-    if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), " }");
+    const std::string quick =
+        pigment.quick ? message(" quick_color ", colour_text(*pigment.quick)) : "";
+    if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), quick, " }");
     const PatternUse& use = pigment.pattern->use;
     return message(
         "pigment { ", pigment.uv ? "uv_mapping " : "", use_text(use),
         std::visit([&](const auto& map) { return map_text(use, map); }, pigment.pattern->map),
-        matrix_text(pigment.transform), " }");
+        quick, matrix_text(pigment.transform), " }");
 }
 
 std::string dump(const Bump& bump) {

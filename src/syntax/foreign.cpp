@@ -305,7 +305,7 @@ std::optional<Token> Lexer::read_foreign_sign(const char* first, const ForeignSi
     // Text that is passed over may contain apostrophes.
     if (sign.meant.empty() || sign.meant == " " || quiet_) return std::nullopt;
     // The string ends at the next quote, if that is on the same line.
-    for (const char* p = cursor_; p < limit_ && *p != '\n'; ++p) {
+    for (const char* p = cursor_; p < limit_ && *p != '\n' && *p != '\r'; ++p) {
         const ForeignSign* end = foreign_sign({p, static_cast<std::size_t>(limit_ - p)});
         if (*p != '"' && !(end && end->meant == "\"")) continue;
         tree_.texts.emplace_back(cursor_, p);

@@ -3,6 +3,7 @@
 
 #include "syntax/escapes.h"
 #include "text/ascii.h"
+#include "text/decimal.h"
 #include "text/message.h"
 #include "text/nearest.h"
 #include "vocabulary/reserved.h"
@@ -150,11 +151,8 @@ double convert(const char*& p, const char* end) {
     double value = 0;
     // An exponent without digits, which the scanner accepts and from_chars does not, is ignored.
     auto [rest, problem] = std::from_chars(p, end, value);
-    if (problem == std::errc::result_out_of_range) {
-        const std::string_view digits(p, static_cast<std::size_t>(rest - p));
-        const std::size_t e = digits.find_first_of("eE");
-        value = e != std::string_view::npos && digits[e + 1] == '-' ? 0 : HUGE_VAL;
-    }
+    if (problem == std::errc::result_out_of_range)
+        value = underflows({p, static_cast<std::size_t>(rest - p)}) ? 0 : HUGE_VAL;
     p = rest;
     return negative ? -value : value;
 }
@@ -314,8 +312,10 @@ Token Lexer::read_number(const char* first) {
     const bool hexadecimal = cursor_ == first + 1 && *first == '0' && cursor_ + 1 < limit_ &&
                              (*cursor_ | 0x20) == 'x' && std::isxdigit(cursor_[1]);
     if (hexadecimal) {
-        unsigned long value = 0;
-        cursor_ = std::from_chars(first + 2, limit_, value, 16).ptr;
+        double value = 0;
+        for (++cursor_; cursor_ < limit_ && std::isxdigit(*cursor_); ++cursor_)
+            value =
+                16 * value + (is_digit(*cursor_) ? *cursor_ - '0' : (*cursor_ | 0x20) - 'a' + 10);
         report(error(Fault::syntax, span(first, cursor_), "numbers are written in decimal digits")
                    .with_help(message("write ", value)));
     }
@@ -358,7 +358,7 @@ Token Lexer::read_text(const char* first) {
         report(problem.with_help("a string ends at the next `\"`"));
     } else {
         ++cursor_;
-        if (!long_string_ && raw.find('\n') != std::string_view::npos)
+        if (!long_string_ && raw.find_first_of("\r\n") != std::string_view::npos)
             long_string_ = span(first, first + 1);
     }
     // Names of files keep their backslashes, as in POV-Ray.

@@ -36,7 +36,8 @@ Token TokenStream::next() {
     for (;;) {
         const Token token = fetch();
         if (names_version_ && token.kind == TokenKind::number) version_ = lexer_.number(token);
-        names_version_ = token.kind == TokenKind::hash_version;
+        names_version_ = token.kind == TokenKind::hash_version ||
+                         (names_version_ && token.kind == TokenKind::unofficial);
         dropped_sign_ = false;
         if (token.kind != TokenKind::hash_if) return token;
         if (drop_false_branch() ? !keep_else() : !choose_branch()) return token;

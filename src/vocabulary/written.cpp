@@ -133,7 +133,8 @@ std::string item_values(const ItemInfo& item, const void* object, std::size_t fi
         const FieldInfo& field = item.fields[i];
         if (i > first && field.place != Placement::following) break;
         const std::string value = written(item.get(object, i), field.type);
-        if (value.empty()) return {};
+        if (value.empty() && i == first) return {};
+        if (value.empty()) break;
         const bool differs = value != written(item.default_value(i), field.type);
         changed = changed || differs;
         waiting += (i > first ? ", " : "") + value;

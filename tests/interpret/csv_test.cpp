@@ -76,6 +76,7 @@ TEST_CASE("tables in the forms that programs write", "[csv]") {
         INFO(c.text);
         CHECK(table_of(c.text) == c.table);
     }
+    CHECK(table_of("a\n0." + std::string(330, '0') + "1") == "a | 0");
 }
 
 TEST_CASE("options say what cannot be found", "[csv]") {

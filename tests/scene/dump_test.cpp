@@ -101,6 +101,18 @@ TEST_CASE("settings, background, camera and lights stand before the objects") {
           "sphere { 0, 1 }\n");
 }
 
+TEST_CASE("words are kept whose further values are not given") {
+    Scene scene = empty_scene();
+    SphericalCamera camera;
+    camera.angle = 120;
+    scene.camera = camera;
+    scene.settings.luminaires_said = true;
+    const std::string text = dump(scene);
+    INFO(text);
+    CHECK(text.find("global_settings { luminaires emission }\n") != std::string::npos);
+    CHECK(text.find("camera { spherical angle 120 }\n") != std::string::npos);
+}
+
 TEST_CASE("a camera is written with its normal, a light with its window") {
     Scene scene = empty_scene();
     PatternUse bumps;
