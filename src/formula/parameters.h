@@ -29,9 +29,9 @@ struct Parameters {
 
     double sum() const { return xx + yy + zz; }
 
-    /// Prepares the point for a plane curve in x and y. If parameter `first` is above 0, the curve
-    /// is rotated about itself by the third parameter from there (in degrees), moved away from the
-    /// y axis by the second, and revolved about that axis.
+    /// Returns the point at which to evaluate a plane curve in x and y. If p[first] is above 0, the
+    /// curve is rotated in its plane by p[first + 2] degrees and then revolved about the y axis at
+    /// distance p[first + 1].
     Parameters turned(int first) const {
         Parameters result = *this;
         if (!(p[first] > 0)) return result;

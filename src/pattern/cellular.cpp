@@ -61,6 +61,7 @@ double root(double raised, double metric) {
     return metric == 1 ? raised : std::pow(raised, 1 / metric);
 }
 
+/// Steps along the axes, each -2 to 2.
 struct CellStep {
     int x, y, z;
 };

@@ -12,7 +12,7 @@ namespace candelabra {
 
 class HoleRows {
 public:
-    /// With fewer black holes, testing them one by one is as fast.
+    /// Minimum number of black holes; fewer are tested one by one.
     static constexpr std::size_t least = 16;
 
     explicit HoleRows(std::span<const WarpStep>);

@@ -25,7 +25,7 @@ using std::numbers::sqrt2;
 using std::numbers::sqrt3;
 
 constexpr double h = sqrt3 / 2;      // height of an equilateral triangle with side 1
-constexpr double steep = 2 * sqrt3;  // a slope of 1 over the inradius of this triangle
+constexpr double steep = 2 * sqrt3;  // falls by 1 from the centre of such a triangle to a side
 constexpr double none = -1e9;
 
 /// A border of a tile: its half-plane, and the slope at which the value falls towards it.
@@ -142,8 +142,8 @@ Arrangement rectangles(double period, double parts, double slope,
     return result;
 }
 
-/// Returns hexagons around every seventh vertex of the triangular grid, and the triangles that
-/// touch none. Vertex (i, j) of the grid has number i + `count` j modulo 7; `centre` is that of
+/// Returns hexagons around every seventh vertex of the triangular grid, and the triangles that touch
+/// none. Vertex (i, j) has number i + `count` j modulo 7; vertices of number `centre` are centres of
 /// hexagons.
 Arrangement hexagons_in_triangles(const Vec2& first, const Vec2& second, int centre, int count) {
     Arrangement result{first, second, 3, {}};

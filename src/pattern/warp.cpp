@@ -180,7 +180,7 @@ Vec3 warped(const PlanarWarp& warp, const Vec3& p) {
     return oriented(warp.orientation, p.x, p.y, warp.distance);
 }
 
-/// The faces of the cube form a cross: -y, +z, +y in the second column, -x, +z, +x, -z in the
+/// The faces of the cube form a cross: +y, +z, -y in the second column, -x, +z, +x, -z in the
 /// middle row.
 Vec3 warped(const CubicWarp&, const Vec3& p) {
     const auto half = [](double t) { return (t + 1) / 2; };

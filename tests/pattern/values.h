@@ -35,8 +35,8 @@ struct ExpectedPattern {
     std::array<double, 4> values;
 };
 
-/// Checks patterns at (0.3, 0.7, -0.2), (1.3, 2.7, 3.9), (-2.45, 0.15, -7.6) and (12.34, -56.78,
-/// 90.12), to 9 digits.
+/// Checks patterns at (0.3, 0.7, -0.2), (1.3, 2.7, 3.9), (-2.45, 0.15, -7.6) and
+/// (12.34, -56.78, 90.12), to 9 digits.
 inline void check_patterns(std::initializer_list<ExpectedPattern> expected, double margin = 2e-9) {
     const std::array<Vec3, 4> points = {Vec3(0.3, 0.7, -0.2), Vec3(1.3, 2.7, 3.9),
                                         Vec3(-2.45, 0.15, -7.6), Vec3(12.34, -56.78, 90.12)};
