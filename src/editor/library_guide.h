@@ -35,8 +35,8 @@ LibraryFile library_file(std::string name, std::string_view text);
 /// Returns the macro with that name, or null.
 const LibraryMacro* find_macro(const LibraryFile&, std::string_view name);
 
-/// Whether a name that the file declares is for scenes. Names that end in `_` or `_Temp`, and macros
-/// that are not listed, are aids of the library.
+/// Whether a name that the file declares is for scenes. Names that end in `_` or `_Temp`, and
+/// macros that are not listed, are aids of the library.
 bool is_for_scenes(const LibraryFile&, std::string_view name, bool is_macro);
 
 }  // namespace candelabra

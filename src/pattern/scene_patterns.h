@@ -21,9 +21,9 @@ struct PointFunction {
 
 struct PigmentGrey {
     PointFunction grey;
-    int depth = 0;       ///< nesting depth of maps and pigment patterns in the pigment
+    int depth = 0;       ///< of maps and pigment patterns in the pigment
     double entries = 0;  ///< of all maps in it
-    bool uv = false;     ///< it uses u and v
+    bool uv = false;     ///< it asks for u and v
 
     static const ItemInfo vocabulary;
 };

@@ -142,9 +142,9 @@ Arrangement rectangles(double period, double parts, double slope,
     return result;
 }
 
-/// Returns hexagons around every seventh vertex of the triangular grid, and the triangles that touch
-/// none. Vertex (i, j) has number i + `count` j modulo 7; vertices of number `centre` are centres of
-/// hexagons.
+/// Returns hexagons around every seventh vertex of the triangular grid, and the triangles that
+/// touch none. Vertex (i, j) has number i + `count` j modulo 7; the vertices with number `centre`
+/// are the centres of hexagons.
 Arrangement hexagons_in_triangles(const Vec2& first, const Vec2& second, int centre, int count) {
     Arrangement result{first, second, 3, {}};
     result.tiles.push_back(regular(6, {double(centre), 0}, 30, {3, steep, 2.000001}));
