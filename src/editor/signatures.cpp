@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// The call around a place: the token of its name, and how many commas stand before the place.
+/// The call around a place: the token of its name, and the number of commas before the place.
 struct Call {
     const Token* name;
     std::size_t commas;
@@ -27,7 +27,7 @@ bool closes_group(TokenKind kind) {
            kind == TokenKind::close_brace;
 }
 
-/// Whether `<` begins a vector: not behind a value, where it compares.
+/// Whether `<` begins a vector; after a value it is a comparison.
 bool begins_vector(const EditedFile& file, const Token& less) {
     if (&less == &file.tokens.front()) return true;
     const TokenKind before = std::prev(&less)->kind;
@@ -35,8 +35,8 @@ bool begins_vector(const EditedFile& file, const Token& less) {
            before == TokenKind::comma;
 }
 
-/// From the place back to the innermost parenthesis that is open there. A vector that has begun
-/// holds its own commas.
+/// Searches backwards for the innermost parenthesis that is open at the place. Commas inside a
+/// vector that has begun are not counted.
 std::optional<Call> call_around(const EditedFile& file, std::uint32_t offset) {
     int closed = 0;
     std::size_t commas = 0;
@@ -61,7 +61,7 @@ std::optional<Call> call_around(const EditedFile& file, std::uint32_t offset) {
     return std::nullopt;
 }
 
-/// The parts between the commas of a form's parentheses.
+/// Returns the parts between the commas in a form's parentheses.
 std::vector<std::string> parameters_of(std::string_view form) {
     const std::size_t open = form.find('(');
     if (open == form.npos || form.size() < open + 2) return {};

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// "label: the active parameter", or nothing.
+/// Returns "label: the active parameter", or "".
 std::string shown(const std::string& text) {
     Edited edited(text);
     const auto found = signature_at(edited.workspace, edited.path, edited.offset);

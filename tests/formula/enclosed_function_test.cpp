@@ -29,7 +29,8 @@ TEST_CASE("functions on intervals hold their values and slopes", "[formula]") {
             const double slack = 1e-9 * (1 + std::abs(value));
             if (std::isfinite(value))
                 CHECK((value >= result.value.low - slack && value <= result.value.high + slack));
-            // The mean slope between two arguments is the slope somewhere between them.
+            // By the mean value theorem, the mean slope between two arguments occurs somewhere
+            // between them.
             const double slope = (value - before) / (size / 20) * speed;
             if (std::isfinite(slope))
                 CHECK((slope >= result.slope.low - 1e-4 * (1 + std::abs(slope)) &&

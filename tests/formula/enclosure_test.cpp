@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// A program of two inputs that is one operation.
+/// Returns a program of two inputs that consists of one operation.
 Program program_of(Operation operation) {
     Program program;
     program.code = {{operation, 2, 0, 1}, {}};
