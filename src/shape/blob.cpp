@@ -126,7 +126,7 @@ struct FieldStretch {
     double place;
     Quadratic nearness;  ///< of s - place
     double strength;
-    double greatest;          ///< maximum of the field
+    double greatest;          ///< maximum contribution of the field
     FieldQuartic field = {};  ///< of s - Passage::origin()
 
     void tell_from(double origin) {
@@ -154,7 +154,8 @@ std::optional<FieldStretch> stretch(const Source& f, const Ray& ray) {
                         std::fmax(0, f.strength * nearest * nearest)};
 }
 
-/// A point relative to a source: its offset from the centre or axis, and 1 - d^2 / radius^2.
+/// A point relative to a source: its offset from the centre or axis, and 1 - d^2 / radius^2. Points
+/// outside of the field have none.
 struct Seen {
     Vec3 off;
     double nearness;

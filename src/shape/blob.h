@@ -82,7 +82,7 @@ void crossings_between(const BuiltBlob&, const Ray&, const Interval& range, Cros
 void nearest_crossings(const BuiltBlob&, const Ray&, const Interval& range, Crossings&);
 bool inside(const BuiltBlob&, const Vec3&);
 
-/// Strength of the field of one source at a point.
+/// Value of the field of one source at a point.
 double strength_at(const BuiltBlob::Source&, const Vec3&);
 
 }  // namespace candelabra

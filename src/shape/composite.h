@@ -112,15 +112,13 @@ private:
 
     std::vector<CompositeLeaf> leaves_;
     std::vector<std::uint32_t> parents_;  ///< of the leaves
-    std::vector<std::uint32_t> cut_by_;   ///< for each leaf, the nearest node around it with cuts,
-                                          ///< or `nothing`
+    std::vector<std::uint32_t> cut_by_;   ///< nearest node with cuts around each leaf, or `nothing`
     std::vector<Box> seen_;               ///< of the leaves; empty for leaves that only clip
     std::vector<Node> nodes_;
     std::vector<Handle<Composite>> limits_;
     PartRef root_;
     bool limited_ = false;
-    std::vector<std::uint32_t> apart_;  ///< leaves with unbounded surface; all leaves when they are
-                                        ///< few
+    std::vector<std::uint32_t> apart_;  ///< leaves with unbounded surface; all when they are few
     WideTree tree_;                     ///< over the other leaves
     Box bounds_, inside_bounds_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cones with one radius below 0, as in POV-Ray: their side passes through the axis. Scenes may
+// Cones with a radius below 0, as in POV-Ray: their side passes through the axis. Scenes may
 // contain them; the renderer supports only non-negative radii.
 #pragma once
 

@@ -63,8 +63,8 @@ Vec3 pixel_normal(const HeightGrid& grid, int x, int z) {
     return unit(glm::trunc(longest * unit(sum)) * Vec3(grid.width - 1, highest, grid.height - 1));
 }
 
-/// The plane of one half of a cell, in cells and units of height: height(x, z) = base + rise . (x,
-/// z).
+/// The plane of one half of a cell, in cells and units of height:
+/// height(x, z) = base + rise . (x, z).
 struct Half {
     double base, rise_x, rise_z;
     double height(double x, double z) const { return base + rise_x * x + rise_z * z; }

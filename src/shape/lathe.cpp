@@ -137,7 +137,7 @@ BuiltLathe::Part part_of(const CurvePiece& piece, const Rectangle& box) {
     return {piece, factors, {hollow, reach + pad}, {box.low.y - pad, box.high.y + pad}};
 }
 
-/// Integral of r dy along a piece; the sum over the pieces gives the side of the outside.
+/// Signed area between the piece and the axis: the integral of r dy.
 double area(const CurvePiece& piece) {
     double sum = 0;
     for (std::size_t i = 0; i < 4; ++i)

@@ -20,8 +20,8 @@ struct Mesh {
     std::vector<Face> normal_faces;
     std::vector<Vec2> uvs;
     std::vector<Face> uv_faces;  ///< empty: the faces' own indices
-    std::vector<Face> looks;     ///< texture numbers of each face's corners, -1 for none; empty: no
-                                 ///< face has any
+    std::vector<Face> looks;     ///< texture numbers of the faces' corners, -1: none; empty: all
+                                 ///< none
     std::optional<Vec3> inside_vector;
 
     static const ItemInfo vocabulary;

@@ -21,7 +21,7 @@ Box bounds(const Ovus&);
 void crossings(const Ovus&, const Ray&, Crossings&);
 bool inside(const Ovus&, const Vec3&);
 
-/// Reason why the solid is empty; empty otherwise.
+/// See shape.h.
 std::string vanishes(const Ovus&);
 
 }  // namespace candelabra

@@ -39,8 +39,9 @@ public:
             if (meets(ray, inverse, boxes_[i], range)) take(i);
     }
 
-    /// Calls take(part, range) for parts whose box the ray hits in the range, roughly from front to
-    /// back. It may lower the end of the range to its hit; parts behind that are skipped.
+    /// Calls take(part, range) for parts whose box the ray hits in the range, from front to back
+    /// where they are apart. It may lower the end of the range to its hit; parts behind that are
+    /// skipped.
     template <class Take>
     void nearest(const Ray& ray, Interval range, Take take) const {
         const Vec3 inverse = Vec3(1) / ray.direction;

@@ -87,8 +87,7 @@ struct WithSlope {
 /// Arithmetic of horner() for polynomials of the ray's parameter.
 struct AlongRay {
     struct Sum {
-        std::array<double, greatest_degree + 2> at;  ///< entries from `count` on are not
-                                                     ///< initialized
+        std::array<double, greatest_degree + 2> at;  ///< uninitialized from `count` on
         std::size_t count = 1;
 
         Sum() { at[0] = 0; }

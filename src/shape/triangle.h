@@ -51,8 +51,7 @@ inline Vec3 triangle_normal(const Vec3& corner1, const Vec3& corner2, const Vec3
 /// Barycentric weights of a point of the triangle's plane; they add up to 1.
 Vec3 corner_weights(const std::array<Vec3, 3>& corners, const Vec3& point);
 
-/// Hit of a ray and the plane of a triangle: ray parameter and barycentric weights of corners 2 and
-/// 3.
+/// Hit of a ray in a triangle's plane: parameter and barycentric weights of corners 2 and 3.
 struct TriangleHit {
     double t, weight2, weight3;
 };
