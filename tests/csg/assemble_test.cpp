@@ -56,7 +56,7 @@ TEST_CASE("inverse turns combinations round, as De Morgan says", "[solid]") {
         for (char& c : expected) c = c == '0' ? '1' : '0';
         whole.inverse = true;
         CHECK(insides(whole, points) == expected);
-        // And once more in another group.
+        // Once more, within another group.
         Object outer = combined(Csg::together, {make_handle<Object>(whole)});
         outer.inverse = true;
         CHECK(insides(outer, points) == insides(combined(csg, {left, right}), points));
@@ -87,7 +87,7 @@ TEST_CASE("what clips or bounds an object is in the space around it", "[solid]")
     clipping.clips = {object(Plane{x, 5})};
     half.clipping = make_handle<Clipping>(clipping);
     CHECK(insides(half, {4.0 * x, 6.0 * x, o}) == "100");
-    // Inverse does not turn the clipping round.
+    // `inverse` does not invert the clipping.
     half.inverse = true;
     CHECK(insides(half, {4.0 * x, 6.0 * x, o}) == "001");
 
