@@ -102,8 +102,8 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     const double radius = 1 / std::sqrt(bound_);
     set.proxies.reserve(set.list.size());
     for (const ReflectedLuminaire& each : set.list) set.proxies.push_back(proxy_of(each, radius));
-    // What arrives of their light is not tried, as a generation is soon over. Surfaces that they
-    // light are those that they are on.
+    // Occlusion is not surveyed, as a generation is soon over. The surfaces that they light are
+    // those on which they lie.
     LightOctree octree;
     octree.alone = true;
     LightScene scene{set.proxies, {}};
