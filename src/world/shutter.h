@@ -10,8 +10,8 @@
 namespace candelabra {
 
 /// Gives a world and its shutter samples one common list of the statements that make lights, by
-/// file and position, in the order of the samples. An included file is read anew for each sample, so
-/// sources are compared by name.
+/// file and position, in the order of the samples. An included file is read anew for each sample,
+/// so sources are compared by name.
 void share_light_statements(World&, const SourceStore&);
 
 }  // namespace candelabra
