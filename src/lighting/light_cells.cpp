@@ -18,7 +18,7 @@ using std::numbers::pi;
 double max_entries(std::size_t luminaires) {
     return std::fmin(1e6, 1e5 + 128 * static_cast<double>(luminaires));
 }
-/// Maximum length of a list; of more luminaires the brightest are taken, and the others count as dim.
+/// Maximum list length; of more luminaires the brightest are taken, and the others count as dim.
 constexpr std::size_t longest_list = 2048;
 /// A cut helps if the lists of the parts are at most this fraction of the whole's, on average.
 /// After this number of cuts in a row that did not help, cells stay whole: smaller ones would not

@@ -62,7 +62,7 @@ private:
         bent_x,
         bent_y,
         bent_z,
-        bent_length,  ///< its length
+        bent_length,  ///< length of the bent normal
         columns,
         /// For light sources only, after the others.
         fade_power = columns,

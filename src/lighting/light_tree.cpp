@@ -124,7 +124,7 @@ private:
         float intensity;
         LightIndex light;
 
-        float middle(int axis) const { return low[axis] + high[axis]; }  // times 2, by choice
+        float middle(int axis) const { return low[axis] + high[axis]; }  // doubled: harmless
     };
 
     struct Work {

@@ -31,7 +31,7 @@ struct PhotonTarget {
     PhotonWays ways = {};
     Vec3 centre = Vec3(0);  ///< of a bounding ball
     double radius = 0;
-    bool shot_at = false;  ///< otherwise it only casts its shadow
+    bool shot_at = false;  ///< otherwise it only casts a black shadow
 };
 
 /// Adds a target if the object is one, and returns the photon settings of its surface.

@@ -183,7 +183,7 @@ public:
     bool has_other_light() const {
         return appearance.any_other_light || !is_lit_by_luminaires_only();
     }
-    /// Whether there are no light sources, no sky, and no air or media.
+    /// Whether there are no light sources, no sky that may shine, and no air or media.
     bool is_lit_by_luminaires_only() const {
         return lights.sources.empty() && !sky.sphere && sky.background.radiance() == Vec3(0) &&
                !has_air() && !has_media();

@@ -188,7 +188,7 @@ TEST_CASE("what is left of light by solids in each other is POV-Ray's", "[render
     const std::string two = "fade_distance 3 fade_power 1001 fade_color <0.2, 0.5, 0.8>";
     struct Case {
         std::string solids;
-        Vec3 seen, lit;  // by POV-Ray 3.7: light from behind seen directly, and light on a surface
+        Vec3 seen, lit;  // by POV-Ray 3.7: transmittance for the view, and for light
     };
     const Case cases[] = {
         {box("0", "10", one) + box("3", "5", two),
