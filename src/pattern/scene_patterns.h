@@ -4,6 +4,7 @@
 #pragma once
 
 #include "pattern/modifiers.h"
+#include "pattern/nesting.h"
 
 #include <memory>
 
@@ -21,9 +22,7 @@ struct PointFunction {
 
 struct PigmentGrey {
     PointFunction grey;
-    int depth = 0;       ///< of maps and pigment patterns in the pigment
-    double entries = 0;  ///< of all maps in it
-    bool uv = false;     ///< it asks for u and v
+    Nesting nesting;  ///< of the pigment
 
     static const ItemInfo vocabulary;
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "pattern/hole_rows.h"
+#include "pattern/nesting.h"
 #include "pattern/pattern.h"
 #include "pattern/warp.h"
 
@@ -21,5 +22,8 @@ struct PatternUse {
     /// The value at such a place.
     double value(const Vec3& place, const PatternScene&) const;
 };
+
+/// Of the pattern without the entries of its map.
+Nesting nesting(const PatternUse&);
 
 }  // namespace candelabra

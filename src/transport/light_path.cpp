@@ -33,8 +33,9 @@ std::vector<double> intensities(const WorldLights& lights) {
 
 }  // namespace
 
-bool is_lambertian(const World& world, const Shading& s) {
-    return is_lambertian(*s.finish) && !s.both_sides && !scatters_inside(world, s);
+bool is_lambertian(const World& world, const Vertex& vertex, const Shading& s) {
+    return is_lambertian(*s.finish) && !vertex.material->by_view && !s.both_sides &&
+           !scatters_inside(world, s);
 }
 
 LightPaths::LightPaths(const World& world, int max_reflections)
@@ -100,7 +101,7 @@ Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
     Vec3 sum(0);
     for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
         LayerStack(world_, path, vertex, layers).visit([&](const LayerStack::Seen& layer) {
-            if (!is_lambertian(world_, layer.shading)) return;
+            if (!is_lambertian(world_, vertex, layer.shading)) return;
             sum += weight * layer.through *
                    Bsdf(layer.shading, rules_).evaluate(-path.ray.direction, diffuse_terms, 0);
         });

@@ -171,7 +171,7 @@ void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex, c
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
     const Bsdf whole(s, rules_);
     Vec3 light = own;
-    const bool by_reflected = reflected_ && is_lambertian(world_, s);
+    const bool by_reflected = reflected_ && is_lambertian(world_, vertex, s);
     if (by_reflected && path.covered) {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
         light += direct_light_({.vertex = vertex,
@@ -222,7 +222,7 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
         const double left = max_component(glm::abs(path.throughput * way.share)) / chance;
         survival = std::clamp(left, min_survival, 1.0);
     }
-    path.covered &= way.kind == Way::diffuse && is_lambertian(world_, way.shading);
+    path.covered &= way.kind == Way::diffuse && is_lambertian(world_, vertex, way.shading);
     if (path.covered && vertex.material->other_light) survival *= chance_of_covered_;
     if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;
     ++ledger_.scattered;
@@ -268,7 +268,7 @@ bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const 
     const Vec3 answer = Bsdf(s, rules_).evaluate(direction, diffuse_terms, 0);
     path.dim(answer / (side * std::fmax(dot(direction, normal), 1e-9)));
     path = gathering_path(path, vertex, direction);
-    if (reflected_ && !path.covered && is_lambertian(world_, s))
+    if (reflected_ && !path.covered && is_lambertian(world_, vertex, s))
         path.leaving = dot(direction, normal);
     if (from_behind && vertex.material->transparent) path.media = stack.interface().behind;
     return true;

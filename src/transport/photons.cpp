@@ -91,7 +91,7 @@ PhotonMaps Photons::made(std::uint32_t number) const {
     in_air.wanted = std::fmax(wanted_in_air * rule.wanted, min_in_air);
     in_air.radius = settings.media_radius;
     std::vector<Photon> all = shot(count_, mix(seed_ ^ mix(number + 1)));
-    const auto first = std::ranges::stable_partition(all, std::not_fn(&Photon::in_air)).begin();
+    const auto first = std::stable_partition(all.begin(), all.end(), std::not_fn(&Photon::in_air));
     std::vector<Photon> rest(first, all.end());
     all.erase(first, all.end());
     return {PhotonMap(std::move(all), rule), AirPhotonMap(std::move(rest), in_air)};

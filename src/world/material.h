@@ -29,6 +29,7 @@ struct Material {
     bool hollow = false;
     bool other_light = false;  ///< whether it sends more than diffuse reflection to other surfaces
     bool uv = false;           ///< whether a texture needs u and v
+    bool by_view = false;      ///< whether a pattern depends on the direction of the ray
     Handle<Texture> inner = nullptr;  ///< of the inner side; null: as outside
     std::uint32_t light_group = 0;    ///< in WorldLights::groups; 0: none
     /// Number of the union that gave its interior to all of its parts: rays treat these as one

@@ -122,7 +122,12 @@ void Materials::add(const Inherited& look) {
     material.double_illuminate = look.double_illuminate;
     material.hollow = look.hollow;
     material.photons = look.photons;
-    material.uv = nesting(texture).uv || (material.inner && nesting(*material.inner).uv);
+    for (const Texture* side : {&texture, material.inner ? material.inner.get() : nullptr}) {
+        if (!side) continue;
+        const Nesting patterns = nesting(*side);
+        material.uv |= patterns.uv;
+        material.by_view |= patterns.by_view;
+    }
     material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
     world_.appearance.any_transparent |= material.transparent;
     world_.appearance.any_clear |= material.transparent || material.no_shadow;
@@ -132,7 +137,7 @@ void Materials::add(const Inherited& look) {
     const bool glows = world_.rules.quality >= quality_shadows && !look.no_luminaire &&
                        emission > world_.rules.settings.luminaires_above;
     glows_.push_back(glows);
-    material.other_light = material.transparent || look.double_illuminate ||
+    material.other_light = material.transparent || material.by_view || look.double_illuminate ||
                            (emission != 0 && !glows) || has_other_light(texture) ||
                            (material.inner && has_other_light(*material.inner));
     world_.appearance.any_other_light |= material.other_light;
@@ -161,9 +166,12 @@ std::vector<std::uint32_t> Materials::of_faces(const Object& mesh, const Inherit
 
 /// Adds the attributes of a part's material to the material of the whole.
 void Materials::include(std::uint32_t material, std::uint32_t part) {
-    world_.appearance.materials[material].transparent |=
-        world_.appearance.materials[part].transparent;
-    world_.appearance.materials[material].uv |= world_.appearance.materials[part].uv;
+    Material& whole = world_.appearance.materials[material];
+    const Material& other = world_.appearance.materials[part];
+    whole.transparent |= other.transparent;
+    whole.uv |= other.uv;
+    whole.by_view |= other.by_view;
+    whole.other_light |= other.other_light;
     glows_[material] = glows_[material] || glows_[part];
 }
 

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// "names | cells / cells": strings in quotes, nothing for an empty number; or what is wrong.
+/// "names | cells / cells": strings in quotes, nothing for an empty number; or the error.
 std::string table_of(std::string_view text, const std::vector<std::string_view>& options = {},
                      std::size_t most = 1000) {
     CsvForm form;

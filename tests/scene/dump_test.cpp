@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// As the evaluator begins it.
+/// A scene as the evaluator creates it.
 Scene empty_scene() {
     Scene scene;
     scene.background.colour.transmit = 1;

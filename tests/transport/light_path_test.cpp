@@ -86,6 +86,9 @@ TEST_CASE("light that clear surfaces let pass is as a shadow ray finds it", "[tr
 TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in all directions",
           "[transport]") {
     const World world = world_of("sphere { 0, 1 }");
+    Material material = world.appearance.materials.front();
+    Vertex vertex;
+    vertex.material = &material;
     struct Row {
         const char* name;
         void (*change)(Shading&, Finish&);
@@ -109,8 +112,13 @@ TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in
         s.finish = &finish;
         row.change(s, finish);
         CAPTURE(row.name);
-        CHECK(is_lambertian(world, s) == row.lambertian);
+        CHECK(is_lambertian(world, vertex, s) == row.lambertian);
     }
+    Finish finish;
+    Shading s{};
+    s.finish = &finish;
+    material.by_view = true;
+    CHECK_FALSE(is_lambertian(world, vertex, s));
 }
 
 }  // namespace candelabra

@@ -128,10 +128,9 @@ TEST_CASE("a photon meets as many surfaces as it may", "[transport]") {
     CHECK(photons_in(with_photons(scene, "max_trace_level 2")).empty());
     CHECK_FALSE(photons_in(with_photons(scene, "max_trace_level 3")).empty());
     CHECK(photons_in(
-              with_photons(
-                  floor_below + ball_at(5, "", "") +
-                      "plane { y, 1 hollow pigment { rgbt 0.1 } finish { diffuse 0 } }",
-                  "adc_bailout 0.5"))
+              with_photons(floor_below + ball_at(5, "", "") +
+                               "plane { y, 1 hollow pigment { rgbt 0.1 } finish { diffuse 0 } }",
+                           "adc_bailout 0.5"))
               .empty());
 }
 

@@ -65,6 +65,16 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
          bare_room +
              "sphere { <1.2, 0.6, 0>, 0.4 pigment { rgb 1 } finish { emission 1 no_luminaire } }"
              "light_source { <2, 2, -2>, 0.6 }"},
+        {"looks that depend on the direction of the ray",
+         "box { <-3, 0, -3>, <3, 3, 3> pigment { aoi color_map { [0.5 rgb <0.9, 0.2, 0.1>] "
+         "[0.9 rgb <0.3, 0.7, 0.9>] } } }"
+         "box { <-1, 0, 0>, <0, 1, 1> pigment { rgb <0.3, 0.4, 0.8> } }"},
+        {"faces between two looks",
+         bare_room +
+             "mesh2 { vertex_vectors { 4, <0.2, 0, 1>, <2, 0, 1>, <2, 2, 1.4>, <0.2, 2, 1.4> } "
+             "texture_list { 2, texture { pigment { rgb 0.7 } } texture { pigment { rgb <0.6, 0.3, "
+             "0.2> } finish { diffuse 0.5 reflection 0.6 } } } "
+             "face_indices { 2, <0, 1, 2>, 0, 0, 1, <0, 2, 3>, 0, 1, 1 } }"},
         {"sky over a yard",
          "plane { y, 0 pigment { rgb 0.6 } } box { <-1, 0, 0>, <0, 2, 1> pigment { rgb 0.8 } }"
          "sky_sphere { pigment { rgb <0.1, 0.15, 0.3> } }"},
