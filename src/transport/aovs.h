@@ -19,8 +19,7 @@ struct Aovs {
     bool surface = false;  ///< albedo, normal, depth and object
     bool lights = false;   ///< red, green and blue of each of Provenance::light_statements
     bool smooth = false;   ///< red, green and blue of compressed samples, which the renderer adds
-    /// Red, green and blue of the samples' squares, which the renderer adds.
-    bool squares = false;
+    bool squares = false;  ///< red, green and blue of the samples' squares, added by the renderer
 
     /// Number of sums that each pixel has.
     std::size_t count(const World& world) const {

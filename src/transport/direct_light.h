@@ -138,7 +138,7 @@ private:
     Key medium_key_;         ///< random numbers of media on the current shadow ray
     double asked_here_ = 1;  ///< expected number of shadow rays at the current hit
     HitNoise noise_;
-    // Members to reuse their memory.
+    // Kept as members to reuse their memory.
     LightSamples samples_;
     LightHits meetings_;
     std::vector<Met> met_;  ///< along the current line, nearest first

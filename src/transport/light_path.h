@@ -21,8 +21,8 @@ struct ReflectedLuminaire {
     std::uint32_t statement = 0;  ///< of the lamp, in Provenance::light_statements
 };
 
-/// Whether reflected luminaires can stand for the diffuse reflection of a layer at a vertex, because
-/// its radiance is the same in all directions of one side.
+/// Whether reflected luminaires can stand for the diffuse reflection of a layer at a vertex: its
+/// radiance is then the same in all directions of one side.
 bool is_lambertian(const World&, const Vertex&, const Shading&);
 /// The terms of a Lambertian layer's BSDF.
 inline constexpr BsdfTerms diffuse_terms{.highlights = false, .facets = FacetLobes::none};

@@ -47,7 +47,7 @@ private:
     std::vector<std::uint32_t> sources_;  ///< that show where light is bright, if they are few
     bool lights_all_ = true;              ///< light sources are sampled at all places
     int places_ = 0;                      ///< number of places for the last segment
-    // Members to reuse their memory.
+    // Kept as members to reuse their memory.
     MediaList media_;
     MediaMarch march_;
     std::vector<double> sums_;  ///< running sums of the places' expected values

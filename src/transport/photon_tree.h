@@ -15,7 +15,7 @@ namespace candelabra {
 
 struct Photon {
     Vec3 position;
-    glm::vec3 direction;  ///< unit, in which it travels
+    glm::vec3 direction;  ///< unit direction of travel
     glm::vec3 normal;     ///< unit geometric normal of the surface; 0 in the air
     /// Colour of light times area perpendicular to the direction; in the air, also times the length
     /// of the path segment that the photon stands for.
@@ -30,8 +30,8 @@ struct Photon {
 /// Sizes of the discs or balls.
 struct DiscRule {
     double wanted = 60;  ///< approximate number of photons within one disc
-    double shrunk = 1;   ///< factor on the radius that follows from it
-    double radius = 0;   ///< of all discs instead, without the factor `shrunk`; 0: by `wanted`
+    double shrunk = 1;   ///< factor on all radii
+    double radius = 0;   ///< of all discs, before the factor `shrunk`; 0: by `wanted`
     double unknown = 1;  ///< radius where photons are too few to estimate their density
 };
 

@@ -43,7 +43,7 @@ private:
     std::shared_ptr<ReflectedLuminaires> luminaires_;
     std::shared_ptr<const ReflectedSet> set_;
     std::uint32_t wanted_ = 0, generation_ = 0;  ///< to be used, and of set_
-    LightSamples samples_;                       ///< a member to reuse its memory
+    LightSamples samples_;                       ///< kept as a member to reuse its memory
 };
 
 }  // namespace candelabra
