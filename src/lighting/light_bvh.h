@@ -17,7 +17,7 @@ struct LightNode {
     double radius = 0;
     double intensity = 0;
     glm::vec<3, float> axis{
-        0};  ///< mean direction of the normals of flat luminaires; 0 if these are spread widely
+        0};  ///< middle of the normals of flat luminaires; 0 if light goes in all directions
     float cos_spread = 1, sin_spread = 0;  ///< of half the cone around the axis with all normals
     std::uint32_t parent = 0;
     /// The second child (the first one is the next node); in leaves, the luminaire.

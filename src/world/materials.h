@@ -12,7 +12,7 @@
 
 namespace candelabra {
 
-/// Kinds of rays that do not see an object, or whose flags were given, or take effect.
+/// Flags for the kinds of rays that do not see an object. Also a mask of these flags.
 struct Hidden {
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
 

@@ -22,7 +22,7 @@ struct SourceSet {
     std::vector<std::uint32_t> lights;  ///< in WorldLights::sources
     /// One per source if sources are sampled; none if all are evaluated.
     std::vector<Luminaire> emitters = {};
-    bool parallel = false;  ///< each light has one direction everywhere; emitters lie at these
+    bool parallel = false;  ///< lights have one direction everywhere, where their emitters are
     BuiltLightSampler sampler = {};
 
     bool drawn() const { return !emitters.empty(); }
