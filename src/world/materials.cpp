@@ -10,8 +10,8 @@ namespace candelabra {
 
 namespace {
 
-/// The interior as a solid of that texture has it. As in POV-Ray, a finish has the last word where
-/// the texture is a plain one, and what has no index of refraction of its own splits no light.
+/// Returns the interior of a solid with that texture. As in POV-Ray, the finish of a plain texture
+/// overrides the interior, and an interior without an index of refraction has no dispersion.
 Handle<Interior> settled(const Handle<Interior>& interior, const Texture& texture) {
     const bool bends = !texture.choice && texture.finish.ior != 0;
     const bool focuses = !texture.choice && texture.finish.caustics >= 0;
@@ -87,7 +87,7 @@ std::uint32_t Materials::index(const Inherited& look) {
     return last_;
 }
 
-/// What is to glow by its ambient does.
+/// Returns the texture as rendered: with emission instead of ambient if the settings ask for that.
 Handle<Texture> Materials::lit(const Handle<Texture>& texture) const {
     const GlobalSettings& settings = world_.rules.settings;
     return simplified(settings.ambient_luminaires
@@ -164,7 +164,7 @@ std::vector<std::uint32_t> Materials::of_faces(const Object& mesh, const Inherit
     return result;
 }
 
-/// A material of which a part has another look.
+/// Adds the attributes of a part's material to the material of the whole.
 void Materials::include(std::uint32_t material, std::uint32_t part) {
     Material& whole = world_.appearance.materials[material];
     const Material& other = world_.appearance.materials[part];

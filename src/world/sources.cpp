@@ -10,14 +10,14 @@ namespace candelabra {
 
 namespace {
 
-/// What no size is counted as, as a share of the room that the sources take.
+/// Radius of sources without size, as a fraction of the extent of all sources.
 constexpr double min_radius = 1e-6;
 
 bool same_direction_everywhere(const PointLight& light) {
     return light.along_axis() && light.kept_to() != parallel_beam;
 }
 
-/// Lights that take light away can be no share of the whole.
+/// Whether the light can be sampled: one with negative colour has no probability.
 bool can_be_chosen(const PointLight& light) {
     return std::isfinite(light.colour.x + light.colour.y + light.colour.z) &&
            std::min({light.colour.x, light.colour.y, light.colour.z}) >= 0;
@@ -40,7 +40,7 @@ Falloff falloff(const PointLight& light) {
     return result;
 }
 
-/// Around all points that light comes from: of a beam, around those where it leaves.
+/// Radius of a ball around all points that emit light; for a beam, around those where it starts.
 double radius(const PointLight& light) {
     if (light.kept_to() == parallel_beam) return std::abs(light.falloff.value_or(1));
     if (!light.is_area() || !light.area_illumination) return 0;
@@ -49,7 +49,7 @@ double radius(const PointLight& light) {
 
 Luminaire emitter(const PointLight& light, std::uint32_t number) {
     SourceEmitter source{light.location, radius(light), falloff(light)};
-    // Light of one direction comes from a point of the sphere of directions.
+    // A light with one direction is a point of the sphere of directions.
     if (same_direction_everywhere(light)) source = {unit(light.location - light.point_at), 0, {}};
     return {source, light.colour, false, nullptr, number};
 }
@@ -99,7 +99,7 @@ private:
         result.push_back(std::move(set));
     }
 
-    /// Without any, rounding would decide what is above a horizon.
+    /// Sets a minimum radius: without one, rounding would decide which sources are above a horizon.
     static void give_size(std::vector<Luminaire>& emitters) {
         Box all;
         for (const Luminaire& e : emitters)

@@ -25,8 +25,8 @@ TEST_CASE("the hierarchy's probabilities add up to 1 where everything is above t
 }
 
 TEST_CASE("a deep hierarchy is walked without losing luminaires", "[lighting]") {
-    // Each a quarter as far as the one before and as bright at the origin: a tree of more than 64
-    // levels.
+    // Each is a quarter as far away as the one before, and as bright at the origin: a tree of more
+    // than 64 levels.
     std::vector<Luminaire> luminaires;
     for (int i = 0; i < 150; ++i) {
         const double d = std::pow(0.25, i);

@@ -38,10 +38,10 @@ TEST_CASE("in a closed room light keeps its power times the albedo at each refle
         "#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
         "box { <-3, -2, -4>, <4, 3, 5> pigment { rgb <0.5, 0.8, 0.2> } finish { diffuse 1 } }");
     const auto found = sent_into(world, 3, 40000);
-    // Radiance times area of a sphere that glows: its power over pi.
+    // Radiance times area of a glowing sphere, which is its power over pi.
     Vec3 expected = Vec3(8, 4, 2) * (4 * std::numbers::pi * 0.25 * 0.25);
     for (int n = 1; n <= 3; ++n) {
-        // A little of it comes back to the lamp, which is black.
+        // A little of the light returns to the lamp, which is black.
         expected *= Vec3(0.5, 0.8, 0.2);
         const Vec3 power = power_after(found, n);
         CAPTURE(n);

@@ -28,7 +28,8 @@ const Ray along_z{Vec3(0, 0, -5), Vec3(0, 0, 1)};
 
 TEST_CASE("a luminaire lights the air as its light integrated over the ray", "[transport]") {
     // A small sphere of radiance L and radius r gives light of colour L r^2 / d^2 at distance d:
-    // from beside a ray without end that is L r^2 pi / (2 h), on half of it that of a half.
+    // beside an infinite ray at distance h that is L r^2 pi / (2 h), and half of that on half of
+    // the ray.
     const char* const lamps[] = {"", "global_settings { light_sampler { light_bvh } } ",
                                  "global_settings { light_sampler { light_bvh { mis } } } ",
                                  "global_settings { light_sampler { every_light } } ",
@@ -48,7 +49,7 @@ TEST_CASE("a luminaire lights the air as its light integrated over the ray", "[t
 }
 
 TEST_CASE("light in air is dimmed on both ways", "[transport]") {
-    // A lamp that is seen from the side, far away and bright: light of colour 1 in the slab.
+    // A bright lamp far away, seen from the side: light of colour 1 in the slab.
     const std::string slab =
         "camera { location -20*z } box { <-2, -9, -9>, <9, 9, 9> pigment { rgbt 1 } finish { "
         "ambient 0 diffuse 0 } hollow "

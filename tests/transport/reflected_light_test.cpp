@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Mean of many samples of one ray, with its standard deviation.
+/// Mean of many samples of one ray, and its standard deviation.
 struct Estimate {
     Vec3 mean = Vec3(0);
     Vec3 deviation = Vec3(0);
@@ -20,7 +20,7 @@ struct Estimate {
 Estimate estimate(const std::string& script, std::uint32_t generations, const Ray& ray) {
     const World world = world_of(script);
     Integrator integrator(world, {});
-    // Samples of one generation depend on each other: their mean is taken as one.
+    // Samples of one generation depend on each other, so their mean counts as one sample.
     constexpr std::uint32_t pixels = 24, served = 4;
     Vec3 sum(0), squares(0);
     for (std::uint32_t generation = 0; generation < generations; ++generation) {
@@ -99,7 +99,7 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
 TEST_CASE("a closed room that glows everywhere is as bright with reflected luminaires",
           "[transport]") {
     for (const int bounces : {1, 3}) {
-        // The last reflection is of light that comes straight from the walls.
+        // The last reflection is that of light directly from the walls.
         double expected = 0, power = 1;
         for (int i = 0; i <= bounces + 1; ++i, power *= 0.5) expected += power;
         const Estimate found = estimate(
