@@ -65,7 +65,7 @@ void FrameRun::run() {
     changed_.notify_all();
 }
 
-/// Called by the run; false: it shall end.
+/// Called by the run. Returns false if it shall stop.
 bool FrameRun::begin_rendering() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return may_render_ || unwanted_; });
