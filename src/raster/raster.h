@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the common variants of GIF, JPEG, PNM and TIFF files without OpenImageIO, which takes longer
-// to load than most scenes take to read. Called by picture/ before OpenImageIO, with the same
-// results. Rarer variants and files that appear damaged are left to OpenImageIO, which supports more
-// variants and reports errors.
+// Reads the common variants of GIF, JPEG, PNM and TIFF files without OpenImageIO, which takes
+// longer to load than most scenes take to read. Called by picture/ before OpenImageIO, with the
+// same results. Rarer variants and files that appear damaged are left to OpenImageIO, which
+// supports more variants and reports errors.
 //
 // JPEG files are read by libjpeg. GIF and TIFF files have readers here. giflib and libtiff would
 // save some 200 lines of them. But libtiff depends on six more libraries (WebP, Zstandard, LZMA,
