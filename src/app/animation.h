@@ -24,7 +24,7 @@ struct AnimationSettings {
     std::optional<double> subset_start_frame;
     std::optional<double> subset_end_frame;
     int frame_step = 1;
-    /// the last frame equals the one before the first, so clock 1 is not reached
+    /// The frame after the last would be the first, so final_clock is not reached.
     bool cyclic = false;
     bool skip_existing = false;  ///< leaves out frames whose file exists
 

@@ -79,8 +79,7 @@ struct Console {
     std::function<bool()> begins_rendering;
     std::function<void()> winds_down;
     std::function<void()> ends_rendering;
-    /// files that the scene makes, in all pictures of the run
-    std::shared_ptr<MadeFiles> made_files;
+    std::shared_ptr<MadeFiles> made_files;  ///< by the scene in all pictures of the run
     std::string settings;  ///< INI file that is read before the command line; empty: none
 };
 

@@ -16,7 +16,7 @@ Image smooth_image(const Film&, const FilmFiles&);
 struct QuietFilm {
     Image light;
     Image smooth;               ///< see Negative
-    std::vector<Image> lights;  ///< of each statement, if the files have layers of it
+    std::vector<Image> lights;  ///< light of each statement, if the files have such layers
 };
 
 /// Denoises a film, which must have sums of squared samples, and surfaces.

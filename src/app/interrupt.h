@@ -19,7 +19,7 @@ enum class Interrupt {
 /// The source of requests. Both functions may be empty.
 struct Interrupts {
     std::function<Interrupt()> take;      ///< request since the last call; any thread
-    std::function<void(bool)> listening;  ///< whether take() will be called soon
+    std::function<void(bool)> listening;  ///< announces whether take() will be called soon
 };
 
 /// Passes each request to several renderings at a time, and a stop also to renderings that begin

@@ -57,7 +57,7 @@ struct FilmFiles {
     std::vector<std::string> lights = {};  ///< names of statements, if there are layers of light
     FilmSettings film = {};                ///< develops pictures for display
     bool denoise = false;                  ///< also makes a denoised picture
-    int threads = 1;                       ///< that develop pictures
+    int threads = 1;                       ///< for developing pictures
 
     /// Returns the sums that the film must gather.
     Aovs aovs() const;

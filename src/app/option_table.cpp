@@ -32,12 +32,12 @@ constexpr OptionRow setting(Term letters, Term keyword, Term word, Term field) {
     return {letters, keyword, word, "n", value, {}, field};
 }
 
-/// Returns such a row for a setting that is on or off.
+/// Returns a row for a setting that is on or off.
 constexpr OptionRow option_field(Term letters, Term keyword, Term word, Takes takes, Term field) {
     return {letters, keyword, word, "", takes, {}, field};
 }
 
-/// Returns such a row for a switch that may be followed by a number, stored in the next setting.
+/// Returns a row for a switch that may be followed by a number, stored in the next setting.
 constexpr OptionRow switched(Term letters, Term keyword, Term parameter, Term field) {
     return {letters, keyword, "", parameter, sign_and_value, {}, field};
 }

@@ -51,7 +51,7 @@ struct Options {
     Task task = Task::render;
     std::optional<std::string> scene;  ///< "-": standard input
     bool strange_names = false;  ///< an INI file that is not the user's own names output files
-    std::string output;          ///< as given: a file, a folder, "-" or nothing
+    std::string output;          ///< as given: a file, a folder, "-" or empty
     bool to_file = true;
     std::optional<PictureType> type;
     std::optional<int> bits;
@@ -63,8 +63,7 @@ struct Options {
     Limits limits;
     std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; unset: the default
     unsigned at_once = 1;                       ///< scenes that may be in progress at the same time
-    /// the frame is prepared while another one is rendered
-    bool prepared_ahead = false;
+    bool prepared_ahead = false;                ///< prepares a frame while another is rendered
     std::vector<Declaration> declares;
     AnimationSettings animation;
     RunFacts facts;                       ///< other facts for the scene; the size is that of render

@@ -171,7 +171,7 @@ private:
         if (server_) server_->wake();
     }
 
-    /// between checks of files and signals, in seconds
+    /// Seconds between checks of files and signals.
     static constexpr double between_looks = 0.1;
     static constexpr int rest_milliseconds = 50;
     static constexpr auto frame_knob = "frame_number";

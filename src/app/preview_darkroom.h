@@ -55,7 +55,7 @@ private:
     void print(const Order&, const Plate&);
     Order order() const;
 
-    /// pixels of the plate to one of a small picture, in each direction
+    /// Pixels of the plate per pixel of a small picture, in each direction.
     static constexpr int quick_step = 4;
 
     std::function<void(ScreenPicture)> shows_;

@@ -48,7 +48,7 @@ private:
 class Film {
 public:
     Film() = default;
-    /// `aovs`: number of further sums per pixel (see render/aovs.h).
+    /// `aovs`: number of further sums per pixel (see transport/aovs.h).
     Film(int width, int height, std::size_t aovs = 0);
     int width() const { return width_; }
     int height() const { return height_; }

@@ -76,7 +76,7 @@ std::string bmp_problem(std::string_view bytes) {
     const bool old = low_first(bytes, 14, 4) == old_head;
     const double width = low_first(bytes, 18, old ? 2 : 4);
     double height = low_first(bytes, old ? 20 : 22, old ? 2 : 4);
-    // negative: rows are stored from the top
+    // A negative height means that rows are stored from the top.
     if (!old && height >= 0x1p31) height = 0x1p32 - height;
     const double bits = low_first(bytes, old ? 24 : 28, 2);
     const double coding = old ? 0 : low_first(bytes, 30, 4);

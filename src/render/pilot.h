@@ -13,7 +13,7 @@ namespace candelabra {
 /// Variances of one sample of a pixel, summed over all pixels tried.
 struct PilotNoise {
     double of_light = 0;  ///< due to the shadow rays of one hit
-    /// due to the hits of a pixel's camera rays, were their light known exactly
+    /// Variance due to the hits of a pixel's camera rays, were their light known exactly.
     double of_camera = 0;
     double shown = 0;  ///< of_light in display values
     int places = 0;    ///< number of places on the picture that were summed

@@ -42,8 +42,7 @@ std::optional<RenderPlan> plan_of(const World&, const RenderSettings&, const Sen
 struct RenderHooks {
     std::function<void(double fraction)> progress;  ///< of the whole picture
     std::function<bool()> cancelled;                ///< true: stop within a few samples
-    /// Called once, when the last round has no further work to start and the first core becomes
-    /// idle.
+    /// Called once, when a round has no further work to start and the first core becomes idle.
     std::function<void()> winds_down;
     bool counts_lights = false;  ///< fills LightLedger::lights
     Aovs aovs = {};              ///< sums that the film has for them

@@ -44,8 +44,8 @@ struct SessionSettings {
 
 class Session {
 public:
-    /// The diagnostics must outlive the session and receive all errors. After an error, do not call
-    /// further steps.
+    /// The diagnostics must outlive the session and receive all errors. Do not call a step whose
+    /// input has errors.
     Session(SessionSettings, Diagnostics&);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
