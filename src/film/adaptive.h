@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The adaptive scheme of Shirley and Wang (Figure 5): a few rays everywhere, more where the variance
-// is high. It is unbiased, since the number of further rays of a pixel depends on its neighbours'
-// samples, which are independent of its own.
+// The adaptive scheme of Shirley and Wang (Figure 5): a few rays everywhere, more where the
+// variance is high. It is unbiased, since the number of further rays of a pixel depends on its
+// neighbours' samples, which are independent of its own.
 #pragma once
 
 #include "film/film.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The number of shadow rays per camera ray where the settings leave it open. It is found by tracing
+// The number of shadow rays at each hit where the settings leave it open. It is found by tracing
 // some pixels before the picture, and is the same for all parts of the picture.
 #pragma once
 
