@@ -3,6 +3,7 @@
 
 #include "app/child.h"
 #include "picture/file.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -76,7 +77,7 @@ std::vector<std::string> movie_arguments(const std::string& list, const std::str
                                       "concat", "-safe",    "0",  "-i",        list};
     // A gif has 256 colours, chosen from the film. For other formats most players need even sizes
     // and this pixel format.
-    if (film.ends_with(".gif"))
+    if (lower_case(film).ends_with(".gif"))
         words.insert(words.end(),
                      {"-vf", "split[a][b];[a]palettegen[colours];[b][colours]paletteuse"});
     else

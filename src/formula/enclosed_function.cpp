@@ -147,7 +147,10 @@ constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 
         return Enclosure{value, value * a.slope};
     },
     [](const Enclosure& a) { return stepped(a, [](double x) { return std::floor(x); }); },
-    [](const Enclosure& a) { return stepped(a, [](double x) { return double(to_int32(x)); }); },
+    [](const Enclosure& a) {
+        if (!has_int32(a.value.low) || !has_int32(a.value.high)) return Enclosure::unknown();
+        return stepped(a, [](double x) { return double(to_int32(x)); });
+    },
     logarithm,
     [](const Enclosure& a) { return scaled(logarithm(a), 1 / std::log(10)); },
     [](const Enclosure& a) { return scaled(a, radians_per_degree); },

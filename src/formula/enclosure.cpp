@@ -144,6 +144,7 @@ Enclosure rest_of_division(const Enclosure& a, const Enclosure& b) {
 Enclosure whole_quotient(const Enclosure& a, const Enclosure& b) {
     if (b.value.contains(0)) return Enclosure::unknown();
     const Bounds q = a.value / b.value;
+    if (!has_int32(q.low) || !has_int32(q.high)) return Enclosure::unknown();
     const Bounds value{std::trunc(q.low), std::trunc(q.high)};
     return {value, value.single() ? no_slope : all_numbers};
 }

@@ -59,7 +59,7 @@ std::optional<Operation> operation_of_two(std::string_view name) {
 double apply_function(std::uint16_t number, double x) { return number_functions[number].code(x); }
 
 std::int32_t to_int32(double value) {
-    if (!(value > -2147483649.0 && value < 2147483648.0)) return INT32_MIN;
+    if (!has_int32(value)) return INT32_MIN;
     return static_cast<std::int32_t>(value);
 }
 

@@ -72,6 +72,8 @@ std::optional<Operation> operation_of_two(std::string_view name);
 /// Applies the function with this number. Precondition: function_number() returned the number.
 double apply_function(std::uint16_t number, double x);
 
+/// Whether the integer part of the value is a 32-bit integer.
+constexpr bool has_int32(double value) { return value > -2147483649.0 && value < 2147483648.0; }
 /// Converts to 32 bits, rounding towards zero. As in POV-Ray on x86, values out of range become the
 /// least integer.
 std::int32_t to_int32(double value);

@@ -51,9 +51,11 @@ double importance(const LightNode& node, const Receiver& point) {
 
 }  // namespace
 
-BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires, bool paired)
-    : nodes_(build_light_hierarchy(luminaires)), leaf_of_(luminaires.size()) {
-    if (paired) tree_ = LightTree(luminaires);
+BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires, const LightBvh& settings)
+    : exponential_(settings.exponential),
+      nodes_(build_light_hierarchy(luminaires)),
+      leaf_of_(luminaires.size()) {
+    if (settings.mis) tree_ = LightTree(luminaires);
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         if (nodes_[i].leaf) leaf_of_[nodes_[i].second] = i;
 }
@@ -109,7 +111,7 @@ std::size_t BuiltLightBvh::memory_bytes() const {
 }
 
 BuiltLightBvh build(const LightBvh& settings, const LightScene& scene, int) {
-    return BuiltLightBvh(scene.luminaires, settings.mis);
+    return BuiltLightBvh(scene.luminaires, settings);
 }
 
 }  // namespace candelabra

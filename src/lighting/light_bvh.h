@@ -27,7 +27,7 @@ struct LightNode {
 
 class BuiltLightBvh {
 public:
-    explicit BuiltLightBvh(std::span<const Luminaire>, bool paired = false);
+    explicit BuiltLightBvh(std::span<const Luminaire>, const LightBvh& = {});
 
     /// The answer at one receiver. If paired, directions are also sampled from the BSDF.
     class At {
@@ -46,7 +46,7 @@ public:
         double picked() const { return 1; }
         double noise() const { return -1; }
         double irradiance() const { return 0; }
-        double expected_light() const { return -1; }
+        double expected_light() const { return bvh_.exponential() ? 1 : -1; }
         const LightTree* meetings() const { return bsdf_ ? &bvh_.tree() : nullptr; }
 
     private:
@@ -63,9 +63,12 @@ public:
     /// Whether each shadow ray has a partner sampled from the BSDF; there is then a tree to find
     /// the luminaires that the partner hits.
     bool paired() const { return tree_.lights() > 0; }
+    /// Whether light in media is taken for the same everywhere.
+    bool exponential() const { return exponential_; }
     const LightTree& tree() const { return tree_; }
 
 private:
+    bool exponential_;
     LightTree tree_;
     std::vector<LightNode> nodes_;        ///< depth first; parents before children
     std::vector<std::uint32_t> leaf_of_;  ///< per luminaire

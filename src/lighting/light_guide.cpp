@@ -232,8 +232,10 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
     if (!around_)
         pole_ = away.x < away.y ? (away.x < away.z ? Vec3(1, 0, 0) : Vec3(0, 0, 1))
                                 : (away.y < away.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1));
+    // Steps that have no divisor in common with the number of places reach all of them.
+    const std::size_t step = receivers.size() % 5 == 0 ? 7 : 5;
     const auto place_of = [&](std::size_t bin, std::size_t i) {
-        return (tries * bin + i) * 5 % receivers.size();
+        return (tries * bin + i) * step % receivers.size();
     };
     std::array<Picture, tries> seen{};
     std::vector<double> arriving(receivers.size(), 0);

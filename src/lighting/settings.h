@@ -24,6 +24,7 @@ struct LinearAlpha {
 /// Sampling of Many Lights with Adaptive Tree Splitting", 2018), as in other renderers.
 struct LightBvh {
     bool mis = false;
+    bool exponential = false;  ///< distances in media
 
     static const ItemInfo vocabulary;
 };

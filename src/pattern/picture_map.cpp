@@ -225,7 +225,8 @@ std::optional<int> number_at(const PictureMap& map, const Vec2& place) {
 int texture_number_at(const PictureMap& map, const Vec2& place) {
     if (const auto number = number_at(map, place)) return *number;
     const auto red = static_cast<float>(sampled(map, place).rgb.x);
-    return static_cast<int>(std::fmax(red * 255.0F, 0.0F));
+    constexpr float last = 65535;
+    return static_cast<int>(std::fmin(std::fmax(red * 255.0F, 0.0F), last));
 }
 
 /// Returns the heights at three places: colour indices if they are requested and available at all

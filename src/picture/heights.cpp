@@ -40,10 +40,11 @@ std::optional<Heights> read_heights(const Found& file, double gamma, Diagnostics
     std::optional<StoredPicture> read = read_stored(file, diagnostics, asked_at);
     if (!read) return std::nullopt;
     StoredPicture& stored = *read;
-    if (gamma > 0)
+    const FileFacts facts = facts_without_alpha(file);
+    // Heights by colour numbers have no gamma.
+    if (gamma > 0 && facts.table.empty())
         for (float& value : stored.values)
             value = std::pow(std::max(0.0F, value), static_cast<float>(gamma));
-    const FileFacts facts = facts_without_alpha(file);
     const ColourNumbers number_of(facts);
     Heights result{stored.width, stored.height, {}};
     const auto width = static_cast<std::size_t>(stored.width);

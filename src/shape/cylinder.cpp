@@ -18,8 +18,6 @@ const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
                             F{"open", &Cylinder::open, flag, "leaves the ends out"});
 });
 
-namespace {}  // namespace
-
 Box bounds(const Cylinder& c) { return bounds(Cone{c.base, c.radius, c.cap, c.radius, c.open}); }
 
 void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {

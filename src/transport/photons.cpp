@@ -17,7 +17,7 @@ constexpr std::uint32_t single_samples = 16, samples_of_generation = 4;
 /// this value the error of the mean falls fastest.
 constexpr double alpha = 2.0 / 3;
 /// Number of generations kept in memory; others are made again on request.
-constexpr std::size_t max_generations = single_samples + Photons::samples_at_once / 4 + 4;
+constexpr std::size_t max_generations = single_samples + Photons::samples_at_once / samples_of_generation + 4;
 /// Number of photons that one thread follows at a time.
 constexpr std::uint32_t batch = 2048;
 /// Radius of discs where next to no photons arrive, as a fraction of the target's radius.

@@ -224,9 +224,9 @@ void build_indices(World& world, const CompileOptions& options) {
     world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
-    world.lights.source_sets =
-        source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
-                    world.differs_by_light() ? max_asked_among_samples : max_asked_sources);
+    world.lights.source_sets = source_sets(
+        world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
+        {world.differs_by_light() ? max_asked_among_samples : max_asked_sources, options.threads});
     world.sky.near = near_camera_and_lamps(world);
 }
 

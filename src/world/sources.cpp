@@ -59,11 +59,11 @@ const PointLight& point_light(const Light& light) { return std::get<PointLight>(
 class Sets {
 public:
     Sets(std::span<const Light> lights, const LightSampler& sampler, const LightScene& scene,
-         std::size_t max_asked)
-        : lights_(lights), settings_(sampler), scene_(scene), max_asked_(max_asked) {}
+         const SourceLimits& limits)
+        : lights_(lights), settings_(sampler), scene_(scene), limits_(limits) {}
 
     void add(std::uint32_t group, std::vector<std::uint32_t> members) {
-        if (members.size() <= max_asked_ || std::holds_alternative<EveryLight>(settings_)) {
+        if (members.size() <= limits_.max_asked || std::holds_alternative<EveryLight>(settings_)) {
             result.push_back({group, std::move(members)});
             return;
         }
@@ -87,14 +87,14 @@ public:
 private:
     void add_drawn(SourceSet set) {
         if (set.lights.empty()) return;
-        if (set.lights.size() > max_asked_) {
+        if (set.lights.size() > limits_.max_asked) {
             for (const std::uint32_t i : set.lights)
                 set.emitters.push_back(emitter(point_light(lights_[i]), i));
             give_size(set.emitters);
             LightScene scene = scene_;
             if (set.parallel) scene = {};
             scene.luminaires = set.emitters;
-            set.sampler = build(settings_, scene, 0);
+            set.sampler = build(settings_, scene, limits_.threads);
         }
         result.push_back(std::move(set));
     }
@@ -115,7 +115,7 @@ private:
     std::span<const Light> lights_;
     const LightSampler& settings_;
     const LightScene& scene_;
-    std::size_t max_asked_;
+    const SourceLimits& limits_;
 };
 
 }  // namespace
@@ -123,10 +123,10 @@ private:
 std::vector<SourceSet> source_sets(std::span<const Light> lights,
                                    std::span<const std::uint32_t> group_of,
                                    const LightSampler& sampler, const LightScene& scene,
-                                   std::size_t max_asked) {
+                                   const SourceLimits& limits) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
     for (std::uint32_t i = 0; i < lights.size(); ++i) groups[group_of[i]].push_back(i);
-    Sets sets(lights, sampler, scene, max_asked);
+    Sets sets(lights, sampler, scene, limits);
     for (auto& [group, members] : groups) sets.add(group, std::move(members));
     return std::move(sets.result);
 }

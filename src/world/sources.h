@@ -32,10 +32,15 @@ struct SourceSet {
     }
 };
 
+struct SourceLimits {
+    std::size_t max_asked = max_asked_sources;  ///< of a group that are all evaluated
+    int threads = 0;                            ///< that build samplers; 0: all cores
+};
+
 /// `group_of` has the group of each light; if a group has more than `max_asked` lights, some are
 /// sampled. The boxes and planes of the scene are where points to be lit lie.
 std::vector<SourceSet> source_sets(std::span<const Light> lights,
                                    std::span<const std::uint32_t> group_of, const LightSampler&,
-                                   const LightScene&, std::size_t max_asked = max_asked_sources);
+                                   const LightScene&, const SourceLimits& = {});
 
 }  // namespace candelabra

@@ -29,6 +29,7 @@ TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {
     };
     CHECK(has("a.mp4", "yuv420p"));
     CHECK_FALSE(has("a.gif", "yuv420p"));
+    CHECK_FALSE(has("A.GIF", "yuv420p"));
     // A name that begins with a hyphen is not taken for an option of ffmpeg.
     CHECK(has("-a.mp4", "./-a.mp4"));
 }

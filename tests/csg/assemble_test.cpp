@@ -68,6 +68,12 @@ TEST_CASE("what has no inside stays so when it is inverse", "[solid]") {
     const ObjectHandle ball = object(Sphere{o, 1}), face = object(Triangle{-x, x, y});
     CHECK(has_inside(Shape(Sphere{o, 1})));
     CHECK_FALSE(has_inside(Shape(Triangle{-x, x, y})));
+    Mesh mesh;
+    CHECK_FALSE(has_inside(Shape(mesh)));
+    mesh.inside_vector = o;
+    CHECK_FALSE(has_inside(Shape(mesh)));
+    mesh.inside_vector = x;
+    CHECK(has_inside(Shape(mesh)));
     CHECK(insides(*object(Triangle{-x, x, y}, true), {o, 2.0 * x}) == "00");
     CHECK(insides(combined(Csg::difference, {ball, face}), {o, 2.0 * x}) == "00");
 }

@@ -41,4 +41,11 @@ TEST_CASE("functions on intervals hold their values and slopes", "[formula]") {
     CHECK(known > 30);
 }
 
+TEST_CASE("beyond 32 bits the bounds of an integer part are unknown", "[formula]") {
+    const std::uint16_t number = *function_number("int");
+    for (const Bounds& range : {Bounds{2e9, 3e9}, Bounds{-3e9, -2e9}, Bounds{3e9, 4e9}})
+        CHECK(enclosed_function(number, {range, {1, 1}}) == Enclosure::unknown());
+    CHECK(enclosed_function(number, {{1.5, 2.5}, {1, 1}}).value == Bounds{1, 2});
+}
+
 }  // namespace candelabra

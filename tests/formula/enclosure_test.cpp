@@ -61,6 +61,14 @@ TEST_CASE("each operation on intervals holds its values and slopes", "[formula]"
     }
 }
 
+TEST_CASE("beyond 32 bits the bounds of a whole quotient are unknown", "[formula]") {
+    const auto bounds = [](double low, double high) {
+        return enclosed(Operation::whole_quotient, {{low, high}, {1, 1}}, Enclosure::constant(0.5));
+    };
+    CHECK(bounds(1e9, 2e9) == Enclosure::unknown());
+    CHECK(bounds(1, 2).value == Bounds{2, 4});
+}
+
 TEST_CASE("a square is not below 0, and is told from a product", "[formula]") {
     const Enclosure around{{-2, 1}, {1, 1}};
     std::array<Enclosure, 3> r = {around, around, {}};

@@ -69,7 +69,7 @@ TEST_CASE("of equal lamps, the nearer one is picked more often", "[lighting]") {
 
 TEST_CASE("the tree that finds what paired rays meet counts as memory", "[lighting]") {
     const std::vector<Luminaire> luminaires(100, glowing(SphereEmitter{Vec3(0, 2, 0), 0.1}));
-    const BuiltLightBvh alone(luminaires), paired(luminaires, true);
+    const BuiltLightBvh alone(luminaires), paired(luminaires, LightBvh{true});
     CHECK(paired.paired());
     CHECK(paired.memory_bytes() == alone.memory_bytes() + paired.tree().memory_bytes());
 }

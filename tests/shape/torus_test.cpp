@@ -9,8 +9,6 @@
 
 namespace candelabra {
 
-namespace {}  // namespace
-
 TEST_CASE("rays cross a torus where they should", "[shape]") {
     const Torus torus{2, 0.5};
     CHECK(answers(torus, {{-5.0 * x, x},

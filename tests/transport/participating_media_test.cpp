@@ -56,9 +56,15 @@ TEST_CASE("light in air is dimmed on both ways", "[transport]") {
         "interior { media { scattering { 1, 0.3 extinction 1 } } } } ";
     const std::string lamp =
         "sphere { <-10002, 0, 0>, 100 pigment { rgb 1 } finish { emission 10000 } }";
-    const Vec3 found = seen_in_air(slab + lamp, 20000, {Vec3(0, 0, -20), Vec3(0, 0, 1)});
     const double expected = 0.3 * std::exp(-0.6) * (1 - std::exp(-0.3 * 18)) / 0.3;
-    CHECK(found.x == Approx(expected).epsilon(0.02));
+    for (const std::string sampler : {"", "light_bvh", "light_bvh { exponential }"}) {
+        CAPTURE(sampler);
+        const std::string chosen =
+            sampler.empty() ? "" : "global_settings { light_sampler { " + sampler + " } } ";
+        const Vec3 found =
+            seen_in_air(chosen + slab + lamp, 20000, {Vec3(0, 0, -20), Vec3(0, 0, 1)});
+        CHECK(found.x == Approx(expected).epsilon(0.02));
+    }
 }
 
 TEST_CASE("integrators see the same light in air", "[transport]") {
