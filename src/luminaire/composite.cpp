@@ -105,15 +105,17 @@ Mesh grown(Mesh mesh, double by) {
 
 /// Adds the guide of triangles that nearly all rays meet which meet the leaf, the first of those
 /// with so many cells that does. Parts of the leaf that it does not cover make noise, and what it
-/// covers beyond the leaf costs rays. `make` gives none where the next number is to be tried.
+/// covers beyond the leaf costs rays. `make` returns no guide where the next number of cells is to
+/// be tried; its second argument is whether there is a next one.
 void guide(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
            std::initializer_list<int> cell_numbers,
-           FunctionRef<std::optional<Guide>(const Mesh&)> make) {
+           FunctionRef<std::optional<Guide>(const Mesh&, bool)> make) {
     double most = 0.9;
-    for (const int cells : cell_numbers) {
+    for (const int& cells : cell_numbers) {
         const Mesh mesh = seen_tessellation(*e.composite, e.leaf, cells);
         if (mesh.faces.empty()) continue;
-        std::optional<Guide> made = make(grown(mesh, ball.radius / (6 * cells)));
+        std::optional<Guide> made =
+            make(grown(mesh, ball.radius / (6 * cells)), std::next(&cells) != cell_numbers.end());
         if (!made) continue;
         const auto covered =
             std::ranges::count_if(survey.met, [&](const Ray& ray) { return made->met_by(ray); });
@@ -214,7 +216,7 @@ CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t le
     // What nearly fills the cone is found there soon enough.
     if (guided && met > 0 && met < 0.75 * SeenRays::rays)
         guide(made.emitter, made.ball, made.survey, {12, 24, 48},
-              [](const Mesh& mesh) { return Guide(mesh); });
+              [](const Mesh& mesh, bool) { return Guide(mesh); });
     return made.emitter;
 }
 
@@ -222,10 +224,9 @@ CompositeEmitter bright_composite_emitter(Handle<Composite> composite, std::uint
                                           FunctionRef<double(const Vec3&)> luminance) {
     Measured made(std::move(composite), leaf);
     if (made.survey.met.empty()) return made.emitter;
-    bool is_first = true;
     guide(made.emitter, made.ball, made.survey, {64, 32},
-          [&](const Mesh& coarse) -> std::optional<Guide> {
-              if (std::exchange(is_first, false) && coarse.faces.size() > many_faces) return {};
+          [&](const Mesh& coarse, bool is_next) -> std::optional<Guide> {
+              if (is_next && coarse.faces.size() > many_faces) return {};
               const Mesh mesh = divided(coarse, longest_edge * made.ball.radius);
               const Brightnesses found(mesh, luminance);
               const double area = MeshArea(mesh).total(), sum = MeshArea(mesh, found.mean).total();

@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace candelabra {
@@ -65,6 +66,43 @@ private:
     std::size_t kept_;
     std::mutex mutex_;
     std::map<std::uint32_t, std::shared_ptr<Entry>> entries_;
+};
+
+/// One job's view of the generations of a source, of which it keeps the last that it used. Null if
+/// it has no source.
+template <class Source>
+class ServedGeneration {
+public:
+    ServedGeneration() = default;
+    explicit ServedGeneration(std::shared_ptr<Source> source) : source_(std::move(source)) {}
+
+    explicit operator bool() const { return source_ != nullptr; }
+    const Source& source() const { return *source_; }
+
+    /// Selects the generation that serves that sample of a pixel.
+    void begin(std::uint32_t sample) { wanted_ = Source::generation_of(sample); }
+
+    /// Returns the selected generation. Precondition: there is a source.
+    const auto& operator*() {
+        if (!made_ || number_ != wanted_) {
+            made_ = source_->generation(wanted_);
+            number_ = wanted_;
+        }
+        return *made_;
+    }
+
+    /// Builds the generations for samples from `first` to before `last`, with all threads.
+    void prepare(std::uint32_t first, std::uint32_t last) const {
+        if (!source_ || first >= last) return;
+        const std::uint32_t end = Source::generation_of(last - 1);
+        for (std::uint32_t number = Source::generation_of(first); number <= end; ++number)
+            source_->generation(number);
+    }
+
+private:
+    std::shared_ptr<Source> source_;
+    decltype(std::declval<Source&>().generation(0)) made_;
+    std::uint32_t wanted_ = 0, number_ = 0;  ///< selected, and of made_
 };
 
 }  // namespace candelabra

@@ -13,21 +13,13 @@ constexpr double min_arriving_cosine = 1e-6;
 
 }  // namespace
 
-const PhotonMaps& PhotonLight::maps() {
-    if (!maps_ || generation_ != wanted_) {
-        maps_ = photons_->generation(wanted_);
-        generation_ = wanted_;
-    }
-    return *maps_;
-}
-
 Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
     const Vec3& point = layer.vertex.position();
     const Vec3& normal = layer.vertex.hit.normal;
     const BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
     const double grain = layer.grain(key);
     Vec3 sum(0);
-    maps().on_surfaces.around(point, [&](const Photon& photon) {
+    (**this).on_surfaces.around(point, [&](const Photon& photon) {
         if (!(photon.glows ? layer.luminaires : layer.sources)) return;
         const double density = photon_density(photon, point, normal);
         if (density == 0) return;

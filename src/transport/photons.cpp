@@ -17,7 +17,8 @@ constexpr std::uint32_t single_samples = 16, samples_of_generation = 4;
 /// this value the error of the mean falls fastest.
 constexpr double alpha = 2.0 / 3;
 /// Number of generations kept in memory; others are made again on request.
-constexpr std::size_t max_generations = single_samples + Photons::samples_at_once / samples_of_generation + 4;
+constexpr std::size_t max_generations =
+    single_samples + Photons::samples_at_once / samples_of_generation + 4;
 /// Number of photons that one thread follows at a time.
 constexpr std::uint32_t batch = 2048;
 /// Radius of discs where next to no photons arrive, as a fraction of the target's radius.
@@ -99,12 +100,6 @@ PhotonMaps Photons::made(std::uint32_t number) const {
 
 std::shared_ptr<const PhotonMaps> Photons::generation(std::uint32_t number) {
     return generations_.get(number, [&] { return made(number); });
-}
-
-void Photons::prepare(std::uint32_t first, std::uint32_t last) {
-    if (first >= last) return;
-    for (std::uint32_t number = generation_of(first); number <= generation_of(last - 1); ++number)
-        generation(number);
 }
 
 }  // namespace candelabra

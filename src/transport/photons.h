@@ -31,8 +31,6 @@ public:
     static constexpr std::uint32_t samples_at_once = 128;
 
     std::shared_ptr<const PhotonMaps> generation(std::uint32_t number);
-    /// Builds the generations for samples from `first` to before `last`, with all threads.
-    void prepare(std::uint32_t first, std::uint32_t last);
 
 private:
     std::vector<Photon> shot(std::uint32_t count, std::uint64_t stream) const;

@@ -8,10 +8,7 @@ namespace candelabra {
 
 Vec3 ReflectedLight::operator()(const Vertex& vertex, const Shading& s, int reflections,
                                 const Vec3& throughput, const Key& key, LightLedger& ledger) {
-    if (!set_ || generation_ != wanted_) {
-        set_ = luminaires_->generation(wanted_);
-        generation_ = wanted_;
-    }
+    const ReflectedSet& set = **this;
     const Key own = key.branched(Branch::reflected);
     const Receiver point = receiver(s);
     const BsdfLobes lobes;
@@ -20,10 +17,10 @@ Vec3 ReflectedLight::operator()(const Vertex& vertex, const Shading& s, int refl
         [&](const auto& strategy) {
             strategy.at({point, lobes, nullptr, nullptr}).sample(own, samples_);
         },
-        set_->sampler);
+        set.sampler);
     Vec3 sum(0);
     for (const LightPick& pick : samples_.picks) {
-        const ReflectedLuminaire& luminaire = set_->list[pick.light];
+        const ReflectedLuminaire& luminaire = set.list[pick.light];
         if (luminaire.reflections > reflections) continue;
         const Vec3 arriving = from(luminaire, vertex, s);
         if (arriving == Vec3(0)) continue;
@@ -44,7 +41,7 @@ Vec3 ReflectedLight::operator()(const Vertex& vertex, const Shading& s, int refl
 
 double ReflectedLight::share(double cosine, double other_cosine, double distance) const {
     const double geometry = cosine * other_cosine / (distance * distance);
-    return geometry > luminaires_->bound() ? luminaires_->bound() / geometry : 1;
+    return geometry > source().bound() ? source().bound() / geometry : 1;
 }
 
 /// Radiance towards the viewer by one reflected luminaire, if it is not occluded.

@@ -116,10 +116,4 @@ std::shared_ptr<const ReflectedSet> ReflectedLuminaires::generation(std::uint32_
     return generations_.get(number, [&] { return made(number); });
 }
 
-void ReflectedLuminaires::prepare(std::uint32_t first, std::uint32_t last) {
-    if (first >= last) return;
-    for (std::uint32_t number = generation_of(first); number <= generation_of(last - 1); ++number)
-        generation(number);
-}
-
 }  // namespace candelabra

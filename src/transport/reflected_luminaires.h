@@ -32,8 +32,6 @@ public:
     static constexpr std::uint32_t samples_at_once = 32;
 
     std::shared_ptr<const ReflectedSet> generation(std::uint32_t number);
-    /// Builds the generations for samples from `first` to before `last`, with all threads.
-    void prepare(std::uint32_t first, std::uint32_t last);
 
     /// Bound of the geometry term of reflected luminaires; light beyond it is found by paths. It is
     /// derived from light paths that light nothing else. 0: reflected luminaires light nothing.

@@ -40,4 +40,29 @@ TEST_CASE("old generations are forgotten, and made again", "[transport]") {
     CHECK(made == 4);
 }
 
+TEST_CASE("a job keeps the generation that serves its samples", "[transport]") {
+    struct Source {
+        int made = 0;
+        static std::uint32_t generation_of(std::uint32_t sample) { return sample / 4; }
+        std::shared_ptr<const std::uint32_t> generation(std::uint32_t number) {
+            ++made;
+            return std::make_shared<const std::uint32_t>(number);
+        }
+    };
+    CHECK_FALSE(ServedGeneration<Source>());
+    const auto source = std::make_shared<Source>();
+    ServedGeneration<Source> served(source);
+    REQUIRE(served);
+    for (std::uint32_t sample = 0; sample < 12; ++sample) {
+        served.begin(sample);
+        CHECK(*served == sample / 4);
+        CHECK(*served == sample / 4);
+    }
+    CHECK(source->made == 3);
+    served.prepare(5, 5);
+    CHECK(source->made == 3);
+    served.prepare(3, 9);
+    CHECK(source->made == 6);
+}
+
 }  // namespace candelabra
