@@ -13,7 +13,7 @@ namespace candelabra {
 
 namespace {
 
-/// Of frames, so that their numbers can be counted on.
+/// Maximum frame step, so that frame numbers do not overflow.
 constexpr double max_step = 1e9;
 
 }  // namespace
@@ -42,7 +42,7 @@ namespace {
 
 constexpr int max_frames = 1'000'000;
 
-/// The number of a frame of a subset. Precondition: it is not negative.
+/// Returns the frame number for a bound of the subset. Precondition: the bound is not negative.
 int subset_frame(double given, int first, int count) {
     if (given >= 1) return static_cast<int>(std::min(given, 2e9));
     return first - 1 + static_cast<int>(std::trunc(count * given));
@@ -82,10 +82,11 @@ std::optional<Animation> plan(const AnimationSettings& settings, Diagnostics& di
     const int to = std::min(last, settings.subset_end_frame
                                       ? subset_frame(*settings.subset_end_frame, first, count)
                                       : last);
-    // With room for what comes behind the last one.
+    // 64 bits, since the loop variable may step beyond the range of int.
     for (std::int64_t at = from; at <= to; at += settings.frame_step) {
         const int number = static_cast<int>(at);
-        // Not by adding up clock_delta, so that the last clock is exact.
+        // Computed from the frame number rather than by adding clock_delta, so that the last clock
+        // is exact.
         const double share = steps > 0 ? static_cast<double>(number - first) / steps : 0;
         result.frames.push_back(
             {number,

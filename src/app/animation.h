@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which frames an animation has, with their clocks and file names: POV-Ray's rules. Reads and
-// writes nothing.
+// Frames of an animation with their clock values and file names, by POV-Ray's rules. Does no input
+// or output.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -12,19 +12,21 @@
 
 namespace candelabra {
 
-/// What the command line says about frames. There is an animation when the first or the last frame
+/// Options of the command line about frames. A run is an animation if the first or the last frame
 /// is given.
 struct AnimationSettings {
-    std::optional<double> initial_frame;  ///< nothing: 1
-    std::optional<double> final_frame;    ///< nothing: the initial one
+    std::optional<double> initial_frame;  ///< unset: 1
+    std::optional<double> final_frame;    ///< unset: the initial frame
     double initial_clock = 0;
     double final_clock = 1;
-    /// Frames that are rendered; below 1 a fraction of all. The clock goes by all frames.
+    /// The range of frames to render; values below 1 are fractions of all frames. The clock still
+    /// runs over all frames.
     std::optional<double> subset_start_frame;
     std::optional<double> subset_end_frame;
     int frame_step = 1;
-    bool cyclic = false;         ///< the last frame comes before the first: clock 1 is not reached
-    bool skip_existing = false;  ///< leaves frames out whose file is there
+    /// The frame after the last would be the first, so final_clock is not reached.
+    bool cyclic = false;
+    bool skip_existing = false;  ///< leaves out frames whose file exists
 
     static const ItemInfo vocabulary;
 };
@@ -34,19 +36,20 @@ struct AnimationFrame {
     double clock = 0;
 };
 
-/// The frames in order, and what scenes are told about them.
+/// The frames in order, with the values that scenes can query.
 struct Animation {
     std::vector<AnimationFrame> frames;
     int initial_frame = 1;
     int final_frame = 1;     ///< as scenes see it: one more in a cyclic animation, as in POV-Ray
-    double clock_delta = 0;  ///< of the clock from one frame to the next
-    int digits = 1;          ///< of the numbers in file names
+    double clock_delta = 0;  ///< step of the clock between frames
+    int digits = 1;          ///< width of the numbers in file names
 };
 
-/// Nothing when no frames are asked for, or after a report.
+/// Returns the frames to render. Returns nothing if no animation is requested, or after an error
+/// has been reported.
 std::optional<Animation> plan(const AnimationSettings&, Diagnostics&);
 
-/// The name with the frame's number before its ending: "out.png" to "out07.png".
+/// Inserts the frame number before the extension of a path: "out.png" becomes "out07.png".
 std::string numbered(const std::string& path, int frame, int digits);
 
 }  // namespace candelabra

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Renders the frames of an animation, and joins them to a film.
+/// Renders the frames of an animation and joins them to a movie.
 class AnimationRun {
 public:
     AnimationRun(const Options& options, const Animation& animation, const Console& console,
@@ -57,7 +57,7 @@ private:
 
     bool makes_film() const { return !options_.movie.empty() && options_.task == Task::render; }
 
-    /// Long work should not end at a film that cannot be made.
+    /// Finds problems with the movie before the long work begins.
     void check_film() {
         const std::string problem = problem_with_destination(options_.movie);
         if (!problem.empty())
@@ -74,14 +74,15 @@ private:
                                    "with standard output"));
     }
 
-    /// Shards of an animation have every so many frames each, unless they share every frame.
+    /// Returns the shard of the frames that this run renders. Shards of an animation divide its
+    /// frames, unless they share every frame.
     Shard part_of_frames() {
         const bool by_frames = options_.shard_by.value_or(ShardBy::frames) == ShardBy::frames;
         if (options_.shard.empty() || !by_frames) return {};
         return read_shard(options_.shard, console_.environment, diagnostics_).value_or(Shard());
     }
 
-    /// Whether a frame is left out, being there from an earlier run and needing nothing more.
+    /// Whether a frame is skipped because an earlier run has made it and all that belongs to it.
     bool is_there(const std::string& path) const {
         std::error_code none;
         if (!options_.to_file || options_.task != Task::render) return false;
@@ -90,7 +91,7 @@ private:
         return skips && fs::exists(path, none) && fs::exists(quietest(path), none);
     }
 
-    /// The picture with less noise that lies beside a frame, if it was asked for, or the frame.
+    /// Returns the denoised picture beside a frame if one was requested, else the frame.
     std::string quietest(const std::string& frame) const {
         FilmFiles files{frame, output_.format};
         files.denoise = options_.denoise;
@@ -123,12 +124,13 @@ private:
                     "), clock ", frame.clock, there ? ": is there\n" : "\n"));
     }
 
-    /// What is wrong with the command line is said once.
+    /// Returns the diagnostics for a frame. Problems with the command line are reported only once.
     Diagnostics problems_of_frame() {
         return std::exchange(said_, true) ? diagnostics_.fresh() : diagnostics_;
     }
 
-    /// Commands of the shell may make what a frame needs, so each frame is done before the next.
+    /// Completes each frame before the next, since shell commands may make files that a frame
+    /// needs.
     int one_by_one() {
         for (const std::size_t i : mine_) {
             const Options options = frame_options(i);
@@ -145,12 +147,13 @@ private:
         return exit_status::done;
     }
 
-    /// Each frame is prepared while the one before is rendered, begins when that leaves cores free,
-    /// and is written while the next one is rendered.
+    /// Overlaps frames: each is prepared while the previous one is rendered, begins when that one
+    /// leaves cores free, and is written while the next one is rendered.
     int side_by_side() {
         std::unique_ptr<FrameRun> before, next;
         for (std::size_t at = 0; at < mine_.size(); ++at) {
-            // What was not begun ahead may need the picture before, which is still being written.
+            // A frame that was not begun ahead may read the previous picture, which is still being
+            // written.
             if (!next && before && before->finish() != exit_status::done) return before->finish();
             std::unique_ptr<FrameRun> now = next ? std::move(next) : begin(at, {});
             if (!before) speak(at, now.get());
@@ -171,12 +174,12 @@ private:
         if (frame) frame->speak();
     }
 
-    /// Lets a frame render; the one before leaves cores free, and ends meanwhile. False when it has
-    /// ended without that.
+    /// Lets a frame render while the previous one winds down and ends. Returns false if the frame
+    /// has ended without rendering.
     bool begin_turn(std::size_t at, FrameRun* before, std::unique_ptr<FrameRun>& now) {
         if (now->render()) return true;
         if (!now->options().prepared_ahead || now->finish() == exit_status::done) return false;
-        // It may have needed the picture before; if not, it fails in the same way again.
+        // The frame may have needed the previous picture; otherwise it fails again in the same way.
         if (before && before->finish() != exit_status::done) return false;
         looks_ahead_ = false;
         now = begin(at, {});
@@ -188,7 +191,7 @@ private:
                may_double(memory_in_use(), options_.memory_bytes);
     }
 
-    /// `unfinished`: a picture that is being made meanwhile. Nothing: the frame is there.
+    /// `unfinished`: a picture that is still being made. Returns null if the frame is skipped.
     std::unique_ptr<FrameRun> begin(std::size_t at, const std::string& unfinished) {
         Options options = frame_options(mine_[at]);
         if (files_.size() <= at) files_.push_back(options.output);
@@ -203,7 +206,7 @@ private:
 
     int join() {
         Diagnostics problems = diagnostics_.fresh();
-        // Of light in OpenEXR files there are pictures for a while.
+        // Frames in OpenEXR files are first developed to temporary pictures.
         const bool light = output_.format.type == PictureType::exr;
         std::vector<std::string> shown;
         for (const std::string& each : files_) {
@@ -227,12 +230,12 @@ private:
     SharedInterrupts interrupts_;
     Diagnostics& diagnostics_;
     Output output_;
-    /// One frame is completed and written, one rendered, one prepared.
+    /// One frame is being completed and written, one rendered and one prepared.
     static constexpr unsigned max_at_once = 3;
 
-    std::vector<std::size_t> mine_;  ///< the frames of this run
+    std::vector<std::size_t> mine_;  ///< frames of this run
     std::vector<std::string> files_;
-    bool said_ = false;  ///< what is wrong with the command line
+    bool said_ = false;  ///< problems with the command line have been reported
     bool looks_ahead_ = true;
 };
 

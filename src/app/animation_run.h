@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Renders the frames of an animation one after the other, each prepared while the one before is
-// rendered, and joins them to a film. Called by the commands.
+// Renders the frames of an animation in order and joins them to a movie. Each frame is prepared
+// while the previous one is rendered. Called by the commands.
 #pragma once
 
 #include "app/animation.h"
@@ -9,10 +9,10 @@
 
 namespace candelabra {
 
-/// What the scene is told in that frame.
+/// Sets the facts that the scene can query in a frame.
 void set_frame(RunFacts&, const AnimationSettings&, const Animation&, const AnimationFrame&);
 
-/// Says what is wrong; gives the exit status.
+/// Renders the animation. Reports errors and returns the exit status.
 int run_animation(const Options&, const Animation&, const Console&, Diagnostics&);
 
 }  // namespace candelabra

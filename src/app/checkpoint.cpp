@@ -20,14 +20,14 @@ constexpr auto texts =
     std::to_array<std::string_view>({"candelabraIdentity", "candelabraShare", "candelabraState"});
 constexpr auto channels = std::array{"R", "G", "B"};
 
-/// One plane that holds 32 bits of each pixel's sums.
+/// A plane with 32 bits of the sums of each pixel.
 struct StatePart {
     std::string name;
     std::function<std::uint32_t(const Film&, std::size_t pixel)> get;
     std::function<void(Film&, std::size_t pixel, std::uint32_t bits)> set;
 };
 
-/// A part that lies in the sums of the pixel itself.
+/// Returns a part that is stored in the pixel's own sums.
 template <class Get, class Set>
 StatePart own_part(std::string name, const Get& get, const Set& set) {
     return {std::move(name),
@@ -47,7 +47,7 @@ StatePart half_of(Counts PixelSum::*sums, std::size_t channel, int half, std::st
         });
 }
 
-/// A word of one of the sums besides the picture's.
+/// Returns a part for one word of a sum besides those of the picture.
 StatePart extra_part(std::size_t which, int word) {
     return {message("extra.", which, ".", word),
             [=](const Film& film, std::size_t i) { return film.extra(i)[which].word(word); },
@@ -58,7 +58,8 @@ StatePart extra_part(std::size_t which, int word) {
 
 constexpr std::string_view negative_plane = "negative";
 
-/// `negative`: some samples were subtracted, which only wide filters do.
+/// Lists the parts of a state. `negative`: some samples were subtracted, which happens only with
+/// wide filters.
 std::vector<StatePart> parts(std::size_t aovs, bool negative) {
     std::vector<StatePart> all;
     const auto add_number = [&](std::string name, std::uint32_t PixelSum::*number) {
@@ -87,7 +88,7 @@ std::vector<StatePart> parts(std::size_t aovs, bool negative) {
     return all;
 }
 
-/// How many sums a picture has besides its own.
+/// Returns the number of sums per pixel besides those of the picture.
 std::size_t extras_in(const LayeredPicture& picture) {
     const auto planes = std::ranges::count_if(
         picture.planes, [](const ChannelPlane& plane) { return plane.name.starts_with("extra."); });
@@ -104,7 +105,7 @@ bool has_negative(const Film& film) {
                                [](const PixelSum& pixel) { return pixel.negative > 0; });
 }
 
-/// Of the planes that count, in their order; nothing when one is missing.
+/// Returns a checksum of all state planes in order, or nothing if a plane is missing.
 std::optional<std::uint64_t> checksum(const LayeredPicture& picture) {
     std::uint64_t sum = mix(static_cast<std::uint64_t>(picture.width));
     for (const StatePart& part : parts(extras_in(picture), has_negative(picture))) {
@@ -123,10 +124,10 @@ std::string share_text(const Checkpoint& checkpoint) {
                    checkpoint.all_samples);
 }
 
-/// Of samples in one pixel: more have no room in the sums.
+/// Maximum number of samples in one pixel; the sums would overflow with more.
 constexpr std::uint32_t max_in_pixel = std::uint32_t{1} << 31;
 
-/// Whether the pixels have what samples can add up to.
+/// Whether the sums of all pixels can result from their numbers of samples.
 bool are_possible(const Film& film) {
     constexpr std::uint64_t white = std::uint64_t{1} << 20;
     return std::ranges::all_of(film.pixels(), [](const PixelSum& pixel) {
@@ -135,13 +136,13 @@ bool are_possible(const Film& film) {
             return pixel.display[c] <= n * white && pixel.display_squared[c] <= n * white * white &&
                    pixel.display_squared[c] <= white * pixel.display[c];
         };
-        // Beyond 2^24 samples the squares may come round at 2^64.
+        // Beyond 2^24 samples the sums of squares may wrap around at 2^64.
         const bool shown = n >= std::uint64_t{1} << 24 || (within(0) && within(1) && within(2));
         return shown && pixel.negative <= n && n <= max_in_pixel && pixel.target <= max_in_pixel;
     });
 }
 
-/// False when the texts are not those of a state.
+/// Reads the text attributes. Returns false if they are not those of a state.
 bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint64_t& sum) {
     checkpoint.identity = identity_from(picture.texts[0].second);
     PictureShard& shard = checkpoint.state.shard;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture on its way as a file: an OpenEXR picture that any viewer shows, whose further planes
-// hold the exact sums of each pixel, and whose head says what the picture is of. Written at
-// intervals, read to go on, merged from many machines.
+// The state of an unfinished picture in a file. The file is an OpenEXR picture that any viewer
+// shows; further planes hold the exact sums of each pixel, and the header identifies the picture.
+// States are written at intervals, read to continue, and merged from many machines.
 #pragma once
 
 #include "app/identity.h"
@@ -13,23 +13,24 @@
 
 namespace candelabra {
 
-/// What names of states end in.
+/// Extension of the file names of states.
 inline constexpr std::string_view state_ending = ".state.exr";
 
 struct Checkpoint {
     Identity identity;
     RenderState state;
-    std::uint32_t samples = 0;      ///< of each pixel of this share, when that number is even
-    std::uint32_t all_samples = 0;  ///< the same for the whole picture
+    std::uint32_t samples = 0;      ///< per pixel of this share, if uniform
+    std::uint32_t all_samples = 0;  ///< per pixel of the whole picture, if uniform
     bool finished = false;
 
     friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
 };
 
-/// The bytes of the file; nothing, with a diagnostic, when there is no memory or no library.
+/// Returns the bytes of the file. Returns nothing, with a diagnostic, if memory or the OpenEXR
+/// library is missing.
 std::optional<std::string> encode(const Checkpoint&, Diagnostics&);
 
-/// The state in a file; nothing, with a diagnostic, when it is damaged or something else.
+/// Reads a state. Returns nothing, with a diagnostic, if the file is damaged or is no state.
 std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics&);
 
 }  // namespace candelabra

@@ -44,7 +44,7 @@ int run_program(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    // Signals that this program takes in its own way reach the other as usual.
+    // Unblocks and restores the signals that this program blocks or ignores.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none;

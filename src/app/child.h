@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other programs that this one runs.
+// Runs other programs.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace candelabra {
 
-/// In single quotes, so that the shell (and ffmpeg in its lists) takes any text for one word.
+/// Returns the text in single quotes, so that the shell (and ffmpeg in its lists) takes it as one
+/// word.
 std::string shell_quoted(std::string_view text);
 
-/// The same without quotes where there is no need of them.
+/// Returns the text as one word of the shell, with quotes only if necessary.
 std::string shell_word(std::string_view text);
 
-/// The program that the shell would find under this name, or "".
+/// Returns the path of the program that the shell would find under this name, or "".
 std::string find_program(const std::string& name);
 
-/// Runs the program whose path is the first of the words, and waits for it: its exit status, or -1
-/// when it could not be run or ended by a signal.
+/// Runs the program whose path is the first word and waits for it. Returns its exit status, or -1
+/// if it could not be run or was ended by a signal.
 int run_program(const std::vector<std::string>& words);
 
 }  // namespace candelabra

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// One of the alternatives, by its keyword, with its default values.
+/// Selects the alternative with this keyword, with its default values.
 template <class Variant>
 void choose(std::optional<Variant>& chosen, std::string_view noun, const Given& given,
             Diagnostics& diagnostics) {

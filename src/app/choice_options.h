@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of the options that choose one of several items of the vocabulary by its name. The
-// table of options names these functions; more of the kind are in app/option_store.h.
+// Handlers of the options that select an item of the vocabulary by its name. The table of options
+// refers to these functions; app/option_store.h declares more of them.
 #pragma once
 
 #include "app/option_store.h"

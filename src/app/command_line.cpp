@@ -20,13 +20,13 @@ public:
     void add(const Pieces&... pieces) {
         text_ += message(text_.empty() ? "" : " ", shell_word(message(pieces...)));
     }
-    /// An option whose value is a word of its own.
+    /// Adds an option whose value is a separate word.
     template <class Value>
     void add_long(std::string_view option, const Value& value) {
         add("--", option);
         add(value);
     }
-    /// If the value is another one than without the option.
+    /// Adds an option if its value differs from the default.
     template <class Value>
     void add_changed(std::string_view option, const Value& value, const Value& usual) {
         if (value != usual) add(option, value);
@@ -44,7 +44,7 @@ private:
 
 void add_scene(Words& words, const std::string& scene) {
     const std::string name = std::filesystem::path(scene).filename().string();
-    // A name that looks like an option needs the switch.
+    // A name that looks like an option needs the switch +I.
     const bool plain = scene == "-" || (name.find('=') == name.npos && !name.starts_with('-') &&
                                         !name.starts_with('+'));
     words.add(plain ? "" : "+I", name);
@@ -93,7 +93,7 @@ void add_film(Words& words, const std::vector<FilmChange>& changes) {
     }
 }
 
-/// The frame alone.
+/// Adds the options that select this frame alone.
 void add_frame(Words& words, const Options& options) {
     const AnimationSettings& animation = options.animation;
     const AnimationSettings usual;

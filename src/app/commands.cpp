@@ -51,14 +51,15 @@ int run_task(const Options& options, const std::optional<Animation>& animation,
         .status;
 }
 
-/// The options in force as an INI file.
+/// Returns the options in effect as an INI file.
 std::string ini_text(const Options& options) {
     std::string text;
     for (const std::string& option : options.given) text += ini_line(option) + "\n";
     return text;
 }
 
-/// Commands that nobody has permitted are warned of, and the picture is made without them.
+/// Warns of shell commands that the user has not permitted and drops them; the picture is made
+/// without them.
 void leave_out_commands(Options& options, Diagnostics& diagnostics) {
     if (options.commands.allowed) return;
     for (const CommandSettings::One& one : options.commands.all)
@@ -71,14 +72,14 @@ void leave_out_commands(Options& options, Diagnostics& diagnostics) {
     options.commands = {};
 }
 
-/// What the program does beside rendering, by its first argument.
+/// A subcommand of the program, given as the first argument.
 struct Command {
     std::string_view name;
     int (*run)(std::span<const std::string_view> arguments, const Console&);
     std::string_view help;
 };
 
-/// `describe --json library` is `--describe json library`.
+/// Runs `describe --json library` as `--describe json library`.
 int describe(std::span<const std::string_view> arguments, const Console& console) {
     std::vector<std::string_view> words = {"--describe"};
     for (std::string_view word : arguments) {
@@ -108,7 +109,7 @@ constexpr auto commands = std::to_array<Command>({
      "warnings; without one, all of it as JSON, or the items as text.\n"},
     {"lsp",
      [](std::span<const std::string_view>, const Console& console) {
-         // Scenes have a smaller limit of their own (editor/checking.h).
+         // Each scene has a smaller limit of its own (editor/checking.h).
          if (const auto memory = physical_memory()) limit_memory(*memory / 2);
          return run_lsp(STDIN_FILENO, console);
      },
@@ -135,7 +136,7 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     }
     Diagnostics diagnostics;
     Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
-    // Once, before anything is in use.
+    // Measured once, before the run has allocated memory.
     if (!options.memory_bytes) options.memory_bytes = usual_memory_limit();
     const auto end_with_errors = [&](int status) {
         say_errors(console, options, diagnostics);

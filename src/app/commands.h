@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program does with its options: renders, checks, dumps, explains. Everything it says goes
-// through the console.
+// The commands of the program: rendering, checks, dumps, help. All output goes through the console.
 #pragma once
 
 #include "app/console.h"
@@ -10,7 +9,8 @@
 
 namespace candelabra {
 
-/// Does what the program's arguments (without its name) ask for; gives the exit status.
+/// Runs the command that the program's arguments (without its name) ask for. Returns the exit
+/// status.
 int run(std::span<const std::string_view> arguments, const Console&);
 
 }  // namespace candelabra

@@ -11,12 +11,12 @@ namespace candelabra {
 
 namespace {
 
-/// One way to write an option.
+/// One spelling of an option.
 struct Spelling {
     std::string text;  ///< "--samples", "+W", "Width="
     std::string help;
-    bool valued = false;  ///< what follows is not complete yet
-    bool apart = false;   ///< the value is another word
+    bool valued = false;  ///< a value must follow
+    bool apart = false;   ///< the value is a separate word
     bool is_path = false;
 };
 
@@ -43,7 +43,7 @@ std::vector<Spelling> spellings() {
     return all;
 }
 
-/// Up to the first semicolon or full stop: there is one line.
+/// Returns the text up to the first semicolon, full stop or bracket, since there is only one line.
 std::string short_help(const std::string& help) {
     const std::size_t end = std::min(help.find_first_of(";."), help.find(" ("));
     return help.substr(0, end);
@@ -83,7 +83,7 @@ std::string for_bash() {
         "complete -F _candelabra candelabra\n");
 }
 
-/// What _arguments would take for its own signs.
+/// Escapes the characters that _arguments would interpret.
 std::string harmless_for_zsh(const std::string& help) {
     std::string result;
     for (const char c : help) {
@@ -100,7 +100,7 @@ std::string for_zsh() {
         "# Completion of candelabra for zsh.\n"
         "_arguments \\\n";
     for (const Spelling& each : spellings()) {
-        if (each.text.ends_with('=')) continue;  // keywords complete as words below
+        if (each.text.ends_with('=')) continue;  // keywords are completed as words below
         const std::string_view action = each.is_path  ? ":file:_files"
                                         : each.valued ? ":value: "
                                                       : "";

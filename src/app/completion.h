@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Completion for shells, made from the table of options. Written by the build with --completion.
+// Completion scripts for shells, made from the table of options. The build writes them with
+// --completion.
 #pragma once
 
 #include <optional>
@@ -8,7 +9,7 @@
 
 namespace candelabra {
 
-/// The script for bash, zsh or fish; nothing for another shell.
+/// Returns the script for bash, zsh or fish, or nothing for another shell.
 std::optional<std::string> completion(std::string_view shell);
 
 }  // namespace candelabra

@@ -26,20 +26,20 @@ void add_real(std::vector<std::string>& folders, const std::string& folder) {
     if (const auto real = path_without_links(folder)) folders.push_back(real->string());
 }
 
-/// The part of a path below one of the folders.
+/// Returns the part of a path below one of the folders.
 std::optional<fs::path> below_one(const std::vector<std::string>& folders, const fs::path& path) {
     for (const std::string& folder : folders)
         if (auto part = part_below(folder, path)) return part;
     return std::nullopt;
 }
 
-/// Whether the value of an option that names files means that there is none, or the usual one.
+/// Whether the value of an option for file names means no file or the default one.
 bool is_switch_word(const OptionRow& row, const std::string& value) {
     const bool may_be = row.keyword.ends_with("_File") || row.keyword == "Create_Ini";
     return value.empty() || (may_be && truth(value));
 }
 
-/// Names that are looked for in the folders that the scene may read anyhow.
+/// Whether a name is searched for in folders that the scene may read in any case.
 bool is_searched(const std::string& name) {
     const fs::path path(name);
     return path.is_relative() && std::ranges::find(path, fs::path("..")) == path.end();

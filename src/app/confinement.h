@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an INI file may say that is not one of the user's own settings, since it may have come with
-// a scene: paths lie below its folder, or where the user has permitted something; limits are not
-// raised, nothing is permitted, no page is opened. The reader of options asks.
+// Restrictions on INI files that are not the user's own settings, since they may have come with a
+// scene. Paths must lie below the folder of the file or in permitted folders. Such a file may not
+// raise limits, give permissions or open the preview. Used by the reader of options.
 #pragma once
 
 #include "app/option_table.h"
@@ -13,22 +13,24 @@
 
 namespace candelabra {
 
-/// The rule that an option breaks, and the way out. No rule: it breaks none.
+/// The rule that an option breaks, and how to satisfy it. The rule is empty if none is broken.
 struct BrokenRule {
     std::string rule, help;
 };
 
 class Confinement {
 public:
-    /// The options as they are outside of the file, with the folders that are permitted.
+    /// `outside`: the options in effect outside of the file, with the permitted folders.
     Confinement(const std::string& ini_file, const Options& outside);
 
     BrokenRule of_option(const OptionRow&, const Given&) const;
-    /// For a scene, whose ending may be left out, or another INI file that stands alone.
+    /// Checks a scene, whose extension may be missing, or another INI file that is given as an
+    /// argument.
     BrokenRule of_read(const std::string& path) const;
-    /// For these files: the one that is judged is the one that is read.
+    /// Returns a reader confined to the permitted folders. The file that is checked is the file
+    /// that is read.
     Reader reader(const Reader& of_all) const { return of_all.within(FileAccess(readable_, {})); }
-    /// Whether a limit is higher than outside of the file, and what is said then.
+    /// Whether a limit is higher than outside of the file. limit_rule() is the message for this.
     bool exceeded(const Options&) const;
     static std::string limit_rule();
 
@@ -37,8 +39,8 @@ private:
     BrokenRule of_written(const std::string& path, bool ini) const;
     std::string folder_rule() const;
 
-    std::string folder_;                            ///< as the file's name has it
-    std::vector<std::string> readable_, writable_;  ///< without links
+    std::string folder_;                            ///< as given in the name of the file
+    std::vector<std::string> readable_, writable_;  ///< without symbolic links
     Limits limits_;
     std::uint64_t memory_bytes_;
 };

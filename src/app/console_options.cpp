@@ -7,7 +7,7 @@ namespace candelabra {
 
 void store::stream_file(StreamSettings::One& stream, const Given& given) {
     const std::optional<bool> on = truth(*given.value);
-    // POV-Ray writes no file for `off`, and has a name of its own for `on`.
+    // As in POV-Ray, `off` writes no file, and `on` writes one with a default name.
     if (!on) stream.file = *given.value;
     if (on && !*on) stream.file.clear();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of the options for what is said, and for commands that are run. The table of options
-// names these functions; more of the kind are in app/option_store.h.
+// Handlers of the options for console output and shell commands. The table of options refers to
+// these functions; app/option_store.h declares more of them.
 #pragma once
 
 #include "app/option_store.h"
@@ -9,14 +9,14 @@ namespace candelabra {
 
 namespace store {
 
-/// +GD and its relatives: the stream on or off, and perhaps into a file.
+/// Handles +GD and its relatives: switches a stream on or off and may direct it to a file.
 template <Stream stream>
 void stream_switch(Options& options, const Given& given, Diagnostics&) {
     options.streams[stream].shown = given.on;
     if (given.value) options.streams[stream].file = *given.value;
 }
 
-/// Debug_File and its relatives.
+/// Handles Debug_File and its relatives.
 void stream_file(StreamSettings::One&, const Given&);
 template <Stream stream>
 void stream_file(Options& options, const Given& given, Diagnostics&) {
@@ -32,7 +32,7 @@ void command(Options& options, const Given& given, Diagnostics&) {
     options.commands[moment].given = shown(given);
 }
 
-/// Pre_Frame_Return and its relatives.
+/// Handles Pre_Frame_Return and its relatives.
 void command_return(CommandSettings::One&, const Given&, Diagnostics&);
 template <Moment moment>
 void command_return(Options& options, const Given& given, Diagnostics& diagnostics) {

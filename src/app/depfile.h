@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture was made from, as a rule that make(1) and ninja read: with it they render again
-// when the scene or anything that it reads has changed.
+// Dependencies of a picture as a rule for make(1) and ninja, which render again when the scene or a
+// file that it reads has changed.
 #pragma once
 
 #include "app/identity.h"
@@ -10,7 +10,7 @@
 
 namespace candelabra {
 
-/// "picture.png: scene.pov part.inc", each name as make wants it.
+/// Returns "picture.png: scene.pov part.inc", with each name escaped for make.
 std::string depfile(const std::string& picture, const std::vector<ReadFile>&);
 
 }  // namespace candelabra

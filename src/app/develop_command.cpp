@@ -28,7 +28,7 @@ struct DevelopRequest {
     std::string layer;  ///< empty: the picture itself
 };
 
-/// Whether an option, as in an INI file, can change what develop does.
+/// Whether an option, written as in an INI file, can change the result of develop.
 bool matters_to_develop(std::string_view given) {
     static constexpr auto all =
         std::to_array<std::string_view>({"Output_File_Name=", "Output_File_Type=", "+F",
@@ -49,7 +49,7 @@ bool names_exr(std::string_view argument) {
 DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
                                     Diagnostics& diagnostics) {
     DevelopRequest request;
-    std::vector<std::string> kept;  // where views look at
+    std::vector<std::string> kept;  // owns texts of `others`
     kept.reserve(arguments.size());
     std::vector<std::string_view> others;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -85,14 +85,14 @@ DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
     return request;
 }
 
-/// Whether `--output` is a file's name, and no folder.
+/// Whether `--output` names a file rather than a folder.
 bool names_one_file(const DevelopRequest& request) {
     const std::string& said = request.options.output;
     std::error_code none;
     return !said.empty() && !said.ends_with('/') && !std::filesystem::is_directory(said, none);
 }
 
-/// The planes of a file by their names.
+/// The planes of a file by name.
 class Planes {
 public:
     explicit Planes(const LayeredPicture& picture) : picture_(picture) {}
@@ -102,7 +102,7 @@ public:
         return found == picture_.planes.end() || found->whole ? nullptr : &*found;
     }
 
-    /// Three planes as a picture, "R" and so on behind the layer's name; or one of grey, "Y".
+    /// Returns the planes "R", "G" and "B" of a layer as a picture, or its grey plane "Y".
     std::optional<Image> image(const std::string& layer) const {
         const std::string before = layer.empty() ? "" : layer + ".";
         std::array<const ChannelPlane*, 3> found = {find(before + "R"), find(before + "G"),
@@ -119,13 +119,13 @@ public:
     std::vector<double> alpha(const std::string& layer) const {
         std::vector<double> alpha;
         if (const ChannelPlane* plane = find(layer.empty() ? "A" : layer + ".A"))
-            // Of other programs, more than opaque; what is no number becomes 0.
+            // Files of other programs may exceed 1; NaN becomes 0.
             for (std::size_t i = 0; i < plane->bits.size(); ++i)
                 alpha.push_back(std::fmin(1, std::fmax(0, value(*plane, i))));
         return alpha;
     }
 
-    /// Names of what image() takes, each once, in the order of the file.
+    /// Returns the names of the layers that image() accepts, each once, in file order.
     std::vector<std::string> layers() const {
         std::vector<std::string> names;
         for (const ChannelPlane& plane : picture_.planes) {
@@ -149,7 +149,7 @@ public:
     Developer(const DevelopRequest& request, Diagnostics& diagnostics)
         : request_(request), diagnostics_(diagnostics) {}
 
-    /// False after a report.
+    /// Develops one file. Returns false after an error has been reported.
     bool file(const std::string& path) {
         static constexpr auto texts =
             std::to_array<std::string_view>({film_text_name, "ImageDescription"});
@@ -183,7 +183,7 @@ private:
         return false;
     }
 
-    /// The film that the file tells of, with the changes of the options.
+    /// Reads the film that the file records and applies the changes of the options.
     bool film_of_file(const std::string& path, const std::string& text, FilmSettings& film) {
         if (const auto told = film_from_text(text))
             film = *told;
@@ -206,7 +206,7 @@ private:
         auto light = planes.image(layer);
         const std::vector<std::string> names = planes.layers();
         if (!light && layer.empty() && !names.empty()) {
-            // Other programs have no picture beside their layers.
+            // Files of other programs may have no picture besides their layers.
             layer = names.front();
             light = planes.image(layer);
         }
@@ -234,7 +234,7 @@ private:
         return true;
     }
 
-    /// Beside the light, unless something else is said.
+    /// Returns the path of the output: beside the input, unless the options say otherwise.
     std::string output_for(const std::string& path) const {
         namespace fs = std::filesystem;
         const std::string& said = request_.options.output;
@@ -266,7 +266,7 @@ int run_develop(std::span<const std::string_view> arguments, const Console& cons
         say_errors(console, request.options, diagnostics);
         return status;
     };
-    // Two files must not become one.
+    // Two pictures must not go to the same file.
     if (!diagnostics.failed() && request.files.size() > 1 && names_one_file(request))
         diagnostics.add(error(Fault::option, {}, "several pictures cannot go to one file")
                             .with_help("-o a folder, with a / at its end"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `candelabra develop`: pictures that people look at, of the light that OpenEXR files have kept.
+// `candelabra develop`: makes pictures for display from the radiance in OpenEXR files.
 #pragma once
 
 #include "app/console.h"
@@ -9,11 +9,11 @@
 
 namespace candelabra {
 
-/// The arguments behind `develop`. Gives the exit status.
+/// `arguments`: those after `develop`. Returns the exit status.
 int run_develop(std::span<const std::string_view> arguments, const Console&);
 
-/// The same of one OpenEXR file, by the film that it tells of. An empty layer is the picture
-/// itself. False after a report.
+/// Develops one OpenEXR file with the film that it records. An empty layer is the picture itself.
+/// Returns false after an error has been reported.
 bool develop_file(const std::string& exr, std::string_view layer, const std::string& picture,
                   Diagnostics&);
 

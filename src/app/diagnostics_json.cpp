@@ -48,7 +48,7 @@ std::string_view severity(const Diagnostic& diagnostic) {
     return "note";
 }
 
-/// Bytes that are no UTF-8 become a replacement character rather than an exception.
+/// Serialises an object. Invalid UTF-8 becomes replacement characters rather than an exception.
 std::string line(const OrderedJson& json) {
     return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }

@@ -13,7 +13,7 @@ namespace candelabra {
 
 namespace {
 
-/// Whether the open file still is the one at the path: its last owner may have taken it away.
+/// Whether the open file is still the one at the path; its last owner may have removed it.
 bool still_there(int file, const std::string& path) {
     struct stat open_one {};
     struct stat there {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps two runs from making the same file at the same time. The lock is a hidden file beside it,
-// which goes with the run, however that ends.
+// Prevents two runs from making the same file at the same time. The lock is a hidden file beside
+// it. It disappears with the run, however the run ends.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace candelabra {
 
 class FileLock {
 public:
-    /// For the file at that path; none for an empty one.
+    /// Locks the file at that path; an empty path locks nothing.
     explicit FileLock(const std::string& path);
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
     ~FileLock();
 
-    /// Another run has it. Where no lock can be made, nobody has it.
+    /// Whether another run holds the lock. False where no lock can be made.
     bool taken() const { return taken_; }
 
 private:

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Of three sums, one after the other.
+/// Returns the mean of three consecutive sums.
 Vec3 mean_of(const Film& film, std::size_t pixel, std::size_t first) {
     const PixelSum& sums = film.pixels()[pixel];
     const auto extra = film.extra(pixel).subspan(first, 3);
@@ -60,7 +60,7 @@ QuietFilm denoised_film(const Film& film, const FilmFiles& files) {
         const double depth = film.extra(i)[aovs.depth()].value();
         noisy.depth.push_back(depth > 0 ? depth : std::numeric_limits<double>::infinity());
     }
-    // What is smooth is a mean with the same weights, so that it stays so.
+    // The compressed samples are averaged with the same weights, so that edges stay smooth.
     if (aovs.smooth) noisy.parts.push_back(smooth_image(film, files));
     QuietPicture made = denoised(noisy, files.threads);
     QuietFilm quiet{std::move(made.light), {}, std::move(made.parts)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of the options that change the camera's film. The table of options names these
-// functions; more of the kind are in app/option_store.h.
+// Handlers of the options that change the camera's film. The table of options refers to these
+// functions; app/option_store.h declares more of them.
 #pragma once
 
 #include "app/option_store.h"
@@ -10,7 +10,7 @@
 
 namespace candelabra {
 
-/// The name of a field of FilmSettings, or `film` itself, as an argument of a template.
+/// The name of a field of FilmSettings, or `film` itself, as a template argument.
 struct FilmField {
     std::array<char, 16> text = {};
 
@@ -20,7 +20,7 @@ struct FilmField {
     }
 };
 
-/// Keeps the change of a field of the film, if a film can have it.
+/// Records a change of a field of the film; reports an invalid one.
 void keep_film_change(std::string field, std::string value, Options&, const Given&, Diagnostics&);
 
 namespace store {
@@ -29,7 +29,7 @@ template <FilmField field>
 void film(Options& options, const Given& given, Diagnostics& diagnostics) {
     keep_film_change(field.text.data(), *given.value, options, given, diagnostics);
 }
-/// `on`, `off`, or fields with their values.
+/// The value is `on`, `off`, or fields with their values.
 void glare(Options&, const Given&, Diagnostics&);
 
 }  // namespace store

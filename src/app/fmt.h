@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `candelabra fmt`: scenes in the program's own hand.
+// `candelabra fmt`: formats scenes.
 #pragma once
 
 #include "app/console.h"
@@ -9,9 +9,9 @@
 
 namespace candelabra {
 
-/// Lays out the files in place, or standard input to standard output when there are none; with
-/// --check only names those that would change, and the status is that of an error in the scene.
-/// Files with mistakes of syntax are left as they are.
+/// Formats the files in place, or standard input to standard output if none are given. With
+/// --check, only names the files that would change; the exit status is then that of an error in the
+/// scene. Files with syntax errors are left unchanged.
 int fmt(std::span<const std::string_view> arguments, const Console&);
 
 }  // namespace candelabra

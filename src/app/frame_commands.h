@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture between its commands, with the facts that they are told.
+// Runs the shell commands before and after a picture.
 #pragma once
 
 #include "app/options.h"
@@ -10,7 +10,7 @@ namespace candelabra {
 
 CommandFacts command_facts(const Options&);
 
-/// The work's exit status, and whether more pictures follow.
+/// Returns the exit status of the work, and whether more pictures follow.
 Outcome with_frame_commands(const Options&, const std::function<int()>& work);
 
 }  // namespace candelabra

@@ -65,7 +65,7 @@ void FrameRun::run() {
     changed_.notify_all();
 }
 
-/// Called by the run; false: it shall end.
+/// Called by the run. Returns false if it shall stop.
 bool FrameRun::begin_rendering() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return may_render_ || unwanted_; });
@@ -75,14 +75,14 @@ bool FrameRun::begin_rendering() {
     return true;
 }
 
-/// Called by the run.
+/// Called by the run when it leaves cores idle.
 void FrameRun::wind_down() {
     const std::lock_guard lock(mutex_);
     wound_down_ = true;
     changed_.notify_all();
 }
 
-/// Called by the run. Pictures are written one after the other.
+/// Called by the run. Waits, since pictures are written in frame order.
 void FrameRun::end_rendering() {
     wind_down();
     std::unique_lock lock(mutex_);

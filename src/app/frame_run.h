@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One frame of an animation on a thread of its own, so that it can be prepared while the frame
-// before it is rendered, and written while the next one is. A frame begins to be rendered when the
-// one before leaves cores free, and what each says comes in the order of the frames. Called by the
+// Renders one frame of an animation on its own thread, so that it can be prepared while the
+// previous frame is rendered and written while the next one is. A frame begins to render when the
+// previous one leaves cores free. The output of frames appears in frame order. Used by the
 // animation.
 #pragma once
 
@@ -24,18 +24,18 @@ public:
     FrameRun(Options options, Console console, Diagnostics problems, std::string unfinished = {});
     FrameRun(const FrameRun&) = delete;
     FrameRun& operator=(const FrameRun&) = delete;
-    /// Stops the work if it is not done, and waits for its end.
+    /// Stops unfinished work and waits for its end.
     ~FrameRun();
 
-    /// The frame before leaves cores free: this one may be rendered. False when it has ended
-    /// without that: there was an error, or nothing to render.
+    /// Lets the frame render, since the previous one leaves cores free. Returns false if the frame
+    /// has ended without rendering: after an error, or with nothing to render.
     bool render();
-    /// The frame before has ended: what this one says is heard from now on.
+    /// Releases the output of this frame, since the previous one has ended.
     void speak();
-    /// Waits until there are cores that it has no work for; it need not be complete yet. False: it
+    /// Waits until the frame leaves cores idle; it need not be complete yet. Returns false if it
     /// has ended without that.
     bool wait_wound_down();
-    /// Waits for the end; gives the exit status.
+    /// Waits for the end. Returns the exit status.
     int finish();
 
     const Options& options() const { return options_; }
@@ -55,8 +55,8 @@ private:
     std::condition_variable changed_;
     bool may_render_ = false, rendering_ = false, wound_down_ = false, ended_ = false,
          speaking_ = false;
-    std::atomic<bool> unwanted_ = false;          ///< it shall end
-    std::vector<std::function<void()>> unheard_;  ///< what is said before it may speak
+    std::atomic<bool> unwanted_ = false;          ///< the run shall stop
+    std::vector<std::function<void()>> unheard_;  ///< output that waits for speak()
     int status_ = exit_status::done;
     std::thread thread_;
 };

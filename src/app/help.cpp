@@ -82,7 +82,7 @@ bool same_topic(std::string_view name, std::string_view topic) {
     return same_letters(name, topic) || same_letters(name, spaced);
 }
 
-/// Whether a list with commas has that name.
+/// Whether a comma-separated list contains the name.
 bool has_name(std::string_view list, std::string_view name) {
     return message(", ", list, ", ").find(message(", ", name, ", ")) != std::string::npos;
 }
@@ -93,7 +93,7 @@ std::string glossary_help(std::string_view topic) {
                  : std::string();
 }
 
-/// What the word means in each item that has it.
+/// Returns the meaning of a field's name in each item that has it.
 std::string field_help(std::string_view topic) {
     std::vector<ManualEntry> meanings;
     for (const ItemGroup& group : catalogue())
@@ -114,7 +114,7 @@ std::string field_help(std::string_view topic) {
     return text;
 }
 
-/// Groups and items with that name, together.
+/// Returns help on the group, or on all items, of that name.
 std::string item_help(std::string_view topic) {
     std::string text;
     for (const ItemGroup& group : catalogue()) {
@@ -137,7 +137,7 @@ std::string option_help(std::string_view topic) {
     return {};
 }
 
-/// How a macro is called, and what the library says of it.
+/// Returns the form of a call of the macro, and its help text.
 ManualEntry manual_entry(const LibraryMacro& macro, std::string_view file) {
     return {macro.form, macro.help.empty() ? message("a macro of ", file) : macro.help};
 }
@@ -148,7 +148,7 @@ std::string macro_help(const LibraryMacro& macro, std::string_view file) {
                    ": #include \"", file, "\"\n");
 }
 
-/// A file of the library, or a macro in it.
+/// Returns help on a file of the library, or on a macro in it.
 std::string library_help(std::string_view topic, const LibraryGuide& library) {
     std::string text;
     for (const LibraryFile& file : library) {
@@ -191,7 +191,7 @@ std::vector<ManualEntry> function_entries() {
     return result;
 }
 
-/// The words of the glossary, those of directives with their sign.
+/// Returns the words of the glossary; directives have their `#`.
 std::vector<ManualEntry> glossary_entries() {
     std::vector<ManualEntry> result;
     for (const GlossaryEntry& entry : glossary()) {
@@ -218,7 +218,7 @@ std::vector<ManualEntry> library_entries(const std::string& folder) {
     return result;
 }
 
-/// What POV-Ray has and this version lacks.
+/// Returns the features of POV-Ray that this version lacks.
 std::vector<ManualEntry> missing_entries() {
     std::vector<ManualEntry> result;
     for (ManualEntry& entry : glossary_entries())

@@ -28,7 +28,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// The names of settings. The number of rays and of threads is no part of it.
+/// Adds the settings of the rendering, except the numbers of rays and of threads.
 void add_settings(Identity& identity, const RenderSettings& settings) {
     static constexpr auto left_out = std::to_array<std::string_view>(
         {"samples", "threads", "noise", "sampling_method", "antialias_threshold", "antialias_depth",
@@ -172,8 +172,8 @@ std::string difference(const Identity& before, const Identity& now) {
     const auto look = [&](const Identity& some, const Identity& others) {
         for (const auto& [name, value] : some) {
             if (name == "sampling" && fact(now, name) == even) continue;
-            if (name == command_mark) continue;  // the other facts say what it means
-            // The same name may stand for several files.
+            if (name == command_mark) continue;  // redundant: derived from the other facts
+            // Several files may share the same name.
             if (std::ranges::find(others, Fact{name, value}) != others.end()) continue;
             const std::string called = printable(name);
             if (name.starts_with(file_prefix)) {

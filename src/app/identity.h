@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture is of, as facts: the program, all files that were read, with their digests, and
-// all options that change the picture. States of the same picture have the same facts; so a state
-// is continued or merged only with its own kind, and what differs has a name.
+// The identity of a picture as a list of facts: the program, all files that were read, with their
+// digests, and all options that change the picture. States of the same picture have the same facts,
+// so only matching states are continued or merged, and differences can be named.
 #pragma once
 
 #include "app/options.h"
@@ -13,34 +13,34 @@
 
 namespace candelabra {
 
-/// Name and value. Neither has a line break or a tabulator.
+/// Name and value. Neither has a line break or a tab.
 using Fact = std::pair<std::string, std::string>;
 using Identity = std::vector<Fact>;
 
-/// The facts of a picture. Files go by their names without folders, so that the machines of a farm
-/// may keep them at different places.
+/// Returns the facts of a picture. Files are identified by their names without folders, so that the
+/// machines of a farm may keep them in different places.
 Identity identity_of(const Options&, const std::vector<ReadFile>&, const PictureFormat&);
 
-/// The digest of all files together.
+/// Returns the combined digest of all files.
 std::string scene_digest(const Identity&);
 
-/// What a picture file says about its origin: program, scene, options, and the command that makes
-/// it again.
+/// Returns the text about its origin that a picture file holds: program, scene, options, and the
+/// command that makes it again.
 std::string description(const Identity&, int samples);
 
 std::string to_text(const Identity&);
 Identity identity_from(const std::string& text);
 
-/// Whether the picture has an alpha channel, which layers, its film, and the names of its lights.
+/// Restores from the facts the alpha channel, the layers, the film and the names of the lights.
 void tell_layers(const Identity&, FilmFiles&);
 void note_film(Identity&, const FilmSettings&);
 void note_lights(Identity&, std::span<const std::string> names);
 
-/// The value of a fact; empty when there is none.
+/// Returns the value of a fact, or empty if there is none.
 std::string fact(const Identity&, const std::string& name);
 
-/// What differs, as a sentence; empty when the facts are the same. That all pixels shall have the
-/// same number of samples now is no difference to a state where they need not.
+/// Describes the first difference in a sentence; empty if there is none. A uniform number of
+/// samples now matches a state in which it may vary.
 std::string difference(const Identity& before, const Identity& now);
 
 }  // namespace candelabra

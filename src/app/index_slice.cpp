@@ -25,7 +25,7 @@ void for_each_cell(const WideTree& tree, FunctionRef<void(const Box&)> use) {
     });
 }
 
-/// Where nearly all cells are: a floor may reach much further.
+/// Returns a box around nearly all cells; outliers such as a floor may reach much further.
 Box crowded(const WideTree& tree) {
     constexpr double enough = 3;  // standard deviations
     Vec3 sum(0), squares(0);
@@ -44,7 +44,7 @@ Box crowded(const WideTree& tree) {
     return size.x > 0 && size.y > 0 && size.z > 0 ? around : tree.bounds();
 }
 
-/// Where boxes are in the drawing.
+/// Maps boxes to the drawing.
 class Slice {
 public:
     Slice(const Projection& camera, const Box& whole) : whole_(whole) {
@@ -83,7 +83,7 @@ private:
     bool left_, upright_;
 };
 
-/// Of a cell with so many items.
+/// Returns the style of a cell with this number of items.
 std::string fill(std::size_t items) {
     const auto light = 245 - 25 * std::min<std::size_t>(items, 8);
     return message("fill='rgb(", light, ',', light + 5, ",250)' stroke='#357' stroke-width='0.3'");

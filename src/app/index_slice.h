@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The index of a world as a picture, for --dump index: what a plane through the middle of nearly
-// all cells cuts of them. Depends on the world only.
+// A drawing of the world's index for --dump index: its cross-section with a plane through the
+// middle of nearly all cells. Depends on the world only.
 #pragma once
 
 #include "world/world.h"
@@ -9,9 +9,9 @@
 
 namespace candelabra {
 
-/// A drawing in SVG. The plane is square to the axis that the camera looks along most nearly, and
-/// the drawing as upright as the camera. Cells are the darker, the more items they have; those that
-/// make up a node have a line around them, the finer, the deeper it lies.
+/// Returns a drawing in SVG. The plane is perpendicular to the axis closest to the camera's
+/// direction, and the drawing is oriented like the camera's picture. Cells with more items are
+/// darker. The cells of a node share an outline, which is thinner for deeper nodes.
 std::string index_slice(const World&);
 
 }  // namespace candelabra

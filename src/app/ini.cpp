@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
-/// Without its comment; a `;` in quotes begins none.
+/// Returns the line without its comment; a `;` in quotes begins none.
 std::string_view without_comment(std::string_view line) {
     char quote = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -36,16 +36,16 @@ std::string_view unquoted(std::string_view value) {
     return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-/// Blanks around the first `=` go, and quotes around the value.
+/// Removes blanks around the first `=` and quotes around the value.
 std::string as_argument(std::string_view line) {
     const std::size_t equals = line.find('=');
     if (equals == line.npos) return std::string(unquoted(line));
     const std::string_view value = trimmed(line.substr(equals + 1));
-    // A declared string keeps its quotes: they are what makes it a string.
+    // A declared string keeps its quotes, which mark it as a string.
     return std::string(trimmed(line.substr(0, equals))) + "=" + std::string(unquoted(value));
 }
 
-/// The words of a line of switches; quotes keep blanks in a word.
+/// Splits a line of switches into words; quotes keep blanks in a word.
 std::vector<std::string> words_of(std::string_view line) {
     std::vector<std::string> words;
     char quote = 0;
@@ -76,7 +76,7 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string
     std::vector<IniLine> lines;
     bool taken = true, found = section.empty();
     int number = 0;
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some editors begin so
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark of some editors
     while (!text.empty()) {
         const std::string_view line = trimmed(without_comment(take_until(text, "\n")));
         ++number;
@@ -98,7 +98,7 @@ std::string ini_line(const std::string& option) {
         const auto read = ini_lines(line, {});
         return read && read->size() == 1 && read->front().option == option;
     };
-    // Behind the sign of a switch, and around a value.
+    // After the sign of a switch, or around a value.
     const std::size_t equals = option.find('=');
     const std::size_t at = !option.empty() && is_switch(option) ? 1 : equals + 1;
     for (const char quote : {'"', '\''}) {

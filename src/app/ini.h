@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// INI files: options, a keyword or several switches on a line, with sections and comments. Reads no
-// file itself.
+// INI files: lines with a keyword or several switches, in sections, with comments. Does not access
+// files.
 #pragma once
 
 #include <optional>
@@ -10,19 +10,19 @@
 
 namespace candelabra {
 
-/// An argument of the command line: "Width=640".
+/// A line of an INI file as an argument of the command line: "Width=640".
 struct IniLine {
     int number = 0;  ///< counted from 1
     std::string option;
 };
 
-/// The lines above the first `[Section]`, then those of the named one, in any case of letters; ""
-/// means none. `;` begins a comment. Quotes around a value are taken away. Nothing when there is no
-/// such section.
+/// Returns the lines before the first `[Section]`, then those of the named section; "" means none.
+/// Names of sections ignore case. `;` begins a comment. Quotes around a value are removed. Returns
+/// nothing if there is no such section.
 std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string_view section);
 
-/// The line that says an option, in quotes if it needs them. With quotes of both kinds beside a `;`
-/// or at the ends of a value there is none: it is the option as it stands then.
+/// Returns the line that holds the option, quoted if necessary. An option with both kinds of quotes
+/// and a `;`, or quotes at the ends of its value, cannot be quoted and is returned as it is.
 std::string ini_line(const std::string& option);
 
 /// "scene.ini[Part]": file and section.
@@ -31,7 +31,7 @@ struct IniName {
     std::string section;
 };
 
-/// Nothing when the argument is no name of an INI file, by its ending.
+/// Returns nothing if the argument does not have the extension of an INI file.
 std::optional<IniName> ini_name(std::string_view argument);
 
 }  // namespace candelabra

@@ -18,12 +18,12 @@ namespace candelabra {
 
 namespace {
 
-/// A picture with fewer rows and columns.
+/// Returns an image with reduced rows and columns.
 Image blank(const Exhibit& shown, int step) {
     return Image((shown.film.width() + step - 1) / step, (shown.film.height() + step - 1) / step);
 }
 
-/// What the middle of each pixel shows.
+/// Returns the primary hit at the centre of each pixel.
 std::vector<PrimaryHit> sights(const Exhibit& shown, int width, int height,
                                const std::function<bool()>& cancelled) {
     std::vector<PrimaryHit> all(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
@@ -37,7 +37,7 @@ std::vector<PrimaryHit> sights(const Exhibit& shown, int width, int height,
     return all;
 }
 
-/// A colour that tells a number from its neighbours.
+/// Returns a colour that distinguishes a number from its neighbours.
 Vec3 colour_of(std::uint32_t number) {
     if (number == 0) return Vec3(0);
     const std::uint64_t bits = mix(number);
@@ -47,7 +47,7 @@ Vec3 colour_of(std::uint32_t number) {
     return {channel(0), channel(8), channel(16)};
 }
 
-/// How coarse a layer is to be made, and when no more of it is wanted.
+/// The resolution of a layer, and whether it is still wanted.
 struct Detail {
     int step;
     const std::function<bool()>& cancelled;
@@ -127,10 +127,10 @@ std::string vector_text(const Vec3& v) {
     return message("<", number(v.x), ", ", number(v.y), ", ", number(v.z), ">");
 }
 
-/// Of the light that comes to the pixel, what each statement gives, by many samples of it.
+/// Estimates the share of each statement in the light that reaches the pixel, from many samples.
 std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
     const World& world = shown.world;
-    // Photons of many samples are many.
+    // With photons, many samples are expensive.
     const std::uint32_t tries = world.photon_targets.empty() ? 256 : 16;
     Integrator integrator(world, {pilot(world, shown.settings).shadow_rays, true});
     Key key;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Facts about a picture on its way: layers as pictures, and what is under
-// a pixel and who lights it. Asked by the preview while nothing is being rendered.
+// Facts about an unfinished picture: layers as pictures, and the object and the lights at a pixel.
+// Called by the preview while no rendering is in progress.
 #pragma once
 
 #include "app/console.h"
@@ -12,21 +12,21 @@
 
 namespace candelabra {
 
-/// The layers that can be looked at beside the picture.
+/// Returns the names of the layers that can be viewed besides the picture.
 std::vector<std::string_view> views();
 
-/// Whether a layer stays as it is while the picture becomes better.
+/// Whether a layer stays constant while the picture converges.
 bool is_still(std::string_view name);
 
-/// One of these, in colours for a screen: directions from -1 to 1 as 0 to 1, near things bright,
-/// each object in a colour of its own, and numbers as shares of their greatest. Nothing for
-/// another name. `step`: of so many rows and columns one is taken. `cancelled`: asked by several
-/// threads, may be empty; once it is true, rows may be missing.
+/// Returns a layer in display colours: directions map from [-1, 1] to [0, 1], near things are
+/// bright, each object has its own colour, and numbers are relative to their maximum. Returns
+/// nothing for an unknown name. `step`: one of this many rows and columns is sampled. `cancelled`:
+/// called by several threads, may be empty; once it returns true, rows may be missing.
 std::optional<Image> view(const Exhibit&, std::string_view name, int step = 1,
                           const std::function<bool()>& cancelled = {});
 
-/// Colour, place, object and texture under a pixel, and the statements that light it with their
-/// shares, each on a line; empty outside of the picture.
+/// Describes a pixel line by line: its colour, position, object and texture, and the statements
+/// that light it with their shares. Empty outside of the picture.
 std::string what_is_under(const Exhibit&, int x, int y);
 
 }  // namespace candelabra

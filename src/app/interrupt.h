@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What renderings are asked from outside while they work. Signals become this (app/signals.h);
-// tests make it up.
+// Requests from outside to a rendering in progress. They come from signals (app/signals.h) or from
+// tests.
 #pragma once
 
 #include <atomic>
@@ -12,27 +12,27 @@ namespace candelabra {
 
 enum class Interrupt {
     none,
-    save,  ///< write the state and go on
+    save,  ///< write the state and continue
     stop,  ///< write the state and end
 };
 
-/// Whoever can ask. Both may be empty.
+/// The source of requests. Both functions may be empty.
 struct Interrupts {
-    std::function<Interrupt()> take;      ///< what was asked since the last call; any thread
-    std::function<void(bool)> listening;  ///< whether somebody will soon call take()
+    std::function<Interrupt()> take;      ///< request since the last call; any thread
+    std::function<void(bool)> listening;  ///< announces whether take() will be called soon
 };
 
-/// For several renderings at a time: what is asked, all of them are asked, also those that begin
-/// after a stop.
+/// Passes each request to several renderings at a time, and a stop also to renderings that begin
+/// later.
 class SharedInterrupts {
 public:
     explicit SharedInterrupts(Interrupts asked) : asked_(std::move(asked)) {}
 
-    /// For one of them. Valid as long as this is.
+    /// Returns the requests for one rendering. Valid for the lifetime of this object.
     Interrupts for_one();
 
 private:
-    /// `heard`: how many times this one has been asked to save.
+    /// `heard`: the number of requests to save that this rendering has received.
     Interrupt take(std::atomic<int>& heard);
     void listen(bool on);
 

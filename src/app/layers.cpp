@@ -36,7 +36,7 @@ constexpr auto infos = std::to_array<LayerInfo>({
     {PictureLayer::shadow_rays, "shadow_rays", "how many rays they sent towards lights"},
 });
 
-/// The word that the text begins with, taken off; blanks and opening brackets go first.
+/// Extracts the first word of the text, after blanks, `{` and `#`.
 std::string_view next_word(std::string_view& text) {
     while (!text.empty() && std::string_view(" \t\r\n{#").find(text[0]) != text.npos)
         text.remove_prefix(1);
@@ -46,7 +46,7 @@ std::string_view next_word(std::string_view& text) {
     return word;
 }
 
-/// What people would call the statement.
+/// Returns a readable name for the statement.
 std::string name_of(const Span& span, const SourceStore& sources, const Names& names) {
     if (!span.known()) return "light";
     const Place place = sources.place(span.source, span.first);
@@ -162,7 +162,7 @@ private:
             add(message(name, ".", channels[c]), [&](std::size_t i) { return mean(i, first + c); });
     }
 
-    /// The last one has what no statement gave, so that all of them are the picture.
+    /// Adds the light of each statement, then the remainder, so that the sum is the picture.
     void add_lights() {
         for (std::size_t k = 0; k < files_.lights.size(); ++k)
             add_three("light." + files_.lights[k], rgb, extras_.first_light() + 3 * k);
@@ -266,7 +266,7 @@ std::string layers_path(const FilmFiles& files) {
 
 namespace {
 
-/// The picture alone, in a format without layers.
+/// Writes the picture alone in a format without layers.
 bool write_flat(const Negative& negative, const FilmFiles& files, Diagnostics& diagnostics) {
     if (is_developed(files)) return write_developed(negative, files, diagnostics);
     return write_picture(negative.light, files.path, files.format, diagnostics, negative.alpha);

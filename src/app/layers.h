@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a film becomes as files: the picture, and named layers beside its colours, in an OpenEXR
-// file. Called when a picture is finished, and by merge.
+// The output files of a film: the picture, and named layers beside its colours in an OpenEXR file.
+// Called when a picture is finished, and by merge.
 #pragma once
 
 #include "camera/film_settings.h"
@@ -28,24 +28,25 @@ struct LayerInfo {
     std::string_view help;
 };
 
-/// All of them, in the order of the type.
+/// Returns all layers in the order of PictureLayer.
 std::span<const LayerInfo> all_layers();
 
-/// Names with commas between them, or `all`; each layer once. Nothing when a name is none of them.
+/// Parses comma-separated names, or `all`; each layer appears once. Returns nothing if a name is
+/// unknown.
 std::optional<std::vector<PictureLayer>> read_layer_list(std::string_view);
 std::string layer_list(std::span<const PictureLayer>);
 
-/// What is made of a film beside layers.
+/// Outputs made from a film besides its layers.
 struct Extras {
-    bool smooth = false;   ///< a response whose edges are to be smooth
-    bool denoise = false;  ///< a picture with less noise
+    bool smooth = false;   ///< compressed samples for a response that needs smooth edges
+    bool denoise = false;  ///< a denoised picture
 };
 
-/// What the film has to gather for these layers.
+/// Returns the sums that the film must gather for these layers.
 Aovs aovs_for(std::span<const PictureLayer>, bool alpha, const Extras& = {});
 
-/// Names of the layers of light, one for each of Provenance::light_statements: of the declared name
-/// or the macro that a statement shows, or of its first word; a number tells equal ones apart.
+/// Returns a name for each of Provenance::light_statements: the declared name or the macro in the
+/// statement, or else its first word. Equal names are numbered.
 std::vector<std::string> light_names(const World&, const SourceStore&);
 
 struct FilmFiles {
@@ -53,37 +54,38 @@ struct FilmFiles {
     PictureFormat format;
     bool alpha = false;
     std::vector<PictureLayer> layers = {};
-    std::vector<std::string> lights = {};  ///< names of statements, when there are layers of light
-    FilmSettings film = {};                ///< how pictures that people look at are developed
-    bool denoise = false;                  ///< a picture with less noise is made, too
-    int threads = 1;                       ///< that develop pictures
+    std::vector<std::string> lights = {};  ///< names of statements, if there are layers of light
+    FilmSettings film = {};                ///< develops pictures for display
+    bool denoise = false;                  ///< also makes a denoised picture
+    int threads = 1;                       ///< for developing pictures
 
-    /// What the film has to have.
+    /// Returns the sums that the film must gather.
     Aovs aovs() const;
 };
 
-/// Layers of OpenEXR files, of the picture with less noise and of compressed samples, and the text
-/// with the film's settings.
+/// Names of the denoised layer, of the layer of compressed samples, and of the text attribute with
+/// the film's settings in OpenEXR files.
 inline constexpr std::string_view denoised_layer = "denoised";
 inline constexpr std::string_view smooth_layer = "film";
 inline constexpr std::string_view film_text_name = "candelabraFilm";
 
-/// Where the layers go: into the picture, if that is an OpenEXR file; otherwise beside it,
-/// "a.png" to "a.layers.exr". Empty: there are none.
+/// Returns the path of the layers: the picture itself if it is an OpenEXR file, otherwise
+/// "a.layers.exr" beside "a.png". Empty if there are none.
 std::string layers_path(const FilmFiles&);
 
-/// Where the picture with less noise goes when it is no layer of the picture itself: beside it,
-/// "a.png" to "a.denoised.png". Empty: there is none.
+/// Returns the path of the denoised picture if it is no layer of the picture: "a.denoised.png"
+/// beside "a.png". Empty if there is none.
 std::string denoised_path(const FilmFiles&);
 
-/// Whether the picture is one that people look at: neither OpenEXR nor Radiance HDR.
+/// Whether the picture is developed for display: the film is on, and the format is neither OpenEXR
+/// nor Radiance HDR.
 bool is_developed(const FilmFiles&);
 
-/// The picture as its film develops it, with values from 0 to 1 for a display, and how its file is
-/// encoded then.
+/// Develops the picture to display values from 0 to 1 and writes it. Returns false, with a
+/// diagnostic, on failure.
 bool write_developed(const Negative&, const FilmFiles&, Diagnostics&);
 
-/// Writes picture and layers. False, with a diagnostic, when that fails.
+/// Writes the picture and its layers. Returns false, with a diagnostic, on failure.
 bool write_film(const Film&, const FilmFiles&, Diagnostics&);
 
 }  // namespace candelabra

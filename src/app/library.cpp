@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-// Both are relative to the folder of the program, so that no path of the machine that built it is
-// part of it.
+// Both are relative to the folder of the program, so that the program contains no path of the build
+// machine.
 #ifndef CANDELABRA_INSTALLED_STDLIB
 #define CANDELABRA_INSTALLED_STDLIB "../share/candelabra/stdlib"
 #endif
@@ -50,7 +50,7 @@ std::optional<std::string> settings_file(const char* chosen, const char* home) {
 std::vector<std::string> library_folders(const std::string& standard,
                                          const std::vector<std::string>& given,
                                          Diagnostics& diagnostics) {
-    // As in POV-Ray, whose settings name its own library before the command line is read.
+    // POV-Ray's order: its settings name its own library before the command line is read.
     std::vector<std::string> paths;
     if (!standard.empty()) paths.push_back(standard);
     for (std::string path : given) {
@@ -62,7 +62,7 @@ std::vector<std::string> library_folders(const std::string& standard,
                 message("there is no folder `", printable(path), "` to look for files in")));
         paths.push_back(std::move(path));
     }
-    // Pictures of the library stand in for others of their names only.
+    // The library's pictures come last, so that they never hide others of the same name.
     if (!standard.empty()) paths.push_back(standard + "/pictures");
     return paths;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the standard library is: beside an installed program, in the sources for one in its build
-// folder, or where the environment variable CANDELABRA_STDLIB says.
+// The location of the standard library: beside an installed program, in the source tree for a
+// program in its build folder, or in the folder that the environment variable CANDELABRA_STDLIB
+// names.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -11,21 +12,21 @@
 
 namespace candelabra {
 
-/// The program's own file, as the system knows it; empty when it does not.
+/// Returns the path of the program's executable, or empty if the system does not tell.
 std::string own_path();
 
-/// The INI file with the user's or everybody's settings: the first that is there of the one that
-/// $CANDELABRA_INI names, ~/.config/candelabra/candelabra.ini and /etc/candelabra/candelabra.ini.
-/// None of the current folder, which may be a stranger's. `chosen` and `home`: values of the
-/// variables, null when not set.
+/// Returns the INI file with the settings of the user or of all users: the first existing one of
+/// $CANDELABRA_INI, ~/.config/candelabra/candelabra.ini and /etc/candelabra/candelabra.ini. The
+/// current folder is not searched, since it may belong to somebody else. `chosen` and `home`:
+/// values of the variables, null if unset.
 std::optional<std::string> settings_file(const char* chosen, const char* home);
 
-/// The folder of the standard library, or nothing when there is none. `chosen`: the variable's
-/// value, null when it is not set.
+/// Returns the folder of the standard library, or nothing if there is none. `chosen`: the
+/// variable's value, null if unset.
 std::optional<std::string> standard_library(const std::string& program, const char* chosen);
 
-/// The folders in which files are looked for, in order: the standard library (empty: none), those
-/// that the options give, and the pictures of the library. Warns of a folder that is not there.
+/// Returns the folders that are searched for files, in order: the standard library (empty: none),
+/// the folders of the options, and the library's pictures. Warns of a folder that does not exist.
 std::vector<std::string> library_folders(const std::string& standard,
                                          const std::vector<std::string>& given, Diagnostics&);
 

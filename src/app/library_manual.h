@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The standard library as a part of the manual: its files in order, each with what it says of
-// itself and the macros that are meant for scenes.
+// The standard library as a part of the manual: its files in order, each with its description and
+// the macros that are meant for scenes.
 #pragma once
 
 #include "editor/library_guide.h"
@@ -10,7 +10,7 @@
 
 namespace candelabra {
 
-/// Roff has a section for each file; JSON is a list of files with their macros.
+/// Roff output has a section for each file; JSON output is a list of files with their macros.
 std::string library_manual(const LibraryGuide&, ManualForm);
 
 }  // namespace candelabra

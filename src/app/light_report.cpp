@@ -36,7 +36,7 @@ std::string statement_text(const Span& span, const SourceStore& sources) {
     constexpr std::size_t longest = 50;
     const Place place = sources.place(span.source, span.first);
     std::string line(sources.line(span.source, place.line));
-    // From where the statement begins, or the #declare around it.
+    // From the beginning of the statement, or of the #declare around it.
     const std::size_t column = std::min(line.size(), static_cast<std::size_t>(place.column - 1));
     const std::size_t before = line.substr(0, column).find_last_of("};");
     line.erase(0, before == line.npos ? 0 : before + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What light gave and cost: a table of the scene's statements that make lights. For
+// A table of the statements that make lights, with the contribution and the cost of each, for
 // --light-report.
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace candelabra {
 
-/// The place of a statement, and how it begins: "scene.pov:6: object { Lamp ...".
+/// Returns the place of a statement and its beginning: "scene.pov:6: object { Lamp ...".
 std::string statement_text(const Span&, const SourceStore&);
 
-/// A line for each statement of the scene that made luminaires or light sources, the brightest
-/// first: its share of all light that came to hits from lights, its share of the shadow rays, how
-/// many lights it made, and its place. Then comes a line of rays that met no luminaire, and one of
-/// primitives that glow but are no luminaires, if there are some.
+/// Returns a line for each statement that made luminaires or light sources, the brightest first:
+/// its share of all light that reached hits from lights, its share of the shadow rays, its number
+/// of lights, and its place. Further lines count rays that met no luminaire, and glowing primitives
+/// that are no luminaires, if there are any.
 std::string light_report(const World&, const LightLedger&, const SourceStore&);
 
 }  // namespace candelabra

@@ -11,10 +11,11 @@ namespace candelabra {
 namespace {
 
 constexpr double most = 1e12;
-/// For what is inside each other, and takes room on a stack that is set aside.
+/// Maximum nesting depth, since nesting uses space on a preallocated stack.
 constexpr double max_deep = 1e8;
 
-/// A whole number, which may be written 1e9. What it counts in megabytes fits into 64 bits, too.
+/// Parses a whole number, which may be written 1e9. A valid number of megabytes fits into 64 bits
+/// as bytes.
 std::optional<std::uint64_t> whole(const Given& given, Diagnostics& diagnostics, double greatest) {
     const auto value = number(*given.value);
     if (value && *value >= 1 && *value <= greatest && std::floor(*value) == *value)
@@ -23,7 +24,7 @@ std::optional<std::uint64_t> whole(const Given& given, Diagnostics& diagnostics,
     return std::nullopt;
 }
 
-/// What is said, in units of so many, if it is good.
+/// Sets a limit to the value times the unit if the value is valid.
 template <class Limit>
 void take(Limit& limit, const Given& given, Diagnostics& diagnostics, std::uint64_t unit = 1,
           double greatest = most) {
@@ -57,7 +58,7 @@ void store::limit_includes(Options& options, const Given& given, Diagnostics& di
 }
 
 void store::limit_elements(Options& options, const Given& given, Diagnostics& diagnostics) {
-    constexpr std::size_t max_counted = 2'000'000'000;  // the language counts them with 32 bits
+    constexpr std::size_t max_counted = 2'000'000'000;  // the language counts elements in 32 bits
     take(options.limits.array_elements, given, diagnostics);
     options.limits.array_elements = std::min(options.limits.array_elements, max_counted);
 }

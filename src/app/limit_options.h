@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of the options that say how much a scene may take. The table of options names these
-// functions; more of the kind are in app/option_store.h.
+// Handlers of the options that limit the resources of a scene. The table of options refers to these
+// functions; app/option_store.h declares more of them.
 #pragma once
 
 #include "app/option_store.h"

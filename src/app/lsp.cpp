@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for the files that scenes write while they are edited; gone with the object.
+/// A folder for the files that scenes write while they are edited; removed by the destructor.
 class ScratchFolder {
 public:
     ScratchFolder() {
@@ -34,7 +34,7 @@ public:
     std::string path;
 };
 
-/// How long the editor must be silent before mistakes are looked for.
+/// Time without messages from the editor after which scenes are checked.
 constexpr int pause_milliseconds = 150;
 
 }  // namespace

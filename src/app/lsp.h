@@ -10,16 +10,16 @@
 
 namespace candelabra {
 
-/// Messages of the Language Server Protocol as they come through a file descriptor.
+/// Reads messages of the Language Server Protocol from a file descriptor.
 class MessageReader {
 public:
     explicit MessageReader(int descriptor) : descriptor_(descriptor) {}
 
-    /// The next message; nothing when none came in so many milliseconds (below 0: ever) or none
-    /// will come any more.
+    /// Returns the next message. Returns nothing if none came within the timeout (negative: no
+    /// timeout), or none will come any more.
     std::optional<Framing::Message> next(int milliseconds);
     bool ended() const { return ended_; }
-    /// Why the stream has ended before it should; or empty.
+    /// Describes why the stream ended prematurely; empty if it did not.
     std::string problem() const;
 
 private:
@@ -28,8 +28,8 @@ private:
     bool ended_ = false;
 };
 
-/// Serves until the editor says goodbye, closes its end, or sends what cannot be told apart into
-/// messages; gives the exit status.
+/// Serves until the editor exits, closes its end, or sends data that cannot be split into messages.
+/// Returns the exit status.
 int run_lsp(int descriptor, const Console&);
 
 }  // namespace candelabra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program: arguments in, exit status out.
+// The program's entry point.
 #include "app/commands.h"
 #include "app/library.h"
 #include "app/sandbox.h"
@@ -19,14 +19,14 @@ using namespace candelabra;
 
 namespace {
 
-/// As https://no-color.org has it.
+/// Follows https://no-color.org.
 bool colours_wanted(bool terminal) {
     const char* none = std::getenv("NO_COLOR");
     const char* kind = std::getenv("TERM");
     return terminal && !(none && *none) && !(kind && std::string_view(kind) == "dumb");
 }
 
-/// Else the first files that are opened would be taken for standard streams that are closed.
+/// Opens closed standard streams, so that files opened later do not take their descriptors.
 void fill_standard_streams() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0)
@@ -40,7 +40,7 @@ int main(int count, char** arguments) {
     Signals signals;
     const std::vector<std::string_view> words(arguments + (count > 0 ? 1 : 0), arguments + count);
     Console console;
-    int wrong = 0;  // with the standard output, the first time
+    int wrong = 0;  // first error of standard output
     console.out = [&wrong](std::string_view text) {
         errno = 0;
         std::cout << text << std::flush;
@@ -61,7 +61,7 @@ int main(int count, char** arguments) {
     try {
         const int status = run(words, console);
         if (std::cout.good()) return status;
-        // Who has closed the pipe has read enough.
+        // A reader that closes the pipe has read enough.
         if (wrong != EPIPE) console.err("error: cannot write to standard output\n");
         return status == exit_status::done ? exit_status::file : status;
     } catch (const std::bad_alloc&) {

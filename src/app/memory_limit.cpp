@@ -20,14 +20,14 @@ std::optional<std::uint64_t> physical_memory() {
 
 namespace {
 
-/// A file that holds one number; nothing for "max" and for what is not there.
+/// Reads a file that holds one number. Returns nothing for "max" and for a missing file.
 std::optional<std::uint64_t> number_in(const std::string& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
     return file >> number ? std::optional(number) : std::nullopt;
 }
 
-/// The number behind a word at the start of a line, or 0.
+/// Returns the number after a word at the start of a line, or 0.
 std::uint64_t number_behind(std::string_view word, const std::string& path) {
     std::ifstream file(path);
     std::string first;
@@ -38,7 +38,8 @@ std::uint64_t number_behind(std::string_view word, const std::string& path) {
     return 0;
 }
 
-/// Bytes that a group may still have: pages of files can be given back.
+/// Reduces `free` to the bytes left in a control group. The page cache does not count, since it can
+/// be reclaimed.
 void take_group(const std::string& folder, const char* most, const char* now, const char* files,
                 std::optional<std::uint64_t>& free) {
     const auto limit = number_in(folder + most);
@@ -49,7 +50,7 @@ void take_group(const std::string& folder, const char* most, const char* now, co
     free = std::min(free.value_or(left), left);
 }
 
-/// The groups of control that a process is in, with all those around them.
+/// Reduces `free` by the limits of the process's control groups and of their ancestors.
 void take_groups(const std::string& root, std::optional<std::uint64_t>& free) {
     std::ifstream file(root + "proc/self/cgroup");
     for (std::string line; std::getline(file, line);) {

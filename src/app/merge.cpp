@@ -19,14 +19,14 @@ namespace candelabra {
 
 namespace {
 
-/// What may be missing; it is said in any case.
+/// The gaps that are tolerated; they are reported in any case.
 enum class Gaps {
     none,
-    around,    ///< samples before and behind those that are there, as a state can have it
-    anywhere,  ///< as a picture can
+    around,    ///< samples before and after the present ones, as in a state
+    anywhere,  ///< as in a picture
 };
 
-/// Adds up states of the same picture. Reports those that are not, overlaps, and what is missing.
+/// Adds up states of the same picture. Reports states of other pictures, overlaps and gaps.
 class Joiner {
 public:
     Joiner(Gaps gaps, Diagnostics& diagnostics) : gaps_(gaps), diagnostics_(diagnostics) {}
@@ -42,7 +42,7 @@ public:
         if (!diagnostics_.failed()) sum_up(state);
     }
 
-    /// Nothing when anything was wrong. Precondition: at least one state was added.
+    /// Returns the sum, or nothing after an error. Precondition: at least one state was added.
     std::optional<Checkpoint> finish() {
         std::ranges::stable_sort(parts_, {}, [](const Part& part) {
             return std::pair(part.shard.first_sample, part.shard.first_tile);
@@ -73,7 +73,7 @@ private:
 
     void refuse(std::string text) { diagnostics_.add(error(Fault::option, {}, std::move(text))); }
 
-    /// `least`: from which on it may be.
+    /// `least`: the smallest tolerance that allows the gap.
     void missing(const std::string& what, Gaps least) {
         if (gaps_ >= least)
             diagnostics_.add(warning(Fault::option, {}, what));
@@ -118,7 +118,7 @@ private:
         const Film& part = one.state.film;
         for (int y = 0; y < part.height(); ++y)
             for (int x = 0; x < part.width(); ++x)
-                // A shard of tiles also has samples around its tiles.
+                // A shard of tiles also has samples in the margins of its tiles.
                 if (one.state.shard.owns(x, y)) {
                     film.add(film.index(x, y), part);
                     film.at(x, y).target += part.at(x, y).target;
@@ -170,7 +170,7 @@ struct Request {
     bool partial = false;
 };
 
-/// Whether an option, as in an INI file, can change what merge does.
+/// Whether an option, written as in an INI file, can change the result of merge.
 bool matters(std::string_view given) {
     static constexpr auto all = std::to_array<std::string_view>(
         {"Output_File_Name=", "Output_File_Type=", "+F",
@@ -212,7 +212,7 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
     return request;
 }
 
-/// Where the picture goes when nothing is said: the shards' name without what makes them shards.
+/// Returns the default path of the picture: the name of the shards without their numbers.
 std::string usual_output(std::string file) {
     file.resize(file.size() - state_ending.size());
     const std::size_t dot = file.rfind('.');
@@ -262,7 +262,7 @@ int merge(std::span<const std::string_view> arguments, const Console& console) {
         confined(request.options, sandbox_rules(request.options, console.library, request.files),
                  console, diagnostics);
     if (diagnostics.failed()) return end(exit_status::usage);
-    std::ranges::sort(request.files);  // what is said does not depend on their order
+    std::ranges::sort(request.files);  // the output does not depend on their order
     const Gaps gaps = !request.partial       ? Gaps::none
                       : makes_state(request) ? Gaps::around
                                              : Gaps::anywhere;

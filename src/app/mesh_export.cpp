@@ -13,11 +13,11 @@ namespace candelabra {
 
 namespace {
 
-/// Cells along the longest side of a shape: fine enough to look round, coarse enough for scenes of
-/// many thousand spheres.
+/// Number of cells along the longest side of a shape: fine enough for round shapes, coarse enough
+/// for scenes with many thousand spheres.
 constexpr int cells = 32;
 
-/// What a file's indices, and the memory of most machines, have room for.
+/// Maximum number of faces that the indices in a file, and the memory of most machines, can hold.
 constexpr std::size_t max_faces = 100'000'000;
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene as one mesh in a file: --export-mesh. Called when the scene has been evaluated.
+// Exports a scene as one mesh to a file, for --export-mesh. Called after the scene has been
+// evaluated.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,11 +14,11 @@ namespace candelabra {
 
 enum class MeshFormat { ply, obj };
 
-/// By the ending of the file's name, in any case of letters; nothing for others.
+/// Returns the format for the extension of the file's name, ignoring case; nothing for others.
 std::optional<MeshFormat> mesh_format(std::string_view file);
 
-/// The file of all surfaces of the scene. Objects without any that have an end are warnings; if no
-/// surface is left, the text is empty and there is an error.
+/// Returns the file with all surfaces of the scene. Warns of objects without bounded surfaces. If
+/// no surface is left, reports an error and returns an empty text.
 std::string exported_mesh(const Scene&, MeshFormat, Diagnostics&);
 
 }  // namespace candelabra

@@ -3,6 +3,7 @@
 
 #include "app/child.h"
 #include "picture/file.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -14,18 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A hidden file beside the film.
+/// Returns the path of a hidden file beside the film.
 std::string beside(const std::string& film, std::string_view ending) {
     const fs::path path(film);
     return (path.parent_path() / message(".", path.stem().string(), ".part", ending)).string();
 }
 
-/// What is made until it is complete. ffmpeg sees from the ending which kind it shall be.
+/// Returns the path of the incomplete film. It has the same extension, by which ffmpeg selects the
+/// format.
 std::string draft_of(const std::string& film) {
     return beside(film, fs::path(film).extension().string());
 }
 
-/// Makes a film of frames; what it needs beside it is removed.
+/// Makes a film from frames and removes the temporary list.
 bool run_ffmpeg(const std::vector<std::string>& frames, double frame_rate, const std::string& film,
                 Diagnostics& diagnostics) {
     const std::string program = find_program("ffmpeg");
@@ -35,7 +37,7 @@ bool run_ffmpeg(const std::vector<std::string>& frames, double frame_rate, const
         return false;
     }
     const std::string list = film + ".frames";
-    // What lies there is a left over part of a film, or a link that would lead elsewhere.
+    // Removes a partial film of an earlier run, or a link that would lead elsewhere.
     std::error_code gone;
     for (const std::string& path : {film, list}) fs::remove(path, gone);
     if (!write_file(list, movie_list(frames, frame_rate), diagnostics)) return false;
@@ -73,9 +75,9 @@ std::string movie_list(const std::vector<std::string>& frames, double frame_rate
 std::vector<std::string> movie_arguments(const std::string& list, const std::string& film) {
     std::vector<std::string> words = {"ffmpeg", "-nostdin", "-y", "-loglevel", "error", "-f",
                                       "concat", "-safe",    "0",  "-i",        list};
-    // A gif has 256 colours: those of the film. Most players of others want even sizes and this
-    // form of colour.
-    if (film.ends_with(".gif"))
+    // A gif has 256 colours, chosen from the film. For other formats most players need even sizes
+    // and this pixel format.
+    if (lower_case(film).ends_with(".gif"))
         words.insert(words.end(),
                      {"-vf", "split[a][b];[a]palettegen[colours];[b][colours]paletteuse"});
     else

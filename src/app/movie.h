@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Frames to a film, by the program ffmpeg.
+// Joins frames to a movie with the program ffmpeg.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -9,22 +9,23 @@
 
 namespace candelabra {
 
-/// Whether ffmpeg is there and makes films of this name: it makes one of a black picture. False
-/// after a report. To be asked before long work.
+/// Whether ffmpeg is installed and supports this file name, tested with a black picture. Returns
+/// false after an error has been reported. Call it before long work.
 bool can_make_movie(double frame_rate, const std::string& film, Diagnostics&);
 
-/// What ffmpeg is told to make the film of frames that the list names.
+/// Returns the arguments with which ffmpeg makes the film from the frames in the list.
 std::vector<std::string> movie_arguments(const std::string& list, const std::string& film);
 
-/// The list of frames, as ffmpeg's "concat" reads it.
+/// Returns the list of frames for ffmpeg's "concat" demuxer.
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate);
 
-/// A picture for the film of a frame that has light, while the film is made: hidden beside it.
+/// Returns the path of a temporary picture that is developed from an OpenEXR frame: a hidden file
+/// beside the film.
 std::string developed_frame(const std::string& film, std::size_t number);
 
-/// Makes the film; a reader sees the whole of it or the one before. False, after a report, when
-/// ffmpeg is not there or fails; the frames stay. At least one frame; none is an OpenEXR file,
-/// whose texts ffmpeg 5 does not read when they are long.
+/// Makes the film and replaces an older one atomically. Returns false, after an error has been
+/// reported, if ffmpeg is missing or fails; the frames stay. There must be at least one frame. No
+/// frame may be an OpenEXR file, whose long text attributes ffmpeg 5 cannot read.
 bool make_movie(const std::vector<std::string>& frames, double frame_rate, const std::string& film,
                 Diagnostics&);
 

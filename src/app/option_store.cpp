@@ -39,7 +39,7 @@ std::optional<double> number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     double result = 0;
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), result);
-    // from_chars reads "inf" and "nan" as well
+    // from_chars also reads "inf" and "nan".
     if (failed != std::errc() || end != text.data() + text.size() || !std::isfinite(result))
         return std::nullopt;
     return result;
@@ -90,7 +90,7 @@ void store::field(std::string_view name, Options& options, const Given& given,
     const double given_number = value.value_or(0);
     const bool integer = info.type == FieldType::integer, in_file = !given.where.empty();
     const double counts = integer ? std::trunc(given_number) : given_number;
-    // Programs write computed sizes into INI files.
+    // Fractions are accepted since programs write computed sizes into INI files.
     if (counts != given_number && in_file)
         diagnostics.add(warning(Fault::option, {}, message(shown(given), " counts as ", counts)));
     constexpr double max_whole = std::numeric_limits<int>::max();
@@ -138,7 +138,7 @@ void store::type(Options& options, const Given& given, Diagnostics& diagnostics)
     options.compressed = found->compressed;
     std::string rest = text.substr(1);
     options.grey |= std::erase_if(rest, [](char c) { return c == 'g' || c == 'G'; }) > 0;
-    // How well a JPEG file is compressed.
+    // The number after J is the quality of JPEG files.
     if (options.type == PictureType::jpeg && number(rest))
         return diagnostics.add(warning(Fault::option, {},
                                        message(shown(given),
@@ -223,7 +223,7 @@ void store::diagnostics(Options& options, const Given& given, Diagnostics& diagn
     options.diagnostics_as_json = *given.value == "json";
 }
 
-/// Names of warnings with commas between: what a name says holds for what comes after it.
+/// Handles comma-separated names of warnings; each name applies to the names after it.
 void store::warn(Options&, const Given& given, Diagnostics& diagnostics) {
     std::vector<std::string_view> names = {"all", "none", "error"};
     for (const FaultInfo& fault : all_faults())
@@ -295,7 +295,7 @@ void store::completion(Options& options, const Given& given, Diagnostics& diagno
         refuse(given, diagnostics, "there is none for this shell", "bash, zsh or fish");
 }
 
-/// The words behind --describe in any order: a form and a part.
+/// Handles the words after --describe, in any order: a form and a part.
 void store::describe(Options& options, const Given& given, Diagnostics&) {
     options.task = Task::describe;
     std::string_view rest = given.value ? std::string_view(*given.value) : std::string_view();

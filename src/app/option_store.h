@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of the value of an option: a check and a place in Options. The table of options
-// (app/option_table.h) names these functions; nothing else calls them.
+// Handlers that check the value of an option and store it in Options. Called only through the table
+// of options (app/option_table.h).
 #pragma once
 
 #include "app/options.h"
@@ -12,27 +12,27 @@
 
 namespace candelabra {
 
-/// An option as it was met on the command line.
+/// An option as it was given.
 struct Given {
-    std::string_view argument;  ///< as it was written, for messages
-    bool on = true;             ///< `-X`, `Keyword=off`: false
+    std::string_view argument;  ///< as written, for messages
+    bool on = true;             ///< false: `-X`, `Keyword=off`
     std::optional<std::string> value;
-    std::string_view where = {};  ///< "scene.ini:3", of an option in a file
+    std::string_view where = {};  ///< "scene.ini:3" for an option in a file
 };
 
-/// A decimal number, all of the text; nothing for anything else.
+/// Parses a decimal number that fills the text; returns nothing for anything else.
 std::optional<double> number(std::string_view text);
 
-/// on, true, yes, 1 and off, false, no, 0, in any case of letters.
+/// Parses on, true, yes, 1 and off, false, no, 0, ignoring case.
 std::optional<bool> truth(std::string_view text);
 
-/// The option as messages name it, with its place when it has one.
+/// Returns the option as messages name it, with its place if it has one.
 std::string shown(const Given&);
 
-/// Reports what is wrong with an option.
+/// Reports an error of an option.
 void refuse(const Given&, Diagnostics&, const std::string& rule, const std::string& help = {});
 
-/// A setting that has an option: of the rendering or of the animation.
+/// A setting of the rendering or of the animation that has an option.
 struct Setting {
     const ItemInfo* item = nullptr;  ///< null: there is none
     std::size_t field = 0;
@@ -42,8 +42,8 @@ Setting find_setting(std::string_view name);
 
 namespace store {
 
-/// A number, or on and off, into the setting with that name. A number behind a switch goes into the
-/// setting after it.
+/// Stores a number or a switch in the setting with that name. A number after a switch is stored in
+/// the setting that follows.
 void field(std::string_view name, Options&, const Given&, Diagnostics&);
 
 void scene(Options&, const Given&, Diagnostics&);

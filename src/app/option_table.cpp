@@ -27,17 +27,17 @@ constexpr std::string_view index = "objects are always found through an index; s
 using Store = void (*)(Options&, const Given&, Diagnostics&);
 using Term = std::string_view;
 
-/// An option that is stored in the setting with that name, and explained by it.
+/// Returns a row whose value is stored in the setting with that name and documented by it.
 constexpr OptionRow setting(Term letters, Term keyword, Term word, Term field) {
     return {letters, keyword, word, "n", value, {}, field};
 }
 
-/// The same for a setting that is on or off.
+/// Returns a row for a setting that is on or off.
 constexpr OptionRow option_field(Term letters, Term keyword, Term word, Takes takes, Term field) {
     return {letters, keyword, word, "", takes, {}, field};
 }
 
-/// The same where a number may stand behind it: the setting after it.
+/// Returns a row for a switch that may be followed by a number, stored in the next setting.
 constexpr OptionRow switched(Term letters, Term keyword, Term parameter, Term field) {
     return {letters, keyword, "", parameter, sign_and_value, {}, field};
 }
@@ -60,7 +60,7 @@ constexpr OptionRow that(Touches touches, OptionRow row) {
     return row;
 }
 
-/// One long option of POV-Ray.
+/// A long option of POV-Ray.
 constexpr OptionRow benchmark = {"", "",      "benchmark",
                                  "", nothing, "there is no scene of its own to measure",
                                  {}, nullptr, Unoffered::ignored};

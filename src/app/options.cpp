@@ -20,8 +20,7 @@ bool starts_with_letters(std::string_view text, std::string_view letters) {
     return same_letters(text.substr(0, letters.size()), letters);
 }
 
-/// The switch that the text behind the sign begins with; of several the longest. Null when there is
-/// none.
+/// Returns the longest switch that the text after the sign begins with, or null.
 const OptionRow* find_switch(std::string_view text) {
     const OptionRow* best = nullptr;
     for (const OptionRow& row : option_table())
@@ -43,7 +42,7 @@ bool keyword_form(std::string_view argument) {
     return std::ranges::all_of(argument.substr(0, equals), in_name);
 }
 
-/// Whether no value means that there is no such file or command.
+/// Whether an empty value means that there is no file or command.
 bool may_be_empty(const OptionRow& row) {
     return row.parameter == "command" || row.keyword.ends_with("_File");
 }
@@ -52,7 +51,8 @@ bool names_a_scene(std::string_view argument) {
     return argument.size() > 4 && same_letters(argument.substr(argument.size() - 4), ".pov");
 }
 
-/// All that an argument could have been meant as, in its own form: "--seed", "+WT", "Width=".
+/// Returns the options that an argument may have been meant as, in its own form: "--seed", "+WT",
+/// "Width=".
 std::string meant(std::string_view argument) {
     std::vector<std::string> texts;
     for (const OptionRow& row : option_table()) {
@@ -79,10 +79,10 @@ public:
         : arguments_(arguments), diagnostics_(diagnostics), read_(read) {}
 
     Options read(const std::string& settings) {
-        options_.render.shadow_rays = 0;  // as many as pay
+        options_.render.shadow_rays = 0;  // as many as are worthwhile
         if (!settings.empty()) {
             const IniName ini = ini_name(settings).value_or(IniName{settings, {}});
-            // What lies in the current folder may have come with a scene.
+            // A file in the current folder may have come with a scene.
             if (settings.find('/') == settings.npos)
                 read_confined(settings, ini);
             else
@@ -130,8 +130,8 @@ private:
         options_.given.push_back(message("Input_File_Name=", argument));
     }
 
-    /// A bare word may be the name of an INI file without its ending, if there is one, as in
-    /// POV-Ray.
+    /// Returns the name of an INI file. As in POV-Ray, a bare word may lack the extension if such a
+    /// file exists.
     std::optional<IniName> ini_of(std::string_view argument) const {
         if (auto named = ini_name(argument)) return named;
         const std::size_t section = argument.ends_with(']') ? argument.rfind('[') : argument.npos;
@@ -142,7 +142,7 @@ private:
         return bare && ini && read_ && read_.holds(ini->file) ? ini : std::nullopt;
     }
 
-    /// The permissions of the command line, wherever they stand, added to those of the settings.
+    /// Returns the permissions anywhere on the command line, added to those of the settings.
     Options permissions() const {
         Options result = options_;
         for (std::size_t i = 0; i < arguments_.size() && arguments_[i] != "--"; ++i)
@@ -157,13 +157,15 @@ private:
         return result;
     }
 
-    /// The rule that a file breaks which an INI file names that may be a stranger's.
+    /// Returns the rule that a file breaks if it is named by an INI file that may not be the user's
+    /// own.
     std::optional<BrokenRule> broken_by(const std::string& path) const {
         BrokenRule broken = confined_ ? confined_->of_read(path) : BrokenRule();
         return broken.rule.empty() ? std::nullopt : std::optional(std::move(broken));
     }
 
-    /// An INI file that may have come with a scene; those that it names lie below its folder, too.
+    /// Reads an INI file that may have come with a scene. INI files that it names must lie below
+    /// its folder, too.
     void read_confined(std::string_view argument, const IniName& ini) {
         const bool outermost = !confined_;
         if (outermost) {
@@ -172,7 +174,7 @@ private:
             outside.writable = permitted_.writable;
             confined_.emplace(ini.file, outside);
         }
-        // Only the outermost is one that the user has named.
+        // Only the outermost file is named by the user.
         read_ini(argument, ini, outermost ? read_ : confined_->reader(read_));
         if (outermost) confined_.reset();
     }
@@ -221,7 +223,7 @@ private:
 
     void read_switch(std::string_view argument) {
         const std::string_view text = argument.substr(1);
-        if (same_letters(text, "h")) {  // POV-Ray's shortest way to ask for help
+        if (same_letters(text, "h")) {  // the shortest switch for help in POV-Ray
             options_.task = Task::help;
             return;
         }
@@ -264,7 +266,8 @@ private:
         accept(*row, {argument, *on, {}, where_});
     }
 
-    /// POV-Ray's own INI files have such keywords, to be filled in.
+    /// Warns, since POV-Ray's own INI files have keywords without values, to be filled in; an error
+    /// on the command line.
     void without_value(std::string_view argument) {
         if (where_.empty()) return fail(argument, "needs a value");
         diagnostics_.add(
@@ -280,7 +283,7 @@ private:
         if (!row) {
             const std::string near = meant(argument);
             fail(argument, "there is no such option", near);
-            // Its value is no scene.
+            // Skips its value, which would otherwise be taken for a scene.
             if (!near.empty() && next_ < arguments_.size() && number(arguments_[next_])) ++next_;
             return;
         }
@@ -297,8 +300,8 @@ private:
         accept(*row, given);
     }
 
-    /// The arguments up to the next option, with blanks between them. An option may be what is
-    /// asked about.
+    /// Returns the arguments up to the next option, separated by blanks. `option_first`: the first
+    /// may be an option, the topic of help.
     std::optional<std::string> following_words(bool option_first) {
         std::string words;
         for (; next_ < arguments_.size(); ++next_) {
@@ -314,12 +317,12 @@ private:
     Diagnostics& diagnostics_;
     const Reader& read_;
     Options options_;
-    std::string where_;  ///< the line of an INI file
-    int depth_ = 0;      ///< of INI files
+    std::string where_;  ///< place in an INI file
+    int depth_ = 0;      ///< nesting of INI files
     std::size_t next_ = 0;
     bool only_files_ = false;
     bool bare_scene_ = false;
-    Options permitted_;                    ///< by the user, so far as folders go
+    Options permitted_;                    ///< permissions of the user, for folders
     std::optional<Confinement> confined_;  ///< in an INI file that is not the user's own
 };
 

@@ -33,7 +33,8 @@ std::string path_of(const Options& options, PictureType type) {
     return type_of_name(given) == type ? given : given + ending;
 }
 
-/// The ending of a format that other programs write and this one does not; empty for others.
+/// Returns the extension of a format that other programs write but this one does not; empty for
+/// others.
 std::string other_format(const std::string& path) {
     const std::string ending = lower_case(fs::path(path).extension().string());
     for (const char* known : {".webp", ".tif", ".tiff", ".gif", ".avif", ".heic", ".svg", ".pdf"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which file the picture goes to, and in which format, by POV-Ray's rules for +O and +F.
+// The file and the format of the picture, by POV-Ray's rules for +O and +F.
 #pragma once
 
 #include "app/options.h"
@@ -11,20 +11,21 @@ struct Output {
     PictureFormat format;
 };
 
-/// The format is that of +F, or else of the ending of +O, or else png. A name without the format's
-/// ending gets it. Without a name it is the scene's, in the current folder or the folder of +O.
-/// Devices and pipes are taken by the name that they have. Reports what does not fit together.
+/// Returns the path and format of the picture. The format is that of +F, else that of the extension
+/// of +O, else png. A name without the format's extension gets it. Without a name it is that of the
+/// scene, in the current folder or the folder of +O. Names of devices and pipes are not changed.
+/// Reports contradictions.
 Output output_of(const Options&, Diagnostics&);
 
-/// The folder of the picture, below which the scene may write; "" is the current one, also for
-/// standard output, devices and pipes.
+/// Returns the folder of the picture, below which the scene may write. "" is the current folder,
+/// also for standard output, devices and pipes.
 std::string folder_of(const Output&);
 
-/// Why a file of this name cannot be written; empty when nothing is known, and for no name.
+/// Describes why the file cannot be written; empty if no problem is known or the path is empty.
 std::string problem_with_output(const Options&, const std::string& path);
 
-/// Whether a path is standard output (`-`), a device or a pipe: each frame goes there under the
-/// same name.
+/// Whether a path is standard output (`-`), a device or a pipe. All frames go there under the same
+/// name.
 bool is_stream(const std::string& path);
 
 }  // namespace candelabra

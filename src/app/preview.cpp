@@ -32,7 +32,7 @@ public:
         options_.to_file = false;
         options_.task = Task::render;
         options_.progress = "none";
-        options_.layers.clear();  // the page has its own way to show them
+        options_.layers.clear();  // the page shows layers in its own way
         if (options_.denoise) desk_.denoise(true);
     }
 
@@ -61,11 +61,11 @@ public:
     }
 
 private:
-    /// One scene, until it changes.
+    /// Renders the scene until it changes.
     void render() {
         Console console = console_;
         std::string said;
-        console.sorted = {};  // all is shown
+        console.sorted = {};  // all output is captured
         console.err = [&](std::string_view text) { said += text; };
         console.out = [](std::string_view) {};
         console.terminal = console.coloured = false;
@@ -105,7 +105,7 @@ private:
         return options;
     }
 
-    /// An animation is looked at frame by frame.
+    /// Returns a knob that selects the frame of an animation.
     Knob frames() const {
         const auto number = [](const AnimationFrame& frame) {
             return static_cast<double>(frame.number);
@@ -123,8 +123,7 @@ private:
                   chosen == all.end() ? all.back() : *chosen);
     }
 
-    /// Whether the scene is not the one that was read any more, or all ends. May be asked by any
-    /// thread, as often as it likes.
+    /// Whether the scene is outdated or the preview ends. Cheap; may be called by any thread.
     bool left() {
         if (desk_.turned()) return true;
         look();
@@ -136,7 +135,7 @@ private:
         return ending_;
     }
 
-    /// At files and signals, now and then.
+    /// Checks files and signals at intervals.
     void look() {
         const double now = seconds_now();
         if (now < look_at_) return;
@@ -172,7 +171,8 @@ private:
         if (server_) server_->wake();
     }
 
-    static constexpr double between_looks = 0.1;  ///< at files and signals, in seconds
+    /// Seconds between checks of files and signals.
+    static constexpr double between_looks = 0.1;
     static constexpr int rest_milliseconds = 50;
     static constexpr auto frame_knob = "frame_number";
 

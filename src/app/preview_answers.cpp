@@ -34,7 +34,7 @@ std::optional<Number> number_in(const WebRequest& request, std::string_view name
     return value;
 }
 
-/// One, two, ... numbers; nothing unless all are there.
+/// Parses several numbers; returns nothing unless all are present.
 template <std::size_t count>
 std::optional<std::array<double, count>> numbers_in(
     const WebRequest& request, const std::array<std::string_view, count>& names) {
@@ -47,7 +47,7 @@ std::optional<std::array<double, count>> numbers_in(
     return values;
 }
 
-// What changes something.
+// Requests that change something.
 
 WebAnswer turn(const WebRequest& request, PreviewDesk& desk) {
     const auto value = number_in<double>(request, "value");
@@ -88,7 +88,8 @@ WebAnswer look(const WebRequest& request, PreviewDesk& desk) {
     return desk.choose_view(name) ? done() : refuse("there is no such view");
 }
 
-/// Degrees, shares of the picture and factors that a hand makes in one move.
+/// Changes the camera by degrees, fractions of the picture, and factors. Their ranges are those of
+/// one gesture.
 WebAnswer orbit(const WebRequest& request, PreviewDesk& desk) {
     constexpr double most = 1000;
     if (request.parameter("reset") == "all") {
@@ -138,9 +139,9 @@ constexpr auto changing = std::to_array<Address>({{"/turn", turn},
                                                   {"/point", point},
                                                   {"/pause", pause}});
 
-// What gives something.
+// Requests that return data.
 
-/// The picture for a canvas: numbers of four bytes, the lowest first, and then its pixels.
+/// Returns the picture for a canvas: five little-endian 32-bit integers, then its pixels.
 WebAnswer screen(const PreviewDesk& desk) {
     const ScreenPicture picture = desk.picture();
     if (!picture.bytes) return no_such_page();
@@ -233,7 +234,7 @@ std::string manual_folder(const std::string& program_folder) {
 WebAnswer answer_of(const WebRequest& request, const PreviewFacts& facts, PreviewDesk& desk) {
     const std::string& path = request.path;
     const auto address = std::ranges::find(changing, path, &Address::path);
-    // Whoever leads somebody to an address must not change anything by it.
+    // A link must not change anything, so changes need POST.
     if (request.post != (address != changing.end()))
         return {plain, "what changes something is for POST, all else for GET\n", 405};
     if (address != changing.end()) return address->answer(request, desk);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The addresses of the preview: what each gives or changes. A change is asked for by
-// POST, for which the server wants the page's token; all else gives and changes nothing.
+// The HTTP interface of the preview. Requests that change something use POST with the page's token;
+// all others only return data.
 #pragma once
 
 #include "app/preview_desk.h"
@@ -8,19 +8,19 @@
 
 namespace candelabra {
 
-/// What stays the same in a run.
+/// Constants of a run.
 struct PreviewFacts {
-    std::string page;    ///< the page itself, with its token
+    std::string page;    ///< its HTML, with the token
     std::string scene;   ///< the path of the scene
-    std::string manual;  ///< the folder of the manual as HTML; empty: there is none
+    std::string manual;  ///< folder of the manual as HTML; empty: none
 };
 
 WebAnswer answer_of(const WebRequest&, const PreviewFacts&, PreviewDesk&);
 
-/// The page on which something can be changed.
+/// Returns the page with the token that permits changes, and the name of the scene.
 std::string page_with(const std::string& token, const std::string& scene);
 
-/// Where the manual lies, for a program in that folder; empty when it has not been made.
+/// Returns the folder of the manual for a program in that folder; empty if it has not been built.
 std::string manual_folder(const std::string& program_folder);
 
 }  // namespace candelabra

@@ -33,7 +33,7 @@ void Darkroom::set(const Look& look) {
         const std::lock_guard lock(mutex_);
         if (order_.look == look) return;
         order_.look = look;
-        // With the light of each lamp another plate will come.
+        // A new plate with the light of each lamp will follow.
         const bool lacks_lights = look.relights() && order_.plate && order_.plate->lights.empty() &&
                                   !order_.frame->names.empty();
         fresh_ = fresh_ || !lacks_lights;
@@ -94,7 +94,7 @@ void Darkroom::print(const Order& now, const Plate& plate) {
         now.frame->generation,
         plate.view_name,
         std::make_shared<const std::string>(screen_bytes(made, now.frame->threads))};
-    // A newer print is not covered by one that took longer.
+    // A newer picture must not be replaced by one that took longer.
     const std::lock_guard lock(showing_);
     if (order().number == now.number) shows_(std::move(picture));
 }

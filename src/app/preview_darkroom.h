@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the preview's plates become pictures for the screen: a thread of its own, so that exposure,
+// Develops the preview's plates to pictures for the screen on its own thread, so that exposure,
 // glare and lamps follow a slider while the picture is being rendered.
 #pragma once
 
@@ -16,46 +16,47 @@ namespace candelabra {
 /// A picture for the screen.
 struct ScreenPicture {
     int width = 0, height = 0;                      ///< of the whole picture
-    int columns = 0, rows = 0;                      ///< of what there is: fewer when it is coarse
+    int columns = 0, rows = 0;                      ///< of these pixels: fewer if it is coarse
     int generation = 0;                             ///< see PlateFrame
-    std::string view = "picture";                   ///< what it shows
+    std::string view = "picture";                   ///< or a layer
     std::shared_ptr<const std::string> bytes = {};  ///< see screen_bytes()
 };
 
 class Darkroom {
 public:
-    /// `shows` is called by the darkroom's thread.
+    /// `shows`: receives each picture, called by the darkroom's thread.
     explicit Darkroom(std::function<void(ScreenPicture)> shows);
     Darkroom(const Darkroom&) = delete;
     Darkroom& operator=(const Darkroom&) = delete;
     ~Darkroom();
 
-    /// The newest plate. Called by any thread, as all that follows.
+    /// Sets the newest plate. This and the following functions may be called by any thread.
     void take(std::shared_ptr<const Plate>, std::shared_ptr<const PlateFrame>);
     void set(const Look&);
 
-    /// The newest picture as a file; empty when there is none.
+    /// Returns the newest picture as a file; empty if there is none.
     std::string png() const;
     std::string exr() const;
 
 private:
-    /// What a picture is made of.
+    /// The inputs of a picture.
     struct Order {
         std::shared_ptr<const Plate> plate;
         std::shared_ptr<const PlateFrame> frame;
         Look look;
-        int number = 0;  ///< of those that have been taken
+        int number = 0;  ///< counts the pictures that were begun
     };
 
     void work();
-    /// Glare takes its time, so that a picture of fewer pixels comes first.
+    /// Whether developing is slow because of glare, so that a smaller picture comes first.
     static bool is_slow(const Order&);
-    /// Makes the whole picture beside the others, once no hand is on a slider any more.
+    /// Develops the whole picture on another thread, once the sliders rest.
     void enlarge(const Order&);
     void print(const Order&, const Plate&);
     Order order() const;
 
-    static constexpr int quick_step = 4;  ///< pixels to one of those that come first
+    /// Pixels of the plate per pixel of a small picture, in each direction.
+    static constexpr int quick_step = 4;
 
     std::function<void(ScreenPicture)> shows_;
     mutable std::mutex mutex_;

@@ -43,7 +43,7 @@ std::string current_folder() {
     return std::filesystem::current_path(none).string();
 }
 
-/// What comes after a change of the same thing takes its place.
+/// Adds a change, which replaces an earlier one of the same setting.
 void keep(std::vector<FilmChange>& changes, const FilmChange& wanted) {
     std::erase_if(changes, [&](const FilmChange& each) { return each.name == wanted.name; });
     changes.push_back(wanted);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the preview's page and its renderer tell each other: how one wants to look at the scene, and
-// what there is to see. Every function may be called by any thread.
+// Exchanges data between the preview's page and its renderer: the wishes of the page, and the
+// picture with its state. All functions are thread-safe.
 #pragma once
 
 #include "app/preview_darkroom.h"
@@ -13,39 +13,39 @@
 
 namespace candelabra {
 
-/// How the page wants the scene to be rendered; what it only wants to be developed is in its Look.
+/// The page's wishes for the rendering. Its Look holds those that only affect developing.
 struct Wishes {
     Look look;
     Orbit orbit;
-    int orbit_version = 0;           ///< grows when the camera is moved
-    std::optional<Vec2> focus = {};  ///< of the whole picture, 0 to 1: where one points
+    int orbit_version = 0;           ///< increments when the camera is moved
+    std::optional<Vec2> focus = {};  ///< point in the picture to focus on, from 0 to 1
     bool paused = false;
 };
 
 /// A statement that makes lights, for the page's list.
 struct LampLine {
     std::string name, statement;
-    Vec3 shown = Vec3(0);  ///< mean light that it gives the picture; 0 until it is known
+    Vec3 shown = Vec3(0);  ///< mean light that it adds to the picture; 0 until known
 };
 
-/// How far the picture is.
+/// The state of the picture.
 struct Standing {
     std::string line;          ///< in words
-    std::string errors;        ///< of the scene; the picture is an older one then
-    double progress = 0;       ///< share of the work
-    double samples = 0;        ///< of a pixel, in the mean
-    double noise = 0;          ///< deviation of the mean as it is shown, 0 to 1
-    double seconds_left = -1;  ///< below 0: nobody knows
-    bool busy = false;         ///< it becomes better
+    std::string errors;        ///< of the scene; the picture is then an older one
+    double progress = 0;       ///< fraction of the work
+    double samples = 0;        ///< mean per pixel
+    double noise = 0;          ///< standard deviation of the mean in display values, 0 to 1
+    double seconds_left = -1;  ///< negative: unknown
+    bool busy = false;         ///< the picture is converging
 };
 
 class PreviewDesk {
 public:
-    /// `changed`: called after each change of what the page is shown.
+    /// `changed`: called after each change of the data for the page.
     explicit PreviewDesk(std::function<void()> changed);
 
-    // The page's side.
-    /// Nothing, or why it cannot be, as a sentence.
+    // Called by the page.
+    /// Returns an error as a sentence, or empty.
     std::string change_film(const FilmChange&);
     void reset_film();
     bool dim(std::size_t lamp, const Dimmer&);
@@ -56,7 +56,7 @@ public:
     void point_at(const Vec2&);
     void pause(bool);
     bool turn(const std::string& knob, double value);
-    /// What the page is shown, as JSON.
+    /// Returns the state for the page as JSON.
     std::string status() const;
     int version() const { return version_; }
     ScreenPicture picture() const;
@@ -65,11 +65,11 @@ public:
     std::string film() const;
     Questions& questions() { return questions_; }
 
-    // The renderer's side.
+    // Called by the renderer.
     Wishes wishes() const;
-    /// Number of all wishes up to now: as long as it stays, there is nothing new.
+    /// Returns the version of the wishes; it changes with every new wish.
     int wish_version() const { return wish_version_; }
-    /// Declarations for the scene; from now on `turned()` is false.
+    /// Returns declarations for the scene and resets `turned()`.
     std::vector<std::pair<std::string, double>> take_knobs(std::vector<Knob>);
     double knob(const std::string& name, double otherwise) const;
     bool turned() const { return turned_; }
@@ -78,10 +78,10 @@ public:
     /// `base`: the camera of the scene.
     void show_scene(const Sight& base, const FilmSettings&, std::vector<LampLine>, bool lit_apart);
     int next_generation() { return ++generation_; }
-    /// A plate with less noise that is being made, of this scene or the one before; only the
-    /// renderer touches it.
+    /// A denoised plate that is being made, of this or the previous scene; only used by the
+    /// renderer.
     std::future<Plate>& quiet_work() { return quiet_work_; }
-    /// Waits for a wish or some milliseconds.
+    /// Waits for a wish, at most this many milliseconds.
     void rest(int milliseconds) const;
 
 private:
@@ -89,21 +89,21 @@ private:
     void told();
 
     std::function<void()> changed_;
-    std::string folder_;  ///< that relative names in messages are of
+    std::string folder_;  ///< base of relative names in messages
     mutable std::mutex mutex_;
     mutable std::condition_variable wish_;
     Wishes wishes_;
     std::atomic<int> wish_version_ = 0, version_ = 0, generation_ = 0;
     std::atomic<bool> turned_ = false;
     std::vector<Knob> knobs_;
-    std::map<std::string, double> set_;  ///< knobs, by name
+    std::map<std::string, double> set_;  ///< values of knobs, by name
     Standing standing_;
     ScreenPicture picture_;
     int pictures_ = 0;
     std::optional<Sight> base_;
     FilmSettings film_;  ///< the scene's
     std::vector<LampLine> lamps_;
-    bool lit_apart_ = false;  ///< there is light of each lamp by itself
+    bool lit_apart_ = false;  ///< the light of each lamp is available separately
     Questions questions_;
     std::future<Plate> quiet_work_;
     Darkroom darkroom_;  ///< the last member: its thread uses the others

@@ -17,7 +17,7 @@ namespace candelabra {
 
 namespace {
 
-/// The images of a plate, in one order.
+/// Returns the images of a plate in a fixed order.
 std::vector<Image*> images_of(Plate& plate) {
     std::vector<Image*> all = {&plate.light, &plate.smooth};
     for (Image& each : plate.lights) all.push_back(&each);
@@ -30,10 +30,10 @@ std::vector<const Image*> images_of(const Plate& plate) {
     return all;
 }
 
-/// Which sums of a pixel make an image.
+/// The sums of a pixel that form an image.
 struct Source {
     std::size_t first = 0;
-    double compressed = 0;  ///< the factor of samples that were compressed; 0: they were not
+    double compressed = 0;  ///< exposure factor of compressed samples; 0: not compressed
 };
 
 Vec3 value_of(const Film& film, std::size_t pixel, const Source& source) {
@@ -50,7 +50,7 @@ const Dimmer* dimmer_of(const Look& look, const std::string& name) {
                                                                           : &found->second;
 }
 
-/// From values to bytes, by the bounds between them.
+/// Quantises values to bytes by a table of the thresholds between them.
 class ByteScale {
 public:
     explicit ByteScale(const PictureFormat& format) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the preview's film has gathered at a moment, taken apart so that it can be lit and developed
-// anew without being rendered: the light of each statement by itself. Made between two stretches of
-// rendering, used by a thread of its own.
+// A snapshot of the preview's film, with the light of each statement in its own image, so that it
+// can be relit and developed without being rendered again. Made between two stretches of rendering;
+// used by the darkroom's thread.
 #pragma once
 
 #include "film/develop.h"
@@ -18,7 +18,7 @@ namespace candelabra {
 
 class Film;
 
-/// A statement's lamps as the page has turned them: factors of their light.
+/// Factors on the light of a statement's lamps, set by the page.
 struct Dimmer {
     double strength = 1;
     Vec3 colour = Vec3(1);
@@ -27,71 +27,71 @@ struct Dimmer {
     friend bool operator==(const Dimmer&, const Dimmer&) = default;
 };
 
-/// How the page wants a plate to be developed.
+/// Settings of the page for developing a plate.
 struct Look {
-    std::vector<FilmChange> film = {};  ///< of the scene's own film
+    std::vector<FilmChange> film = {};  ///< changes of the scene's own film
     std::map<std::string, Dimmer> lamps = {};
     bool denoised = false;
     std::string view = "picture";  ///< or a layer
 
-    /// Whether light is not as it was rendered.
+    /// Whether the light of any lamp is changed.
     bool relights() const;
     friend bool operator==(const Look&, const Look&) = default;
 };
 
-/// Pictures of a part of all pixels: coarse ones have fewer rows and columns.
+/// Images of some or all pixels of a picture. Coarse ones have fewer rows and columns.
 struct Plate {
     int width = 0, height = 0;       ///< of the whole picture
-    Image light;                     ///< as the scene gives it
+    Image light;                     ///< before any dimming
     Image smooth = {};               ///< see Negative
-    std::vector<Image> lights = {};  ///< of each statement; empty: they were not asked for
-    std::optional<Image> view = {};  ///< a layer, as a screen shows it
+    std::vector<Image> lights = {};  ///< of each statement; empty: not requested
+    std::optional<Image> view = {};  ///< a layer in display colours
     std::string view_name = "picture";
 };
 
-/// What does not change while a picture becomes better.
+/// Data that stay constant while a picture converges.
 struct PlateFrame {
     FilmSettings film;
     PictureFormat format;
     std::vector<std::string> names;  ///< of the statements that make lights
     int threads = 0;
-    int generation = 0;  ///< number of the picture: more after each change
+    int generation = 0;  ///< incremented with each change of the picture
 };
 
-/// Of the pixels that have samples; others show the coarse plate, which has the same images, spread
-/// over the whole picture. Null: they are black.
+/// Returns a plate of the pixels that have samples. The others show the coarse plate, which has the
+/// same images, interpolated over the whole picture. If it is null, they are black.
 Plate plate_of(const Film&, const Aovs&, const FilmSettings&, bool with_lights,
                const Plate* coarse = nullptr);
 
-/// The picture between the pixels of a smaller one, at the place of a pixel of the whole picture.
+/// Interpolates a smaller picture bilinearly at a pixel of the whole picture.
 Vec3 spread_out(const Image& coarse, const Image& whole, int x, int y);
 
-/// Means of squares of so many pixels.
+/// Returns the means of squares of step x step pixels.
 Plate reduced(const Plate&, int step);
 
-/// The light with the dimmers. Lamps without a dimmer are as they are, and so is what belongs to no
-/// lamp.
+/// Returns the light with the dimmers applied. Lamps without a dimmer, and light that belongs to no
+/// lamp, are unchanged.
 Image relit(const Plate&, const std::vector<std::string>& names, const Look&);
 
-/// A picture as a screen shows it, and how it is encoded.
+/// A picture in display values, and its encoding.
 struct Print {
     Image image;
     PictureFormat format;
 };
 Print print_of(const Plate&, const PlateFrame&, const Look&);
 
-/// The film that the look makes of the scene's.
+/// Applies the film changes of the look to the scene's film.
 FilmSettings film_with(FilmSettings, const Look&);
 
 /// Changes one setting. `exposure` is a number of stops, with or without `auto`, which is `on` or
-/// `off`; the others are as in change(). An error as a sentence, empty when there is none.
+/// `off`; the others are as in change(). Returns an error as a sentence, or empty.
 std::string change_look(FilmSettings&, const FilmChange&);
 
-/// Red, green, blue and 255 for each pixel.
+/// Returns the bytes red, green, blue and 255 for each pixel.
 std::string screen_bytes(const Print&, int threads);
 
-/// An OpenEXR file of the light as the look has it, with the light of each statement if the plate
-/// has it, and the film in a text. Nothing, with a diagnostic, when it cannot be made.
+/// Returns an OpenEXR file of the light with the look applied, the light of each statement if the
+/// plate has it, and the film in a text attribute. Returns nothing, with a diagnostic, on failure.
 std::optional<std::string> exr_of(const Plate&, const PlateFrame&, const Look&, Diagnostics&);
 
 }  // namespace candelabra

@@ -23,11 +23,12 @@ namespace candelabra {
 
 namespace {
 
-/// A coarse picture that came later than this would be missed, in seconds.
+/// Time in seconds after which the first coarse picture is shown rather than waiting for the
+/// second.
 constexpr double soon = 0.1;
-/// A coarse picture has at least so many pixels in each direction.
+/// Minimum width and height of a coarse picture.
 constexpr int min_edge = 8;
-/// Sums of lights may take so many bytes.
+/// Maximum memory for the sums of lights, in bytes.
 constexpr double light_bytes = 512e6;
 
 bool has_room_for_lights(const Staged& staged) {
@@ -37,7 +38,7 @@ bool has_room_for_lights(const Staged& staged) {
            light_bytes;
 }
 
-/// What is gathered, as the options of a run with layers would have it.
+/// Returns the outputs to gather, as for a run with layers.
 FilmFiles gathered(const Staged& staged, bool denoised) {
     FilmFiles files{{}, staged.format};
     if (!staged.lights.empty() && has_room_for_lights(staged))
@@ -80,7 +81,8 @@ public:
                  statement_text(staged.world.provenance.light_statements[k], staged.sources)});
     }
 
-    /// A hand that never rests sees one picture of each scene.
+    /// Renders until the scene is left. While the page keeps changing it, each scene is still shown
+    /// once.
     void run() {
         tell_scene();
         do render();
@@ -94,7 +96,7 @@ private:
                          !lamps_.empty() && has_room_for_lights(staged_));
     }
 
-    /// The picture of one camera.
+    /// Renders the picture of one camera.
     void render() {
         take_wishes();
         rendered_ = wishes_;
@@ -128,7 +130,7 @@ private:
         wishes_ = desk_.wishes();
     }
 
-    /// Whether the picture that is being made is not wanted any more.
+    /// Whether the picture being made is no longer wanted.
     bool outdated() const {
         if (leaving_.soon()) return true;
         if (desk_.wish_version() == wish_version_) return false;
@@ -140,8 +142,8 @@ private:
                (wishes.look.denoised && !rendered_.look.denoised);
     }
 
-    /// The first coarse picture is shown whatever happens, so that a hand that never rests sees
-    /// what it does. False: something else is wanted.
+    /// Makes the coarse pictures. The first is always shown, so that continuous changes stay
+    /// visible. Returns false if something else is wanted.
     bool make_rough() {
         const QuickLights quick(staged_.world);
         bool shown = false;
@@ -213,13 +215,13 @@ private:
         show_at_ = begun_ + first_look;
     }
 
-    /// Whether somebody wants something.
+    /// Whether a wish or a question waits.
     bool called() const {
         return leaving_.soon() || desk_.wish_version() != wish_version_ ||
                desk_.questions().waiting();
     }
 
-    /// Renders until somebody wants something; true at the end.
+    /// Renders until a wish or a question waits. Returns whether the picture is finished.
     bool stretch(RenderState& state) {
         if (!plan_) {
             const auto plan = plan_of(staged_.world, settings_, sent_, [this] { return called(); });
@@ -245,7 +247,7 @@ private:
                                     : std::numeric_limits<double>::infinity();
     }
 
-    /// Does what is wanted between two stretches.
+    /// Handles wishes and questions between two stretches.
     void attend(const RenderState& state, bool finished) {
         const Wishes before = wishes_;
         take_wishes();
@@ -285,7 +287,7 @@ private:
                 show(plate);
                 plate.view = view(exhibit, view_name, 1, [this] { return called(); });
                 if (called()) {
-                    show_at_ = before;  // the whole of it is still to come
+                    show_at_ = before;  // the complete layer is still to be shown
                     return;
                 }
                 still_[view_name] = *plate.view;
@@ -308,7 +310,7 @@ private:
         desk_.show(plate_, frame_);
     }
 
-    /// What lamps give is known once their light is known by itself.
+    /// Records the light of each lamp once it is available separately.
     void note_lamps(const Plate& plate) {
         if (plate.lights.size() != lamps_.size() || plate.lights.empty()) return;
         for (std::size_t k = 0; k < lamps_.size(); ++k) lamps_[k].shown = mean_of(plate.lights[k]);
@@ -339,8 +341,8 @@ private:
         });
     }
 
-    /// A picture with less noise is made of a copy, beside the rendering, each time that there are
-    /// twice as many samples.
+    /// Denoises a copy of the film in parallel with the rendering, each time the number of samples
+    /// has doubled.
     void begin_quiet(const Film& film) {
         std::uint64_t samples = 0;
         bool covered = true;
@@ -364,7 +366,7 @@ private:
         });
     }
 
-    /// Whether a picture with less noise has come.
+    /// Takes a denoised plate that is ready. Returns whether there was one.
     bool takes_quiet() {
         if (!desk_.quiet_work().valid() ||
             desk_.quiet_work().wait_for(std::chrono::seconds(0)) != std::future_status::ready)
@@ -379,15 +381,15 @@ private:
     PreviewDesk& desk_;
     const Leaving& leaving_;
     const RenderSettings settings_;
-    const SentLight sent_;  ///< from lamps, once for all cameras
+    const SentLight sent_;  ///< light sent from lamps, shared by all cameras
     const Sight base_;
     std::vector<Projection> cameras_;  ///< of the scene, one for each moment of the shutter
     std::vector<LampLine> lamps_;
     FilmFiles files_;
     Aovs aovs_;
     std::optional<RenderPlan> plan_;
-    Wishes wishes_;    ///< that are known
-    Wishes rendered_;  ///< that the picture was begun with
+    Wishes wishes_;    ///< newest known
+    Wishes rendered_;  ///< at the start of the picture
     int wish_version_ = -1;
     std::shared_ptr<const PlateFrame> frame_;
     std::shared_ptr<const Plate> plate_;

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// A number with one of these endings, in any case of letters; nothing for anything else.
+/// A unit after a number. Ignores case.
 struct Unit {
     char ending;
     double factor;

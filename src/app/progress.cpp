@@ -12,11 +12,11 @@ namespace candelabra {
 
 namespace {
 
-constexpr double terminal_interval = 0.2;  ///< seconds between two changes of the line
-/// Seconds after which a line is due even without a tenth of progress.
+constexpr double terminal_interval = 0.2;  ///< seconds between two updates of the line
+/// Seconds after which a line is written even without a tenth of progress.
 constexpr double line_interval = 10;
 constexpr double program_interval = 0.5;
-constexpr double shortest_interval = 1;  ///< lines of a quick rendering would be noise
+constexpr double shortest_interval = 1;  ///< so that a quick rendering writes no lines
 
 std::string two_digits(long number) { return message(number < 10 ? "0" : "", number); }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a rendering is, for people and for programs. On a terminal one line that is rewritten,
-// elsewhere a line now and then. May be told from several threads; time and output are arguments,
-// so that it can be tested.
+// Reports the progress of a rendering to people and programs. On a terminal one line is rewritten;
+// elsewhere lines are written at intervals. Thread-safe. Clock and output are parameters, so that
+// it can be tested.
 #pragma once
 
 #include <functional>
@@ -14,24 +14,24 @@ namespace candelabra {
 
 class Progress {
 public:
-    /// The last three are for programs: a JSON object on a line, and what RenderMan's queues and
-    /// Open Job Description read.
+    /// The last three are for programs: a JSON object per line, and the formats of RenderMan's
+    /// queues and of Open Job Description.
     enum class Style { silent, lines, terminal, json, alf, openjd };
     using Seconds = std::function<double()>;
     using Output = std::function<void(std::string_view)>;
 
-    /// The share of a whole job that this work is, of which programs hear.
+    /// The part of a whole job that this work is. Only programs are told.
     struct Share {
         double first = 0, last = 1;
     };
 
     Progress(Style style, Seconds clock, Output output, Share share = {0, 1});
 
-    /// `fraction` of the work is done. What comes late, from another thread, and says less than
-    /// before, is left out.
+    /// Reports that `fraction` of the work is done. An update that arrives late from another
+    /// thread, with a smaller fraction, is ignored.
     void update(double fraction);
 
-    /// Takes the line on a terminal away, and tells programs how far it came.
+    /// Removes the line on a terminal, and reports the final fraction to programs.
     void finish();
 
 private:
@@ -51,16 +51,16 @@ private:
     std::size_t width_ = 0;  ///< of the line on the terminal
 };
 
-/// The style that `--progress` calls so; nothing for another word.
+/// Returns the style with this name for `--progress`, or nothing for another word.
 std::optional<Progress::Style> progress_style(std::string_view name);
 
-/// What a program reads, with the end of its line.
+/// Returns a line for programs, with its newline.
 std::string progress_line(Progress::Style, double fraction, double elapsed);
 
 /// "42.0 %, 12 s so far, about 17 s left"
 std::string progress_text(double fraction, double elapsed);
 
-/// A time as people say it: "8.3 s", "42 s", "3 min 20 s", "1 h 02 min".
+/// Formats a time for people: "8.3 s", "42 s", "3 min 20 s", "1 h 02 min".
 std::string duration(double seconds);
 
 }  // namespace candelabra

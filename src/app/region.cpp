@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// How many rows or columns lie before the start.
+/// Returns the number of rows or columns before the start.
 int before(const std::optional<double>& start, int size) {
     if (!start) return 0;
     const double rows = *start < 1 ? std::floor(*start * size) : *start - 1;
@@ -17,7 +17,7 @@ int before(const std::optional<double>& start, int size) {
 
 int up_to(const std::optional<double>& end, int size) {
     if (!end) return size;
-    // An end of 1 is all, as in POV-Ray, whose settings say `End_Row=1.0`.
+    // An end of 1 means all, as in POV-Ray, whose settings contain `End_Row=1.0`.
     const double rows = *end <= 1 ? std::floor(*end * size) : *end;
     return static_cast<int>(std::clamp(rows, 0.0, static_cast<double>(size)));
 }

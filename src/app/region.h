@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rows and columns of the picture are rendered, by POV-Ray's rules for +SR, +ER, +SC, +EC.
+// The rows and columns of the picture that are rendered, by POV-Ray's rules for +SR, +ER, +SC, +EC.
 #pragma once
 
 #include "app/options.h"
@@ -7,8 +7,8 @@
 
 namespace candelabra {
 
-/// Rows and columns count from 1, the last ones included; what is below 1 is a fraction of the
-/// picture. Clipped to the picture; may be empty.
+/// Returns the region to render. In the options, rows and columns count from 1, and the last ones
+/// are included; values below 1 are fractions of the picture. Clipped to the picture; may be empty.
 Region region_of(const Options&);
 
 }  // namespace candelabra

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// With --time alone there are as many samples as the time allows.
+/// Number of samples per pixel if only --time limits them.
 constexpr int max_samples_in_time = 1'000'000;
 
 std::uint32_t max_samples(const RenderState& state) {
@@ -132,7 +132,7 @@ bool RenderJob::prepare() {
     auto old = read_checkpoint(path, diagnostics_);
     if (!old || !fits(*old)) return false;
     checkpoint_.state = std::move(old->state);
-    // The state may say more than any run would have wanted.
+    // The state may ask for more samples than any run would.
     const std::uint32_t most = max_wanted(rendering_.settings, rendering_.samples, rendering_.rule);
     for (PixelSum& pixel : checkpoint_.state.film.pixels())
         pixel.target = std::min(pixel.target, most);
@@ -144,7 +144,7 @@ bool RenderJob::save(Diagnostics& diagnostics) {
     return bytes && write_file(state_path(plan_), *bytes, diagnostics);
 }
 
-/// There may be room later.
+/// Saves the state. Failure is only a warning, since a later attempt may succeed.
 void RenderJob::save_and_go_on() {
     Diagnostics problems;
     if (save(problems)) return;
@@ -162,7 +162,7 @@ void RenderJob::leave_state(bool keep) {
         fs::remove(state_path(plan_), none);
 }
 
-/// Renders until the picture is finished (none), or why not.
+/// Renders until the picture is finished (none), or returns the reason for stopping.
 Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clock) {
     std::atomic<Interrupt> asked = Interrupt::none;
     RenderHooks hooks;
@@ -178,7 +178,7 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
         const Interrupt now = interrupts_.take ? interrupts_.take() : Interrupt::none;
         const double time = clock();
         Interrupt none = Interrupt::none;
-        // A stop that another thread has taken meanwhile counts for more than saving.
+        // A stop that another thread has received takes precedence over saving.
         if (now == Interrupt::stop)
             asked = now;
         else if (now == Interrupt::save || time >= save_at_ || time >= deadline_)
@@ -193,7 +193,8 @@ JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) 
     const double interval = plan_.options.checkpoint_interval;
     const bool saves = can_keep();
     const auto plan_save = [&](double now, double cost) {
-        // A large picture should not spend its time on states.
+        // Keeps the share of time spent on states low: an interval is at least 20 times the cost of
+        // a state.
         constexpr double max_share = 20;
         save_at_ = saves && interval > 0 ? now + std::max(interval, max_share * cost) : never;
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes one picture and loses nothing: begins it or goes on from a state, writes states at
-// intervals and when signals ask, and says how it ended. The caller writes the picture.
+// Renders one picture without loss of work: starts it or continues from a state, writes states at
+// intervals and on signals, and returns how it ended. The caller writes the picture.
 #pragma once
 
 #include "app/checkpoint.h"
@@ -13,43 +13,46 @@ namespace candelabra {
 
 enum class JobEnd {
     finished,  ///< the picture is complete
-    stopped,   ///< a signal came; the state was kept, or there is an error in the diagnostics
+    stopped,   ///< a signal came; the state was saved, or the diagnostics have an error
 };
 
-/// What a job makes and where it may keep its state.
+/// The picture of a job, and the location of its state.
 struct JobPlan {
     const Options& options;
     Identity identity;
-    std::string picture;         ///< path of the picture; its state lies beside it
-    std::optional<Shard> shard;  ///< nothing: the whole picture
-    /// See RenderHooks; not called when the time is limited, which is for this picture alone.
+    std::string picture;         ///< path of the picture, which its state lies beside
+    std::optional<Shard> shard;  ///< unset: the whole picture
+    /// See RenderHooks. Not called if the time is limited, since the limit is for this picture
+    /// alone.
     std::function<void()> winds_down;
 };
 
-/// Beside which a state lies: the picture's name and, of a shard, its number.
+/// Returns the path of a state: the picture's name with the number of a shard, if any.
 std::string state_path(const JobPlan&);
 std::string state_path(const std::string& picture, const std::optional<Shard>&);
 
-/// As many samples as the time allows, where nothing else says how many.
+/// Returns the settings; if only the time is limited, the number of samples is practically
+/// unlimited.
 RenderSettings timed(const Options&);
 
 class RenderJob {
 public:
     RenderJob(JobPlan, const World&, const Interrupts&, Diagnostics&);
 
-    /// Begins the picture, or reads the state that it goes on from. False after a report.
+    /// Starts the picture, or reads the state to continue from. Returns false after an error has
+    /// been reported.
     bool prepare();
 
-    /// Called once, after that. The clock gives seconds.
+    /// Renders the picture. Call it once, after prepare(). The clock returns seconds.
     JobEnd run(Progress&, const std::function<double()>& clock);
 
     const Film& film() const { return checkpoint_.state.film; }
     const LightLedger& rays() const { return rays_; }
-    /// Samples of a pixel of the whole picture, when that number is even.
+    /// Samples per pixel of the whole picture, if uniform.
     int samples() const { return static_cast<int>(checkpoint_.all_samples); }
-    /// Whether there is a place for a state.
+    /// Whether a state can be stored beside the picture.
     bool can_keep() const;
-    /// Writes the state, or takes an old one away: what is left when the picture is there.
+    /// Writes the final state or removes an old one. Call it when the picture has been written.
     void leave_state(bool keep);
 
 private:

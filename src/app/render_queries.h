@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions of one thread about a picture that another one makes, answered by the latter when it
-// has a moment: so that nobody reads what is being written. Between the preview's server and its
+// Passes questions about a picture to the thread that renders it. The renderer answers them between
+// stretches, so that no thread reads data being written. Used between the preview's server and its
 // renderer.
 #pragma once
 
@@ -21,7 +21,7 @@ class Questions {
 public:
     using Question = std::function<std::string(const Exhibit&)>;
 
-    /// Waits for the answer; empty when there is no picture, or nobody answers for some seconds.
+    /// Returns the answer; empty if there is no picture, or no answer within 10 seconds.
     std::string ask(Question question) {
         std::future<std::string> answer;
         {
@@ -36,15 +36,15 @@ public:
                                                                       : std::string();
     }
 
-    /// Whether somebody waits.
+    /// Whether a question waits.
     bool waiting() const { return waiting_; }
 
-    /// Answers all that was asked; from now on there is a picture.
+    /// Answers all questions. Marks a picture as present.
     void answer(const Exhibit& exhibit) {
         for (Asked& each : taken(true)) each.answer.set_value(each.question(exhibit));
     }
 
-    /// There is no picture any more.
+    /// Marks the picture as gone; pending questions get empty answers.
     void close() {
         for (Asked& each : taken(false)) each.answer.set_value({});
     }

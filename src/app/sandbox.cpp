@@ -25,18 +25,18 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t reading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
 constexpr std::uint64_t running = LANDLOCK_ACCESS_FS_EXECUTE;
-/// Since the second and the third version of Landlock, which headers may be older than.
+/// Rights of the second and the third version of Landlock, which older headers lack.
 constexpr std::uint64_t moving = 1 << 13, truncating = 1 << 14;
 constexpr std::uint64_t writing = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
                                   LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
                                   LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |
                                   LANDLOCK_ACCESS_FS_MAKE_SOCK | LANDLOCK_ACCESS_FS_MAKE_FIFO |
                                   LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
-/// Rights that a rule for a single file may name.
+/// Rights that a rule for a single file may contain.
 constexpr std::uint64_t of_files =
     LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE | running | truncating;
 
-/// A set of rules for files that is being written.
+/// A Landlock ruleset under construction.
 class Landlock {
 public:
     Landlock() {
@@ -79,7 +79,7 @@ private:
 bool confine_files(const SandboxRules& rules) {
     const Landlock landlock;
     if (!landlock.works()) return false;
-    // The rule for this folder is about what stands for it as long as it is open.
+    // Keeps /proc/self open, since its rule holds only as long as its inode is in use.
     if (::open("/proc/self", O_PATH | O_CLOEXEC) < 0) return false;
     const std::uint64_t read = reading | (rules.programs ? running : 0);
     for (const std::string& path : rules.readable) landlock.allow(path, read);
@@ -89,7 +89,7 @@ bool confine_files(const SandboxRules& rules) {
     return landlock.enforce();
 }
 
-/// Calls that no renderer makes.
+/// System calls that no renderer makes.
 constexpr auto never_called = std::to_array({SCMP_SYS(ptrace),
                                              SCMP_SYS(process_vm_readv),
                                              SCMP_SYS(process_vm_writev),
@@ -141,7 +141,7 @@ std::string folder_around(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
-/// The libraries, fonts and figures of the system, and what belongs to the program.
+/// Returns the libraries, fonts and status files of the system, and the files of the program.
 std::vector<std::string> system_files(const std::string& library) {
     const std::string program = folder_around(own_path());
     return {"/usr",

@@ -30,7 +30,7 @@ namespace candelabra {
 
 namespace {
 
-/// One run over one scene: what the steps share.
+/// The shared data of the steps of one run.
 class SceneRun {
 public:
     SceneRun(const Options& options, const Console& console, Diagnostics& diagnostics)
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    /// Which part of the work this run does, and whether that goes.
+    /// Determines the part of the work that this run does, and reports invalid parts.
     void read_part() {
         const RenderSettings& settings = options_.render;
         const Region region = region_of(options_);
@@ -74,7 +74,8 @@ private:
             refuse("a shard is a file, which cannot go to standard output or nowhere");
     }
 
-    /// The evaluation's stack is room that is set aside and hardly ever used, so it does not count.
+    /// Sets the memory limit. The evaluation's stack is reserved but hardly used, so it does not
+    /// count.
     void bound_memory() {
         const auto bytes = options_.memory_bytes ? options_.memory_bytes : physical_memory();
         const std::uint64_t stacks = options_.at_once * options_.limits.stack_bytes;
@@ -87,7 +88,7 @@ private:
 
     SourceStore& sources() { return session_ ? session_->sources() : before_; }
 
-    /// Prints what is new; true when there are errors.
+    /// Prints the new diagnostics. Returns whether there are errors.
     bool say_diagnostics() {
         const auto& all = diagnostics_.all();
         for (; said_ < all.size(); ++said_)
@@ -99,7 +100,7 @@ private:
         return diagnostics_.failed();
     }
 
-    /// What becomes of the film, as far as the options say it.
+    /// Returns the outputs of the film as far as the options determine them.
     FilmFiles files_of(const Output& output) const {
         FilmFiles files{output.path, output.format, options_.alpha, options_.layers};
         files.denoise = options_.denoise;
@@ -107,7 +108,7 @@ private:
         return files;
     }
 
-    /// Long work should not end at a missing folder.
+    /// Finds problems with destinations before the long work begins.
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render, saves = renders && options_.to_file;
         const std::string layers = renders ? layers_path(files_of(output)) : "";
@@ -139,13 +140,13 @@ private:
         settings.render = options_.render;
         settings.evaluation = {options_.declares, options_.facts, options_.limits, {}, {}};
         if (options_.task == Task::export_mesh) settings.evaluation.only = options_.mesh_object;
-        // Pictures remember what they were made from; checks need not.
+        // Pictures record the files that they were made from; checks need not.
         settings.notes_files = options_.task == Task::render;
         settings.remembers_objects = console_.stage || aovs_for(options_.layers, false).surface;
         return settings;
     }
 
-    /// The scene may come from the standard input.
+    /// Opens the session. The scene may come from standard input.
     void open_session(const Output& output) {
         SessionSettings settings = session_settings(output);
         settings.source.name = "standard input";
@@ -200,7 +201,7 @@ private:
         return say_diagnostics() ? exit_status::file : exit_status::done;
     }
 
-    /// The result of a check or a dump, and what is wrong.
+    /// Prints the result of a check or a dump, and the diagnostics.
     int say(const std::string& text) {
         console_.out(text);
         if (say_diagnostics()) return exit_status::scene;
@@ -216,7 +217,7 @@ private:
 
     Scene evaluate_scene() {
         Scene scene = session_->evaluate();
-        // What comes next begins a line of its own.
+        // Ends a line of the scene's output that is still open.
         if (line_is_open_) candelabra::say(console_, Stream::debug, "\n");
         return scene;
     }
@@ -226,12 +227,12 @@ private:
         const bool shown = talks(options_) && options_.streams[Stream::render].shown;
         const Progress::Style usual = !shown ? silent : console_.terminal ? terminal : lines;
         const Progress::Style style = progress_style(options_.progress).value_or(usual);
-        // Who manages a farm listens to the standard output, unless the picture goes there.
+        // Farm managers read standard output, unless the picture goes there.
         const bool out = (style == alf || style == openjd) && options_.output != "-";
         return Progress(style, seconds_now, out ? console_.out : console_.err, options_.share);
     }
 
-    /// Each picture has grains of its own.
+    /// Returns the film with a grain pattern of its own for each picture.
     FilmSettings film_of_frame(const World& world) const {
         FilmSettings film = world.view.film;
         constexpr std::uint32_t most = (1u << 30) - 1;
@@ -244,7 +245,7 @@ private:
         return film;
     }
 
-    /// Somebody else renders it.
+    /// Passes the scene to the console's stage, which renders it.
     int look_at(World& world, const Output& output) {
         const std::vector<std::string> lights = light_names(world, sources());
         console_.stage({world, sources(), options_, output.format, film_of_frame(world), lights});
@@ -290,7 +291,7 @@ private:
         return status;
     }
 
-    /// Waits until it may render; the time until then is not its own.
+    /// Waits until rendering may begin, and excludes the waiting time from the statistics.
     bool take_turn() {
         const double before = time_now().seconds;
         const bool wanted = !console_.begins_rendering || console_.begins_rendering();
@@ -298,7 +299,7 @@ private:
         return wanted;
     }
 
-    /// What light gave and cost, if the run asks for it.
+    /// Prints the light report if it is requested.
     void show_light(const World& world, const RenderJob& job) {
         if (options_.light_report) console_.err(light_report(world, job.rays(), sources()));
     }
@@ -325,7 +326,7 @@ private:
         return exit_status::stopped;
     }
 
-    /// The statistics, which a check has, too.
+    /// Completes the statistics, which a check prints, too.
     int finish(const World& world) {
         statistics_.total = time_now() - start_;
         statistics_.prepared_ahead = options_.prepared_ahead;
@@ -344,10 +345,10 @@ private:
     const Console& console_;
     Diagnostics& diagnostics_;
     Names names_;
-    std::optional<Session> session_;  ///< once the options are known to work
-    SourceStore before_;              ///< of messages before that: nothing
-    bool line_is_open_ = false;       ///< what the scene has said last goes on
-    std::optional<Shard> shard_;      ///< nothing: the whole picture
+    std::optional<Session> session_;  ///< set once the options are known to be valid
+    SourceStore before_;              ///< of earlier messages: empty
+    bool line_is_open_ = false;       ///< the scene's last output has no newline yet
+    std::optional<Shard> shard_;      ///< unset: the whole picture
     std::string made_path_;           ///< of the picture or the shard
     std::size_t said_ = 0;
     Phase start_ = time_now();

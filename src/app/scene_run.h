@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run over one scene: reads, evaluates, and checks, dumps or renders it. Called by the commands
-// and, for each frame, by animations.
+// One run over one scene: reads and evaluates it, then checks, dumps or renders it. Called by the
+// commands and, for each frame, by animations.
 #pragma once
 
 #include "app/console.h"
@@ -8,7 +8,7 @@
 
 namespace candelabra {
 
-/// Says what is wrong; gives the exit status.
+/// Runs the scene. Reports errors and returns the exit status.
 int run_scene(const Options&, const Console&, Diagnostics&);
 
 }  // namespace candelabra

@@ -19,10 +19,10 @@ std::optional<int> whole(const std::optional<std::string>& text) {
     return good && value >= 0 && value <= max_shards ? std::optional(value) : std::nullopt;
 }
 
-/// What a queueing system tells each job of an array.
+/// Environment variables that a queueing system sets for each job of an array.
 struct Engine {
     const char* index;
-    const char* first;  ///< where that counts from; null: 0
+    const char* first;  ///< the first index; null: 0
     const char* step;
     const char* count;
 };
@@ -33,7 +33,7 @@ constexpr auto engines = std::array{
     Engine{"JOB_COMPLETION_INDEX", nullptr, nullptr, nullptr},
 };
 
-/// Number and, where it is known, count; 0 where it is not.
+/// Returns the shard's number and count; the count is 0 if unknown.
 std::optional<Shard> from_environment(const Environment& variable) {
     const auto value = [&](const char* name, int otherwise) {
         return name ? whole(variable(name)).value_or(otherwise) : otherwise;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run's part of work that several do: --shard 2/4, or what the variables of job arrays say.
+// The part of the work that one of several runs does: --shard 2/4, or the variables of job arrays.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -21,19 +21,19 @@ struct Shard {
     friend bool operator==(const Shard&, const Shard&) = default;
 };
 
-/// The value of a variable of the environment, or nothing.
+/// Returns the value of an environment variable, or nothing.
 using Environment = std::function<std::optional<std::string>(const std::string&)>;
 
-/// What --shard says: `2/4`, or `auto` and `auto/4`, which ask Slurm's, AWS Batch's and
-/// Kubernetes' variables for the number and, where they know it, the count. Nothing after a
-/// report.
+/// Parses the value of --shard: `2/4`, or `auto` and `auto/4`, which take the number and, where
+/// available, the count from the variables of Slurm, AWS Batch and Kubernetes. Returns nothing
+/// after an error has been reported.
 std::optional<Shard> read_shard(const std::string& text, const Environment&, Diagnostics&);
 
 /// "2of4"
 std::string shard_name(const Shard&);
 
-/// First of the things 0 ... all - 1 that belong to a shard; that of the next shard ends them.
-/// Shares differ by one at most.
+/// Returns the first of the items 0 ... all - 1 that belong to a shard, which ends at the first
+/// item of the next. Sizes of shards differ by at most one.
 std::uint32_t first_of(const Shard&, std::uint32_t all);
 
 }  // namespace candelabra

@@ -33,7 +33,7 @@ std::string fact(char sign, const CommandFacts& facts) {
     }
 }
 
-/// Nothing: the run goes on.
+/// Returns the outcome that ends the work, or nothing if the run continues.
 std::optional<Outcome> consequence(const CommandSettings& settings, After after,
                                    const CommandFacts& facts) {
     switch (after) {

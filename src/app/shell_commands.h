@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands of the shell that POV-Ray's INI files have run before and after pictures. They come from
-// the user's own options, never from a scene, and run only when --allow-commands says so.
+// Shell commands that run before and after pictures, as in POV-Ray's INI files. They come from the
+// user's own options, never from a scene, and run only with --allow-commands.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@
 
 namespace candelabra {
 
-/// When a command is run.
+/// The time at which a command is run.
 enum class Moment { pre_scene, pre_frame, post_frame, post_scene, user_abort, fatal_error };
 inline constexpr std::size_t moment_count = 6;
 
-/// What comes after a command that failed (or succeeded, when inverted): POV-Ray's letters.
+/// Action after a command that failed (or succeeded, if inverted), by POV-Ray's letters.
 enum class After : char {
     ignore = 'I',
-    skip = 'S',  ///< this picture, or all of them when no frame is at hand
-    all = 'A',   ///< pictures that follow are skipped, too
-    quit = 'Q',  ///< the run ends as if it were done
+    skip = 'S',  ///< this picture, or all pictures outside of a frame
+    all = 'A',   ///< also skips the remaining pictures
+    quit = 'Q',  ///< ends the run as if it were complete
     abort = 'U',
     fatal = 'F',
 };
@@ -28,9 +28,9 @@ enum class After : char {
 struct CommandSettings {
     struct One {
         std::string command;  ///< empty: none
-        std::string given;    ///< the option, with its place, for messages
+        std::string given;    ///< the option with its place, for messages
         After after = After::ignore;
-        bool inverted = false;  ///< a success has the consequence
+        bool inverted = false;  ///< the action follows a success
     };
     std::array<One, moment_count> all;
     bool allowed = false;
@@ -40,8 +40,8 @@ struct CommandSettings {
     bool any() const;
 };
 
-/// What a command is told: %o the picture's file, %s the scene without its ending, %n the frame's
-/// number, %k the clock, %w and %h the size, %% a percent sign.
+/// Values for the escapes in a command: %o the picture's file, %s the scene without its extension,
+/// %n the frame's number, %k the clock, %w and %h the size, %% a percent sign.
 struct CommandFacts {
     std::string output, scene;
     int frame = 0;
@@ -49,20 +49,20 @@ struct CommandFacts {
     int width = 0, height = 0;
 };
 
-/// The command with its facts, each as one word of the shell.
+/// Replaces the escapes in the command, each by one word of the shell.
 std::string filled_in(std::string_view command, const CommandFacts&);
 
-/// Runs the command of that moment, if there is one.
+/// Runs the command for that moment, if there is one. Returns the action to take.
 After run_command(const CommandSettings&, Moment, const CommandFacts&);
 
-/// How a run goes on.
+/// The continuation of a run.
 struct Outcome {
     int status = 0;     ///< of the program
     bool ends = false;  ///< no more pictures
 };
 
-/// Work between the commands of two moments, the second only when all went well; how errors and
-/// interruptions end is told to their commands.
+/// Does work between two commands, the second only if everything succeeded. On errors and
+/// interruptions their commands are run.
 Outcome with_commands(const CommandSettings&, Moment before, Moment after, const CommandFacts&,
                       const std::function<Outcome()>& work);
 

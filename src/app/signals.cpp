@@ -17,7 +17,7 @@ sigset_t set_of(std::initializer_list<int> signals) {
     return set;
 }
 
-/// SIGHUP stays ignored when it was, as nohup wants it.
+/// Returns the signals to receive. SIGHUP stays ignored if it was, as nohup requires.
 sigset_t taken() {
     struct sigaction hangup {};
     sigaction(SIGHUP, nullptr, &hangup);
@@ -29,7 +29,7 @@ sigset_t taken() {
 
 Signals::Signals() : taken_(taken()) {
     pthread_sigmask(SIG_BLOCK, &taken_, nullptr);
-    // A full disk or a closed pipe is an error of writing, which has its own message.
+    // A full disk or a closed pipe is reported as a write error.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     thread_ = std::thread([this] { wait(); });
@@ -56,7 +56,7 @@ void Signals::arrived(int signal) {
         return;
     }
     if (listening_ && asked_.exchange(Interrupt::stop) != Interrupt::stop) return;
-    // Nobody listens, or somebody cannot wait: as if this thread were not there.
+    // Applies the default action, since nothing listens or the user insists.
     std::signal(signal, SIG_DFL);
     const sigset_t set = set_of({signal});
     pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
@@ -65,7 +65,7 @@ void Signals::arrived(int signal) {
 
 Interrupts Signals::interrupts() {
     return {[this] {
-                // A load is all that it costs most of the time.
+                // Usually costs only a load.
                 return asked_ == Interrupt::none ? Interrupt::none
                                                  : asked_.exchange(Interrupt::none);
             },

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The signals that ask a rendering to stop (SIGINT, SIGTERM, SIGHUP) or to write its state
-// (SIGUSR1), taken by a thread of their own, so that no handler and no global is needed. While
-// nothing listens, the first three end the program as they always do, and SIGUSR1 is let go. Made
-// first thing in main(): threads that exist already would not leave the signals to it.
+// Receives the signals that ask a rendering to stop (SIGINT, SIGTERM, SIGHUP) or to write its state
+// (SIGUSR1) on a thread of its own, so that no handler and no global is needed. While nothing
+// listens, the first three end the program as usual, and SIGUSR1 is ignored. Construct it first in
+// main(), since threads that already exist would not block these signals.
 #pragma once
 
 #include "app/interrupt.h"

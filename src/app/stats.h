@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run cost: gathered by the commands, written as JSON for --stats and as a line for people.
+// The cost of a run, gathered by the commands and written as JSON for --stats and as a line for
+// people.
 #pragma once
 
 #include "index/statistics.h"
@@ -10,7 +11,7 @@
 
 namespace candelabra {
 
-/// Time of the day's clock and of all threads together.
+/// Wall-clock time, and CPU time of all threads together.
 struct Phase {
     double seconds = 0;
     double cpu_seconds = 0;
@@ -20,13 +21,13 @@ struct Phase {
     }
 };
 
-/// The time that has passed since some fixed moment: differences have a meaning.
+/// Returns the time since a fixed but arbitrary moment; only differences are meaningful.
 Phase time_now();
-/// Its seconds only. Asking for the time of all threads costs as much as a ray or two; rendering
-/// asks for this one with every sample.
+/// Returns only its seconds. The CPU time costs as much as a ray or two to read; rendering calls
+/// this with every sample.
 double seconds_now();
 
-/// The most memory that this process has had.
+/// Returns the peak memory of this process in bytes.
 std::size_t peak_memory_bytes();
 
 class World;
@@ -36,7 +37,7 @@ struct RunStatistics {
     Phase parse;    ///< reading and evaluating the scene
     Phase compile;  ///< building the world
     Phase render;
-    Phase total;  ///< of the whole run up to here
+    Phase total;  ///< of the whole run so far
     std::size_t objects = 0;
     std::size_t primitives = 0;
     std::size_t luminaires = 0;
@@ -45,29 +46,29 @@ struct RunStatistics {
     std::string index;  ///< its name
     TreeStatistics tree;
     std::size_t light_octree_bytes = 0;   ///< 0: another sampler was used
-    std::size_t light_sampler_bytes = 0;  ///< whichever was used
+    std::size_t light_sampler_bytes = 0;  ///< of the sampler in use
     std::size_t peak_memory_bytes = 0;
     std::string light_sampler;
     int seed = 0;
-    int threads = 0;  ///< that worked
+    int threads = 0;  ///< worker threads
     int width = 0;
     int height = 0;
-    int samples = 0;  ///< asked for; 0: as many as each pixel needs
+    int samples = 0;  ///< requested; 0: as many as each pixel needs
     int shadow_rays = 0;
-    bool prepared_ahead = false;  ///< a frame, while the one before it was rendered
+    bool prepared_ahead = false;  ///< the frame was prepared while the previous one was rendered
 };
 
-/// Fills in what the world and the settings say.
+/// Fills in the entries that come from the world and the settings.
 void complete(RunStatistics&, const World&, const RenderSettings&);
 
-/// An object with a line for each entry; ends in a newline.
+/// Returns a JSON object with one entry per line and a final newline.
 std::string to_json(const RunStatistics&);
 
 /// "640 x 480 in 12.3 s: 7382 objects, 7381 luminaires (light_octree); 2.1 M camera, 9.7 M shadow,
 /// 0 scattered rays"
 std::string summary(const RunStatistics&);
 
-/// A count in a few characters: 950, 12.3 k, 4.5 M, 1.2 G.
+/// Formats a count in a few characters: 950, 12.3 k, 4.5 M, 1.2 G.
 std::string short_count(double count);
 
 }  // namespace candelabra

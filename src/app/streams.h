@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program says, by kind, as POV-Ray sorts it: each kind can be kept from the console and
+// The program's output by kind, as POV-Ray divides it. Each kind can be hidden from the console and
 // written to a file.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace candelabra {
 
 enum class Stream {
-    debug,       ///< what the scene says
+    debug,       ///< output of the scene
     fatal,       ///< errors
     render,      ///< progress
     statistics,  ///< the summary
@@ -34,13 +34,13 @@ struct StreamSettings {
 
 class Streams {
 public:
-    /// Empties the files; streams with the same file share it.
+    /// Truncates the files; streams with the same file share it.
     Streams(const StreamSettings&, std::function<void(std::string_view)> console);
 
-    /// The file that cannot be written to, or "".
+    /// Returns the file that cannot be written to, or "".
     const std::string& problem() const { return problem_; }
     bool shown(Stream stream) const { return settings_[stream].shown; }
-    /// `plain`: the same without colours, for files.
+    /// `plain`: the text without colours, for files.
     void say(Stream, std::string_view text, std::string_view plain);
 
 private:

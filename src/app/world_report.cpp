@@ -20,7 +20,7 @@ std::string sampler_text(const World& world) {
     return message(info.name, fields.empty() ? "" : " ", fields);
 }
 
-/// Luminaires of each form, and how bright the brightest is.
+/// Returns the number of luminaires of each form, and the greatest radiance.
 std::string luminaire_text(const World& world) {
     std::array<std::size_t, std::variant_size_v<Emitter>> counts{};
     double greatest = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A compiled world in words, for --dump world: what it is made of and how it is arranged. Depends
-// on the scene only.
+// A textual description of a compiled world and its index, for --dump world. Depends on the scene
+// only.
 #pragma once
 
 #include "world/world.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an object says of its look, while its block is read. Used by the reader of objects.
+// Reads the parts of an object's block that give its appearance. Used by the reader of objects.
 #pragma once
 
 #include "bind/materials.h"
@@ -9,7 +9,7 @@
 
 namespace candelabra {
 
-/// texture, pigment, normal, finish and interior of an object.
+/// Reads the texture, pigment, normal, finish, interior and material of an object.
 class AppearanceReader : public SimpleReader {
 public:
     AppearanceReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
@@ -57,7 +57,7 @@ private:
         return draft_.texture;
     }
 
-    /// The object's texture after read(TextureDraft&), which says whether all was well.
+    /// Changes the object's texture by read(TextureDraft&), which returns whether it succeeded.
     template <class Read>
     bool change(const Element& element, Read read) {
         const auto constant = block_.binder.constants.number(element);
@@ -91,13 +91,13 @@ private:
         return true;
     }
 
-    /// Over what the object has already.
+    /// Layers the texture over those that the object has already.
     void put_on(Handle<Texture> texture, Span span) {
         if (draft_.textured) texture = layered(block_, span, draft_.texture.handle(), texture);
         own().replace(std::move(texture));
     }
 
-    /// Over the inner textures that stand before it in the block.
+    /// Layers the texture over the inner textures that stand before it in the block.
     void line_with(Handle<Texture> texture, Span span) {
         if (lined_) texture = layered(block_, span, draft_.interior_texture, std::move(texture));
         draft_.interior_texture = std::move(texture);
@@ -129,7 +129,7 @@ private:
         return changed != nullptr;
     }
 
-    /// The textures of a mesh's faces.
+    /// Reads the textures of a mesh's faces.
     bool take_list(const Element& element) {
         auto list = read_texture_list(block_, element, TextureCount::said);
         if (list) draft_.part_textures = std::move(*list);
@@ -138,7 +138,7 @@ private:
 
     OpenBlock& block_;
     ObjectDraft& draft_;
-    bool lined_ = false;  ///< an inner texture stands in this block
+    bool lined_ = false;  ///< whether this block has given an inner texture
 };
 
 }  // namespace candelabra

@@ -28,11 +28,11 @@ std::string font_name(const Text& text) {
     }
 }
 
-/// The folder of the library's own fonts, which stand in for those that are not installed.
+/// Folder of the library's own fonts, which replace fonts that are not installed.
 constexpr std::string_view library_fonts = "fonts/";
 
-/// The content of a font's file, which may also be one of the system's or the library's: it is
-/// looked for and read once, and stays as long as the binder. Null after a report.
+/// The contents of a font file, which may also be one of the system's or the library's. Each font
+/// is loaded once and kept as long as the binder. Returns null after a diagnostic.
 const std::string* load_font(Binder& binder, const std::string& name, Span span) {
     const Evaluator& evaluator = binder.evaluator;
     const std::string directory = directory_of(binder.evaluator.sources().name(span.source));
@@ -89,12 +89,11 @@ double grey(const FunctionResults& colour) {
     return 0.297 * colour[0] + 0.589 * colour[1] + 0.114 * colour[2];
 }
 
-/// The heights of a function of x and y, which is asked at all pixels. Null when that is too much
-/// work.
+/// Samples a function of x and y at all pixels. Returns null if that exceeds the work limit.
 Handle<HeightGrid> sampled(const Formula& function, Evaluator& evaluator, Span place) {
     HeightGrid grid{function.columns(), function.rows(), {}};
     const auto take = [&](const FunctionResults& results, bool good) {
-        // Values outside of 0 to 1 come back at the other end, as in POV-Ray.
+        // Values outside of 0 to 1 wrap around, as in POV-Ray.
         const double shown = function.results() < 3 ? results[0] : grey(results);
         const double value = good && std::abs(shown) < 1e9 ? shown : 0;
         grid.values.push_back(static_cast<std::uint16_t>(static_cast<std::int64_t>(65535 * value)));
@@ -131,7 +130,7 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
             HeightGrid{heights->width, heights->height, std::move(heights->values)});
 }
 
-/// Values that cannot be meant.
+/// Replaces accuracies and gradients that are not positive by the defaults.
 void complete_isosurface(OpenBlock& block, Shared<Isosurface>& surface) {
     const Isosurface usual;
     const auto correct = [&](std::string_view word, double Isosurface::*value) {

@@ -23,7 +23,7 @@ const ItemInfo BackgroundColour::vocabulary = described<BackgroundColour>([] {
                                 "the colour in all directions"});
 });
 
-/// The pigments of a sky, one over the other.
+/// Reads the pigments of a sky, each over the preceding one.
 class SkyPigments : public SimpleReader {
 public:
     SkyPigments(OpenBlock& block, SkySphere& sky) : block_(block), sky_(sky) {}
@@ -54,7 +54,7 @@ private:
     SkySphere& sky_;
 };
 
-/// The colours of a rainbow, from its inner edge to the outer.
+/// Reads the colours of a rainbow, from its inner edge to its outer edge.
 class RainbowColours : public SimpleReader {
 public:
     RainbowColours(OpenBlock& block, ColourMap& map) : block_(block), map_(map) {}

@@ -6,13 +6,13 @@
 
 namespace candelabra {
 
-/// All change the last argument to what the block makes of it. False: the block was wrong, and has
-/// been reported.
+/// These functions apply the block to the last argument. They return false, after a diagnostic, if
+/// the block was wrong.
 bool read_sky_sphere(Binder&, const Element& block, SkySphere&);
 bool read_fog(Binder&, const Element& block, Fog&);
 bool read_rainbow(Binder&, const Element& block, Rainbow&);
 
-/// The same, but a wrong block changes nothing.
+/// Applies the block to the last argument, which a wrong block leaves unchanged.
 void read_background(Binder&, const Element& block, Background&);
 
 }  // namespace candelabra

@@ -13,7 +13,7 @@ namespace candelabra {
 
 namespace {
 
-/// Anything but a part of a scene, which belongs to other readers.
+/// Whether the value may be a parameter, not a part of a scene, which other readers take.
 bool may_be_parameter(const Value& value) {
     return value.numbers() || value.text() || value.array() || value.formula();
 }
@@ -95,7 +95,7 @@ bool ItemReader::take(const Element& element) {
     return false;
 }
 
-/// More numbers than any value has.
+/// Takes a list that has more numbers than a vector can hold.
 bool ItemReader::take_list(const Element& element) {
     end_switch();
     if (word_ < 0 && next_ >= positional_) return false;
@@ -123,8 +123,8 @@ bool ItemReader::take_value(const Element& element) {
         store_and_go_on(std::exchange(word_, -1), element);
         return true;
     }
-    // A name that the scene has declared, and that is a word here: the word is meant, because no
-    // value is expected.
+    // The scene has declared a name that is a word here. No value is expected, so the word is
+    // meant.
     if (switch_ < 0 && !required_missing() && element.word != no_name &&
         !block_.binder.evaluator.names().reserved(element.word)) {
         const int field = find(element.word);
@@ -159,7 +159,7 @@ bool ItemReader::take_value(const Element& element) {
     return true;
 }
 
-/// A value of the part whose word came last.
+/// Takes a value of the part whose word was read last.
 void ItemReader::take_loose(const Element& element) {
     const ItemInfo& info = info_->fields[word_].parts->info();
     const FieldInfo& field = info.fields[static_cast<std::size_t>(loose_next_)];
@@ -263,7 +263,7 @@ bool ItemReader::take_block(const Element& element) {
     return true;
 }
 
-/// A word of the vocabulary has come.
+/// Begins a field after its word.
 void ItemReader::begin(int field, Span word) {
     if (word_ >= 0) missing_value();
     word_span_ = word;
@@ -283,7 +283,7 @@ void ItemReader::begin(int field, Span word) {
     switch_ = field;
 }
 
-/// Stores the value of a word, or one that follows it; another may follow.
+/// Stores the value of a word or a subsequent value, and expects the next one if there is one.
 void ItemReader::store_and_go_on(int field, const Element& element) {
     store(field, element);
     if (follows(field + 1))
@@ -301,7 +301,7 @@ void ItemReader::store(int field, const Element& element) {
     auto value = converted(block_, element, info.type, {name, way_out});
     if (value && field < positional_ && offender(info.range, *value))
         if (const auto bare = unbracketed_vectors(element, *info_)) return block_.report(*bare);
-    if (info.type == FieldType::text && info.name != "text")  // others name files
+    if (info.type == FieldType::text && info.name != "text")  // all other texts are file names
         block_.note_file(element.span, info.is_word() ? info.name : std::string_view());
     if (value && in_range(info.range, {name, way_out}, *value, element.span))
         set(field, *value, element.span);

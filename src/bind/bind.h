@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Groups the flat elements of a block by the vocabulary of its item: positional values in order,
-// words with the values that their fields say, switches, lists. Everything about wrong, missing and
-// repeated values is said here, from the vocabulary. Called by the readers of objects, textures,
-// cameras, lights and settings.
+// words followed by values, switches, lists. All diagnostics about wrong, missing and repeated
+// values are made here from the vocabulary. Called by the readers of objects, textures, cameras,
+// lights and settings.
 #pragma once
 
 #include "bind/convert.h"
@@ -14,7 +14,7 @@ namespace candelabra {
 
 class ItemReader {
 public:
-    /// All outlive the reader. The item is of the type that the vocabulary describes.
+    /// All arguments outlive the reader. The item has the type that the vocabulary describes.
     ItemReader(OpenBlock&, const ItemInfo&, void* item);
 
     bool waiting() const { return word_ >= 0 || switch_ >= 0 || loose_part_; }
@@ -23,26 +23,26 @@ public:
     void finish();
     void add_words(WordList&) const;
 
-    /// From now on another item is read, which may be of another type. `word`: its own, where the
-    /// block has another. Precondition: not waiting().
+    /// Starts to read another item, which may have another type. `word` is the place of the item's
+    /// own word, if it has one inside the block. Precondition: not waiting().
     void rebind(const ItemInfo&, void* item, Span word = {});
-    /// The item is a copy of a complete one: nothing has to be given.
+    /// Marks all fields as optional: the item is a copy of a complete one.
     void complete() { next_ = positional_; }
-    /// Words may come again and again, each time with an effect of its own.
+    /// Allows words to come repeatedly, each time with an effect of its own.
     void repeatable() { repeatable_ = true; }
-    /// What the word means when no number follows it.
+    /// Sets the value that the word has when no number follows it.
     void alone(std::string_view word, double value);
 
-    /// The field whose word came last and whose value has not; empty: none.
+    /// The field whose word was read last and still lacks its value; empty: none.
     std::string_view expected() const {
         return word_ >= 0 ? info_->fields[static_cast<std::size_t>(word_)].name
                           : std::string_view();
     }
     /// The field that the last take() stored, or -1.
     int stored() const { return stored_; }
-    /// How many values without a word have come.
+    /// Number of positional values read so far.
     int positional_given() const { return next_; }
-    /// Whether the word is one of the vocabulary's.
+    /// Whether the word belongs to the vocabulary.
     bool knows(NameId word) const { return find(word) >= 0; }
     /// Whether the block has given the field.
     bool given(std::string_view field) const;
@@ -68,7 +68,7 @@ private:
     int find(std::string_view word) const;
     void begin(int field, Span word);
     void missing_value();
-    /// Takes the sign away from what may have any.
+    /// Checks the value and reports errors. If any sign is allowed, first takes the absolute value.
     bool in_range(const Range&, const Slot&, FieldValue&, Span);
     std::string of_block(int field) const;
     std::string help(int field) const;
@@ -77,22 +77,22 @@ private:
     OpenBlock& block_;
     const ItemInfo* info_;
     void* item_;
-    int positional_ = 0;  ///< how many fields come without a word; they are the first ones
-    int next_ = 0;        ///< the positional field that the next value is for
-    int word_ = -1;       ///< the field whose word came last and whose value has not
-    int switch_ = -1;     ///< the switch whose word came last, or what may follow the last value
+    int positional_ = 0;  ///< number of fields without a word, which come first
+    int next_ = 0;        ///< positional field that takes the next value
+    int word_ = -1;       ///< field whose word still lacks its value, or -1
+    int switch_ = -1;     ///< last switch, or optional field that may follow the last value; or -1
     int stored_ = -1;
     int alone_ = -1;
     double alone_value_ = 0;
     Span word_span_;
-    Span item_span_ = {};  ///< of the item's word, when that is not the block's
+    Span item_span_ = {};  ///< place of the item's own word, if it has one
     std::uint64_t given_ = 0;
-    FieldValue entries_;     ///< of the counted field, as far as they have come
+    FieldValue entries_;     ///< entries of the counted field that have been read
     int entries_left_ = -1;  ///< -1: none are expected now
     int entry_count_ = 0;
-    void* loose_part_ = nullptr;  ///< whose values are expected now
+    void* loose_part_ = nullptr;  ///< part whose values are expected now
     int loose_next_ = 0;
-    std::optional<Vec3> centre_;  ///< of a ball whose radius comes next
+    std::optional<Vec3> centre_;  ///< centre of a ball whose radius comes next
     bool repeatable_ = false;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of a scene share while one file is evaluated: the evaluator, the defaults that
-// are in force, and what has been made or said once already. Made by evaluate(), passed to every
-// reader.
+// State that the readers of a scene share while one file is evaluated: the evaluator, the defaults
+// in force, and caches of results and warnings. Made by evaluate(), passed to every reader.
 #pragma once
 
 #include "base/pool.h"
@@ -23,7 +22,7 @@ namespace candelabra {
 /// A camera as a value of the language.
 struct DeclaredCamera {
     Camera camera;
-    Bump normal;  ///< disturbs the directions of its rays
+    Bump normal;  ///< perturbs the directions of its rays
     FilmSettings film;
 };
 
@@ -39,27 +38,27 @@ struct Binder {
     Handle<Texture> default_texture = make_handle<Texture>();
     DeclaredCamera default_camera = {};
     TextureStore textures = {};
-    // Where what scenes hold most of is made.
+    // Allocators of the most frequent parts of scenes.
     Pool<Object> pool = {};
     Pool<Texture> texture_pool = {};
     Pool<Transform> transform_pool = {};
     ShapePlans plans = {};
     Constants constants = {};
-    Memo<Transform> moves = {};      ///< each by itself
-    Memo<Transform> movements = {};  ///< with those before it
+    Memo<Transform> moves = {};      ///< each transformation by itself
+    Memo<Transform> movements = {};  ///< composed with the preceding ones
     Memo<Texture> appearances = {};
     Memo<Texture> moved_appearances = {};
     Memo<Interior> interiors = {};
     Memo<Texture, Object> objects = {};  ///< the base is the default texture
-    /// Words that have no effect, and have been reported.
+    /// Words without effect that have been reported.
     std::set<std::string, std::less<>> warned = {};
-    /// What has been read already, by file and coding.
+    /// Pictures that have been read, by file and coding.
     std::map<std::pair<std::string, TexelCoding>, Handle<Texels>> pictures = {};
-    /// The files of fonts, by folder and name.
+    /// Contents of font files, by folder and name.
     std::map<std::pair<std::string, std::string>, std::string> fonts = {};
-    /// `assumed_gamma`, once the scene has said it.
+    /// The value of `assumed_gamma`, once the scene has given it.
     std::optional<double> working_gamma = {};
-    std::size_t nesting = 0;  ///< objects around the one that is read
+    std::size_t nesting = 0;  ///< number of objects around the current one
 };
 
 }  // namespace candelabra

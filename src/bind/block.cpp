@@ -12,7 +12,7 @@ std::string OpenBlock::help() const {
     if (!form.empty()) return message(name, ' ', form);
     if (!item) return {};
     const std::string text = usage(*item, item->name == name ? std::string_view() : name);
-    // Nobody reads a line of thirty words.
+    // A usage text of thirty words would not be read.
     constexpr std::size_t most = 110;
     const std::size_t end = text.size() <= most ? text.npos : text.rfind(" [", most);
     return end == text.npos ? text : message(text.substr(0, end), " ... }");

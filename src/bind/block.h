@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One block while it is read. Several readers share its elements: one that waits for a value is
-// asked first, then each in turn; what none of them takes is reported here, once, and whatever
-// belongs to it is passed over. A reader has
+// Reads one block. Several readers share its elements: each is offered first to a reader that waits
+// for a value, then to all in turn. An element that none of them takes is reported here once, and
+// the elements that belong to it are skipped. A reader has
 //
-//     bool waiting() const;             the next element may be for it, before all others
-//     bool wants() const;               it misses something: an unknown name would have been that
-//     bool take(const Element&);        true: the element was its own, and has been dealt with
+//     bool waiting() const;             the reader is offered the next element first
+//     bool wants() const;               a value is missing: an unknown name may stand for it
+//     bool take(const Element&);        whether the reader has consumed the element
 //     void finish();                    the block has ended
 //     void add_words(WordList&) const;  the words that it takes, for "did you mean"
 #pragma once
@@ -25,7 +25,7 @@ using ElementList = std::vector<Element>;
 
 class OpenBlock {
 public:
-    /// `name` is the word in front of the brace, and lives as long as this.
+    /// `name` is the word before the brace and must outlive the block.
     OpenBlock(Binder& binder, std::string_view name, Span span)
         : binder(binder), name(name), span(span) {}
     OpenBlock(const OpenBlock&) = delete;
@@ -33,50 +33,51 @@ public:
 
     Binder& binder;
     std::string_view name;
-    Span span;  ///< of the block's word: where what is missing is reported
-    /// What follows the name, braces and all; empty: by the item's vocabulary.
+    Span span;  ///< place of the block's word, where missing parts are reported
+    /// Usage text that follows the name, including the braces; empty: made from the item's
+    /// vocabulary.
     std::string_view form = {};
-    const ItemInfo* item = nullptr;  ///< what the block describes
-    std::string_view ignored = {};   ///< words of POV-Ray that may stand here and change nothing
-    bool broken = false;  ///< something has been reported: do not speak of what follows from it
-    int taken = 0;        ///< elements that readers took
-    Span file_span = {};  ///< of the name of a file that the block has given
-    std::string_view file_kind = {};  ///< the word before that name: `png`; empty: none
+    const ItemInfo* item = nullptr;   ///< the vocabulary of the item that the block describes
+    std::string_view ignored = {};    ///< POV-Ray's words that are accepted here without effect
+    bool broken = false;              ///< an error has been reported: its consequences are not
+    int taken = 0;                    ///< number of elements that readers took
+    Span file_span = {};              ///< place of the last file name in the block
+    std::string_view file_kind = {};  ///< the word before that name, such as `png`; empty: none
     void note_file(Span name, std::string_view kind) {
         file_span = name;
         if (!kind.empty()) file_kind = kind;
     }
-    /// Where to report what is wrong with that file.
+    /// Where to report problems with that file.
     Span file_place() const { return file_span.known() ? file_span : span; }
-    /// Textures of the parts of a shape; null where parts have none.
+    /// Textures of the parts of a shape; null if its parts have none.
     std::vector<Handle<Texture>>* part_textures = nullptr;
 
     template <class... Readers>
     void read(Body, Readers&...);
-    /// The same with elements that have been looked at before.
+    /// Reads elements that have been collected before.
     template <class... Readers>
     void read(const ElementList&, Readers&...);
 
-    /// What has been passed over has ended: an element came that belongs here.
+    /// Stops skipping elements: one came that belongs here.
     void resume() { misplaced_.resume(); }
-    /// For an element outside of all readers.
+    /// Reports an element that stands outside of all readers.
     void refuse(const Element&, const WordList& words);
 
-    /// As the evaluator does; an error makes the block broken.
+    /// Reports through the evaluator; an error marks the block as broken.
     void report(Diagnostic);
-    /// The help line that shows how the block is written.
+    /// Help line that shows how to write the block.
     std::string help() const;
     std::string quoted() const;
     std::string_view spelling(NameId word) const { return binder.evaluator.spelling(word); }
 
 private:
-    /// `walk` calls what it is given with each element.
+    /// `walk` calls its argument with each element.
     template <class Walk, class... Readers>
     void read_each(Walk walk, Readers&...);
     Misplaced misplaced_{*this};
 };
 
-/// What has no words and never waits: a start for readers that need little.
+/// Base of readers that have no words and never wait.
 struct SimpleReader {
     bool waiting() const { return false; }
     bool wants() const { return false; }
@@ -84,7 +85,7 @@ struct SimpleReader {
     void add_words(WordList&) const {}
 };
 
-/// `Name` of a declared T as the first element of a block: it starts from a copy.
+/// Takes the name of a declared T as the first element of a block, which starts from a copy of it.
 template <class T, class Use>
 class NamedReader : public SimpleReader {
 public:
@@ -135,7 +136,7 @@ void OpenBlock::read_each(Walk walk, Readers&... readers) {
             ++taken;
             return;
         }
-        // Apart: blocks lie inside each other, and each would set aside its room on the stack.
+        // Kept out of line: blocks nest, and each level would reserve its stack space.
         const auto refused = [&]() __attribute__((noinline)) {
             WordList words;
             (readers.add_words(words), ...);

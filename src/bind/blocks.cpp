@@ -32,7 +32,7 @@ Value shared_value(std::optional<T> made) {
 
 // ---- readers of several blocks
 
-/// Changes the last argument to what the block makes of it; false after a report.
+/// Applies the block to the last argument; returns false after a diagnostic.
 template <class T>
 using ReadPart = bool (*)(Binder&, const Element&, T&);
 
@@ -43,7 +43,7 @@ Value part(Binder& binder, const Element& element) {
                                        : Value(Absence::broken);
 }
 
-/// A part of a texture, which begins as that of the default texture.
+/// Reads a part of a texture, starting from that of the default texture.
 template <class T, T Texture::*member, ReadPart<T> read>
 Value texture_part(Binder& binder, const Element& element) {
     T made = binder.default_texture.get()->*member;
@@ -65,7 +65,7 @@ template <class T>
 void keep(std::vector<T>& place, T made) {
     place.push_back(std::move(made));
 }
-/// A part of the scene, which holds the last one or all of them.
+/// Reads a part of the scene, which keeps the last one or all of them.
 template <class T, auto member, ReadPart<T> read>
 void scene_part(SceneContent& content, const Element& element) {
     T made{};
@@ -218,7 +218,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
 
 constexpr BlockRow shape_row{"shape", "", BlockForm::object, object_in_scene, object_value};
 
-/// The row of each reserved word, by its number.
+/// The rows of all reserved words, indexed by their number.
 std::vector<const BlockRow*> rows_by_number() {
     const std::span<const Word> words = reserved_words();
     std::vector<const BlockRow*> result(words.size());

@@ -19,7 +19,7 @@ View& view_of(Camera& camera) {
     return std::visit([](auto& c) -> View& { return c; }, camera);
 }
 
-/// The meshes of a mesh_camera { ... }.
+/// Reads the meshes of a mesh_camera { ... }.
 class CameraMeshes : public SimpleReader {
 public:
     CameraMeshes(OpenBlock& block, std::vector<CameraMesh>& meshes)
@@ -77,7 +77,7 @@ private:
     OpenBlock& block_;
     std::vector<CameraMesh>& meshes_;
     std::map<const Mesh*, Handle<std::vector<CameraFace>>> known_;
-    std::vector<ObjectHandle> kept_;  ///< so that no address in known_ is used twice
+    std::vector<ObjectHandle> kept_;  ///< keeps the addresses in known_ unique
 };
 
 bool read_mesh_rays(Binder& binder, const Element& element, MeshRays& rays) {
@@ -94,7 +94,7 @@ bool read_mesh_rays(Binder& binder, const Element& element, MeshRays& rays) {
     return !block.broken;
 }
 
-/// The type, as the first word, and what all cameras have.
+/// Reads the type, which is the first word, and the fields of all cameras.
 class CameraReader {
 public:
     CameraReader(OpenBlock& block, Camera& camera)
@@ -145,7 +145,7 @@ public:
         for (const ItemInfo* info : Kinds<Camera>::infos) words.push_back(info->name);
     }
 
-    /// The camera has another type.
+    /// Adapts the field reader to the camera's current type.
     void follow() {
         fields_.rebind(*Kinds<Camera>::infos[camera_.index()], Kinds<Camera>::address(camera_));
     }
@@ -161,8 +161,8 @@ private:
         return true;
     }
 
-    /// The effect of the type: parallel rays see as much as others do at what is looked at, by what
-    /// has been said up to there.
+    /// Applies the effect of the type: an orthographic camera covers as much at the look_at point
+    /// as the current perspective view does.
     void settle_type() {
         settle(camera_);
         auto* parallel = std::get_if<Orthographic>(&camera_);
@@ -181,7 +181,7 @@ private:
     Vec3 looked_at_ = Vec3(0, 0, 1);
 };
 
-/// normal { ... }
+/// Reads normal { ... }.
 class CameraNormal : public SimpleReader {
 public:
     CameraNormal(OpenBlock& block, Bump& normal) : block_(block), normal_(normal) {}

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// camera blocks. Called for the elements of a scene, for #declare and for #default.
+// Reads camera blocks. Called for the elements of a scene, for #declare and for #default.
 #pragma once
 
 #include "bind/bind.h"
 
 namespace candelabra {
 
-/// Changes the camera to what the block makes of it. False: the block was wrong, and has been
-/// reported.
+/// Applies the block to the camera. Returns false, after a diagnostic, if the block was wrong.
 bool read_camera(Binder&, const Element& block, DeclaredCamera&);
 
 }  // namespace candelabra

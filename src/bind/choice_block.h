@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A block that chooses one of several items by its name, with fields behind it or in braces of its
-// own: `light_sampler { light_octree eta 0.01 }` or `index { kd_tree { node_cost 2 } }`. Used by
-// the reader of settings.
+// Reads a block that selects one of several items by name, with fields behind the name or in braces
+// of its own: `light_sampler { light_octree eta 0.01 }` or `index { kd_tree { node_cost 2 } }`.
+// Used by the reader of settings.
 #pragma once
 
 #include "bind/block.h"
@@ -10,14 +10,14 @@
 
 namespace candelabra {
 
-/// How the block is spoken of.
+/// Names of the block for messages.
 struct ChoiceWords {
-    std::string_view name;  ///< in front of its braces
-    std::string_view noun;  ///< for what is chosen
-    std::string form;       ///< of the block, for help
+    std::string_view name;  ///< the word before the braces
+    std::string_view noun;  ///< noun for the selected items
+    std::string form;       ///< usage of the block, for help
 };
 
-/// Called with what was chosen, and the fields that were given to it.
+/// Checks the selected item and the fields that were given to it.
 template <class Variant>
 using ChoiceCheck = void (*)(OpenBlock&, const Variant&, const ItemReader&, Span);
 
@@ -42,7 +42,7 @@ public:
                                      ? All::find(block_.spelling(element.word))
                                      : All::count;
         if (kind == All::count) return chosen_ && fields_.take(element);
-        // A name that the scene has declared as something else arrives as its value.
+        // A name that the scene has declared as a value arrives as that value.
         if (!named && element.kind != Element::Kind::value) return false;
         if (chosen_) {
             block_.report(error(Fault::duplicate, element.word_span,
@@ -92,7 +92,7 @@ private:
     bool chosen_ = false;
 };
 
-/// The block in another one.
+/// Reads the block inside another one.
 template <class Variant>
 class ChoiceBlock : public SimpleReader {
 public:

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// The objects in the block, or the other word alone, which means: the same objects.
+/// Reads the objects in the block, or the other word alone, which stands for the same objects.
 class ObjectsReader : public SimpleReader {
 public:
     ObjectsReader(OpenBlock& block, NameId other) : block_(block), other_(other) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// clipped_by and bounded_by: what cuts an object, and what rays must meet to see it. Called by the
-// reader of objects.
+// Reads clipped_by, whose objects cut an object, and bounded_by, whose objects a ray must hit to
+// see it. Called by the reader of objects.
 #pragma once
 
 #include "bind/object_draft.h"

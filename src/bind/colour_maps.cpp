@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// The values of an entry of a colour map: [v colour], or [v1, v2 colour colour].
+/// Reads an entry of a colour map: [v colour], or [v1, v2 colour colour].
 class ColourEntry : public SimpleReader {
 public:
     ColourEntry(OpenBlock& block, ColourMap& map) : block_(block), map_(map) {}
@@ -68,7 +68,7 @@ bool EntryNumber::take(const Element& element) {
     const Numbers* numbers = element.value.numbers();
     if (!numbers || !numbers->is_scalar()) return false;
     value = single_precision(numbers->at[0]);
-    --block_.taken;  // what is declared must come first behind it
+    --block_.taken;  // a declared item must come first behind it
     return true;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// color_map { [0 rgb ...] [1 rgb ...] }, and what the entries of all maps have in common. Called by
-// the readers of pigments and of #declare.
+// Reads color_map { [0 rgb ...] [1 rgb ...] }, and the common parts of all maps. Called by the
+// readers of pigments and of #declare.
 #pragma once
 
 #include "bind/binder.h"
@@ -8,10 +8,10 @@
 
 namespace candelabra {
 
-/// The blocks change the last argument. False: the block was wrong, and has been reported.
+/// Applies the block to the map. Returns false, after a diagnostic, if the block was wrong.
 bool read_colour_map(Binder&, const Element& block, ColourMap&);
 
-/// The number that an entry of a map begins with; what follows is for other readers.
+/// Reads the number at the head of a map's entry; other readers take the rest.
 class EntryNumber : public SimpleReader {
 public:
     explicit EntryNumber(OpenBlock& block) : block_(block) {}
@@ -20,14 +20,15 @@ public:
     bool take(const Element&);
     void finish();
 
-    std::optional<double> value;  ///< in single precision, as POV-Ray keeps it; not a number when
-                                  ///< the entry has none, which settle_values() answers
+    /// In single precision, as in POV-Ray. NaN if the entry has no number; settle_values() resolves
+    /// this.
+    std::optional<double> value;
 
 private:
     OpenBlock& block_;
 };
 
-/// The entries of a map in brackets, each read by a function that is given a block of its own.
+/// Reads the bracketed entries of a map; calls a function with a block for each entry.
 class MapEntries : public SimpleReader {
 public:
     using Read = FunctionRef<void(OpenBlock& entry, Body)>;
@@ -41,10 +42,11 @@ private:
     Read read_;
 };
 
-/// After the last entry of a map.
+/// Reports a map that has no entries.
 void report_empty(OpenBlock&, std::size_t entries);
 
-/// The block of a map: a declared one, then entries. `form` is how it is written, for messages.
+/// Reads the block of a map: an optional declared map, then entries. `form` is its usage text for
+/// messages.
 template <class Map>
 bool read_map(Binder& binder, const Element& element, std::string_view name, std::string_view form,
               Map& map, MapEntries::Read read_entry) {
@@ -57,8 +59,8 @@ bool read_map(Binder& binder, const Element& element, std::string_view name, std
     return !block.broken;
 }
 
-/// What the entries of `average` without a number weigh; those of other patterns must have one.
-/// Reports numbers that are missing, and weights that are none.
+/// Gives the entries of `average` without a number the weight 1. Reports missing numbers in other
+/// patterns, and weights that are negative or sum to 0.
 template <class Entry>
 void settle_values(OpenBlock& block, Span span, std::vector<Entry>& map, bool average) {
     double total = 0, least = 0;

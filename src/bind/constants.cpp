@@ -7,12 +7,12 @@ namespace candelabra {
 
 namespace {
 
-/// Bounds the work for blocks in blocks, which are looked through once for each that they are in.
+/// Bounds the work for nested blocks, which are searched once for each enclosing block.
 constexpr int max_nodes = 200;
 
 class Search {
 public:
-    /// `names` takes those on which the meaning depends; null: names are not constant.
+    /// `names` collects the names on which the meaning depends; null: names are not constant.
     explicit Search(const Tree& tree, std::vector<NameId>* names = nullptr)
         : tree_(tree), names_(names) {}
 
@@ -53,7 +53,7 @@ private:
         if (names_) names_->push_back(name.name);
         return names_ != nullptr;
     }
-    /// Calls, directives: they may mean something else the next time.
+    /// Calls and directives may have another meaning the next time.
     bool holds(const auto&) { return false; }
 
     const Tree& tree_;

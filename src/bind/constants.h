@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which elements of a file are sure to make again what they have made before: blocks and values of
-// numbers and words only, without names, calls and directives. A loop that places a million spheres
-// meets their `pigment { rgb 1 }` a million times. Called by the readers of objects, textures and
-// transforms.
+// Finds the elements of a file that yield the same result each time: blocks and values that consist
+// of numbers and words only, without names, calls and directives. A loop that places a million
+// spheres reads their `pigment { rgb 1 }` a million times. Called by the readers of objects,
+// textures and transforms.
 #pragma once
 
 #include "interpret/evaluator.h"
@@ -15,9 +15,8 @@ namespace candelabra {
 
 class Constants {
 public:
-    /// A number for an element that has been met before and is constant; the same each time. None
-    /// for all others, also for a constant one that is met for the first time: most never come
-    /// again.
+    /// A number that identifies a constant element from its second visit on. Returns nothing for
+    /// variable elements, and at the first visit, because most elements are never visited again.
     std::optional<std::uint64_t> number(const Element&);
 
 private:
@@ -26,10 +25,10 @@ private:
     std::vector<std::vector<Known>> nodes_;  ///< by source, by node
 };
 
-/// Whether the node can have one value or meaning only. Large ones are not looked through: for
-/// them, the answer is no.
+/// Whether the node always has the same value or meaning. False for nodes that are too large to
+/// search.
 bool is_constant(const Tree&, NodeId);
-/// The same when names mean what they mean now: they are added to `names`.
+/// The same if names keep their current meaning; appends those names to `names`.
 bool is_constant_but_names(const Tree&, NodeId, std::vector<NameId>& names);
 
 }  // namespace candelabra

@@ -111,7 +111,7 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
                 return wrong(Fault::out_of_range, message(given),
                              "a whole number up to 2147483647");
             if (std::abs(whole - given) <= 1e-6) return whole;
-            // As in POV-Ray, which takes what is before the point.
+            // As in POV-Ray, which truncates.
             block.report(warning(Fault::no_effect, element.span,
                                  message(slot.name(), " is a whole number, and ", given,
                                          " counts as ", std::trunc(given))));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of the language as values of fields. Called by the readers of blocks; says what a value
-// must be when it is not.
+// Converts values of the language to values of fields. Called by the readers of blocks. A value
+// that does not convert is reported with the expected type.
 #pragma once
 
 #include "bind/block.h"
@@ -9,35 +9,35 @@
 
 namespace candelabra {
 
-/// The place of a value, for messages.
+/// How messages name the destination of a value.
 struct Slot {
     FunctionRef<std::string()> name;
     FunctionRef<std::string()> help;
 };
 
-/// The value as a field of the type has it, in the way of POV-Ray: one number serves for all
-/// components, missing ones are 0. Nothing, after a report, when it is something else.
+/// Converts the value to the field's type as POV-Ray does: one number serves for all components,
+/// missing components are 0. Returns nothing, after a diagnostic, if the value has another type.
 std::optional<FieldValue> converted(OpenBlock&, const Element&, FieldType, const Slot&);
 
-/// Sets a field of the item to numbers that are surely right for it and in its range. False:
-/// nothing has happened, and converted() must say why, or do more.
+/// Sets a field of the item if the numbers have its type and lie in its range. Otherwise returns
+/// false without effect, and the caller must use converted().
 bool set_fitting(const ItemInfo&, void* item, std::size_t field, const Numbers&);
 
-/// A colour that must be said to be one: `rgb <1, 0, 0>`, `Red`, not <1, 0, 0>.
+/// Converts a value that must be marked as a colour: `rgb <1, 0, 0>` or `Red`, not <1, 0, 0>.
 std::optional<Colour> plain_colour(OpenBlock&, const Element&);
 
-/// Whether a body is nothing but `rgb ...`, as that of most pigments.
+/// Whether a body consists only of `rgb ...`, as in most pigments.
 bool colour_alone(Body);
-/// Its colour when it can be computed without saying anything; nothing has happened otherwise.
+/// The body's colour, or nothing, without effect, if it cannot be computed without diagnostics.
 /// Precondition: colour_alone().
 std::optional<Colour> computed_colour(Evaluator&, Body);
 
-/// What a value of the type is called: "a whole number".
+/// Noun phrase for the type in messages: "a whole number".
 std::string_view kind_name(FieldType);
 
-/// The component that is out of range, or null.
+/// The first component that is out of range, or null.
 const double* offender(const Range&, const FieldValue&);
-/// What the range asks for: "at least 0".
+/// Text of the range's condition: "at least 0".
 std::string rule(const Range&);
 
 }  // namespace candelabra

@@ -11,20 +11,20 @@ namespace candelabra {
 
 namespace {
 
-/// A texture, and the object in which it is seen; null: everywhere.
+/// A texture and the object inside which it is visible; null: everywhere.
 struct Source {
     Handle<Texture> texture;
     ObjectHandle where;
 };
 using Sources = std::vector<Source>;
 
-/// Finds what objects show of themselves inside.
+/// Collects the textures that objects show inside.
 class Collector {
 public:
     Collector(const Handle<Texture>& usual, Sources& found) : usual_(usual), found_(found) {}
 
-    /// `outside` is what moves the unions around the object, null: nothing; `where` is null when
-    /// the point is known to be in it.
+    /// `outside` is the transformation of the unions around the object; null: none. `where` is null
+    /// if the point is known to be in the object.
     void collect(const Object& object, const Handle<Transform>& outside,
                  const ObjectHandle& where) {
         if (left_ == 0) return;
@@ -55,7 +55,7 @@ private:
 
     const Handle<Texture>& usual_;
     Sources& found_;
-    /// Objects that are still looked at: each may be asked about at every point that is seen.
+    /// Objects that may still be visited: each may be tested at every visible point.
     int left_ = 64;
 };
 
@@ -68,7 +68,7 @@ Handle<Texture> patterned(Pattern pattern, TextureMap map) {
     return make_handle<Texture>(std::move(result));
 }
 
-/// Null when there is none.
+/// The average of the textures; null if there are none.
 Handle<Texture> mean(const std::vector<Handle<Texture>>& textures) {
     if (textures.size() < 2) return textures.empty() ? nullptr : textures.front();
     TextureMap map;
@@ -76,7 +76,7 @@ Handle<Texture> mean(const std::vector<Handle<Texture>>& textures) {
     return patterned(Average{}, std::move(map));
 }
 
-/// The mean of `here` and of those of the sources that contain a point.
+/// The mean of `here` and of the textures of those sources that contain a point.
 Handle<Texture> mixed(std::span<const Source> sources, std::vector<Handle<Texture>> here) {
     constexpr std::size_t max_together = 4;
     if (sources.empty()) return mean(here);
@@ -91,7 +91,7 @@ Handle<Texture> mixed(std::span<const Source> sources, std::vector<Handle<Textur
     return patterned(object_pattern(*first.where), {{0, outside}, {1, inside}});
 }
 
-/// Each level copies what it changes.
+/// Bounds the recursion, because each level copies its objects.
 constexpr std::uint32_t max_nested = 8;
 
 }  // namespace
@@ -112,7 +112,7 @@ void cut_away(Union& whole, const Handle<Texture>& usual) {
             const bool counts = whole.csg == Csg::difference ? j == 0 : true;
             if (counts && j != i) collector.collect(*whole.children[j], nullptr, nullptr);
         }
-        // What is known to be seen comes first, so that there is less to ask.
+        // Sources that are always visible come first, which leaves fewer tests.
         std::stable_partition(sources.begin(), sources.end(),
                               [](const Source& each) { return !each.where; });
         shown[i] = mixed(sources, {});

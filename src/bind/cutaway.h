@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The word cutaway_textures: parts of an intersection or a difference that have no texture show
-// what they cut through. Called by the reader of objects when the block has ended.
+// Implements cutaway_textures: parts of an intersection or a difference without a texture show the
+// textures of the objects that they cut. Called by the reader of objects when the block has ended.
 #pragma once
 
 #include "scene/scene.h"
@@ -12,11 +12,12 @@ inline bool cuts(const Union& whole) {
     return whole.csg == Csg::intersection || whole.csg == Csg::difference;
 }
 
-/// Gives each part without a texture those of the others that contain the point: of a difference,
-/// the first one's; of an intersection, the mean of all. Of a union within, the parts that contain
-/// the point count; with more than four of them, the first that does, of 64 objects at most. What
-/// `usual` is for: parts of such a union without a texture. Parts of which there is nothing to show
-/// are left as they are.
+/// Gives each part without a texture the textures of the other parts that contain the point: in a
+/// difference those of the first part, in an intersection the mean of all. A nested union
+/// contributes those of its parts that contain the point; while more than four textures are left to
+/// combine, the first such part decides. At most 64 objects are searched for each part. Parts of a
+/// nested union without a texture show `usual`. A part for which no texture is found is left as it
+/// is.
 void cut_away(Union&, const Handle<Texture>& usual);
 
 }  // namespace candelabra

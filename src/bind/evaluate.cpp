@@ -37,7 +37,7 @@ class SceneReader {
 public:
     SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator}, scene_(scene) {
         top_.ignored = "max_intersections";
-        scene.background.colour.transmit = 1;  // until there is one
+        scene.background.colour.transmit = 1;  // in case the scene gives none
     }
 
     void take(const Element& element) {
@@ -93,7 +93,7 @@ public:
         whole.refuse(element, words_with(&BlockRow::as_default));
     }
 
-    /// After the last element.
+    /// Completes the scene after the last element.
     void finish(bool version_given) {
         if (!binder_.evaluator.stopped()) stray_settings_.finish();
         scene_.language_version = version_given ? binder_.evaluator.version() : 3.62;
@@ -104,8 +104,8 @@ public:
     }
 
 private:
-    /// What functions of patterns know of the scene. They make waves of ten sources, whatever it
-    /// says, as in POV-Ray.
+    /// The scene's settings for pattern functions. As in POV-Ray, these use ten wave sources
+    /// regardless of the scene.
     static PatternScene around(const SceneNoise& noise) {
         PatternScene result;
         result.noise_generator = noise.generator();
@@ -124,7 +124,7 @@ private:
         return make_handle<Formula>(3, 1, code);
     }
 
-    /// red, green, blue, filter, transmit
+    /// Results: red, green, blue, filter, transmit.
     Handle<Formula> pigment_function(const Element& element) {
         Pigment pigment = binder_.default_texture->pigment;
         if (!read_pigment(binder_, element, pigment)) return nullptr;
@@ -139,7 +139,7 @@ private:
         return make_handle<Formula>(3, 5, code);
     }
 
-    /// The setting that old scenes have outside of global_settings, and its number.
+    /// Takes `max_trace_level` and its number, which old scenes have outside of global_settings.
     bool take_stray_setting(const Element& element) {
         const bool begins =
             element.kind == Element::Kind::word && element.word == "max_trace_level"_word;
@@ -158,7 +158,7 @@ private:
         row->in_scene(content_, element);
     }
 
-    /// What is neither an object nor anything else that makes a scene.
+    /// Reports an element that is not a part of a scene.
     void stray(const Element& element) {
         top_.refuse(element, with_shapes(words_with(&BlockRow::in_scene)));
         top_.broken = false;

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// The fields, some of which have a word for their value: `response agx`, `pixel_filter box`,
+/// Reads the fields, some of which take a word as their value: `response agx`, `pixel_filter box`,
 /// `exposure auto`.
 class FilmFields {
 public:

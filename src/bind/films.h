@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// film { ... } in a camera.
+// Reads film { ... } in a camera.
 #pragma once
 
 #include "bind/block.h"
@@ -8,7 +8,8 @@ namespace candelabra {
 
 class FilmReader : public SimpleReader {
 public:
-    /// Both outlive the reader. The film begins as that of the default or declared camera.
+    /// Both arguments outlive the reader. The film starts as that of the default or declared
+    /// camera.
     FilmReader(OpenBlock& camera, FilmSettings& film) : camera_(camera), film_(film) {}
 
     bool take(const Element&);

@@ -13,8 +13,7 @@ namespace candelabra {
 
 namespace {
 
-/// reflection amount, reflection { ... }, reflection_exponent: the part of a finish that has two
-/// forms.
+/// Reads reflection amount, reflection { ... } and reflection_exponent.
 class ReflectionReader {
 public:
     ReflectionReader(OpenBlock& block, Reflection& reflection)
@@ -86,7 +85,7 @@ private:
     void read(const Element& element) {
         OpenBlock inner(block_.binder, "reflection", element.word_span);
         inner.item = &Reflection::vocabulary;
-        // As in POV-Ray, what it does not say is as it was in the finish before.
+        // As in POV-Ray, fields that are not given keep their values in the finish.
         Reflection made = reflection_;
         ItemReader fields(inner, *inner.item, &made);
         fields.alone("metallic", 1);
@@ -105,7 +104,7 @@ private:
     Span span_;
 };
 
-/// subsurface { ... }
+/// Reads subsurface { ... }.
 class SubsurfaceReader : public ItemBlock {
 public:
     SubsurfaceReader(OpenBlock& block, Subsurface& subsurface)
@@ -127,7 +126,8 @@ private:
     Subsurface& subsurface_;
 };
 
-/// The fields of a finish; some amounts may be given as `albedo`, which depends on other fields.
+/// Reads the fields of a finish. Some amounts may be given as `albedo`, which depends on other
+/// fields.
 class FinishFields {
 public:
     FinishFields(OpenBlock& block, Finish& finish)
@@ -157,7 +157,8 @@ public:
     void add_words(WordList& words) const { fields_.add_words(words); }
 
 private:
-    /// From the share of all light that is scattered to the amount in POV-Ray's formula.
+    /// Converts an albedo, the total fraction of scattered light, to the amount in POV-Ray's
+    /// formula.
     void convert(std::string_view amount) {
         if (amount == "diffuse") finish_.diffuse *= (finish_.brilliance + 1) / 2;
         if (amount == "diffuse") finish_.diffuse_back *= (finish_.brilliance + 1) / 2;
@@ -202,7 +203,7 @@ bool read_legacy_finish(Binder& binder, const ElementList& words, Span span, Fin
 bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     OpenBlock block(binder, "interior", element.word_span);
     block.item = &Interior::vocabulary;
-    // In POV-Ray the finish alone says how much is let through.
+    // In POV-Ray, only the finish determines the transmitted light.
     block.ignored = "photons refraction";
     auto declared =
         named<Interior>(block, [&](const Handle<Interior>& other) { interior = *other; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A block inside of another that is one item with fields, and nothing else: `irid { ... }` in a
+// Reads a nested block that consists only of the fields of one item, such as `irid { ... }` in a
 // finish. Used by the readers of finishes and of settings.
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace candelabra {
 
-/// Fields that may be given and change nothing.
+/// Fields that are accepted without effect.
 struct IdleFields {
     std::span<const std::string_view> names = {};
     std::string_view why = {};
 };
 
-/// Warns once of those that a block has given.
+/// Warns once of the idle fields that the block has given.
 inline void warn_of_idle_fields(OpenBlock& block, std::string_view item, const ItemReader& fields,
                                 const IdleFields& idle, Span span) {
     std::string list;
@@ -35,13 +35,13 @@ inline void warn_of_idle_fields(OpenBlock& block, std::string_view item, const I
 
 class ItemBlock : public SimpleReader {
 public:
-    /// All outlive the reader. `given` is set when the block is there; null: nobody asks.
-    /// `ignored`: words that may stand in it and change nothing.
+    /// All arguments outlive the reader. Sets `given`, unless null, when the block is read.
+    /// `ignored`: words that are accepted in the block without effect.
     ItemBlock(OpenBlock& block, const ItemInfo& info, void* item, bool* given = nullptr,
               std::string_view ignored = {})
         : block_(block), info_(info), item_(item), given_(given), effectless_(ignored) {}
 
-    /// Fields that are read, and change nothing: one warning names those that are given.
+    /// Declares fields that are read without effect; one warning names those that are given.
     void without_effect(std::span<const std::string_view> fields, std::string_view why) {
         idle_ = {fields, why};
     }

@@ -18,11 +18,12 @@ bool of_finish(std::string_view word) {
     return word == "reflection" || std::ranges::any_of(Finish::vocabulary.fields, named);
 }
 
-/// What is a pattern in other blocks is nothing but a bump here.
+/// Whether the word belongs to the normal. Here it is always a bump, even if it names a pattern
+/// elsewhere.
 bool of_normal(NameId word) {
     return is_any_of(word, {"bumps"_word, "dents"_word, "ripples"_word, "waves"_word,
                             "wrinkles"_word, "bump_map"_word, "bump_size"_word,
-                            // Of the bump as well, and not of the colours.
+                            // These belong to the bump as well, not to the colours.
                             "frequency"_word, "phase"_word});
 }
 
@@ -33,7 +34,7 @@ bool of_pigment(NameId word) {
                             "quick_color"_word, "quick_colour"_word});
 }
 
-/// How many values stand behind a word of an old texture.
+/// Number of values that follow a word of an old texture.
 int values_behind(NameId word) {
     if (word == "metallic"_word) return 0;
     const std::size_t pattern = Kinds<Pattern>::find(word);
@@ -42,7 +43,7 @@ int values_behind(NameId word) {
                                                     : Kinds<Pattern>::infos[pattern]->positional;
 }
 
-/// A word that has no place in the text.
+/// A word at the element's place that is not in the text.
 Element word_behind(const Element& element, NameId word) {
     Element result;
     result.word = word;
@@ -78,14 +79,14 @@ bool LegacyTextureReader::take(const Element& element) {
     else
         return false;
     missing_ = element.kind == Element::Kind::word ? values_behind(element.word) : 0;
-    // As in POV-Ray, their veins have one steep side when they are written so.
+    // As in POV-Ray, their veins have one steep side in this notation.
     if (element.word == "marble"_word || element.word == "wood"_word)
         put(pigment_, word_behind(element, "ramp_wave"_word));
     return true;
 }
 
-/// A value of the word before it; else a colour, or the grain of the whole texture: a number that
-/// no word waits for.
+/// Takes a value of the preceding word. A value that no word waits for is a colour, or, if it is a
+/// number, the texture's grain (crand).
 void LegacyTextureReader::take_value(const Element& element) {
     const Numbers* numbers = element.value.numbers();
     const bool amount = numbers && numbers->is_scalar();
@@ -106,7 +107,7 @@ bool LegacyTextureReader::move(const Transform& transform) {
     return true;
 }
 
-/// What has come so far is in the texture from here on.
+/// Moves the elements read so far into the texture.
 void LegacyTextureReader::settle() {
     missing_ = 0;
     const auto read = [&](ElementList& part, auto reader, auto& result) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Textures as they were written before version 3.0: the words of pigment, normal and finish stand
-// in the texture itself, without blocks of their own. Used by the reader of textures.
+// Reads textures as written before version 3.0: the words of pigment, normal and finish stand in
+// the texture itself, without blocks of their own. Used by the reader of textures.
 #pragma once
 
 #include "bind/textures.h"
@@ -9,14 +9,15 @@ namespace candelabra {
 
 class LegacyTextureReader : public SimpleReader {
 public:
-    /// Both outlive the reader.
+    /// Both arguments outlive the reader.
     LegacyTextureReader(OpenBlock& block, TextureDraft& draft) : block_(block), draft_(draft) {}
 
-    /// Whether the scene may say textures so.
+    /// Whether the scene's version allows such textures.
     static bool known_to(const Binder&);
 
     bool take(const Element&);
-    /// Moves what has come so far, and a pattern that follows as well. False: not in such a scene.
+    /// Transforms the words read so far, and a pattern that follows. Returns false if the scene's
+    /// version does not allow such textures.
     bool move(const Transform&);
     void finish() { settle(); }
 
@@ -28,9 +29,9 @@ private:
     OpenBlock& block_;
     TextureDraft& draft_;
     ElementList pigment_, normal_, finish_;
-    ElementList* part_ = nullptr;  ///< where the last word belongs
-    int missing_ = 0;              ///< values of the last word that may still come
-    Transform ahead_;              ///< what has moved it so far
+    ElementList* part_ = nullptr;  ///< the part that the last word belongs to
+    int missing_ = 0;              ///< number of values that the last word may still take
+    Transform ahead_;              ///< composition of the transformations so far
 };
 
 }  // namespace candelabra

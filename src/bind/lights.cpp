@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// looks_like { ... }, projected_through { ... }
+/// Reads looks_like { ... } and projected_through { ... }.
 class LightObjects : public SimpleReader {
 public:
     LightObjects(OpenBlock& block, PlacedLight& placed) : block_(block), placed_(placed) {}
@@ -46,11 +46,10 @@ private:
     PlacedLight& placed_;
 };
 
-/// Notes which of the words came last that say how light leaves the source: it holds, as in
-/// POV-Ray.
+/// Finds the last of the words that select how light leaves the source; as in POV-Ray, it counts.
 class LastBeam : public SimpleReader {
 public:
-    /// It sees all elements, and takes none.
+    /// True, so that it sees all elements. It takes none.
     bool waiting() const { return true; }
     bool take(const Element& element) {
         if (element.word == "shadowless"_word) shadowless_ = element.word_span;
@@ -62,9 +61,9 @@ public:
         return false;
     }
 
-    /// The `shadowless` that another word has undone.
+    /// The `shadowless` that a later word has cancelled.
     const std::optional<Span>& undone() const { return undone_; }
-    /// Whether the light has shadows whatever was said before.
+    /// Whether the light has shadows in spite of an earlier `shadowless`.
     bool has_shadows() const { return beam_ && !shadowless_; }
 
 private:

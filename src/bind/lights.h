@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// light_source blocks. Called for the elements of a scene, for #declare, and by the readers of
-// objects.
+// Reads light_source blocks. Called for the elements of a scene, for #declare, and by the readers
+// of objects.
 #pragma once
 
 #include "bind/bind.h"
@@ -8,11 +8,11 @@
 
 namespace candelabra {
 
-/// Whether the block is a `light_source` that begins with the name of an object, which may have
-/// lights in it: it is an `object` then, as in POV-Ray.
+/// Whether the block is a `light_source` that begins with the name of an object, which may contain
+/// lights. It is read as an `object` then, as in POV-Ray.
 bool is_lamp(const Binder&, const Element& block);
 
-/// Nothing after a report.
+/// Returns nothing after a diagnostic.
 std::optional<PlacedLight> read_light(Binder&, const Element& block);
 
 }  // namespace candelabra

@@ -33,8 +33,8 @@ public:
         return true;
     }
 
-    /// Takes the numbers and vectors that a long list is made of, without a detour by elements:
-    /// what is left of the body.
+    /// Takes the leading literal numbers and vectors, which make up a long list, directly from the
+    /// syntax tree; returns the rest of the body.
     Body take_plain(Body body) {
         const Tree& tree = *body.tree;
         if (const auto* count = tree.get_if<node::Number>(body.first)) {
@@ -71,7 +71,7 @@ public:
     std::vector<Vec3> vectors;
     std::vector<Vec2> points;
     std::vector<Face> faces;
-    std::vector<Face> looks;  ///< of the first faces
+    std::vector<Face> looks;  ///< textures of the first faces
 
 private:
     void reserve(std::size_t count) {
@@ -81,7 +81,7 @@ private:
             vectors.reserve(count);
     }
 
-    /// False: it is no vector of three numbers that are right here.
+    /// Takes a literal vector of three valid numbers; returns false for any other node.
     bool take_literal(const Tree& tree, NodeId id) {
         const auto* literal = tree.get_if<node::Literal>(id);
         if (!literal || literal->count != 3) return false;
@@ -142,7 +142,7 @@ private:
         faces.push_back({static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.z)});
     }
 
-    /// Once: others of the list are like it.
+    /// Warns once: other entries of the list are likely to be the same.
     void warn_of_fraction(Span span) {
         if (warned_) return;
         warned_ = true;
@@ -152,7 +152,7 @@ private:
                     " is three whole numbers; what is behind their points does not count")));
     }
 
-    /// The number of a texture of the face that came last: of all of it, or of its corners.
+    /// Takes a texture number of the last face: one for the whole face, or one per corner.
     void take_look(const Element& element) {
         const auto value = converted_as(element, FieldType::integer, "the texture of a face in ");
         if (!value) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists that say how long they are: { count, value, value, ... }. Called by the ItemReader for
+// Reads lists that begin with their length: { count, value, value, ... }. Called by ItemReader for
 // mesh2's lists.
 #pragma once
 
@@ -11,11 +11,11 @@ namespace candelabra {
 
 struct CountedList {
     FieldValue value;
-    /// Of faces: numbers of their corners' textures; empty: none is given.
+    /// Of faces: texture numbers of their corners; empty: none are given.
     std::vector<Face> looks;
 };
 
-/// The list as a field of the type has it; nothing after a report.
+/// Reads the list as a value of the field's type; returns nothing after a diagnostic.
 std::optional<CountedList> read_counted_list(OpenBlock&, Body, FieldType);
 
 }  // namespace candelabra

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// The textures and the interior of a material.
+/// Reads the textures and the interior of a material.
 class MaterialReader : public SimpleReader {
 public:
     MaterialReader(OpenBlock& block, DeclaredMaterial& material)
@@ -59,7 +59,7 @@ private:
 
     OpenBlock& block_;
     DeclaredMaterial& material_;
-    // The texture is that of a declared material: others do not lie on it, but replace it.
+    // The texture comes from a declared material: another one replaces it instead of lying over it.
     bool inherited_ = material_.texture != nullptr;
     bool inherited_inner_ = material_.interior_texture != nullptr;
 };
@@ -73,7 +73,7 @@ bool read_material(Binder& binder, const Element& element, DeclaredMaterial& mat
     auto declared = named<DeclaredMaterial>(
         block, [&](const Handle<DeclaredMaterial>& other) { material = *other; });
     MaterialReader parts(block, material);
-    // As in POV-Ray, the inner texture stays where it is.
+    // As in POV-Ray, the inner texture is not transformed.
     const auto apply = [&](const Transform& transform) {
         if (material.interior && candelabra::moves(*material.interior))
             material.interior = make_handle<Interior>(transformed(*material.interior, transform));

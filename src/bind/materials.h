@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads material { }: how a surface and its inner side look, and what is inside. Used by the reader
-// of objects and by declarations.
+// Reads material { }: the textures of a surface and of its inner side, and the interior. Used by
+// the reader of objects and by declarations.
 #pragma once
 
 #include "bind/textures.h"
 
 namespace candelabra {
 
-/// Changes the last argument to what the block makes of it. False: the block was wrong, and has
-/// been reported.
+/// Applies the block to the last argument. Returns false, after a diagnostic, if the block was
+/// wrong.
 bool read_material(Binder&, const Element& block, DeclaredMaterial&);
 
 }  // namespace candelabra

@@ -12,11 +12,11 @@ namespace candelabra {
 
 namespace {
 
-/// Words of POV-Ray's ways of sampling; `intervals` and `samples` say how much effort is worth it.
+/// Words that control POV-Ray's sampling methods; here `intervals` and `samples` set the effort.
 constexpr auto words_of_sampling = std::to_array<std::string_view>(
     {"method", "aa_level", "aa_threshold", "confidence", "variance", "ratio", "jitter"});
 
-/// scattering { type, colour ... }: the last one counts.
+/// Reads scattering { type, colour ... }; the last one counts.
 class ScatteringReader : public SimpleReader {
 public:
     ScatteringReader(OpenBlock& block, Scattering& scattering)
@@ -46,7 +46,7 @@ private:
     Scattering& scattering_;
 };
 
-/// density { ... } blocks, and what is declared as one.
+/// Reads density { ... } blocks.
 class DensityReader : public SimpleReader {
 public:
     DensityReader(OpenBlock& block, Media& media) : block_(block), media_(media) {}
@@ -78,7 +78,7 @@ bool read_media(Binder& binder, const Element& element, Media& media) {
     fields.alone("collect", 1);
     ScatteringReader scattering(block, media.scattering);
     DensityReader densities(block, media);
-    // As in POV-Ray, what is written later stays where it is.
+    // As in POV-Ray, later densities are not transformed.
     const auto apply = [&](const Transform& transform) {
         media = transformed(std::move(media), transform);
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// media blocks, with their densities. Called by the readers of interiors, of scenes and of
+// Reads media blocks, with their densities. Called by the readers of interiors, of scenes and of
 // #declare.
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace candelabra {
 
-/// Changes the last argument to what the block makes of it. False: the block was wrong, and has
-/// been reported.
+/// Applies the block to the last argument. Returns false, after a diagnostic, if the block was
+/// wrong.
 bool read_media(Binder&, const Element& block, Media&);
 
-/// media { ... } blocks of what may have several of them.
+/// Reads media { ... } blocks where several are allowed.
 class MediaReader : public SimpleReader {
 public:
     MediaReader(OpenBlock& block, std::vector<Media>& media) : block_(block), media_(media) {}

@@ -17,7 +17,7 @@ namespace candelabra {
 
 namespace {
 
-/// Words that follow a word without effect, and need not be spoken of.
+/// Words that follow a word without effect and are not worth a warning.
 constexpr std::string_view values_of_charset = "utf8 ascii sys";
 
 bool contains(std::string_view list, std::string_view word) {
@@ -30,7 +30,7 @@ bool contains(std::string_view list, std::string_view word) {
     return false;
 }
 
-/// Blocks that the word belongs in; none for a word that is a block of a scene.
+/// The blocks that the word belongs in; empty for a word that is a block of a scene.
 std::vector<std::string_view> homes(std::string_view word) {
     std::vector<std::string_view> result;
     const auto add = [&](std::string_view home) {
@@ -56,21 +56,21 @@ bool has_word(const WordList& words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
 }
 
-/// `look_at` for `look_`; or nothing.
+/// The first word with this beginning, such as `look_at` for `look_`; empty if there is none.
 std::string_view beginning_with(const WordList& words, std::string_view beginning) {
     const auto found = std::ranges::find_if(
         words, [&](std::string_view word) { return word.starts_with(beginning); });
     return found == words.end() ? std::string_view() : *found;
 }
 
-/// The word of the block that other programs call by this one; or nothing.
+/// The block's equivalent of a word from other programs; empty if there is none.
 std::string_view foreign_here(std::string_view word, const WordList& words) {
     for (const std::string_view meant : foreign_word(word))
         if (has_word(words, meant)) return meant;
     return {};
 }
 
-/// The name that stands right behind a word, or dots.
+/// The name directly after a word, or dots.
 std::string_view named_behind(const Element& word, const Names& names) {
     const auto& [tree, node] = word.origin;
     const NodeId next = tree && node != no_node ? (*tree)[node].next : no_node;
@@ -78,7 +78,7 @@ std::string_view named_behind(const Element& word, const Names& names) {
     return name ? names.spelling(name->name) : "...";
 }
 
-/// "a texture" without its article.
+/// The kind of the value without an article: "texture", not "a texture".
 std::string bare_kind(const Value& value) {
     const std::string kind = kind_name(value);
     return kind.substr(kind.find(' ') + 1);
@@ -142,7 +142,7 @@ void Misplaced::reject_form(const Element& element, std::string_view what, bool 
 bool Misplaced::reject_word(const Element& element, const WordList& words, bool wanted) {
     const std::string_view word = block_.spelling(element.word);
     passing_over_ = true;
-    // A word without effect is warned of only, and what stands behind it may be wrong.
+    // A word without effect causes a warning only, so errors after it are still reported.
     if (!contains(block_.ignored, word)) block_.binder.evaluator.note_reported(element.origin);
     if (element.kind == Element::Kind::word && takes_braces(element.word) &&
         has_word(words, word)) {
@@ -174,7 +174,7 @@ bool Misplaced::reject_word(const Element& element, const WordList& words, bool 
         return false;
     }
     const bool block = element.kind == Element::Kind::block;
-    // Words of the language have small letters.
+    // Words of the language are in lower case.
     const bool capital = word.front() >= 'A' && word.front() <= 'Z';
     if (block ||
         (!wanted && !capital && nearest(word, block_.binder.evaluator.declared_names()).empty())) {
@@ -193,15 +193,15 @@ bool Misplaced::reject_word(const Element& element, const WordList& words, bool 
                                   : std::string(way_out))));
         return false;
     }
-    // As in an expression: the evaluator knows what the library would have declared.
+    // Reports it as in an expression: the evaluator knows which names the library declares.
     block_.binder.evaluator.value_of(element);
     block_.broken = true;
     passing_over_ = false;
     return true;
 }
 
-/// Words side by side that nothing is declared as, three or more: a comment, as other languages
-/// begin one. It is spoken of at its first word.
+/// Whether the element belongs to three or more adjacent undeclared words, such as a comment in the
+/// syntax of another language. Reports them once, at the first word.
 bool Misplaced::in_comment(const Element& element) {
     const auto& [tree, node] = element.origin;
     if (!tree || node == no_node || !block_.name.empty()) return false;
@@ -218,7 +218,7 @@ bool Misplaced::in_comment(const Element& element) {
     return true;
 }
 
-/// A declared name that differs from the word in the case of letters only, or nothing.
+/// A declared name that differs from the word only in letter case; empty if there is none.
 std::string_view Misplaced::in_other_case(std::string_view word) const {
     for (const std::string_view name : block_.binder.evaluator.declared_names())
         if (same_letters(name, word)) return name;
@@ -252,7 +252,7 @@ void Misplaced::reject_reserved(const Element& element, std::string_view word) {
         return;
     }
     if (known_in_blocks(word)) {
-        // It may belong to what is not available, or has no braces.
+        // It may belong to an unavailable word, or to one whose braces are missing.
         const std::vector<std::string_view> places = homes(word);
         if (reported_unavailable_ || std::ranges::find(places, unbraced_) != places.end()) return;
         const bool block = element.kind == Element::Kind::block;
@@ -265,7 +265,7 @@ void Misplaced::reject_reserved(const Element& element, std::string_view word) {
         Diagnostic misplaced = error(Fault::misplaced, element.word_span,
                                      message('`', word, "` has no place in ", block_.quoted()));
         std::string list;
-        // What a scene may hold as well is at home in many blocks.
+        // Objects belong in too many blocks to list them.
         if (!makes_object(element.word))
             for (const std::string_view home : places)
                 list += message(list.empty() ? "" : ", ", '`', home, '`');
@@ -297,7 +297,7 @@ void Misplaced::reject_value(const Element& element) {
                                      message("`color` has no effect in ", block_.quoted()))
                                  .with_help("an object gets its colour from a pigment: "
                                             "pigment { color rgb <1, 0, 0> }"));
-    // In a scene each of several would be spoken of.
+    // Report only the first of several values in a scene.
     passing_over_ = block_.name.empty();
     const std::string kind = kind_name(element.value);
     const Numbers* numbers = element.value.numbers();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of an element that no reader of a block takes: where it belongs, which word was
-// meant, which braces are missing. Keeps what has been said, so that nothing is said of what
-// follows from it. Asked by OpenBlock.
+// Reports elements that no reader of a block takes: where they belong, which word was meant, which
+// braces are missing. Remembers its reports, so that their consequences are not reported. Called by
+// OpenBlock.
 #pragma once
 
 #include "interpret/evaluator.h"
@@ -17,16 +17,16 @@ using WordList = std::vector<std::string_view>;
 
 class Misplaced {
 public:
-    /// The block outlives it.
+    /// The block outlives this object.
     explicit Misplaced(OpenBlock& block) : block_(block) {}
 
-    /// Whether the element belongs to something that has been reported.
+    /// Whether the element is a consequence of an earlier report and is skipped.
     bool passes_over(const Element&);
-    /// What has been passed over has ended: an element came that belongs here.
+    /// Stops skipping elements: one came that belongs here.
     void resume() { passing_over_ = false; }
-    /// Says why the element has no place here. `words`: those that the block takes; `wanted`: a
-    /// value is missing, which the element may be meant as. True: it may have been meant as a
-    /// value, so its place is a hole.
+    /// Reports why the element is misplaced. `words` are those that the block takes; `wanted` says
+    /// that a value is missing, for which the element may stand. Returns true if it may have been
+    /// meant as that value, which is then a hole.
     bool reject(const Element&, const WordList& words, bool wanted);
 
 private:
@@ -38,14 +38,14 @@ private:
     void reject_form(const Element&, std::string_view what, bool wanted = false);
 
     OpenBlock& block_;
-    bool passing_over_ = false;  ///< values until the next word
+    bool passing_over_ = false;  ///< skips values until the next word
     bool reported_unavailable_ = false;
-    Body comment_ = {};               ///< from its next word on
-    std::string_view unbraced_ = {};  ///< whose braces are missing: what follows belongs to it
-    std::string_view rejected_ = {};  ///< the word before, if nobody knows it
+    Body comment_ = {};               ///< rest of the comment, from its next word on
+    std::string_view unbraced_ = {};  ///< word whose braces are missing; it owns the next elements
+    std::string_view rejected_ = {};  ///< the preceding word, if it is unknown
 };
 
-/// Whether the language here knows the word at all: other reserved words are POV-Ray's, and not
+/// Whether this language knows the word in blocks. Other reserved words are POV-Ray's and not
 /// available.
 bool known_in_blocks(std::string_view word);
 

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::string_view hull_word = "convex_hull";
 
-/// More than this would not fit into the memory of most machines.
+/// Larger meshes would exceed the memory of most machines.
 constexpr double max_faces = 3e7;
 
-/// Not along an edge of anything that is made by people.
+/// A direction that is unlikely to be parallel to any edge of a model.
 constexpr Vec3 odd_direction(0.36, 0.48, 0.8);
 
-/// Points and objects, in any order.
+/// Reads points and objects in any order.
 class HullReader : public SimpleReader {
 public:
     HullReader(OpenBlock& block, std::vector<Vec3>& points, std::vector<ObjectHandle>& objects)
@@ -194,7 +194,7 @@ std::optional<Mesh> ModelReader::made(const TriangleMesh& asked) {
     Mesh result = asked.smooth ? smooth_mesh(*mesh) : candelabra::mesh(*mesh);
     if (asked.subdivide == 0) dress(result, look_);
     result.inside_vector = asked.inside_vector;
-    // What was a solid stays one.
+    // A mesh made from a solid remains one.
     if (!result.inside_vector && modelled) result.inside_vector = odd_direction;
     return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in mesh { } in the place of triangles: a file, an object that becomes a mesh, a hull.
+// Reads the contents of mesh { } that replace triangles: a file, an object to be meshed, a hull.
 // Called by the reader of objects.
 #pragma once
 
@@ -10,14 +10,13 @@ namespace candelabra {
 
 class ModelReader : public SimpleReader {
 public:
-    /// Both outlive the reader. It takes nothing unless the block is a mesh.
+    /// Both references outlive the reader. It takes nothing unless the block is a mesh.
     ModelReader(OpenBlock&, ObjectDraft&, bool is_mesh);
 
     bool take(const Element&);
     void add_words(WordList&) const;
 
-    /// The mesh that is asked for. Nothing: the triangles are all that there is, or something has
-    /// been reported.
+    /// The requested mesh. Nothing if the block has only triangles, or after a diagnostic.
     std::optional<Mesh> made(const TriangleMesh&);
 
 private:
@@ -30,9 +29,9 @@ private:
     void take_object(const Element&);
     void read_hull(const Element&);
     void wrong(const std::string& why);
-    /// What the mesh is made of; nothing after a report.
+    /// The surface that the mesh is made from; nothing after a diagnostic.
     std::optional<Polyhedron> source(const TriangleMesh&, const Polyhedra*);
-    /// False after a report.
+    /// Returns false after a diagnostic.
     bool refine(Polyhedron&, int steps, const Polyhedra*);
 
     OpenBlock& block_;
@@ -40,7 +39,7 @@ private:
     bool is_mesh_;
     ObjectHandle object_;
     std::optional<Hull> hull_;
-    PolyhedronLook look_;  ///< of a file
+    PolyhedronLook look_;  ///< normals, texture coordinates and materials of a file
     Span span_;            ///< of the object or hull
 };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double max_places = 1'000'000;
 constexpr int cells = 64;
 
-/// The points of an array of vectors; empty after a report.
+/// The points in an array of vectors; empty after a diagnostic.
 std::vector<Vec2> plane_points(FunctionCall& call) {
     std::vector<Vec2> points;
     const ArrayData* array = call.array(0);

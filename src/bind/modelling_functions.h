@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions that give arrays of places: on surfaces, in planes. The table in object_functions.cpp
-// names them and says what they do.
+// Functions that return arrays of points on surfaces or in planes. The table in
+// object_functions.cpp names and describes them.
 #pragma once
 
 #include "interpret/functions.h"

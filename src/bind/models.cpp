@@ -8,10 +8,10 @@ namespace candelabra {
 
 namespace {
 
-/// A longer row would save nothing more, and take twice its room while it grows.
+/// Longer rows would save little and need twice their memory while they grow.
 constexpr std::size_t max_spheres = 2048;
 
-/// Gives a shape its leading values; false when something is wrong with them.
+/// Sets the leading values of a shape; returns false if one of them is invalid.
 bool set_values(void* shape, const ItemInfo& item, const Variation& variation) {
     for (std::size_t i = 0; i < variation.count; ++i)
         if (!set_fitting(item, shape, i, variation.values[i])) return false;
@@ -64,7 +64,7 @@ ObjectHandle like(Binder& binder, const Object& model, const ItemInfo* item,
 
 bool joins(const RowEnd& end, const Object& model, const Variation& variation, Span span) {
     const auto& shape = std::get<Shape>(model.form);
-    // What is inverse or clipped is a solid of its own.
+    // Inverse and clipped spheres are solids of their own.
     if (!std::holds_alternative<Sphere>(shape) || model.clipping || model.inverse) return false;
     Sphere sphere;
     if (!set_values(&sphere, Sphere::vocabulary, variation) || !vanishes(sphere).empty())

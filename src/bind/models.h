@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Objects made after a model, from which they differ in little; spheres are put into rows. Called
-// by the reader of objects for what comes again and again.
+// Makes objects as variations of a model, and collects spheres in rows. Called by the reader of
+// objects for repeated blocks.
 #pragma once
 
 #include "bind/binder.h"
 
 namespace candelabra {
 
-/// The model with what differs; null when something is wrong with its values. `item` is the
-/// vocabulary of its shape; null: it combines objects.
+/// A copy of the model with the variation; null if its values are invalid. `item` is the vocabulary
+/// of the model's shape; null if the model combines objects.
 ObjectHandle like(Binder&, const Object& model, const ItemInfo* item, const Variable&,
                   const Variation&);
 
-/// Objects that a sphere may join, and the texture of those that have none of their own.
+/// Objects that a sphere may join, and the default texture of objects without one of their own.
 struct RowEnd {
     std::vector<ObjectHandle>& list;
     const Handle<Texture>& texture;
 };
 
-/// Puts a sphere that is like the model to the end of the list: into the row that ends it, or as a
-/// new one. False: the model is no sphere, or something is wrong with the values; nothing happened.
+/// Appends a sphere that varies the model to the list: to the row at its end, or as a new row.
+/// Returns false, without effect, if the model is not a sphere or the values are invalid.
 bool joins(const RowEnd&, const Object& model, const Variation&, Span);
 
 }  // namespace candelabra

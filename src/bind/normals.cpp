@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// A normal while it is read.
+/// A normal under construction.
 struct BumpDraft {
     explicit BumpDraft(const Bump& bump) {
         uv = bump.uv;
@@ -33,7 +33,7 @@ struct BumpDraft {
     bool uv = false;
 };
 
-/// A pattern, how strong it is, and a map.
+/// Reads a pattern, its amount, and a map.
 class BumpReader {
 public:
     BumpReader(OpenBlock& block, BumpDraft& draft)
@@ -92,7 +92,7 @@ private:
         return true;
     }
 
-    /// A bump_map has a height for the whole normal in its braces.
+    /// Moves the bump_size in the braces of a bump_map to the whole normal.
     void take_bump_size() {
         auto& pattern = draft_.pattern.pattern;
         auto* map = pattern ? std::get_if<BumpMap>(&*pattern) : nullptr;
@@ -114,7 +114,7 @@ private:
         draft_.map = std::move(map);
     }
 
-    /// The next normal behind checker and its kin; those that are missing are the default
+    /// Reads the next normal after checker and similar patterns; missing ones are the default
     /// texture's.
     void take_list_entry(const Element& element) {
         const auto count = static_cast<std::size_t>(choices(*draft_.pattern.pattern));
@@ -144,13 +144,13 @@ private:
     std::size_t listed_ = 0;
 };
 
-/// What stands in the braces of a normal, or behind the number of an entry.
+/// Reads the braces of a normal, or the part of a map's entry behind its number.
 template <class Content, class... First>
 void read_content(OpenBlock& block, const Content& content, Bump& bump, First&... first) {
     read_patterned<BumpDraft, BumpReader>(block, content, bump, "normals", first...);
 }
 
-/// [value <height, slope>]
+/// Reads [value <height, slope>].
 void read_slope_entry(OpenBlock& entry, Body body, SlopeMap& map) {
     struct Point : SimpleReader {
         explicit Point(OpenBlock& block) : block(block) {}

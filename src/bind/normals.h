@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// normal, normal_map and slope_map blocks. Called by the readers of textures and of #declare.
+// Reads normal, normal_map and slope_map blocks. Called by the readers of textures and of #declare.
 #pragma once
 
 #include "bind/block.h"
 
 namespace candelabra {
 
-/// All change the last argument to what the block makes of it. False: the block was wrong, and has
-/// been reported.
+/// These functions apply the block to the last argument. They return false, after a diagnostic, if
+/// the block was wrong.
 bool read_normal(Binder&, const Element& block, Bump&);
-/// The words of a normal in a texture from before version 3.0, whose word is at the span.
+/// Reads a normal's words that stand directly in a texture, as before version 3.0; the span is that
+/// of `texture`.
 bool read_legacy_normal(Binder&, const ElementList&, Span, Bump&);
 bool read_normal_map(Binder&, const Element& block, NormalMap&);
 bool read_slope_map(Binder&, const Element& block, SlopeMap&);
 
-/// As if the normal had said `no_bump_scale`.
+/// Has the effect of `no_bump_scale` in the normal.
 void keep_heights(Bump&);
 
 }  // namespace candelabra

@@ -86,8 +86,8 @@ ObjectHandle ObjectDraft::finished(Span span) {
         object.depth = declared->depth;
     } else if (const auto* shape = std::get_if<Shape>(&object.form);
                shape && std::holds_alternative<Shared<Text>>(*shape) && !object.transform) {
-        // As in POV-Ray: rays along the axes do not run along the edges of letters. A text in
-        // `object { }` has been turned already.
+        // As in POV-Ray, a tiny rotation keeps rays along the axes off the edges of letters. A text
+        // in `object { }` has been rotated already.
         object.transform = make_handle<Transform>(Transform::rotation(Vec3(0.001)));
     }
     if (movement)

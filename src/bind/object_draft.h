@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An object while its block is read: what it is made of, how it looks, what has happened to it
-// since. Called by the readers of objects; a declared object that is only moved shares all that it
-// holds with the one that was declared.
+// An object while its block is read: its form, appearance and transformations. Called by the
+// readers of objects. A declared object that is only transformed shares its contents with the
+// original.
 #pragma once
 
 #include "bind/textures.h"
@@ -9,55 +9,55 @@
 
 namespace candelabra {
 
-/// What light_group { } says beside its lights and objects.
+/// Fields of light_group { } beside its lights and objects.
 struct GroupSettings {
     bool global_lights = false;
 
     static const ItemInfo vocabulary;
 };
 
-/// What an object is made of and how it looks, while its block is read.
+/// The form and the appearance of an object while its block is read.
 struct ObjectDraft {
     explicit ObjectDraft(Binder& binder) : binder(binder), texture(binder.default_texture) {}
 
     Binder& binder;
-    ObjectHandle made = binder.pool.make();  ///< its form; the rest is put in by finished()
-    /// What a declared name stands for; its form is not copied before it has to be.
+    ObjectHandle made = binder.pool.make();  ///< holds the form; finished() adds the rest
+    /// The declared object that a name stands for; its form is copied only when necessary.
     ObjectHandle declared;
     Switches switches;
     Switches declared_switches;
     TextureDraft texture;
-    bool textured = false;    ///< there is a texture that is the object's own
-    bool retextured = false;  ///< and this block has given or changed it
+    bool textured = false;    ///< the object has a texture of its own
+    bool retextured = false;  ///< this block has given or changed that texture
     bool furnished = false;   ///< this block has given or changed the interior
-    Clipping clipping;        ///< where they are now
-    bool clipped = false;     ///< this block has given some
+    Clipping clipping;        ///< in the current position
+    bool clipped = false;     ///< this block has given clips or bounds
     std::vector<Handle<Texture>> part_textures;
     Handle<Texture> interior_texture;  ///< null: as outside
-    Handle<Transform> movement;        ///< since the form came; null: none
-    bool constant_movement = true;     ///< the text says the same each time
+    Handle<Transform> movement;        ///< since the form was read; null: none
+    bool constant_movement = true;     ///< the text always gives the same movement
     bool has_form = false;
     bool modified = false;
-    bool cutaway = false;  ///< parts without a texture show what they cut through
+    bool cutaway = false;  ///< parts without a texture show those of the objects that they cut
 
-    /// The form has come, but for itself: what else there is of the object.
+    /// Takes everything but the form, which has been read, from the object.
     void take(const Object&);
-    /// Transforms all that has come so far, and nothing that comes later.
+    /// Transforms everything read so far.
     void move(const Movement&);
-    /// A shape of which the renderer knows only parts: a cone that is crossed.
+    /// Splits a form that the renderer supports only in parts, such as a self-crossing cone.
     void divide_form();
-    /// The object as it is now; nobody else has it, unless it is the same as a declared one. The
-    /// draft is used up.
+    /// The finished object, which is unshared unless it equals a declared one. Consumes the draft.
     ObjectHandle finished(Span);
 
 private:
-    /// Only moved: so a union need not be copied, and a million of them cost little.
+    /// Whether the object was only moved: then a union need not be copied, and a million of them
+    /// are cheap.
     bool only_moved() const {
         return !retextured && !furnished && !clipped && switches == declared_switches;
     }
 };
 
-/// `inverse`, which swaps inside and outside each time it is said.
+/// Reads `inverse`, which swaps inside and outside each time it occurs.
 class InversionReader : public SimpleReader {
 public:
     explicit InversionReader(ObjectDraft& draft) : draft_(draft) {}
@@ -72,28 +72,30 @@ private:
     ObjectDraft& draft_;
 };
 
-/// All lights inside that light more than a group there, in the space around the object.
+/// Appends all lights of the object that light more than a group in it, in the space around the
+/// object.
 void append_lights(const Object&, std::vector<PlacedLight>&);
 
-/// The same for an object in another one. A light group keeps only those that are not in unions.
+/// Does so for a part of another object. A light group keeps only lights that are not in unions.
 void take_lights(const Object& part, Union& whole);
 
-/// Notes that the spheres of rows are parts of the union that the rows are in.
+/// Marks the spheres of rows as parts of the union that contains the rows.
 void nest_rows(Object& whole);
 
-/// A declared object as an object of its own, which shares what the declared one holds.
+/// Makes a new object of a declared one, and shares its contents.
 ObjectHandle another(const ObjectHandle&);
 
-/// A declared object as a part of another one; it may share all with the declared one.
+/// Makes a declared object a part of another one; the part may share everything.
 ObjectHandle as_part(const ObjectHandle&);
 
 /// A light source as an object.
 ObjectHandle as_object(PlacedLight);
 
-/// Whether all parts of an object may be looked at, as cutting does; otherwise the block is broken.
+/// Whether the object has few enough parts to be cut, which visits all of them. Otherwise reports
+/// this, marks the block as broken, and stops.
 bool may_be_cut(OpenBlock&, const Object&);
 
-/// Reports that objects are nested too deeply, and stops. Null.
+/// Reports that objects are nested too deeply, and stops the evaluation. Returns null.
 ObjectHandle too_deep(Binder&, const Element&);
 
 }  // namespace candelabra

@@ -13,7 +13,7 @@ Value inside_object(FunctionCall& call) {
     const Handle<Object> object = call.object(0);
     const Vec3 point = call.vector(1);
     if (call.failed()) return Absence::broken;
-    std::uint64_t counted = 0;  // by the call already
+    std::uint64_t counted = 0;  // counted by the call already
     const std::optional<bool> answer = call.world.objects->inside(object, point, counted);
     if (!answer)
         return call.fail(Fault::domain, 0,
@@ -27,7 +27,7 @@ Value first_hit(FunctionCall& call) {
     const Vec3 from = call.vector(1), direction = call.vector(2);
     if (call.failed()) return Absence::broken;
     if (direction == Vec3(0)) return call.fail(Fault::domain, 2, "the zero vector is no direction");
-    std::uint64_t counted = 0;  // by the call already
+    std::uint64_t counted = 0;  // counted by the call already
     const auto hit = call.world.objects->first_hit(object, from, direction, counted);
     if (call.count() == 4) {
         call.numbers(3);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions that ask about a declared object, or make arrays of places: what the binder adds to the
-// functions of the language.
+// The functions that the binder adds to the language: queries of declared objects, and functions
+// that return arrays of points.
 #pragma once
 
 #include "interpret/functions.h"
@@ -10,9 +10,9 @@
 
 namespace candelabra {
 
-/// By name in order.
+/// Sorted by name.
 std::span<const FunctionInfo> object_functions();
-/// These and those of the language, by name in order: for help and editors.
+/// These functions and those of the language, sorted by name, for help and editors.
 std::vector<FunctionInfo> all_functions();
 
 Value inside_object(FunctionCall&);

@@ -18,28 +18,29 @@
 
 namespace candelabra {
 
-// A scene may have a million spheres, so an object is made in one of three ways, the dearest first:
+// A scene may have a million spheres, so an object is made in one of three ways, the most expensive
+// first:
 //
-//   1. It is read. ObjectReader hands the elements of its block to readers, which say all that is
-//      wrong. Every other way gives the same object as this one, or leaves the block to it.
-//   2. It is made again. A block of constants only (constants.h) that is met again gives the object
-//      that it gave before (memo.h: the same block over the same base); so do the blocks in it.
-//   3. It is made by a plan. The first objects of a block in a loop are read, and a plan is kept of
-//      which numbers vary and what they do (shape_plans.h); from then on these numbers are computed
-//      and put into a copy of a model (variation.h). A sphere that differs from the one before it
-//      in its place only does not become an object: it joins the row at the end of the list
-//      (RowEnd), which is one object for all of them.
+//   1. It is read. ObjectReader passes the elements of its block to readers, which report all
+//      errors. The other ways either yield the same object or fall back to this one.
+//   2. It is reused. A block of constants (constants.h) that is visited again yields the same
+//      object (memo.h: the same block over the same base). The blocks in it are reused likewise.
+//   3. It is made by a plan. The first objects of a block in a loop are read, and a plan records
+//      which numbers vary and how they are used (shape_plans.h). In later passes only these numbers
+//      are computed and put into a copy of a model (variation.h). A sphere that differs from the
+//      preceding one only in its values does not become an object: it joins the row at the end of
+//      the list (RowEnd), which is one object for all of them.
 //
-// read_object_into() tries them from the last to the first.
+// read_object_into() tries these ways from the last to the first.
 
 namespace {
 
 constexpr std::string_view ignored_words =
     "sturm hierarchy radiosity split_union dtag color colour";
 
-/// Objects and lights in a union; the one object in `object`; a declared object in the place of a
-/// shape's values. Objects lie inside each other by the thousand, so what is rare has functions of
-/// its own: its room on the stack would be set aside at every level.
+/// Reads the objects and lights of a union, the one object in `object`, or a declared object in
+/// place of a shape's values. Objects nest by the thousand, so rare cases have functions of their
+/// own: their stack space would be reserved at every level.
 class ContentReader : public SimpleReader {
 public:
     enum class Kind { shape, object, together };
@@ -78,7 +79,7 @@ public:
 
 private:
     Union& together() { return std::get<Union>(draft_.made.edit().form); }
-    /// Whether a sphere may be put to the others without further ado.
+    /// Whether a sphere may be appended to the union's rows directly.
     bool row_goes_on() {
         return kind_ == Kind::together && !draft_.modified && !block_.broken &&
                together().csg == Csg::together;
@@ -123,7 +124,7 @@ private:
         return true;
     }
 
-    /// The object that is cut need not have an inside, but those that cut it must.
+    /// Warns of a part without an inside. Only the object that is cut may lack one.
     [[gnu::noinline]] void check_inside(const Object& made) {
         const bool cuts = together().csg == Csg::difference;
         if ((cuts && together().children.empty()) || has_inside(made)) return;
@@ -151,7 +152,7 @@ private:
                           .with_help(block_.help()));
     }
 
-    /// Whether an object may stand here; reports when not.
+    /// Whether an object may stand here; reports it otherwise.
     bool welcome(Span span) {
         if (block_.broken) return kind_ == Kind::together || !draft_.has_form;
         if (kind_ == Kind::together && !draft_.modified) return true;
@@ -239,7 +240,7 @@ private:
         if (!block_.broken) check(shape);
     }
 
-    /// The fields of a shape, which a declared object stands for as well.
+    /// Reads the fields of a shape, which a declared object may replace.
     struct ShapeReader {
         ItemReader& fields;
         FunctionRef<bool()> declared;
@@ -298,8 +299,9 @@ private:
         block_.report(error(Fault::degenerate, element_.word_span, wrong).with_help(block_.help()));
     }
 
-    /// As in POV-Ray: loops and animations begin with a radius of 0, modellers write triangles
-    /// without area, and a text may be blank, which needs no word.
+    /// Leaves out a shape that has no extent, as in POV-Ray: loops and animations begin with a
+    /// radius of 0, and modellers write triangles without area. Warns of it, except for a blank
+    /// text.
     void leave_out_if_nothing(const Shape& shape) {
         const std::string why = vanishes(shape);
         if (why.empty()) return draft_.divide_form();
@@ -314,7 +316,7 @@ private:
     ObjectDraft draft_;
 };
 
-/// An object of objects, unless they are nested too deeply.
+/// Reads an object that contains objects, unless they are nested too deeply.
 ObjectHandle read_nested(Binder& binder, const Element& element) {
     if (binder.nesting > binder.evaluator.limits().nesting) return too_deep(binder, element);
     ++binder.nesting;
@@ -323,7 +325,7 @@ ObjectHandle read_nested(Binder& binder, const Element& element) {
     return made;
 }
 
-/// A block that there is a plan for.
+/// A block that has a plan.
 struct Planned {
     Binder& binder;
     const Element& element;
@@ -331,8 +333,8 @@ struct Planned {
     ShapePlan& plan;
 };
 
-/// The object of a block that a plan is for, by the plan: made, or put into the row; null when that
-/// does not serve. What the block says is then in `variation`, if that is known.
+/// Makes a block's object by its plan. Returns nothing if the object has joined the row, and null
+/// if the plan does not apply. Stores the block's values in `variation` if they could be computed.
 std::optional<ObjectHandle> by_plan(const Planned& planned, const RowEnd* row,
                                     std::optional<Variation>& variation) {
     const auto& [binder, element, item, plan] = planned;
@@ -354,13 +356,13 @@ std::optional<ObjectHandle> by_plan(const Planned& planned, const RowEnd* row,
     return made;
 }
 
-/// A shape. Apart from what calls it: objects inside each other must not set aside its room on the
-/// stack again and again.
+/// Reads a shape. Kept out of line, so that nested objects do not reserve its stack space at every
+/// level.
 [[gnu::noinline]] ObjectHandle read_shape(Binder& binder, const Element& element) {
     return ObjectReader(binder, element).read();
 }
 
-/// As read_planned(), when there is a plan.
+/// read_planned() for a block that has a plan.
 [[gnu::noinline]] std::optional<ObjectHandle> follow_plan(const Planned& planned,
                                                           const RowEnd* row) {
     const auto& [binder, element, item, plan] = planned;
@@ -375,8 +377,8 @@ std::optional<ObjectHandle> by_plan(const Planned& planned, const RowEnd* row,
     return made;
 }
 
-/// As read_object_into(), for a shape of that kind or what combines objects; without a row, there
-/// is always an object, or null.
+/// read_object_into() for a shape of that kind or a combination of objects. Without a row, always
+/// returns an object or null.
 std::optional<ObjectHandle> read_planned(Binder& binder, const Element& element, std::size_t kind,
                                          const RowEnd* row) {
     const ItemInfo* item = kind == Kinds<Shape>::count ? nullptr : Kinds<Shape>::infos[kind];

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Objects: every shape, union, object, and light sources inside of them, with all that changes an
-// object. Called for the elements of a scene, for #declare, and for objects in objects.
+// Reads objects: every shape, union, object, and nested light source, with all object modifiers.
+// Called for the elements of a scene, for #declare, and for objects in objects.
 #pragma once
 
 #include "bind/bind.h"
 
 namespace candelabra {
 
-/// The object of a block that makes one, as a part: without a texture when the text gives none.
-/// Null after a report.
+/// Reads a block that makes an object, as a part: the texture is null unless the text gives one.
+/// Returns null after a diagnostic.
 ObjectHandle read_object(Binder&, const Element& block);
 
-/// The same for one of several objects in a row: a sphere that is like the one before it is put to
-/// the end of `list`, and there is nothing more to do with it (none is returned). Objects there
-/// have this texture when they have none of their own.
+/// Reads one of several objects in a row. A sphere that resembles the preceding one is appended to
+/// `list`, and nothing is returned. `texture` is that of objects in the list without one of their
+/// own.
 std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
                                              const Handle<Texture>& texture, Binder&,
                                              const Element& block);

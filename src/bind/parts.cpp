@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view effectless_in_parts = "sturm hierarchy";
 
-/// texture, pigment, normal and finish of a part.
+/// Reads the texture, pigment, normal and finish of a part.
 class PartLookReader : public SimpleReader {
 public:
     explicit PartLookReader(OpenBlock& block)
@@ -50,7 +50,7 @@ public:
         if (block_.part_textures)
             words.insert(words.end(), {"texture", "pigment", "normal", "finish"});
     }
-    /// The numbers of the textures in the list, or -1.
+    /// Stores the indices of the part's textures in the list, or -1.
     void number(int* looks, int count) {
         const int one = given_ ? number(draft_.shared(block_.binder.textures)) : -1;
         for (int i = 0; i < count; ++i)
@@ -67,7 +67,7 @@ private:
 
     OpenBlock& block_;
     TextureDraft draft_;
-    std::vector<Handle<Texture>> corners_;  ///< of a texture_list
+    std::vector<Handle<Texture>> corners_;  ///< from a texture_list
     bool given_ = false;
 };
 

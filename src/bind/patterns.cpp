@@ -24,7 +24,7 @@ constexpr std::string_view warp_form =
     "{ turbulence v }, or one of: repeat, black_hole, cylindrical, spherical, toroidal, planar, "
     "cubic";
 
-/// The kind of a warp as the first word, then its values.
+/// Reads the kind of a warp, which is the first word, and its values.
 class WarpReader {
 public:
     WarpReader(OpenBlock& block, Warp& warp)
@@ -108,7 +108,7 @@ ObjectPattern object_pattern(const Object& object) {
 
 namespace {
 
-/// An object, then what others make of the rest.
+/// Reads an object and passes the remaining elements on.
 class InsideReader : public SimpleReader {
 public:
     InsideReader(OpenBlock& block, FunctionRef<void(const Object&)> found,
@@ -211,10 +211,10 @@ bool PatternReader::take_value(const Element& element) {
         take_function(std::move(formula), element.span);
         return true;
     }
-    // A declared name may be a word of the pattern as well.
+    // A declared name may also be a word of the pattern.
     if (!(last_ && last_->take(element)) && !(last_ != &fields_ && fields_.take(element)))
         return false;
-    // The range of a slope stands in braces only: here a number is something else.
+    // Only in braces does a slope have a range: here a number has another meaning.
     if (last_ == &fields_ && std::holds_alternative<Slope>(*draft_.pattern)) fields_.complete();
     return true;
 }
@@ -230,7 +230,7 @@ void PatternReader::take_function(Handle<Formula> formula, Span span) {
 }
 
 bool PatternReader::take_word(const Element& element) {
-    // Each is told, so that one which waits for a value can say that there is none.
+    // All readers see the word, so that one that waits for a value can report that it is missing.
     for (ItemReader* reader : {&fields_, &modifiers_, &wave_})
         if (reader->take(element)) {
             last_ = reader;
@@ -268,7 +268,7 @@ bool PatternReader::take_block(const Element& element) {
     return read_in_braces(element);
 }
 
-/// Patterns whose values stand in braces.
+/// Reads patterns whose values stand in braces.
 bool PatternReader::read_in_braces(const Element& element) {
     const std::size_t kind = Patterns::find(element.word);
     if (kind == Patterns::count) return false;
@@ -302,7 +302,7 @@ void PatternReader::take_made(Pattern made, Span span) {
     name_span_ = span;
 }
 
-/// object { Thing, list }
+/// Reads object { Thing, list }.
 bool PatternReader::read_object_pattern(const Element& element) {
     OpenBlock inner(block_.binder, "object", element.word_span);
     const auto found = [&](const Object& object) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A pattern and what may follow it, in whatever block it stands: its values, modifiers, wave, and
-// warps. Called by the readers of pigments and of whatever else is patterned.
+// Reads a pattern and its values, modifiers, wave and warps in any block. Called by the readers of
+// pigments and of all other patterned items.
 #pragma once
 
 #include "bind/bind.h"
@@ -13,7 +13,7 @@
 
 namespace candelabra {
 
-/// A pattern while it is read; PatternUse when it is done.
+/// A pattern while it is read; converted to a PatternUse by use().
 struct PatternDraft {
     std::optional<Pattern> pattern;
     PatternModifiers modifiers;
@@ -31,9 +31,9 @@ struct PatternDraft {
 
 class PatternReader {
 public:
-    /// All outlive the reader. `home` says what the pattern is for: "pigment", "normal" or
-    /// "texture"; empty: nothing of these. `list_entry` takes what stands behind the object in
-    /// object { }: true when it did.
+    /// All arguments outlive the reader. `home` is the use of the pattern: "pigment", "normal" or
+    /// "texture"; empty: none of these. `list_entry` is offered the elements behind the object in
+    /// object { } and returns whether it took one.
     PatternReader(OpenBlock&, PatternDraft&, std::string_view home,
                   std::function<bool(const Element&)> list_entry = {});
 
@@ -43,9 +43,9 @@ public:
     void finish();
     void add_words(WordList&) const;
 
-    /// Whether the element is the name of a pattern, and nothing that the reader waits for.
+    /// Whether the element names a pattern and is not a value that the reader waits for.
     bool names_pattern(const Element&) const;
-    /// Whether the block has named its pattern, and not only taken over a declared one.
+    /// Whether the block has named its pattern instead of inheriting a declared one.
     bool named() const { return named_; }
 
 private:
@@ -63,19 +63,19 @@ private:
     OpenBlock& block_;
     PatternDraft& draft_;
     std::string_view home_;
-    ItemReader fields_;  ///< of the pattern; of no use before it is named
+    ItemReader fields_;  ///< of the pattern; invalid before it is named
     ItemReader modifiers_;
-    ItemReader wave_;             ///< of no use before a wave is named
-    ItemReader* last_ = nullptr;  ///< took the last word: values are for it
+    ItemReader wave_;             ///< invalid before a wave is named
+    ItemReader* last_ = nullptr;  ///< the reader that took the last word, and takes its values
     std::function<bool(const Element&)> list_entry_;
     Span name_span_;
     bool named_ = false;
 };
 
-/// The braces of `function { pattern { ... } }`. False: reported.
+/// Reads the braces of `function { pattern { ... } }`. Returns false after a diagnostic.
 bool read_pattern(Binder&, const Element& block, PatternDraft&);
 
-/// `uv_mapping` at the head of a block.
+/// Reads `uv_mapping` at the head of a block.
 class UvReader : public SimpleReader {
 public:
     explicit UvReader(OpenBlock& block) : block_(block) {}
@@ -83,7 +83,7 @@ public:
     bool take(const Element& element) {
         if (element.kind != Element::Kind::word || element.word != "uv_mapping"_word) return false;
         given = true;
-        --block_.taken;  // what is declared may come first behind it
+        --block_.taken;  // a declared item may still come first behind it
         return true;
     }
     void add_words(WordList& words) const { words.push_back("uv_mapping"); }
@@ -94,9 +94,10 @@ private:
     OpenBlock& block_;
 };
 
-/// What stands in the braces of a pigment or normal, or behind the number of an entry in a map: a
-/// declared one, the block's own words, transformations. Draft is what is changed, Reader reads the
-/// words; `plural` names many of them. Content: what a block can read.
+/// Reads the braces of a pigment or normal, or the part of a map's entry behind its number: a
+/// declared item, the block's own words, transformations. Draft is the item under construction,
+/// Reader reads its words; `plural` names such items in messages. Content is anything that a block
+/// can read.
 template <class Draft, class Reader, class Content, class Patterned, class... First>
 void read_patterned(OpenBlock& block, const Content& content, Patterned& patterned,
                     std::string_view plural, First&... first) {
@@ -118,7 +119,7 @@ void read_patterned(OpenBlock& block, const Content& content, Patterned& pattern
             message("too many ", plural, " are nested here: each level can double the work")));
 }
 
-/// 1 inside of the object, 0 outside.
+/// A pattern that is 1 inside of the object, 0 outside.
 ObjectPattern object_pattern(const Object&);
 
 }  // namespace candelabra

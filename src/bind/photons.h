@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `photons { ... }` of an object. Used by the reader of objects.
+// Reads `photons { ... }` of an object. Used by the reader of objects.
 #pragma once
 
 #include "bind/bind.h"
@@ -21,7 +21,7 @@ public:
     void add_words(WordList& words) const { words.push_back("photons"); }
 
 private:
-    /// A declared object has said some before.
+    /// Starts from the settings of a declared object, if there are any.
     [[gnu::noinline]] void read(const Element& element) {
         OpenBlock inner(block_.binder, "photons", element.word_span);
         inner.item = &ObjectPhotons::vocabulary;

@@ -21,7 +21,8 @@ constexpr auto file_kinds =
 
 bool takes_colours(const Pattern& pattern) { return std::holds_alternative<ImageMap>(pattern); }
 
-/// By POV-Ray 3.7's rules, which depend on the version of the language.
+/// The coding of a picture's texels by the rules of POV-Ray 3.7, which depend on the language
+/// version.
 TexelCoding coding(const Binder& binder, const Pattern& pattern, const PictureMap& map) {
     TexelCoding result;
     result.gamma = map.gamma;
@@ -35,8 +36,8 @@ TexelCoding coding(const Binder& binder, const Pattern& pattern, const PictureMa
     return result;
 }
 
-/// A function's values at all pixels, in 65536 steps from 0 to 1, as POV-Ray keeps them: values
-/// beyond begin anew at the other end. Nothing when that is too much work.
+/// Samples a function at all pixels in 65536 steps from 0 to 1, as POV-Ray does: values outside of
+/// that range wrap around. Returns nothing if this exceeds the work limit.
 std::optional<Texels> texels_of(const Formula& function, Evaluator& evaluator, Span place) {
     Texels texels;
     texels.width = function.columns();
@@ -125,7 +126,7 @@ bool PictureReader::take(const Element& element) {
     return fields_.take(element);
 }
 
-/// A part of `filter all 0.5` or `filter 3, 0.5`.
+/// Takes a part of `filter all 0.5` or `filter 3, 0.5`.
 bool PictureReader::take_adjustment(const Element& element) {
     if (!takes_colours(pattern_)) return false;
     const bool word = element.kind == Element::Kind::word;
@@ -156,12 +157,12 @@ bool PictureReader::take_adjustment(const Element& element) {
     return true;
 }
 
-/// Of the colour that is adjusted.
+/// Takes the index of the colour that is adjusted.
 void PictureReader::take_number(double number, Span span) {
     constexpr double max_colours = 65536;
     if (number >= 0 && number < max_colours) {
         adjustment_.number = static_cast<int>(number);
-        // As with other whole numbers, and as in POV-Ray.
+        // Truncated like other integers, as in POV-Ray.
         if (std::floor(number) != number)
             block_.report(warning(Fault::no_effect, span,
                                   message("a colour has a whole number, and ", number,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures in braces, behind image_map and its kin: which file or function, how its values are
-// meant, how it lies. Called by the readers of patterns and textures.
+// Reads pictures in braces, as after image_map: the file or function, its options and its mapping.
+// Called by the readers of patterns and textures.
 #pragma once
 
 #include "bind/bind.h"
@@ -10,14 +10,14 @@
 
 namespace candelabra {
 
-/// Endings that the file of a picture may have when its name leaves them out, by the word before
-/// the name: `tga`; without a word, as with `png`. None: the kind has no ending of its own.
+/// File extensions that the name of a picture may leave out, by the word before the name, such as
+/// `tga`. Without a word, those of `png`. Empty if the kind has no extension of its own.
 std::span<const std::string_view> picture_endings(std::string_view kind);
 
-/// What stands in the braces, apart from what other readers take.
+/// Reads the elements in the braces that other readers do not take.
 class PictureReader {
 public:
-    /// All outlive the reader. Precondition: the pattern is made of a picture.
+    /// All arguments outlive the reader. Precondition: the pattern uses a picture.
     PictureReader(OpenBlock&, Pattern&);
 
     bool waiting() const { return stage_ != Stage::none || fields_.waiting(); }
@@ -27,7 +27,7 @@ public:
     void add_words(WordList&) const;
 
 private:
-    /// Of `filter all 0.5` or `filter 3, 0.5`: what comes next.
+    /// The next part of `filter all 0.5` or `filter 3, 0.5`.
     enum class Stage { none, which, amount };
 
     bool take_adjustment(const Element&);
@@ -43,7 +43,7 @@ private:
     ImageMap::Adjustment adjustment_;
 };
 
-/// The whole block; the pattern gets its texels. What is wrong is reported.
+/// Reads the whole block and gives the pattern its texels. Reports errors.
 template <class... Others>
 void read_picture(OpenBlock& block, Body body, Pattern& pattern, Others&... others) {
     PictureReader reader(block, pattern);

@@ -23,7 +23,7 @@ constexpr std::string_view pigment_form =
 constexpr std::string_view density_form =
     "{ rgb <r, g, b> }, or density { pattern [color_map { [0 rgb ...] [1 rgb ...] }] }";
 
-/// The words of what has colours: of a surface, or of a medium.
+/// The words of a block with colours: that of a surface or of a medium.
 struct ColouringWords {
     NameId block, map;
     std::string_view block_name, map_name;
@@ -39,7 +39,7 @@ const ColouringWords& colouring_words(const OpenBlock& block) {
                : pigment_words;
 }
 
-/// What a block or an entry starts from.
+/// The initial state of a block or a map's entry.
 Pigment first_colouring(const Binder& binder, const ColouringWords& words) {
     if (words.block != density_words.block) return binder.default_texture->pigment;
     Pigment even;
@@ -47,7 +47,7 @@ Pigment first_colouring(const Binder& binder, const ColouringWords& words) {
     return even;
 }
 
-/// A pigment while it is read.
+/// A pigment under construction.
 struct PigmentDraft {
     explicit PigmentDraft(const Pigment& pigment)
         : colour(pigment.colour), uv(pigment.uv), quick(pigment.quick) {
@@ -69,7 +69,7 @@ struct PigmentDraft {
     std::optional<PatternedPigment::Map> map;
 };
 
-/// A colour or a pattern, with what the pattern needs.
+/// Reads a colour, or a pattern with its map or list.
 class ColouringReader {
 public:
     ColouringReader(OpenBlock& block, PigmentDraft& draft)
@@ -136,7 +136,8 @@ private:
         return true;
     }
 
-    /// `rgb 1 #if (A) filter 0.5 #end`: the colour goes on in a directive.
+    /// Changes a channel of the colour. A directive may continue a colour:
+    /// `rgb 1 #if (A) filter 0.5 #end`.
     bool set_channel(const Element& element) {
         const auto& [tree, node] = element.origin;
         const auto* channel = tree && node != no_node ? tree->get_if<node::Channel>(node) : nullptr;
@@ -208,8 +209,8 @@ private:
         return !block_.broken;
     }
 
-    /// The next entry of a list behind checker and its kin; what is missing at its end stays what
-    /// it is by default.
+    /// Reads the next entry of a list after checker and similar patterns; missing entries keep
+    /// their defaults.
     template <class Map, class Read>
     void list_entry(const Element& element, Read read) {
         if (listed_ == 0) draft_.map = default_list(Map());
@@ -261,11 +262,11 @@ private:
     const ColouringWords& words_;
     PigmentDraft& draft_;
     PatternReader pattern_;
-    bool coloured_ = false;  ///< this block has given the colour
+    bool coloured_ = false;  ///< whether this block has given the colour
     std::size_t listed_ = 0;
 };
 
-/// quick_color rgb 1
+/// Reads quick_color and its colour.
 class QuickColour {
 public:
     explicit QuickColour(OpenBlock& block) : block_(block) {}
@@ -300,7 +301,7 @@ private:
     Span span_;
 };
 
-/// What stands in the braces of a pigment, or behind the number of an entry.
+/// Reads the braces of a pigment, or the part of a map's entry behind its number.
 template <class Content, class... First>
 void read_content(OpenBlock& block, const Content& content, Pigment& pigment, First&... first) {
     QuickColour quick(block);

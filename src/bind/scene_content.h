@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene while its blocks are read: puts what was read into it. Used by the readers in the table
-// of blocks.
+// A scene while its blocks are read; adds their results to it. Used by the readers in the table of
+// blocks.
 #pragma once
 
 #include "bind/binder.h"
@@ -10,19 +10,19 @@ namespace candelabra {
 
 class SceneContent {
 public:
-    /// Both outlive it.
+    /// Both arguments outlive this object.
     SceneContent(Binder& binder, Scene& scene) : binder(binder), scene(scene) {}
 
     Binder& binder;
     Scene& scene;
     GivenSettings given;
 
-    /// The default texture is the one in force at the end of the object's statement.
+    /// Gives the object the default texture in force at the end of its statement.
     void add(ObjectHandle);
     void add(const PlacedLight&);
-    /// A camera that the block describes; warns when the scene has one already.
+    /// Adds the camera that the block describes; warns if the scene has one already.
     void add(const DeclaredCamera&, const Element& block);
-    /// The camera of the scene from now on.
+    /// Sets the camera of the scene.
     void show(const DeclaredCamera&);
 };
 

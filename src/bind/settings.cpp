@@ -21,12 +21,12 @@ std::string sampler_form() {
     return message("{ light_octree [threshold n] ... }, or one of: ", names);
 }
 
-/// Parameters of light_octree that only the paper's version looks at, and those that it does not.
+/// Parameters of light_octree that only the paper's version uses, and those that it does not use.
 constexpr auto words_of_paper =
     std::to_array<std::string_view>({"threshold", "white", "max_bright", "representatives"});
 constexpr auto words_of_cuts = std::to_array<std::string_view>({"eta", "cut", "outlook", "alone"});
 
-/// Tells of parameters that the others leave without effect.
+/// Warns of parameters that have no effect in combination with others.
 void warn_of_idle(OpenBlock& block, const LightSampler& sampler, const ItemReader& fields,
                   Span span) {
     const auto* octree = std::get_if<LightOctree>(&sampler);
@@ -43,13 +43,13 @@ void warn_of_idle(OpenBlock& block, const LightSampler& sampler, const ItemReade
     if (octree->alone && !octree->paper) check("outlook", "with `alone`");
 }
 
-/// Words of radiosity that are about POV-Ray's cache.
+/// Parameters of radiosity that control POV-Ray's cache.
 constexpr auto words_of_cache = std::to_array<std::string_view>(
     {"count", "error_bound", "nearest_count", "low_error_factor", "minimum_reuse", "maximum_reuse",
      "pretrace_start", "pretrace_end", "adc_bailout", "always_sample", "subsurface", "save_file",
      "load_file"});
 
-/// Words of photons that are about POV-Ray's map.
+/// Parameters of photons that control POV-Ray's photon map.
 constexpr auto words_of_map = std::to_array<std::string_view>(
     {"jitter", "autostop", "expand_thresholds", "save_file", "load_file"});
 
@@ -57,7 +57,7 @@ ChoiceBlock<LightSampler> sampler_block(OpenBlock& block, LightSampler& sampler)
     return {block, {"light_sampler", "strategy", sampler_form()}, warn_of_idle, sampler};
 }
 
-/// For alternatives whose parameters all have an effect.
+/// Check for choices whose parameters always have an effect.
 template <class Variant>
 void all_have_effect(OpenBlock&, const Variant&, const ItemReader&, Span) {}
 
@@ -75,7 +75,7 @@ ChoiceBlock<IntegratorSettings> integrator_block(OpenBlock& block, IntegratorSet
             integrator};
 }
 
-/// The fields; `assumed_gamma srgb` is the one that has a word for its value.
+/// Reads the fields, among which `assumed_gamma` may have the word `srgb` as its value.
 class SettingsFields {
 public:
     SettingsFields(OpenBlock& block, GlobalSettings& settings)
@@ -97,7 +97,7 @@ public:
             value.value = Numbers::scalar(1);
         }
         const bool taken = fields_.take(value);
-        // Colours behind it in the block are in its space.
+        // Subsequent colours in the block are in this colour space.
         block_.binder.evaluator.set_working_gamma(gamma());
         return taken;
     }
@@ -112,7 +112,7 @@ private:
     bool srgb_ = false;
 };
 
-/// luminaires emission, luminaires ambient, luminaires none, luminaires above 0.5
+/// Reads luminaires emission, luminaires ambient, luminaires none, luminaires above 0.5.
 class LuminairesReader : public SimpleReader {
 public:
     LuminairesReader(OpenBlock& block, GlobalSettings& settings)
@@ -182,7 +182,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     OpenBlock block(binder, "global_settings", element.word_span);
     block.item = &GlobalSettings::vocabulary;
     block.ignored = "charset utf8 ascii sys hf_gray_16 max_intersections";
-    // Strings are read as UTF-8, and ASCII is the same in any coding.
+    // Strings are read as UTF-8, which contains ASCII, so `charset` needs no warning.
     if (!binder.evaluator.has_foreign_strings()) binder.warned.emplace("charset");
     const double gamma = settings.assumed_gamma;
     SettingsFields fields(block, settings);

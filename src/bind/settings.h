@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// global_settings blocks. Called for the elements of a scene.
+// Reads global_settings blocks. Called for the elements of a scene.
 #pragma once
 
 #include "bind/bind.h"
@@ -7,12 +7,12 @@
 
 namespace candelabra {
 
-/// What any block of settings has said: other things depend on it.
+/// Settings given by any block so far, on which other things depend.
 struct GivenSettings {
     bool gamma = false;
 };
 
-/// What the block says is added to the settings.
+/// Adds the settings of the block to the last two arguments.
 void read_global_settings(Binder&, const Element& block, GlobalSettings&, GivenSettings& before);
 
 }  // namespace candelabra

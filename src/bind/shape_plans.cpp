@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// How many values a shape needs; nothing when some of them are not plain numbers and vectors.
+/// Number of values that a shape needs; nothing if some are not plain numbers or vectors.
 std::optional<std::size_t> values_needed(const ItemInfo& item) {
     std::size_t count = 0;
     for (const FieldInfo& field : item.fields.first(static_cast<std::size_t>(item.positional))) {
@@ -20,7 +20,7 @@ std::optional<std::size_t> values_needed(const ItemInfo& item) {
     return count > 0 && count <= Variation::most ? std::optional(count) : std::nullopt;
 }
 
-/// Whether the object is made of nothing but what a plan changes: its texture is one colour.
+/// Whether a plan can change all parts of the object: its texture, if any, is one colour.
 bool simple(const Object& object) {
     return !object.clipping && !object.part_textures &&
            (!object.texture || object.texture->plain());
@@ -49,7 +49,7 @@ const Object* ShapePlan::model(const Evaluator& evaluator, const Handle<Texture>
 
 void ShapePlan::learn(const Evaluator& evaluator, const Handle<Texture>& default_texture,
                       const Variation& variation, const ObjectHandle& made) {
-    // A shape that is left out is an empty union.
+    // A shape without extent was replaced by an empty union.
     if (std::holds_alternative<Shape>(made->form) != shape_) return;
     const bool coloured = made->texture && made->texture->pigment.colour == variation.colour;
     if ((!variable_.plain() && !simple(*made)) || (variable_.coloured() && !coloured))

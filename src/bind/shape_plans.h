@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a loop need not find out again about an object's block: what differs from pass to pass, and
-// that all else means the same as the last time. Used by the reader of objects, which then takes
-// the last object as a model and changes nothing but what differs.
+// Caches the analysis of an object's block in a loop: the values that vary from pass to pass, and
+// whether everything else keeps its meaning. The reader of objects then uses the last object as a
+// model and changes only the varying values.
 #pragma once
 
 #include "bind/variation.h"
@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-/// One block of an object.
+/// The plan of one object's block.
 class ShapePlan {
 public:
     ShapePlan(Variable variable, bool shape) : variable_(std::move(variable)), shape_(shape) {
@@ -19,23 +19,24 @@ public:
     }
 
     const Variable& variable() const { return variable_; }
-    /// Whether it is worth while to go on with it.
+    /// Whether the plan is worth keeping.
     bool promising() const { return vain_ <= max_vain; }
-    /// Something about the block was unusual.
+    /// Counts a use of the block that the plan could not serve.
     void note_vain() { ++vain_; }
 
-    /// An object that has all but what differs from the same block, or null when that is not known.
-    /// It is not moved by what differs.
+    /// The model for the next object of the block, or null if none is known. The varying movement
+    /// is not applied to it.
     const Object* model(const Evaluator&, const Handle<Texture>& default_texture);
-    /// The block has just made this object of what differs, and nothing was wrong.
+    /// Learns the model from an object that the block has just made with this variation and without
+    /// errors.
     void learn(const Evaluator&, const Handle<Texture>& default_texture, const Variation&,
                const ObjectHandle&);
 
 private:
-    /// A plan that does not serve so much more often than it does is not worth keeping.
+    /// Failures in excess of successes after which a plan is dropped.
     static constexpr int max_vain = 8;
 
-    /// A name in the rest and what it stood for when the model was made.
+    /// A name in the invariant part of the block, and its value when the model was made.
     struct Known {
         NameId name;
         std::optional<Value> value;  ///< none: it was not declared
@@ -43,8 +44,8 @@ private:
     bool unchanged(const Evaluator&) const;
 
     Variable variable_;
-    bool shape_;    ///< otherwise it combines objects
-    int vain_ = 0;  ///< models that were made and did not serve
+    bool shape_;    ///< whether the block is a shape; otherwise it combines objects
+    int vain_ = 0;  ///< models that were made in vain, less those that served
     std::vector<Known> names_;
     Handle<Texture> default_texture_;
     ObjectHandle model_;
@@ -52,13 +53,13 @@ private:
 
 class ShapePlans {
 public:
-    /// The plan of an object's block; null when it is met for the first time, is constant as a
-    /// whole (Memo is for those), or has none. `item` is the vocabulary of its shape; null: it
-    /// combines objects.
+    /// The plan of an object's block. Null at the first visit, for blocks that are entirely
+    /// constant (Memo serves those), and for blocks without a plan. `item` is the vocabulary of the
+    /// block's shape; null if it combines objects.
     ShapePlan* find(Evaluator&, const Element& block, const ItemInfo* item);
 
 private:
-    // What nodes_ says of a block; more: the number of its plan.
+    // Values in nodes_; a higher value is the number of a plan.
     static constexpr std::uint32_t met = 1, hopeless = 2, planned = 3;
 
     std::vector<std::vector<std::uint32_t>> nodes_;  ///< by source, by node

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answers of objects to the language's questions. Given to the evaluator by evaluate().
+// Answers the language's queries about objects. Given to the evaluator by evaluate().
 #pragma once
 
 #include "csg/solid.h"
@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    /// Most parts are passed by.
+    /// Work of one query: most parts are skipped.
     static std::uint64_t cost(const Object& object) {
         constexpr std::uint64_t asking = 500;
         return asking + object.parts / 4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// texture_list { ... } of meshes: textures that faces name by number, or those of a triangle's
-// corners. Called by the readers of objects and parts.
+// Reads texture_list { ... } of meshes: textures that faces select by number, or those of a
+// triangle's corners. Called by the readers of objects and parts.
 #pragma once
 
 #include "bind/block.h"
@@ -9,17 +9,17 @@
 
 namespace candelabra {
 
-/// How many textures a list has.
+/// Number of textures in a list.
 enum class TextureCount {
-    said,  ///< as its first value says
+    said,  ///< given by its first value
     three,
 };
 
-/// The textures, which may be blocks or declared ones; nothing after a report.
+/// Reads the textures, each a block or a declared one; returns nothing after a diagnostic.
 std::optional<std::vector<Handle<Texture>>> read_texture_list(OpenBlock& around,
                                                               const Element& block, TextureCount);
 
-/// Reports when a face of a mesh names a texture that is not one of so many.
+/// Reports faces of a mesh whose texture number is not below `count`.
 void check_texture_numbers(OpenBlock&, const Shape&, std::size_t count);
 
 }  // namespace candelabra

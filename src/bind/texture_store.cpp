@@ -23,7 +23,7 @@ std::uint64_t hash_of(const Texture& texture) {
     return hash ^ hash >> 32;
 }
 
-/// Neither has a pattern.
+/// Whether two textures without patterns are equal.
 bool equal_plain(const Texture& a, const Texture& b) {
     return a.pigment.colour == b.pigment.colour && a.pigment.quick == b.pigment.quick &&
            a.finish == b.finish && a.pigment.transform == b.pigment.transform;
@@ -53,7 +53,7 @@ Handle<Texture> TextureStore::share(Texture texture, Pool<Texture>& pool) {
     return place.texture;
 }
 
-/// Where an equal texture is, or may be put.
+/// The slot of an equal texture, or the free slot for the texture.
 TextureStore::Slot& TextureStore::slot(const Texture& texture) {
     ++asked_;
     const std::uint64_t hash = hash_of(texture);
@@ -66,7 +66,7 @@ TextureStore::Slot& TextureStore::slot(const Texture& texture) {
     return slots_[i];
 }
 
-/// For a texture that is not there yet.
+/// A free slot for a texture that is not in the table.
 TextureStore::Slot& TextureStore::free_slot(std::uint64_t hash) {
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = hash & mask;

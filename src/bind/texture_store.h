@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Textures by content: a loop that writes the same plain texture a million times gets one. Where
-// hardly any are equal, as in a loop of random colours, it stops to look for more. Called by the
-// readers of objects.
+// Shares equal textures: a loop that writes the same plain texture a million times gets one. Stops
+// searching if hardly any are equal, as in a loop of random colours. Called by the readers of
+// objects.
 #pragma once
 
 #include "base/pool.h"
@@ -14,10 +14,10 @@ namespace candelabra {
 
 class TextureStore {
 public:
-    /// A handle to an equal texture, perhaps the same one. Patterned ones are not compared: they
-    /// are rarely equal.
+    /// A handle to an equal texture, perhaps the argument itself. Patterned textures are not
+    /// compared, because they are rarely equal.
     Handle<Texture> share(Handle<Texture>);
-    /// The same of a plain one, which is put into the pool when it is new.
+    /// The same for a plain texture, which is allocated from the pool if it is new.
     Handle<Texture> share(Texture, Pool<Texture>&);
 
 private:
@@ -25,9 +25,9 @@ private:
         std::uint64_t hash = 0;
         Handle<Texture> texture;  ///< null: free
     };
-    /// How many are looked at before it is judged whether that pays.
+    /// Number of lookups before the hit rate is judged.
     static constexpr std::size_t trial = 16384;
-    /// Whether at least one in so many was there already.
+    /// Whether at least one lookup in 16 was a hit.
     bool pays() const { return asked_ < trial || 16 * (asked_ - count_) >= asked_; }
     Slot& slot(const Texture&);
     Slot& free_slot(std::uint64_t hash);

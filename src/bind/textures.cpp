@@ -15,7 +15,7 @@ namespace candelabra {
 
 namespace {
 
-/// pigment { }, normal { } and finish { } in a texture, or parts that were declared.
+/// Reads pigment { }, normal { } and finish { } in a texture, or declared ones.
 class PartReader : public SimpleReader {
 public:
     PartReader(OpenBlock& block, TextureDraft& draft) : block_(block), draft_(draft) {}
@@ -57,7 +57,7 @@ private:
     TextureDraft& draft_;
 };
 
-/// `no_bump_scale`, which may stand at any place in a texture.
+/// Reads `no_bump_scale`, which may stand anywhere in a texture.
 class BumpScaleReader : public SimpleReader {
 public:
     explicit BumpScaleReader(OpenBlock& block) : block_(block) {}
@@ -70,7 +70,7 @@ public:
     }
     void add_words(WordList& words) const { words.push_back("no_bump_scale"); }
 
-    /// The normal of the uppermost layer keeps its heights when it is scaled.
+    /// Keeps the heights of the uppermost layer's normal when it is scaled.
     void apply(TextureDraft& draft, bool patterned) const {
         if (!word_) return;
         if (patterned)
@@ -86,7 +86,7 @@ private:
     std::optional<Span> word_;
 };
 
-/// tiles { texture { A } tile2 texture { B } }
+/// Reads tiles { texture { A } tile2 texture { B } }.
 class TilesReader : public SimpleReader {
 public:
     explicit TilesReader(OpenBlock& block) : block_(block) {}
@@ -97,7 +97,7 @@ public:
         if (map.size() == 2) return false;
         const Handle<Texture> texture = read_whole_texture(block_.binder, element);
         block_.broken |= !texture;
-        // The first one has the odd cubes.
+        // The first texture fills the odd cubes, so it comes second in the map.
         map.insert(map.begin(), {0, texture});
         return true;
     }
@@ -115,7 +115,7 @@ private:
     OpenBlock& block_;
 };
 
-/// The textures of a material_map, numbered from 0.
+/// Reads the textures of a material_map, numbered from 0.
 class TextureBlocksReader : public SimpleReader {
 public:
     explicit TextureBlocksReader(OpenBlock& block) : block_(block) {}
@@ -140,7 +140,7 @@ private:
     OpenBlock& block_;
 };
 
-/// A pattern with the textures that it chooses from.
+/// Reads a pattern and the textures that it chooses from.
 class ChoiceReader {
 public:
     explicit ChoiceReader(OpenBlock& block)
@@ -225,7 +225,7 @@ private:
         map_ = std::move(reader.map);
     }
 
-    /// A picture, then the textures that its colours choose.
+    /// Reads a picture and the textures that its colours select.
     void take_material_map(const Element& element) {
         OpenBlock inner(block_.binder, "material_map", element.word_span);
         inner.form = "{ \"picture.png\" texture { ... } texture { ... } ... }";
@@ -240,7 +240,8 @@ private:
         map_ = std::move(textures.map);
     }
 
-    /// The next texture behind checker and its kin; those that are missing are the default texture.
+    /// Reads the next texture after checker and similar patterns; missing ones are the default
+    /// texture.
     void take_list_entry(const Element& element) {
         const auto count = static_cast<std::size_t>(choices(*draft_.pattern));
         if (listed_ == count) {
@@ -264,12 +265,12 @@ private:
     PatternReader pattern_;
     TextureMap map_;
     std::size_t listed_ = 0;
-    bool named_ = false;  ///< by tiles or material_map
-    /// Whether a pattern chooses textures here, not colours.
+    bool named_ = false;  ///< tiles or material_map has given the pattern
+    /// Whether a pattern chooses textures here instead of colours.
     bool patterns_ = !LegacyTextureReader::known_to(block_.binder);
 };
 
-/// What stands in the braces of a texture, or behind the number of an entry.
+/// Reads the braces of a texture, or the part of a map's entry behind its number.
 template <class... First>
 void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... first) {
     auto declared =
@@ -296,7 +297,7 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
                            "too many textures are nested here: each level can double the work"));
 }
 
-/// Many more than can be seen: layers hold each other, and are walked through by recursion.
+/// Bounds the recursion through layers; far more than can be visible.
 constexpr int max_layers = 1000;
 
 int layers(const Texture& texture) {
@@ -305,7 +306,7 @@ int layers(const Texture& texture) {
     return count;
 }
 
-/// The lowest layer of `above` gets `below` under it.
+/// Puts `below` under the lowest layer of `above`.
 Texture stacked(Texture above, const Handle<Texture>& below) {
     above.below = above.below ? make_handle<Texture>(stacked(*above.below, below)) : below;
     return above;
@@ -338,12 +339,12 @@ bool read_texture_map(Binder& binder, const Element& element, TextureMap& map) {
 
 Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& below,
                         Handle<Texture> above) {
-    if (above->choice) return above;  // it hides what is below
+    if (above->choice) return above;  // it hides the layers below
     constexpr double last_of_legacy_layers = 3.1;
     if (block.binder.evaluator.version() <= last_of_legacy_layers)
         above = make_handle<Texture>(with_filter_as_transmit(*above));
     if (!transparent(*above)) {
-        // Reflections below are seen all the same.
+        // Reflections of the layers below remain visible.
         const Reflection& lower = below->finish.reflection;
         if (!below->choice && !below->below && lower.least == Vec3(0) && lower.greatest == Vec3(0))
             return above;

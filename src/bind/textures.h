@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// texture, texture_map, material, pigment and pigment_map blocks. Each starts from what is there
-// before: the default texture, or what the object has already. Called by the readers of objects, of
-// #declare and of #default.
+// Reads texture, texture_map, material, pigment and pigment_map blocks. Each starts from the
+// default texture or from the object's current one. Called by the readers of objects, of #declare
+// and of #default.
 #pragma once
 
 #include "bind/bind.h"
@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-/// A texture that is being written: shared with where it comes from until something changes.
+/// A texture under construction; shared with its origin until it changes.
 class TextureDraft {
 public:
     explicit TextureDraft(Handle<Texture> base) : texture_(std::move(base)) {}
@@ -26,12 +26,12 @@ public:
         texture_ = std::move(base);
         edited_ = false;
     }
-    /// Plain colours look the same wherever they are moved to.
+    /// Whether a transformation changes the texture; plain colours are the same everywhere.
     bool movable() const { return !now().plain(); }
     void move(const Transform& transform) {
         if (movable()) edit() = transformed(now(), transform);
     }
-    /// The texture as it is now, equal ones as one.
+    /// The current texture, merged with an equal one in the store.
     const Handle<Texture>& shared(TextureStore& store) {
         if (std::exchange(edited_, false)) texture_ = store.share(std::move(texture_));
         return texture_;
@@ -42,27 +42,28 @@ private:
     bool edited_ = false;
 };
 
-/// All change the last argument to what the block makes of it. False: the block was wrong, and has
-/// been reported.
+/// These functions apply the block to the last argument. They return false, after a diagnostic, if
+/// the block was wrong.
 bool read_texture(Binder&, const Element& block, TextureDraft&);
 bool read_pigment(Binder&, const Element& block, Pigment&);
-/// `density { ... }` of a medium: as a pigment, whose filter and transmit do not count.
+/// Reads `density { ... }` of a medium as a pigment whose filter and transmit have no effect.
 bool read_density(Binder&, const Element& block, Pigment&);
-/// The words of a pigment in a texture from before version 3.0, whose word is at the span.
+/// Reads a pigment's words that stand directly in a texture, as before version 3.0; the span is
+/// that of `texture`.
 bool read_legacy_pigment(Binder&, const ElementList&, Span, Pigment&);
-/// The same for `density_map`.
+/// Also reads `density_map`.
 bool read_pigment_map(Binder&, const Element& block, PigmentMap&);
 
 bool read_texture_map(Binder&, const Element& block, TextureMap&);
 
-/// What the block makes of the default texture; null: it was wrong, and has been reported.
+/// Applies the block to the default texture; returns null, after a diagnostic, if it was wrong.
 Handle<Texture> read_whole_texture(Binder&, const Element& block);
 
-/// Blocks of textures in a row: layers, the last on top. Null after a report.
+/// Reads consecutive texture blocks as layers, the last on top. Returns null after a diagnostic.
 Handle<Texture> read_layers(Binder&, std::span<const Element> blocks);
 
-/// A texture over another; the one above alone, after a report, where there are too many layers or
-/// the one below is chosen by a pattern.
+/// Layers a texture over another. Returns the upper one alone, after a diagnostic, if there are too
+/// many layers or if a pattern chooses the lower one.
 Handle<Texture> layered(OpenBlock&, Span, const Handle<Texture>& below, Handle<Texture> above);
 
 }  // namespace candelabra

@@ -20,7 +20,7 @@ const ItemInfo Moves::vocabulary = described<Moves>([] {
 
 namespace {
 
-/// `inverse` in a transform: turns the whole block round, once, wherever it stands.
+/// Reads `inverse` in a transform, which inverts the whole block once, wherever it stands.
 class InverseReader : public SimpleReader {
 public:
     explicit InverseReader(OpenBlock& block) : block_(block) {}
@@ -38,7 +38,7 @@ private:
     OpenBlock& block_;
 };
 
-/// `Name` in a transform, anywhere.
+/// Reads `Name` anywhere in a transform.
 class DeclaredTransforms : public SimpleReader {
 public:
     explicit DeclaredTransforms(TransformReader::Apply apply) : apply_(apply) {}
@@ -196,7 +196,7 @@ void TransformReader::apply_move(const Element& value) {
     apply_({*known, known, constant});
 }
 
-/// The movement that the last word and value say.
+/// The transformation given by the last word and value.
 Transform TransformReader::move() {
     if (moves_.stored() == 0) return Transform::translation(moved_.translate);
     if (moves_.stored() == 1) return Transform::rotation(moved_.rotate);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// translate, rotate, scale, matrix and transform, wherever they may stand: each is applied the
-// moment it is complete, in the order of the text. Called by the readers of objects, pigments,
-// textures, cameras and lights.
+// Reads translate, rotate, scale, matrix and transform in any block. Each is applied as soon as it
+// is complete, in the order of the text. Called by the readers of objects, pigments, textures,
+// cameras and lights.
 #pragma once
 
 #include "base/transform.h"
@@ -9,7 +9,7 @@
 
 namespace candelabra {
 
-/// The movements that take one vector.
+/// The transformations that take one vector.
 struct Moves {
     Vec3 translate = Vec3(0);
     Vec3 rotate = Vec3(0);
@@ -18,21 +18,21 @@ struct Moves {
     static const ItemInfo vocabulary;
 };
 
-/// One movement, complete.
+/// One complete transformation.
 struct Movement {
     const Transform& transform;
-    Handle<Transform> kept = {};                 ///< the same, when it is known from before
-    std::optional<std::uint64_t> constant = {};  ///< its number among the constant movements
+    Handle<Transform> kept = {};                 ///< the same transformation, if it is cached
+    std::optional<std::uint64_t> constant = {};  ///< its number among constant movements
 
     operator const Transform&() const { return transform; }
 };
 
 class TransformReader {
 public:
-    /// Takes a Movement, or the Transform that it is.
+    /// Takes a Movement, or the Transform in it.
     using Apply = FunctionRef<void(const Movement&)>;
 
-    /// What `apply` refers to outlives the reader.
+    /// The target of `apply` outlives the reader.
     TransformReader(OpenBlock&, Apply);
     TransformReader(const TransformReader&) = delete;
 
@@ -61,10 +61,10 @@ private:
     Awaited awaited_ = Awaited::nothing;
     Span word_span_;
     std::array<double, 12> matrix_;
-    std::size_t count_ = 0;  ///< of the numbers of the matrix that have come
+    std::size_t count_ = 0;  ///< number of matrix elements read so far
 };
 
-/// `transform { ... }`; nothing after a report.
+/// Reads `transform { ... }`; returns nothing after a diagnostic.
 std::optional<Transform> read_transform(Binder&, const Element& block);
 
 }  // namespace candelabra

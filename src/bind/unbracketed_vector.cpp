@@ -18,16 +18,17 @@ constexpr auto words_of_vectors =
                "direction"_word, "right"_word,    "up"_word,        "sky"_word,
                "look_at"_word,   "point_at"_word, "turbulence"_word};
 
-/// Neither a vector, nor a colour, nor a word; what a name stands for is not known here.
+/// Whether the node may be a number: it is not a vector, a colour or a word. The values of names
+/// are unknown here.
 bool may_be_number(const Tree& tree, NodeId id) {
     return tree.get_if<node::Number>(id) || tree.get_if<node::Unary>(id) ||
            tree.get_if<node::Binary>(id) || tree.get_if<node::Group>(id) ||
            tree.get_if<node::Name>(id) || tree.get_if<node::Index>(id);
 }
 
-/// Numbers side by side in a list.
+/// Adjacent numbers in a list.
 struct Row {
-    NodeId before = no_node;  ///< the node in front of them
+    NodeId before = no_node;  ///< the node before them
     std::vector<NodeId> numbers;
 };
 
@@ -49,7 +50,7 @@ bool is_number(const Element& element) {
     return element.origin.tree && numbers && numbers->is_scalar();
 }
 
-/// `<1, 2, 3>`, or letters in the place of what is not written as a number.
+/// The vector as text, `<1, 2, 3>`, or `letters` if an element is not a literal number.
 std::string as_vector(const Tree& tree, std::span<const NodeId> numbers, std::string_view letters) {
     std::string result;
     for (const NodeId id : numbers) {
@@ -66,7 +67,7 @@ std::size_t components(FieldType type) {
     return type == FieldType::vector3 || is_colour(type) ? 3 : type == FieldType::vector2 ? 2 : 1;
 }
 
-/// What is wrong, and how it is written.
+/// A diagnostic that states the error and the correct form.
 Diagnostic report(const Element& element, std::string says, std::string meant) {
     return error(Fault::wrong_count, element.span, std::move(says))
         .with_help(message("write `", meant, "`"));
@@ -88,7 +89,7 @@ std::optional<Diagnostic> unbracketed_vector(const Element& element, const Names
                       message("`", name, "` takes one vector, and a vector stands in `< >`"),
                       message(name, ' ', as_vector(tree, row.numbers, "<x, y, z>")));
     }
-    // A colour takes its first number with it.
+    // A colour node contains its first number.
     const auto* colour = tree.get_if<node::Colour>(row.before);
     NodeId value = colour && colour->channels == no_node ? colour->base : row.before;
     std::string prefix = colour ? "color " : "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What messages call values that are parts of a scene and no items with a vocabulary.
+// Names in messages for values that are parts of a scene and not items with a vocabulary.
 #pragma once
 
 #include "interpret/value.h"

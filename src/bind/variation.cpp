@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Whether walking the node would do no more than hand on its numbers, if it has some.
+/// Whether walking the node has no effect but to yield its numbers, if it has any.
 bool is_expression(Evaluator& evaluator, const Tree& tree, NodeId id) {
     if (tree.get_if<node::Channel>(tree[id].next)) return false;
     switch (tree[id].content.index()) {
@@ -34,7 +34,7 @@ bool is_expression(Evaluator& evaluator, const Tree& tree, NodeId id) {
     }
 }
 
-/// The place of a word among the fields of Moves, or -1.
+/// The index of a word among the fields of Moves, or -1.
 int movement(const Tree& tree, NodeId id) {
     const auto* word = tree.get_if<node::Word>(id);
     if (!word) return -1;
@@ -52,7 +52,7 @@ bool moves(const Tree& tree, NodeId id) {
     return block && block->word == "transform"_word;
 }
 
-/// `rgb ...` of a pigment that has nothing else, or no_node.
+/// The `rgb ...` of a pigment that contains nothing else, or no_node.
 NodeId only_colour(const Tree& tree, NodeId id) {
     const auto* block = tree.get_if<node::Block>(id);
     const bool only = block && block->word == "pigment"_word && colour_alone({&tree, block->body});
@@ -86,7 +86,7 @@ bool Variable::analyse(Evaluator& evaluator, const Tree& tree, NodeId first) {
     return take_rest(tree, first);
 }
 
-/// What is before the movements.
+/// Analyses the elements before the transformations.
 bool Variable::take_rest(const Tree& tree, NodeId first) {
     bool looks = false;
     for (NodeId id = first; id != movements_; id = tree[id].next) {
@@ -94,7 +94,7 @@ bool Variable::take_rest(const Tree& tree, NodeId first) {
         const auto* block = tree.get_if<node::Block>(id);
         if (block && (block->word == "pigment"_word || block->word == "texture"_word ||
                       block->word == "material"_word)) {
-            // One of two could cover the other.
+            // One of two textures could cover the other.
             const bool first_look = !std::exchange(looks, true);
             if (coloured() || !take_look(tree, id) || (coloured() && !first_look)) return false;
         } else if (!is_constant_but_names(tree, id, names_)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What differs from one pass of a loop to the next in an object's block that is otherwise the same:
-// the values that its shape begins with, the colour of its only pigment, and where it is moved to
-// at its end. Found out once for each block, then computed in each pass. Used by ShapePlan.
+// Finds the parts of an object's block that vary between passes of a loop: the leading values of
+// its shape, the colour of its only pigment, and the transformations at its end. A block is
+// analysed once, and its variation is computed in each pass. Used by ShapePlan.
 #pragma once
 
 #include "base/colour.h"
@@ -13,32 +13,32 @@
 
 namespace candelabra {
 
-/// What one pass says.
+/// The varying values of one pass.
 struct Variation {
     static constexpr std::size_t most = 6;
 
-    std::array<Numbers, most> values;  ///< that the shape begins with
+    std::array<Numbers, most> values;  ///< the leading values of the shape
     std::size_t count = 0;
-    Colour colour;                      ///< of its only pigment
-    std::optional<Transform> movement;  ///< by what ends the block
+    Colour colour;                      ///< colour of the only pigment
+    std::optional<Transform> movement;  ///< transformation at the end of the block
 };
 
-/// Where a block says it.
+/// The places of the varying values in a block.
 class Variable {
 public:
-    /// Nothing when something else may differ, too, or what differs could mean something else each
-    /// time. `values` is how many the shape needs.
+    /// Analyses the block. Returns nothing if anything else may vary, or if a varying part may
+    /// change its meaning. `values` is the number of values that the shape needs.
     static std::optional<Variable> find(Evaluator&, const Body& block, std::size_t values);
 
     bool coloured() const { return colour_ != no_node; }
     bool moved() const { return movements_ != no_node; }
-    /// Nothing varies but the values.
+    /// Whether only the values vary.
     bool plain() const { return !coloured() && !moved(); }
-    /// Those on which the rest of the block depends.
+    /// The names on which the invariant rest of the block depends.
     const std::vector<NameId>& names() const { return names_; }
 
-    /// What the block says now, put into a new Variation; false when it is anything unusual. Random
-    /// numbers are drawn, so the caller makes it an attempt of the evaluator.
+    /// Computes the current values into a new Variation; returns false for anything unusual. This
+    /// may draw random numbers, so the caller makes it an attempt of the evaluator.
     bool compute(Evaluator&, const Body& block, Variation&) const;
 
 private:

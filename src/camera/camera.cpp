@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// What all cameras have; some have values of their own before or behind it.
+/// Fields that all cameras share; some cameras have others before or behind them.
 template <class T, std::size_t N = 0, std::size_t M = 0>
 consteval auto camera_schema(std::string_view name, std::string_view help,
                              const std::array<Field<T>, N>& before = {},
@@ -103,14 +103,14 @@ const ItemInfo SphericalCamera::vocabulary = described<SphericalCamera>([] {
 
 namespace {
 
-/// How many rays a blurred pixel gets at least when the scene does not say, as in POV-Ray: fewer
-/// are too often equal by chance.
+/// Default minimum number of rays of a blurred pixel, as in POV-Ray: fewer are too often equal by
+/// chance.
 int usual_blur_samples(int most) {
     constexpr int few = 4, usual = 7;
     return most >= usual ? usual : std::min(most, few);
 }
 
-// Which lens each camera has.
+// Lens of each camera.
 Lens lens_of(const Perspective&) { return Lens::flat; }
 Lens lens_of(const Orthographic&) { return Lens::parallel; }
 Lens lens_of(const Fisheye&) { return Lens::fisheye; }
@@ -123,7 +123,8 @@ Lens lens_of(const CylinderCamera& camera) {
 Lens lens_of(const SphericalCamera&) { return Lens::spherical; }
 Lens lens_of(const MeshCamera&) { return Lens::mesh; }
 
-/// `sizes`: what is seen of parallel rays may be as large as it is from the place of the camera.
+/// `sizes`: the visible width of parallel rays may depend on the distance from the camera to
+/// look_at.
 Projection untransformed(const View& view, Lens lens, bool sizes = true) {
     const bool parallel = lens == Lens::parallel;
     const bool flat = parallel || lens == Lens::flat;
@@ -141,8 +142,8 @@ Projection untransformed(const View& view, Lens lens, bool sizes = true) {
         f.direction = unit(f.direction) *
                       (0.5 * length(f.right) / std::tan(0.5 * *view.angle * radians_per_degree));
     if (view.look_at) {
-        // Where up is along the direction, POV-Ray looks into a mirror. So it does with a `right`
-        // to the left when it looks along the sky.
+        // Where up is parallel to the direction, POV-Ray's picture is mirrored. So is one with a
+        // `right` to the left that looks along the sky.
         const double handedness = dot(cross(f.up, f.direction), f.right) > 0 ? 1 : -1;
         const Vec3 ahead = unit(*view.look_at - view.location);
         const Vec3 side = unit(cross(view.sky, ahead));
@@ -172,7 +173,8 @@ View& view_of(Camera& camera) {
     return std::visit([](auto& c) -> View& { return c; }, camera);
 }
 
-/// Of the camera's place and direction, only z counts, and nothing moves the meshes, as in POV-Ray.
+/// As in POV-Ray, only z of the camera's location and direction counts, and transforms do not move
+/// the meshes.
 Handle<MeshLens> lens_of_meshes(const MeshCamera& camera, const Projection& placed) {
     return make_handle<MeshLens>(camera.from ? *camera.from : MeshRays(), placed.location.z,
                                  placed.direction.z < 0);
@@ -222,7 +224,7 @@ Projection projection(const Camera& camera) {
         const int most = both ? view.max_blur_samples : view.blur_samples;
         f.blur = {both ? std::min(most, view.blur_samples) : usual_blur_samples(most), most,
                   view.variance, view.confidence};
-        // As in POV-Ray, what scales the camera leaves its lens and what is sharp as they are.
+        // As in POV-Ray, scaling the camera changes neither its lens nor its focal distance.
         f.lens_radius = 0.25 * view.aperture;
         f.focal_distance = length(view.focal_point ? *view.focal_point - f.location : f.direction);
     }
@@ -236,8 +238,8 @@ Projection projection(const Camera& camera) {
 
 namespace {
 
-/// What a sum of so many squares of normal deviates is below with a probability, by the cube root
-/// rule of Wilson and Hilferty (1931); the normal quantile is Abramowitz and Stegun's 26.2.23.
+/// Quantile of the chi-squared distribution with `count` degrees of freedom, by the cube root rule
+/// of Wilson and Hilferty (1931); the normal quantile is Abramowitz and Stegun's 26.2.23.
 double chi_squared(int count, double probability) {
     const double tail = std::clamp(std::min(probability, 1 - probability), 1e-12, 0.5);
     const double t = std::sqrt(-2 * std::log(tail));
@@ -248,7 +250,7 @@ double chi_squared(int count, double probability) {
     return std::max(count, 1) * root * root * root;
 }
 
-/// A direction by its angle from the middle of a round picture, towards (p, q).
+/// Direction at an angle from the axis of a round picture, towards (p, q).
 Vec3 around_middle(const Projection& f, double angle, double p, double q) {
     const double radius = std::sqrt(p * p + q * q);
     if (radius == 0) return unit(f.direction);
@@ -262,7 +264,7 @@ Vec3 fisheye(const Projection& f, double u, double v) {
     return radius > 1 ? Vec3(0) : around_middle(f, 0.5 * radius * f.angle, p, q);
 }
 
-/// The film's shape and the lens's polynomial are those of the Omnimax system, as POV-Ray has them.
+/// The film's shape and the lens's polynomial are those of the Omnimax system, as in POV-Ray.
 Vec3 omnimax(const Projection& f, double u, double v) {
     constexpr double film = 1.283458;
     const double aspect = length(f.right) / length(f.up);
@@ -282,13 +284,13 @@ Vec3 omnimax(const Projection& f, double u, double v) {
     return around_middle(f, angle, x, y);
 }
 
-/// Turned about an axis of unit length, as rotate does it.
+/// Rotates about an axis of unit length, in the same sense as `rotate`.
 Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
     const Vec3 along = dot(axis, v) * axis;
     return along + std::cos(angle) * (v - along) + std::sin(angle) * cross(axis, v);
 }
 
-/// As in POV-Ray the vectors need not be square to each other: they are axes of turns.
+/// As in POV-Ray the vectors need not be perpendicular: they are axes of rotation.
 Vec3 spherical(const Projection& f, double u, double v) {
     const Vec3 lifted = turned(unit(f.direction), unit(f.right), -v * f.vertical_angle);
     return turned(lifted, unit(f.up), u * f.angle);
@@ -298,7 +300,7 @@ Vec3 spherical(const Projection& f, double u, double v) {
 
 double BlurRule::allowed(int rays) const {
     if (rays >= most) return std::numeric_limits<double>::infinity();
-    // As in POV-Ray, a variance of 0 asks for all rays, also where the first ones are the same.
+    // As in POV-Ray, a variance of 0 requires all rays, even where the first ones are equal.
     if (rays < least || variance <= 0) return -1;
     return variance * chi_squared(rays, confidence) / chi_squared(most - 1, confidence);
 }
@@ -362,7 +364,7 @@ Vec3 Projection::normal_place(double u, double v) const {
             const double away = std::acos(dot(unit(direction), towards));
             const double around =
                 std::atan2(dot(up, towards) / height, dot(right, towards) / width);
-            // Counted from a quarter of a turn below, as POV-Ray does.
+            // Counted from a quarter turn below, as in POV-Ray.
             const bool low = around < -0.5 * std::numbers::pi;
             return {low ? around + 2 * std::numbers::pi : around, away, 0};
         }

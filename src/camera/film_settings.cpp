@@ -21,7 +21,7 @@ constexpr auto filters =
 
 constexpr std::string_view glare_prefix = "glare.";
 
-/// The enumerator with that name; the first one, if there is none.
+/// The enumerator with this name, or the first one if there is none.
 template <class Enum>
 Enum named(std::string_view name, std::span<const std::string_view> names) {
     const auto found = std::ranges::find(names, name);
@@ -56,7 +56,7 @@ std::string_view without_plus(std::string_view number) {
     return number.substr(number.starts_with('+') ? 1 : 0);
 }
 
-/// A number or a name into the field; an error as a sentence.
+/// Sets the field to a number or a name; returns an error as a sentence.
 std::string set_field(const ItemInfo& info, void* item, std::size_t index,
                       const FilmChange& change) {
     const FieldInfo& field = info.fields[index];
@@ -210,7 +210,7 @@ std::string change(FilmSettings& film, const FilmChange& wanted) {
 std::string to_text(const FilmSettings& film) {
     if (!film.on) return {};
     std::string text = "film=on";
-    // The fields' order has exposure before auto_exposure, which a number would end.
+    // Fields are ordered with exposure before auto_exposure, which a number would turn off.
     add_changed(text, FilmSettings::vocabulary, &film, "");
     if (!film.glares) return text;
     text += " glare=on";

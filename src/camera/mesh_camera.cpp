@@ -27,7 +27,7 @@ int cell_of(double place) {
     return std::clamp(static_cast<int>(place * cells_along), 0, cells_along - 1);
 }
 
-/// How much each corner counts at a point; nothing when it lies outside.
+/// Weight of each corner at a point; empty when the point lies outside.
 std::optional<Vec3> weights_at(const std::array<Vec2, 3>& corners, Vec2 p) {
     const auto area = [](Vec2 a, Vec2 b, Vec2 c) {
         return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);

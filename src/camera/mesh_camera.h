@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A camera whose rays start at the faces of meshes, one for each, and go along their normals. Made
-// by the evaluator, asked by the renderer in place of a Projection's own rays.
+// A camera whose rays start at the faces of meshes, one at each, along their normals. Made by the
+// evaluator, and used by the renderer in place of a Projection's own rays.
 #pragma once
 
 #include "base/handle.h"
@@ -18,40 +18,40 @@ struct CameraFace {
     std::array<Vec2, 3> uvs;
 };
 
-/// A mesh of a camera: its faces may be shared by many that stand elsewhere.
+/// A mesh of a camera; its faces may be shared with meshes under other transforms.
 struct CameraMesh {
     Handle<std::vector<CameraFace>> faces;
     Transform transform;
 };
 
-/// What mesh_camera { } says.
+/// Settings of mesh_camera { }.
 struct MeshRays {
     int rays = 1;          ///< of each pixel
-    int distribution = 0;  ///< 0: the n-th ray of a pixel asks the n-th mesh for the face of the
+    int distribution = 0;  ///< 0: the n-th ray of a pixel uses the n-th mesh, and its face with the
                            ///< pixel's number; 1: all meshes are one, and the n-th rays of all
-                           ///< pixels go on where the others end; 2: the meshes stand side by side
-                           ///< in the picture; 3: the face that has the pixel's u and v
-    bool smooth = false;   ///< of 3: along the smooth normal
+                           ///< pixels continue where the others end; 2: the meshes stand side by
+                           ///< side in the picture; 3: the face that contains the pixel's u and v
+    bool smooth = false;   ///< with 3: along the smooth normal
     std::vector<CameraMesh> meshes;
 
     static const ItemInfo vocabulary;
 };
 
-/// Where in the picture a ray is wanted.
+/// A sample of the picture for which a ray is generated.
 struct PictureSample {
     int x, y, width, height;
     std::uint32_t number;  ///< of the sample in the pixel
-    double u, v;           ///< from 0 to 1: to the right, and upwards
+    double u, v;           ///< from 0 to 1, rightwards and upwards
 };
 
-/// The rays of a mesh camera, ready to be asked.
+/// Generates the rays of a mesh camera.
 class MeshLens {
 public:
-    /// Rays start this far along the normal, and go against it when `reversed`.
+    /// Rays start at this offset along the normal, and run against it when `reversed`.
     MeshLens(MeshRays rays, double offset, bool reversed);
 
     int rays_per_pixel() const { return rays_.rays; }
-    /// Direction of unit length; zero where the picture has no ray.
+    /// The direction has unit length; it is zero where the picture has no ray.
     Ray ray(const PictureSample&) const;
 
 private:
@@ -69,7 +69,7 @@ private:
     MeshRays rays_;
     double offset_;
     bool reversed_;
-    /// Faces by the part of the square of u and v that they touch.
+    /// A face, stored for each cell of the unit square of u and v that its bounds overlap.
     struct Place {
         std::uint32_t mesh, face;
     };

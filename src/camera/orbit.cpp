@@ -14,7 +14,7 @@ namespace {
 constexpr double highest = 89;  ///< degrees
 constexpr double min_factor = 1e-4, greatest_factor = 1e4;
 
-/// The axis of the scene that is upright in the picture.
+/// The axis of the scene that is vertical in the picture.
 Vec3 upright(const Projection& camera) {
     int most = 0;
     for (int i = 1; i < 3; ++i)
@@ -29,13 +29,13 @@ Vec3 spun(const Vec3& v, const Vec3& axis, double angle) {
     return along + std::cos(angle) * (v - along) + std::sin(angle) * cross(axis, v);
 }
 
-/// How far above the point the camera is, in degrees.
+/// Angle of the camera above the point, in degrees.
 double elevation(const Projection& camera) {
     const double sine = -dot(unit(camera.direction), upright(camera));
     return std::asin(std::clamp(sine, -1.0, 1.0)) / radians_per_degree;
 }
 
-/// A short number, without a sign where it is 0.
+/// A short number; -0 becomes 0.
 float shortened(double value) {
     constexpr double digits = 1e6;
     return static_cast<float>(std::round(value * digits) / digits + 0.0);
@@ -45,7 +45,7 @@ std::string vector_script(const Vec3& v) {
     return message("<", shortened(v.x), ", ", shortened(v.y), ", ", shortened(v.z), ">");
 }
 
-/// With its numbers, where the lens has any.
+/// The lens with its angles, if it has any.
 std::string lens_script(const Projection& camera) {
     const float across = shortened(camera.angle / radians_per_degree);
     switch (camera.lens) {
@@ -77,7 +77,7 @@ std::string lens_script(const Projection& camera) {
 
 std::string blur_script(const Projection& camera) {
     if (!camera.blurs()) return {};
-    constexpr double apertures = 4;  // to one radius
+    constexpr double apertures = 4;  // per radius
     const Vec3 sharp = camera.location + camera.focal_distance * unit(camera.direction);
     return message("  aperture ", shortened(apertures * camera.lens_radius), " blur_samples ",
                    camera.blur.least, ", ", camera.blur.most, "\n  focal_point ",
@@ -91,14 +91,14 @@ void Orbit::turn(const Sight& given, double right, double up) {
     const double level = elevation(given.camera);
     constexpr double circle = 360;
     right_ = std::remainder(right_ + right, circle);
-    // Who looks from the top already may stay there.
+    // A camera that already looks from above the limit may stay there.
     up_ = std::clamp(up_ + up, std::min(-highest - level, 0.0), std::max(highest - level, 0.0));
     moved_ = true;
 }
 
 void Orbit::pan(const Sight& given, double right, double up) {
     const Sight now = place(given);
-    // Rays that start in one place spread.
+    // Rays from a single point diverge.
     const double spread = now.camera.parallel ? 1 : now.distance / length(now.camera.direction);
     shift_ += spread * (right * now.camera.right + up * now.camera.up);
     moved_ = true;
@@ -117,7 +117,7 @@ Sight Orbit::place(const Sight& given) const {
     const Vec3 axis = upright(camera), aside = unit(camera.right);
     const Vec3 back = -unit(camera.direction);
     const Vec3 point = camera.location - given.distance * back + shift_;
-    // Angles are counted to where the camera goes, whatever the handedness of the scene.
+    // Angles follow the movement of the camera, independent of the scene's handedness.
     const double to_right = dot(cross(axis, back), aside) < 0 ? -right_ : right_;
     const double upwards = dot(cross(aside, back), axis) < 0 ? -up_ : up_;
     const auto turned_by = [&](const Vec3& v) {
@@ -132,7 +132,7 @@ Sight Orbit::place(const Sight& given) const {
         camera.up *= factor_;
     } else {
         now.distance = given.distance * factor_;
-        // What is sharp stays so.
+        // The plane of focus stays in place.
         const double sharp = camera.focal_distance - given.distance + now.distance;
         camera.focal_distance = sharp > 0 ? sharp : camera.focal_distance * factor_;
     }
@@ -152,7 +152,7 @@ std::string camera_script(const Sight& sight) {
                         std::abs(dot(unit(camera.up), unit(camera.direction))) < 1e-6;
     if (looks && square) {
         const double side = dot(cross(camera.up, camera.direction), camera.right) < 0 ? -1 : 1;
-        // What is upright in the scene says the same as what is upright in the picture.
+        // The vertical axis of the scene gives the same picture as the picture's own.
         const Vec3 axis = upright(camera);
         const bool level = std::abs(dot(unit(camera.right), axis)) < 1e-6 &&
                            std::abs(dot(unit(camera.direction), axis)) < 1 - 1e-6;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A camera that somebody moves by hand: around a point, across the picture, and towards the point.
-// The moves are kept apart from the camera that the scene gives, so that they outlive its changes.
+// A camera moved interactively: around a point, across the picture, and towards the point. The
+// moves are stored apart from the scene's camera, so that they outlive changes of it.
 #pragma once
 
 #include "camera/camera.h"
@@ -9,7 +9,7 @@
 
 namespace candelabra {
 
-/// What the camera turns around lies `distance` before it, which is above 0.
+/// A camera and the distance, above 0, of the point in front of it that it orbits.
 struct Sight {
     Projection camera;
     double distance = 1;
@@ -17,16 +17,16 @@ struct Sight {
 
 class Orbit {
 public:
-    /// Around the point, in degrees: to the right of it and above it. It never goes over the top.
+    /// Turns around the point, in degrees to the right and upwards. It never passes over the top.
     void turn(const Sight& given, double right, double up);
-    /// The camera and the point move, by shares of what is seen at the point from edge to edge.
+    /// Moves the camera and the point, by fractions of the picture's width and height at the point.
     void pan(const Sight& given, double right, double up);
-    /// The distance to the point is multiplied; of parallel rays, the size of the picture.
+    /// Multiplies the distance to the point, or for parallel rays the size of the picture.
     void approach(double factor);
     void reset() { *this = Orbit(); }
     bool moved() const { return moved_; }
 
-    /// The camera that the scene gives, moved.
+    /// Returns the scene's camera with the moves applied.
     Sight place(const Sight& given) const;
 
 private:
@@ -36,7 +36,7 @@ private:
     bool moved_ = false;
 };
 
-/// Whether the camera can be moved: one of meshes has no place of its own.
+/// Whether the camera can be moved: a mesh camera has no position of its own.
 bool can_orbit(const Projection&);
 
 /// The camera as a block of the language, without the pattern of its normal.

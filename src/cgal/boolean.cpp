@@ -14,7 +14,8 @@ namespace processing = CGAL::Polygon_mesh_processing;
 using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using ExactSurface = CGAL::Surface_mesh<ExactKernel::Point_3>;
 
-/// What keeps the surface from being a solid's; empty when nothing does. Turns it right side out.
+/// Orients the surface outwards. Returns the reason why it does not bound a solid; empty when it
+/// does.
 std::string made_solid(ExactSurface& surface) {
     if (surface.number_of_faces() == 0) return "it has no faces";
     if (!CGAL::is_closed(surface)) return "it is not closed";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces of many corners as triangles, and the places of what they name, for the readers of files.
+// Triangulates faces with many corners and checks indices, for the readers of files.
 #pragma once
 
 #include "cgal/polyhedra.h"
@@ -11,21 +11,21 @@ namespace candelabra {
 
 namespace polyhedra {
 
-/// Cut along diagonals as they come from its first corner when it is convex; modellers write no
-/// others but by mistake.
+/// Splits a face into triangles by the diagonals from its first corner. Correct for convex faces;
+/// modellers write others only by mistake.
 inline void add_fan(std::span<const int> corners, std::vector<Polyhedron::Face>& faces) {
     for (std::size_t i = 2; i < corners.size(); ++i)
         faces.push_back({corners[0], corners[i - 1], corners[i]});
 }
 
-/// A number of a file as a place in a list, -1 when it cannot be one.
+/// Converts a number of a file to an index; -1 when it cannot be one.
 template <class Number>
 int place(Number number) {
     const bool fits = number >= 0 && number < std::numeric_limits<int>::max();
     return fits ? static_cast<int>(number) : -1;
 }
 
-/// Says which face names what is not there, or an empty string.
+/// Describes the first index of a face that is out of range; empty when there is none.
 inline std::string wrong_place(std::span<const Polyhedron::Face> faces, std::size_t count,
                                const char* what) {
     for (const Polyhedron::Face& face : faces)
@@ -37,8 +37,8 @@ inline std::string wrong_place(std::span<const Polyhedron::Face> faces, std::siz
     return {};
 }
 
-/// Says which of the points, or other lists of numbers, has one that is not finite, or an empty
-/// string.
+/// Describes the first of the points, or other lists of numbers, with a number that is not finite;
+/// empty when there is none.
 template <class List>
 std::string not_finite(const List& points) {
     for (std::size_t i = 0; i < points.size(); ++i)

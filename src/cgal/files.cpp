@@ -19,7 +19,8 @@ bool ends_in(std::string_view name, std::string_view extension) {
                                                   [](unsigned char c) { return std::tolower(c); });
 }
 
-/// Whether all that is named is there. Normals and uv without faces of their own are the points'.
+/// Describes an invalid number or index; empty when there is none. Normals and texture coordinates
+/// without faces of their own are those of the points.
 std::string wrong_places(const Polyhedron& made, const PolyhedronLook& look) {
     for (const std::string& wrong :
          {polyhedra::not_finite(made.points), polyhedra::not_finite(look.normals),
@@ -31,7 +32,7 @@ std::string wrong_places(const Polyhedron& made, const PolyhedronLook& look) {
     return {};
 }
 
-/// By the kind that the name says.
+/// Calls the reader for the kind of file that the name's extension gives.
 std::string read_bytes(std::string_view name, std::string_view bytes, Polyhedron& made,
                        PolyhedronLook& look) {
     if (ends_in(name, "obj")) return polyhedra::read_obj(bytes, made, look);

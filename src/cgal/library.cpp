@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// An operation, with what it throws as an answer.
+/// Wraps an operation so that an exception becomes its error.
 template <auto operation>
 struct Guarded;
 template <class... Arguments, std::string (*operation)(Arguments...)>

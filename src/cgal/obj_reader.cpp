@@ -12,7 +12,7 @@ namespace {
 
 using polyhedra::place;
 
-/// What is left of a line. Each of these takes something from its front.
+/// The rest of a line. Most functions consume a part of its front.
 class Line {
 public:
     explicit Line(std::string_view text) : rest_(text) {}
@@ -59,24 +59,24 @@ class ObjReader {
 public:
     ObjReader(Polyhedron& shape, PolyhedronLook& look) : shape_(shape), look_(look) {}
 
-    /// Returns what is wrong with the line.
+    /// Returns an error in the line, or an empty string.
     std::string take(Line line);
-    /// After the last line.
+    /// Called after the last line.
     void finish();
 
 private:
-    /// A place of what a file counts from 1, or backwards from the last one so far.
+    /// Index from a number that counts from 1, or backwards from the last entry so far.
     static int counted(long number, std::size_t so_far) {
         return place(number < 0 ? static_cast<long>(so_far) + number : number - 1);
     }
     std::string take_face(Line&);
-    /// What a corner names after a slash, -1 for nothing.
+    /// Reads the index after a slash; -1 if there is none.
     bool take_named(Line&, std::size_t so_far, int& named);
 
     Polyhedron& shape_;
     PolyhedronLook& look_;
     bool has_uvs_ = false, has_normals_ = false;
-    std::vector<int> corners_, uvs_, normals_;  ///< of the face in hand
+    std::vector<int> corners_, uvs_, normals_;  ///< of the current face
 };
 
 std::string ObjReader::take(Line line) {
@@ -135,7 +135,7 @@ std::string ObjReader::take_face(Line& line) {
     return {};
 }
 
-/// Gives corners that named nothing the last entry of a list, which is added for them.
+/// Gives corners without an index the last entry of the list, which is added for them.
 template <class Entry>
 void complete(bool used, std::vector<Polyhedron::Face>& faces, std::vector<Entry>& list) {
     if (!used) {
@@ -168,7 +168,7 @@ std::string polyhedra::read_obj(std::string_view text, Polyhedron& shape, Polyhe
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         if (line.ends_with('\r')) line.remove_suffix(1);
-        // A line that ends in a backslash goes on in the next one.
+        // A line that ends in a backslash continues in the next one.
         if (line.ends_with('\\') && !text.empty()) {
             joined.append(line.substr(0, line.size() - 1)) += ' ';
             continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OBJ files: points, normals and places in pictures, and faces that name one of each for every
-// corner. Lines, curves, groups and materials are passed over. Called by files.cpp.
+// OBJ files: points, normals and texture coordinates, and faces that reference one of each for
+// every corner. Lines, curves, groups and materials are skipped. Called by files.cpp.
 #pragma once
 
 #include "cgal/polyhedra.h"
@@ -11,8 +11,8 @@ namespace candelabra {
 
 namespace polyhedra {
 
-/// Reads the text; returns its fault with the line, or an empty string. That
-/// faces name what is there remains to be checked.
+/// Reads the text. Returns an error with its line, or an empty string. The indices of faces are not
+/// checked.
 std::string read_obj(std::string_view text, Polyhedron&, PolyhedronLook&);
 
 }  // namespace polyhedra

@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// The next word that is no comment.
+/// The next word outside of comments.
 std::string_view off_word(std::string_view& text) {
     std::string_view word = polyhedra::next_word(text);
     for (; word.starts_with('#'); word = polyhedra::next_word(text)) polyhedra::skip_line(text);
@@ -43,7 +43,7 @@ bool take_face(std::string_view& text, std::vector<int>& corners) {
 
 std::string polyhedra::read_off(std::string_view file, Polyhedron& made) {
     const std::string_view kind = off_word(file);
-    // Texture, colours and normals come behind a point's place.
+    // Texture coordinates, colours and normals follow the point's coordinates.
     if (kind != "OFF" && kind != "COFF" && kind != "NOFF" && kind != "CNOFF" && kind != "STOFF")
         return "it is no OBJ, PLY, STL or OFF file, or is damaged";
     const bool more = kind != "OFF";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF files of text: shapes alone, without the colours and normals that some have besides.
+// OFF files in text form: shapes only, without the colours and normals that some also have.
 #pragma once
 
 #include "cgal/polyhedra.h"
@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace polyhedra {
 
-/// Returns what is wrong with the file's content, or an empty string.
+/// Returns an error in the file's content, or an empty string.
 std::string read_off(std::string_view file, Polyhedron&);
 
 }  // namespace polyhedra

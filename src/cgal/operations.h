@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operations behind the table of polyhedra.h, and the surfaces that they work on. Only this
-// module's own files see it.
+// The operations behind the table of polyhedra.h, and the surfaces that they work on. Private to
+// this module.
 #pragma once
 
 #include "cgal/fan.h"
@@ -27,17 +27,17 @@ std::string combine(std::span<const SolidOperation>, std::span<const Polyhedron>
 std::string subdivide(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);
 std::string triangulate(std::span<const std::array<double, 2>>, std::vector<Polyhedron::Face>&);
 
-/// What keeps an operation from working on the polyhedron at all; empty when nothing does. CGAL
-/// trusts what it is given.
+/// Reason why an operation cannot work on the polyhedron at all; empty when there is none. CGAL
+/// does not check its input.
 inline std::string unfit(const Polyhedron& given) {
     const std::string wrong = not_finite(given.points);
     return wrong.empty() ? wrong_place(given.faces, given.points.size(), "a point") : wrong;
 }
 
-/// The faces as a surface whose neighbours know each other; where more than two faces meet in an
-/// edge, points are doubled so that they do. Points at one place become one, and faces that have
-/// two corners there are left out: so a closed surface stays closed. Points of no face are left
-/// out. Precondition: the polyhedron is not unfit. Throws where faces cannot be made neighbours.
+/// Converts the faces to a surface with connectivity; where more than two faces meet in an edge,
+/// points are duplicated. Coincident points are merged, and faces with two corners at one point are
+/// dropped, so that a closed surface stays closed. Points without a face are dropped. Precondition:
+/// unfit() is empty. Throws where faces cannot be connected.
 template <class Mesh>
 Mesh surface(const Polyhedron& from) {
     using Point = typename Mesh::Point;
@@ -68,7 +68,7 @@ Mesh surface(const Polyhedron& from) {
     return made;
 }
 
-/// The surface's triangles. Precondition: it has no other faces.
+/// The surface's triangles. Precondition: all its faces are triangles.
 template <class Mesh>
 Polyhedron polyhedron(const Mesh& mesh) {
     Polyhedron made;

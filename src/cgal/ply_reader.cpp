@@ -31,7 +31,7 @@ std::optional<Number> number_named(std::string_view name) {
     return std::nullopt;
 }
 
-/// What a property is to us. The first are numbers of points, the others lists of faces.
+/// Meaning of a property. The first ones are numbers of points, the others lists of faces.
 enum Role { x, y, z, nx, ny, nz, u, v, corners, uv_pairs, other };
 constexpr std::size_t point_roles = corners;
 
@@ -81,7 +81,7 @@ enum class Coding { text, low_first, high_first };
 
 using polyhedra::next_word;
 
-/// The numbers after the header, one after the other; each call is false when there is none.
+/// Sequence of the numbers after the header; next() returns false at its end.
 class Numbers {
 public:
     Numbers(std::string_view rest, Coding coding) : rest_(rest), coding_(coding) {}
@@ -136,7 +136,7 @@ struct Header {
     std::vector<Element> elements = {};
 };
 
-/// A property's line after its first word.
+/// Parses the line of a property after its first word.
 std::optional<Property> property(std::string_view line) {
     std::string_view type = next_word(line);
     std::optional<Number> length;
@@ -152,7 +152,7 @@ std::optional<Property> property(std::string_view line) {
     return Property{role_of(name, is_list), *number, length};
 }
 
-/// Takes a line of the header; returns what is wrong with it.
+/// Parses a line of the header; returns an error, or an empty string.
 std::string take(std::string_view line, Header& header) {
     const std::string_view word = next_word(line);
     if (word == "format") {
@@ -176,7 +176,7 @@ std::string take(std::string_view line, Header& header) {
     return {};
 }
 
-/// Takes the header from the file's front.
+/// Parses the header and removes it from the front of the file.
 std::string take_header(std::string_view& file, Header& header) {
     const std::string damaged = "it is no PLY file: its header has no end";
     for (bool first = true;; first = false) {
@@ -192,7 +192,7 @@ std::string take_header(std::string_view& file, Header& header) {
     }
 }
 
-/// One point or face, or whatever else there is.
+/// A point, a face or another element.
 struct Item {
     std::array<double, point_roles> numbers{};
     std::vector<double> corners{}, uv_pairs{};
@@ -227,7 +227,7 @@ void add_point(const Element& element, const Item& item, Polyhedron& shape, Poly
     if (element.has(u) && element.has(v)) look.uvs.push_back({at[u], at[v]});
 }
 
-/// The uv of a face's own corners take the place of the points'; a face without any has 0.
+/// Texture coordinates of a face's corners replace those of the points; a face without any gets 0.
 void add_face(const Element& element, const Item& item, Polyhedron& shape, PolyhedronLook& look) {
     const std::size_t count = item.corners.size();
     std::vector<int> places;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY files, as text or as bytes of either order: points with normals and places in pictures as far
-// as they have them, and faces; whatever else they hold is passed over. Called by files.cpp.
+// PLY files, as text or binary in either byte order: points, with normals and texture coordinates
+// if present, and faces; other elements are skipped. Called by files.cpp.
 #pragma once
 
 #include "cgal/polyhedra.h"
@@ -11,8 +11,7 @@ namespace candelabra {
 
 namespace polyhedra {
 
-/// Reads the file; returns its fault, or an empty string. That faces name what is
-/// there remains to be checked.
+/// Reads the file. Returns an error, or an empty string. The indices of faces are not checked.
 std::string read_ply(std::string_view file, Polyhedron&, PolyhedronLook&);
 
 }  // namespace polyhedra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What CGAL knows of surfaces made of triangles: files, hulls, boolean operations, subdivision,
-// triangulations. CGAL's headers take minutes to compile and its exact numbers need
-// libraries of their own; so this module is a library that is opened when a scene first asks for
-// such work. It knows plain lists of points and faces only.
+// The operations of CGAL on triangle surfaces: files, hulls, boolean operations, subdivision,
+// triangulations. CGAL's headers take minutes to compile, and its exact numbers need libraries of
+// their own. So this module is a library that is opened when a scene first needs such an operation.
+// Its interface has plain lists of points and faces only.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace candelabra {
 
-/// Triangles over shared points. Faces name points by their place, counted from 0, in
-/// counterclockwise order as seen from outside (in a right-handed space).
+/// Triangles over shared points. Faces are indices of points, counted from 0, counterclockwise as
+/// seen from outside (in a right-handed space).
 struct Polyhedron {
     using Point = std::array<double, 3>;
     using Face = std::array<int, 3>;
@@ -22,8 +22,8 @@ struct Polyhedron {
     std::vector<Face> faces;
 };
 
-/// What files say of a surface beyond its shape, as far as they do. Without faces of their own,
-/// normals and places in pictures are those of the points.
+/// Optional data of a file beyond the shape. Without faces of their own, normals and texture
+/// coordinates are those of the points.
 struct PolyhedronLook {
     std::vector<Polyhedron::Point> normals;
     std::vector<Polyhedron::Face> normal_faces;
@@ -32,10 +32,10 @@ struct PolyhedronLook {
     bool materials = false;  ///< faces have materials, which are not read
 };
 
-/// A step on the way to a solid that is made of others: each puts a solid on a stack. All but the
-/// first kind take the two uppermost from there.
+/// A step of a stack machine that builds a solid from others: each step pushes one solid. All kinds
+/// but the first pop the two topmost ones.
 enum class SolidOperation {
-    take,       ///< the next of those that are given
+    take,       ///< the next of the given solids
     join,       ///< inside either
     intersect,  ///< inside both
     subtract,   ///< inside the lower one and not the upper one
@@ -43,25 +43,25 @@ enum class SolidOperation {
 
 /// How a surface is divided and smoothed.
 enum class SubdivisionRule {
-    loop,  ///< Loop: every point moves; the limit is curved evenly
-    root3  ///< Kobbelt: a third as many new faces a step
+    loop,  ///< Loop: every point moves; the limit has continuous curvature
+    root3  ///< Kobbelt: three times as many faces per step
 };
 
-/// The entry points. Each returns what went wrong, or an empty string; what it gives is then
-/// complete.
+/// The entry points. Each returns an error or, with a complete result, an empty string.
 struct Polyhedra {
-    /// The triangles in the bytes of an OBJ, PLY, STL or OFF file, which the end of its name tells;
-    /// larger faces are taken apart. Normals and places in pictures are those of OBJ and PLY files.
+    /// Reads the triangles of an OBJ, PLY, STL or OFF file, whose kind the name's extension
+    /// decides; larger faces are triangulated. Normals and texture coordinates are read from OBJ
+    /// and PLY files.
     std::string (*read)(std::string_view name, std::string_view bytes, Polyhedron&,
                         PolyhedronLook&);
-    /// The smallest convex polyhedron around the points.
+    /// The convex hull of the points.
     std::string (*hull)(std::span<const Polyhedron::Point>, Polyhedron&);
-    /// A solid from closed surfaces that do not cut themselves. Exact: coordinates are rounded
+    /// A solid from closed surfaces without self-intersections. Exact: coordinates are rounded
     /// once, at the end. Precondition: the steps leave one solid on the stack.
     std::string (*combine)(std::span<const SolidOperation>, std::span<const Polyhedron>,
                            Polyhedron&);
     std::string (*subdivide)(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);
-    /// The Delaunay triangulation of points of a plane.
+    /// The Delaunay triangulation of points in the plane.
     std::string (*triangulate)(std::span<const std::array<double, 2>>,
                                std::vector<Polyhedron::Face>&);
 };

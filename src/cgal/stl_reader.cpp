@@ -16,7 +16,7 @@ using polyhedra::next_word;
 
 constexpr std::size_t stl_head = 84, stl_triangle = 50;
 
-/// Four bytes, the lowest first.
+/// Four bytes as a word, little-endian.
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
     std::uint32_t word = 0;
     for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<unsigned char>(bytes[at + i]);
@@ -27,7 +27,7 @@ class Triangles {
 public:
     explicit Triangles(Polyhedron& made) : made_(made) {}
 
-    /// False when the point is not finite: those points have no order.
+    /// Returns false for points that are not finite, since those have no order.
     bool add(const Polyhedron::Point& point) {
         for (const double coordinate : point)
             if (!std::isfinite(coordinate)) return false;
@@ -37,7 +37,7 @@ public:
         corners_.push_back(found->second);
         return true;
     }
-    /// False when the triangle has not three corners.
+    /// Returns false when the triangle does not have three corners.
     bool close() {
         const bool good = corners_.size() == 3;
         if (good) made_.faces.push_back({corners_[0], corners_[1], corners_[2]});
@@ -97,7 +97,7 @@ std::string polyhedra::read_stl(std::string_view file, Polyhedron& made) {
     const std::size_t count = word_at(file, stl_head - 4);
     const std::size_t room = (file.size() - stl_head) / stl_triangle;
     const bool exact = stl_head + count * stl_triangle == file.size();
-    // Some writers begin binary files with the word that text begins with, some add to their end.
+    // Some writers begin binary files with the first word of text files, and some append to them.
     if (exact || (count <= room && !file.starts_with("solid")))
         return read_binary(file, count, made);
     return read_written(file, made);

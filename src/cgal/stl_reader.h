@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL files, whose triangles have points of their own; those at one place become one.
+// STL files, whose triangles have separate points; coincident points are merged.
 #pragma once
 
 #include "cgal/polyhedra.h"
@@ -10,8 +10,9 @@ namespace candelabra {
 
 namespace polyhedra {
 
-/// Returns what is wrong with the file's content, or an empty string. A file is read as binary when
-/// it has the length that its count of triangles gives, otherwise as text.
+/// Returns an error in the file's content, or an empty string. A file is read as binary when its
+/// length matches its count of triangles, or when it is longer and does not begin with `solid`;
+/// otherwise as text.
 std::string read_stl(std::string_view file, Polyhedron&);
 
 }  // namespace polyhedra

@@ -12,7 +12,7 @@ namespace polyhedra {
 
 inline constexpr std::string_view blanks = " \t\r\n";
 
-/// Takes a word from the front; empty at the end.
+/// Removes and returns the first word; empty at the end.
 inline std::string_view next_word(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
     const std::size_t end = std::min(text.find_first_of(blanks), text.size());
@@ -21,12 +21,12 @@ inline std::string_view next_word(std::string_view& text) {
     return word;
 }
 
-/// Leaves out what is left of a line.
+/// Removes the rest of a line.
 inline void skip_line(std::string_view& text) {
     text.remove_prefix(std::min(text.find('\n'), text.size()));
 }
 
-/// Whether the word is a number.
+/// Parses the word; returns whether all of it is a number.
 template <class Number>
 bool read_number(std::string_view word, Number& value) {
     if (word.starts_with('+')) word.remove_prefix(1);

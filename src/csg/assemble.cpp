@@ -14,7 +14,7 @@ bool solid(const SmoothTriangle&) { return false; }
 bool solid(const Polygon&) { return false; }
 bool solid(const BicubicPatch&) { return false; }
 bool solid(const Parametric&) { return false; }
-bool solid(const Mesh& mesh) { return mesh.inside_vector.has_value(); }
+bool solid(const Mesh& mesh) { return mesh.inside_vector.value_or(Vec3(0)) != Vec3(0); }
 
 }  // namespace
 

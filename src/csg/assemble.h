@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From an object of the scene, with all objects in it, to the leaves and nodes of a composite.
-// Called by the world for what cannot be taken apart, and by the functions of the language for any
-// object. A visitor learns which object each leaf belongs to.
+// Converts an object of the scene, with all objects in it, to the leaves and nodes of a composite.
+// Called by the world for objects that cannot be split, and by the functions of the language for
+// any object. A visitor learns which object each leaf belongs to.
 #pragma once
 
 #include "csg/shape_store.h"
@@ -10,13 +10,13 @@
 
 namespace candelabra {
 
-/// The map of what is under both; null is none.
+/// The map `inner` followed by `outer`; null is the identity.
 Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transform>& outer);
 
-/// Whether points can be in it: surfaces without an inside have none to swap.
+/// Whether points can be inside the shape: surfaces without an inside have none to invert.
 bool has_inside(const Shape&);
 
-/// For callers that want to know nothing of the leaves.
+/// For callers that do not track the leaves.
 struct NoVisitor {
     void enter(const Object&) {}
     void leave() {}
@@ -26,12 +26,12 @@ struct NoVisitor {
 template <class Visitor>
 class Assembler {
 public:
-    /// The visitor hears of each object when it is entered and left, and of each shape in the order
-    /// of the leaves' numbers.
+    /// The visitor is called for each object when it is entered and left, and for each shape in the
+    /// order of the leaves' numbers.
     Assembler(CompositeBuilder& builder, ShapeStore& shapes, Visitor& visitor)
         : builder_(builder), shapes_(shapes), visitor_(visitor) {}
 
-    /// The object under a map; with `inverse`, inside and outside are swapped once more.
+    /// Adds the object under a map; `inverse` swaps inside and outside once more.
     PartRef add(const Object& object, const Handle<Transform>& outer, bool inverse = false) {
         visitor_.enter(object);
         const Handle<Transform> transform = combined(object.transform, outer);
@@ -50,7 +50,7 @@ private:
             visitor_.leaf(object);
             return builder_.add({shape, transform, swapped, turned});
         };
-        // As in POV-Ray, what has no inside stays so, whatever is swapped; but a mesh is turned.
+        // As in POV-Ray, inversion does not give shapes without an inside one; but it turns a mesh.
         if (const auto* shape = std::get_if<Shape>(&object.form)) {
             const bool swapped = inverse && has_inside(*shape);
             const bool mesh = std::holds_alternative<Shared<Mesh>>(*shape);
@@ -63,15 +63,15 @@ private:
                             std::move(parts));
     }
 
-    /// What is no part of a solid: light sources, and, where it makes no difference, what has been
-    /// left out of the scene because it is nowhere.
+    /// Whether the object is no part of a solid: light sources and, where it makes no difference,
+    /// objects that the scene left out because they are empty.
     static bool is_nothing(const Object& object, bool cuts) {
         const auto* group = std::get_if<Union>(&object.form);
         return group && group->children.empty() && (!cuts || !group->lights.empty());
     }
 
-    /// What is inverse is, as De Morgan says, the other combination of inverse parts; that of what
-    /// cuts has no surface within either, as it had none outside of the others.
+    /// By De Morgan's rule, the inverse is the dual combination of the inverse parts. The inverse
+    /// of an intersection is a merge: no part has surface within another.
     PartRef group(const Union& group, const Handle<Transform>& transform, bool inverse) {
         const bool cuts = group.csg == Csg::intersection || group.csg == Csg::difference;
         const Combination how = cuts != inverse                   ? Combination::common
@@ -110,7 +110,7 @@ private:
     Visitor& visitor_;
 };
 
-/// An object, by itself, as one solid.
+/// A single object as one solid.
 Composite composite_of(const Object&, ShapeStore&);
 
 }  // namespace candelabra

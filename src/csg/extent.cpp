@@ -14,7 +14,7 @@ double volume(const Box& box) {
     return size.x * size.y * size.z;
 }
 
-/// Of what is in all of them.
+/// Box of the intersection of all objects.
 Box shared(const std::vector<ObjectHandle>& objects) {
     Box result = everywhere();
     for (const ObjectHandle& each : objects) result = clip(result, extent(*each));
@@ -30,7 +30,8 @@ Box clipped(const Box& box, const Clipping& clipping) {
     return result;
 }
 
-/// The half space of a plane, if the object is one; otherwise what an intersection may keep of it.
+/// The half space of a plane if the object is one, otherwise an upper bound of its part in an
+/// intersection.
 Box cutting(const Object& object, bool inverse) {
     const auto* shape = std::get_if<Shape>(&object.form);
     const Plane* plane = shape ? std::get_if<Plane>(shape) : nullptr;

@@ -19,13 +19,13 @@ Vec3 turned(const Vec3& direction, Place place) {
     return place ? place->direction(direction) : direction;
 }
 
-/// The box around the shape where it was made.
+/// The box around the untransformed shape.
 template <class T>
 Box extent_of(const T& shape) {
     return bounds(ready(shape));
 }
 
-/// What only asks for a box needs no index of the faces.
+/// A box alone needs no index of the faces.
 Box extent_of(const Mesh& mesh) {
     Box box;
     for (const Face& face : mesh.faces)
@@ -36,7 +36,7 @@ Box extent_of(const Mesh& mesh) {
 Box extent_of(const TriangleMesh& mesh) { return extent_of(as_mesh(mesh)); }
 Box extent_of(const Superellipsoid& s) { return widened(bounds(s), Vec3(0.0001)); }
 
-/// Only ellipsoids along the axes have an end.
+/// Only axis-aligned ellipsoids are bounded.
 Box extent_of(const Quadric& quadric) {
     const Vec3& s = quadric.squares;
     const bool same = (s.x > 0 && s.y > 0 && s.z > 0) || (s.x < 0 && s.y < 0 && s.z < 0);
@@ -50,7 +50,7 @@ Box extent_of(const Quadric& quadric) {
     return {centre - glm::sqrt(half2), centre + glm::sqrt(half2)};
 }
 
-/// The arc between the two spheres has its widest place here, whether it is part of the shape.
+/// The arc between the two spheres is widest here, even if that place is not part of the shape.
 Box extent_of(const Ovus& ovus) {
     const double bottom = ovus.bottom_radius, top = ovus.top_radius;
     Box box = bounds(ovus);
@@ -63,7 +63,7 @@ Box extent_of(const Ovus& ovus) {
     return box;
 }
 
-/// Around all points of the curves, also those that only steer them.
+/// Bounds of all control points of the curves.
 Box extent_of(const Lathe& lathe) {
     Box box = bounds(ready(lathe));
     if (lathe.spline != bezier_curve) return box;
@@ -95,7 +95,7 @@ Box extent_of(const SphereSweep& sweep) {
     return box;
 }
 
-/// Directions of the x and y axes when z is turned the shortest way to an axis.
+/// The x and y axes after the shortest rotation from z to an axis.
 struct Frame {
     explicit Frame(const Vec3& axis) {
         const Vec3 across = cross(Vec3(0, 0, 1), axis);
@@ -108,7 +108,7 @@ struct Frame {
     Vec3 x = Vec3(1, 0, 0), y = Vec3(0, 1, 0);
 };
 
-/// Half the size of a placed square that lies across the axis, from -1 to 1.
+/// Half extents of a transformed square from -1 to 1 across the axis.
 Vec3 square_across(const Vec3& axis, Place place) {
     const Frame frame(axis);
     return glm::abs(turned(frame.x, place)) + glm::abs(turned(frame.y, place));
@@ -126,8 +126,8 @@ Box placed_extent(const T& shape, Place place) {
     return placed(extent_of(shape), place);
 }
 
-/// A ball that is turned and grown alike in all directions is one. (In POV-Ray not behind
-/// `transform { }` and `matrix`.)
+/// A sphere stays one when it is rotated and scaled uniformly.
+/// (In POV-Ray, not under `transform { }` and `matrix`.)
 Box placed_extent(const Sphere& s, Place place) {
     if (!place) return extent_of(s);
     const Vec3 x = turned(Vec3(1, 0, 0), place), y = turned(Vec3(0, 1, 0), place),
@@ -174,7 +174,7 @@ Box placed_extent(const Polygon& polygon, Place place) {
     return widened(box, thin * Vec3(glm::lessThan(box.size(), Vec3(thin))));
 }
 
-/// Around a ball whose radius grows as much as a cube's half size along an axis grows at most.
+/// Box of a ball whose radius is scaled by the largest growth of a cube's half extents.
 Box around_ball(const Vec3& centre, double radius, const Vec3& growth, Place place) {
     const Vec3 at = placed(centre, place);
     const Vec3 half(radius * std::fmax(growth.x, std::fmax(growth.y, growth.z)));

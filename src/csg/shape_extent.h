@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boxes that POV-Ray keeps around single shapes; see extent.h. Some shapes are placed first and
-// then get a box, most get a box which is placed.
+// POV-Ray's bounding boxes of single shapes; see extent.h. Some shapes are transformed before the
+// box is computed, but for most the box is transformed.
 #pragma once
 
 #include "base/transform.h"
@@ -8,7 +8,7 @@
 
 namespace candelabra {
 
-/// The box around the shape where it is placed; null: where it was made.
+/// The box around the transformed shape; null: identity.
 Box shape_extent(const Shape&, const Transform* place);
 
 }  // namespace candelabra

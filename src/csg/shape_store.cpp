@@ -5,7 +5,8 @@ namespace candelabra {
 
 namespace {
 
-/// What copies of the shape share when it has to be built; null for shapes that are ready.
+/// The address of the content that copies of the shape share, if it has to be built; null
+/// otherwise.
 const void* shared_content(const Shape& shape) {
     return std::visit(
         [](const auto& stored) -> const void* {
@@ -18,14 +19,14 @@ const void* shared_content(const Shape& shape) {
         shape);
 }
 
-/// A landscape for a place that stretches it.
+/// A height field for a place that stretches it.
 BuiltHeightField stretched(BuiltHeightField field, const Handle<Transform>& place) {
     field.stretched = place;
     return field;
 }
 
 /// A patch for a place that mirrors it: as in POV-Ray, its points are mirrored before its normals
-/// are computed, so that its outer side is another one.
+/// are computed, so that its outer side changes.
 BuiltBicubicPatch mirrored(BuiltBicubicPatch patch) {
     for (BuiltBicubicPatch::Facet& facet : patch.facets)
         for (Vec3& normal : facet.normals) normal = -normal;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes made ready for rays, each once: a lathe that is declared once and placed a thousand times
-// is built once. Called by whoever makes primitives of objects.
+// Shapes built for rays, each once: a lathe that is declared once and placed a thousand times is
+// built once. Called by the code that makes primitives of objects.
 #pragma once
 
 #include "shape/built_shape.h"
@@ -13,18 +13,20 @@ namespace candelabra {
 class ShapeStore {
 public:
     ShapeStore() = default;
-    /// Parts of shapes are found by the index.
+    /// `index` configures the indices of the parts of shapes.
     explicit ShapeStore(const RayIndex& index) : index_(index) {}
 
     const RayIndex& index() const { return index_; }
 
     /// Precondition: problem(shape) is empty.
     BuiltShape built(const Shape&);
-    /// For a place; null: none. Landscapes and patches are made for the place where they are.
+    /// Builds the shape for a place; null: identity. Height fields and patches depend on their
+    /// place.
     BuiltShape built(const Shape&, const Handle<Transform>& place);
 
 private:
-    /// By the address of what the copies share; the shape is kept so that no address comes twice.
+    /// Keyed by the address of the content that copies share; the shape is kept so that no address
+    /// is reused.
     struct Known {
         Shape shape;
         BuiltShape built;

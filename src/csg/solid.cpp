@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// POV-Ray sees nothing nearer and nothing farther.
+/// POV-Ray ignores nearer and farther hits.
 constexpr Interval seen{1e-4, 1e7};
 
 }  // namespace

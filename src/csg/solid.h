@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions about single objects: inside, trace, min_extent and max_extent of the language. An
-// object is made ready at the first question and kept for the next ones.
+// Queries of single objects: inside, trace, min_extent and max_extent of the language. An object is
+// built at the first query and kept for the next ones.
 #pragma once
 
 #include "base/handle.h"
@@ -20,15 +20,15 @@ public:
     std::optional<SurfaceHit> trace(const ObjectHandle&, const Vec3& from, const Vec3& direction);
 
     bool inside(const ObjectHandle&, const Vec3& point);
-    /// has_inside(), known after the first question.
+    /// has_inside(), computed at the first query.
     bool solid(const ObjectHandle&);
 
-    /// The object as rays ask it; it lives as long as this.
+    /// The object in the form for ray tests; the reference is valid as long as this.
     const Composite& composite(const ObjectHandle&);
 
 private:
     struct Known {
-        ObjectHandle object;  ///< kept, so that no address comes twice
+        ObjectHandle object;  ///< kept, so that no address is reused
         Composite composite;
         bool solid;  ///< has an inside
     };
@@ -40,8 +40,8 @@ private:
     const Known* last_ = nullptr;
 };
 
-/// Whether inside() can be true anywhere: false for triangles, polygons and the like, and for all
-/// that has a part of that kind.
+/// Whether inside() can be true anywhere: false for shapes without an inside, such as triangles and
+/// polygons, and for objects that have such a part.
 bool has_inside(const Object&);
 
 }  // namespace candelabra

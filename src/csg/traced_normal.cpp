@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// What to multiply the outward normal by.
+/// Factor of the outward normal.
 struct Side {
     const CompositeLeaf& leaf;
     const Ray& ray;  ///< in the space of the leaf
@@ -30,10 +30,10 @@ struct Side {
         const Ray swept{exchanged(ray.origin), exchanged(ray.direction)};
         return outside_right_at(text.prism, swept, t).value_or(true) ? 1 : -1;
     }
-    /// Those of which the inverse is another one of the same kind.
+    /// Shapes whose inverse is a shape of the same kind.
     double operator()(const Quadric&) const { return leaf.inverse ? -1 : 1; }
     double operator()(const JuliaFractal&) const { return leaf.inverse ? -1 : 1; }
-    /// POV-Ray puts the corners into an order of its own, which counts when the triangle is moved.
+    /// POV-Ray reorders the corners, which matters when the triangle is transformed.
     double operator()(const Triangle& triangle) const {
         if (!leaf.transform) return 1;
         const Vec3 n = triangle_normal(triangle.corner1, triangle.corner2, triangle.corner3);

@@ -26,9 +26,9 @@ using ByPath = std::map<std::string, std::vector<Json>>;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t longest_report = std::size_t{1} << 26;
-constexpr int no_memory = 3;  ///< status of a check that had too little
+constexpr int no_memory = 3;  ///< exit status of a check that ran out of memory
 
-/// The reading and the writing end of a pipe, closed with the object.
+/// The reading and the writing end of a pipe, closed on destruction.
 class Ends {
 public:
     Ends() { made_ = ::pipe(ends_.data()) == 0; }
@@ -51,10 +51,10 @@ private:
     bool made_ = false;
 };
 
-/// The check itself, which ends this process.
+/// Performs the check in the child process, and exits.
 [[noreturn]] void check_here(const Workspace& workspace, const std::string& path,
                              const std::string& folder, std::uint64_t bytes, int output) {
-    // The editor's help may end while this runs.
+    // The child must end if the language server does.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) ::signal(signal, SIG_DFL);
     const rlim_t most = bytes + Limits().stack_bytes;
@@ -78,7 +78,7 @@ private:
     ::_exit(status);
 }
 
-/// All that comes; nothing when it takes too long or is too much.
+/// Returns everything that is sent; nothing if it takes too long or is too much.
 std::optional<std::string> received(int input, Clock::time_point end) {
     std::string text;
     std::array<char, 65536> part;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks a scene that is being edited in a process of its own: a scene that takes too long or too
-// much memory, or brings the program down, ends that process and not the editor's help.
+// Checks a scene that is being edited in a separate process: a scene that takes too long or too
+// much memory, or crashes, ends that process and not the language server.
 #pragma once
 
 #include "editor/problems.h"
@@ -11,11 +11,11 @@ namespace candelabra {
 
 struct CheckLimits {
     int milliseconds = 10'000;
-    std::uint64_t bytes = std::uint64_t{1} << 31;  ///< beside the room of the stack
+    std::uint64_t bytes = std::uint64_t{1} << 31;  ///< besides the stack
 };
 
-/// The problems of an open file, as problems() has them. A limit that was broken is one at the top
-/// of the file.
+/// Returns the problems of an open file in the form of problems(). An exceeded limit is a problem
+/// at the top of the file.
 std::map<std::string, std::vector<Json>> check(const Workspace&, const std::string& path,
                                                const std::string& folder_for_writing,
                                                const CheckLimits&);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a message takes a wrong word to be, as a change that an editor can make.
+// Turns a "did you mean" in a message into a change that an editor can make.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace candelabra {
 
-/// What is to stand in place of `marked`, the text that the message points at, if the message asks
-/// "did you mean ...?". Nothing where more than one word is marked.
+/// Returns the replacement for `marked`, the text that the message points at, if the message asks
+/// "did you mean ...?". Returns nothing if more than one word is marked.
 std::optional<std::string> correction(std::string_view message, std::string_view marked);
 
 }  // namespace candelabra

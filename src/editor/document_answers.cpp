@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers about whole documents: outline, meaning of words, folding, links, colours, layout.
+// Handlers for whole documents: outline, semantic tokens, folding, links, colours, layout.
 #include "editor/extents.h"
 #include "editor/folding.h"
 #include "editor/highlights.h"
@@ -15,15 +15,15 @@ namespace candelabra {
 
 namespace {
 
-/// The protocol's number of a symbol's kind.
+/// Returns the protocol's SymbolKind.
 int symbol_kind(bool is_macro) { return is_macro ? 12 : 13; }
 
 const char* folding_kind(Fold::Kind kind) {
     return kind == Fold::comment ? "comment" : kind == Fold::imports ? "imports" : "region";
 }
 
-/// Five numbers for each of those that lie in the range: lines and columns from the one before,
-/// units of UTF-16, kind and modifiers.
+/// Encodes the tokens in the range as five numbers each: line and column relative to the token
+/// before, length in UTF-16 code units, kind and modifiers.
 Json encoded(const std::vector<SemanticToken>& tokens, std::string_view text, Part range) {
     Json numbers = Json::array();
     TextWalk walk(text);

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// Where a comment that begins there ends; comments lie in comments.
+/// Returns the end of the comment that begins there; block comments nest.
 std::size_t comment_end(std::string_view text, std::size_t first) {
     if (text.substr(first, 2) == "//") return std::min(text.find('\n', first), text.size());
     int depth = 0;
@@ -32,7 +32,7 @@ void read_comments(EditedFile& file, std::size_t first, std::size_t last) {
     }
 }
 
-/// Walks over the tokens and notes what directives declare.
+/// Collects the names that directives declare.
 class Declarations {
 public:
     explicit Declarations(EditedFile& file) : file_(file) {}
@@ -76,11 +76,11 @@ private:
         list(i + 1, 0, DeclaredName::parameter, true);
     }
 
-    /// The names of a list in parentheses but the first few.
+    /// Adds the names of a list in parentheses, except the first `without`.
     void list(std::size_t i, int without, DeclaredName::Kind kind, bool local) {
         if (!is(i, TokenKind::open_parenthesis)) return;
         for (++i; i < file_.tokens.size() && !is(i, TokenKind::close_parenthesis); ++i)
-            // In `optional A` the first of the two names is none.
+            // In `optional A`, the first of the two names is not a parameter.
             if (is(i, TokenKind::name) && !is(i + 1, TokenKind::name) && without-- <= 0)
                 add(i, kind, local);
     }

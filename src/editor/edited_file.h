@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file as an editor sees it: tokens, comments and the names that it makes, also when it is full
-// of errors because somebody is typing. Offsets are bytes of the text.
+// A file as an editor sees it: its tokens, comments and declared names, available even while the
+// file is full of errors during typing. Offsets are in bytes.
 #pragma once
 
 #include "syntax/token_stream.h"
@@ -20,7 +20,7 @@ struct Part {
     bool holds(std::uint32_t offset) const { return first <= offset && offset <= last; }
 };
 
-/// Where a name gets a meaning.
+/// A declaration of a name.
 struct DeclaredName {
     enum Kind { variable, macro, parameter, file };
 
@@ -33,20 +33,20 @@ struct DeclaredName {
 struct EditedFile {
     std::string path;
     std::string text;
-    Tree values;  ///< what tokens of numbers and strings refer to
+    Tree values;  ///< the values of number and string tokens
     std::vector<Token> tokens;
     std::vector<Part> comments;
     std::vector<DeclaredName> declarations;
-    std::vector<std::string> includes;  ///< as they are written, of those with a plain name
+    std::vector<std::string> includes;  ///< as written; only those that are plain strings
 
     std::string_view part(Part place) const {
         return std::string_view(text).substr(place.first, place.last - place.first);
     }
-    /// The token at or just before the offset, or null between tokens.
+    /// Returns the token that contains the offset or ends there; null if there is none.
     const Token* token_at(std::uint32_t offset) const;
 };
 
-/// Cannot fail: what is no token is left out.
+/// Never fails: characters that form no token are skipped.
 EditedFile read_tokens(std::string text, Names&);
 
 }  // namespace candelabra

@@ -16,7 +16,7 @@ bool declares(const Tree& tree, NodeId id) {
            tree.get_if<node::For>(id) || tree.get_if<node::Open>(id) || tree.get_if<node::Read>(id);
 }
 
-/// Where the directives of the parsed text end, by where they begin.
+/// Maps the beginnings of the directives in the parsed text to their ends.
 std::unordered_map<std::uint32_t, std::uint32_t> directive_ends(const std::string& text) {
     SourceStore sources;
     Names names;
@@ -29,7 +29,7 @@ std::unordered_map<std::uint32_t, std::uint32_t> directive_ends(const std::strin
     return ends;
 }
 
-/// The same for macros, by their words alone: those whose braces do not match are not in the tree.
+/// Does the same for macros, from tokens alone: macros with unbalanced braces are not in the tree.
 std::unordered_map<std::uint32_t, std::uint32_t> macro_ends(const std::vector<Token>& tokens) {
     std::vector<const Token*> open;
     std::unordered_map<std::uint32_t, std::uint32_t> ends;
@@ -43,7 +43,7 @@ std::unordered_map<std::uint32_t, std::uint32_t> macro_ends(const std::vector<To
     return ends;
 }
 
-/// For each token the begin of the last directive that does not come after it.
+/// Returns, for each token, the beginning of the last directive at or before it.
 std::vector<std::uint32_t> directive_begins(const std::vector<Token>& tokens) {
     std::vector<std::uint32_t> begins;
     std::uint32_t last = 0;

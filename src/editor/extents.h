@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole declarations behind names: for outlines, and for the reach of parameters.
+// The extents of whole declarations: for outlines, and for the scope of parameters.
 #pragma once
 
 #include "editor/edited_file.h"
@@ -8,9 +8,9 @@
 
 namespace candelabra {
 
-/// One for each of the file's declarations, in their order: from the # of the directive to its end,
-/// which for values is the semicolon behind them. Parameters have their macro. Of a directive that
-/// cannot be read there is what stands up to the name.
+/// Returns the extents of the file's declarations, in their order: from the # of the directive to
+/// its end, which for values is the semicolon after them. A parameter has the extent of its macro.
+/// The extent of an unparsable directive ends after the name.
 std::vector<Part> extents(const EditedFile&);
 
 }  // namespace candelabra

@@ -34,7 +34,7 @@ private:
 
     std::size_t line_of(std::uint32_t offset) const { return lines_.line_of(offset); }
 
-    /// The longest fold of those that begin in a line is kept.
+    /// Of the folds that begin in a line, keeps the longest.
     void add(std::size_t first, std::size_t last, Fold::Kind kind) {
         if (last <= first) return;
         Fold& there = found_.try_emplace(first, Fold{first, last, kind}).first->second;
@@ -58,8 +58,8 @@ private:
         }
     }
 
-    /// What closes is the innermost counterpart that is not outside of a directive, unless very
-    /// many brackets in it are still open.
+    /// Closes the innermost matching bracket without leaving a directive, unless very many brackets
+    /// inside it are still open.
     void close(const Token& token) {
         const std::size_t end = open_.size() - std::min(open_.size(), max_unclosed);
         for (std::size_t i = open_.size(); i-- > end;) {
@@ -73,7 +73,7 @@ private:
         }
     }
 
-    /// Comments of several lines, and several of one line that stand below each other.
+    /// Adds comments of several lines, and runs of one-line comments on consecutive lines.
     void add_comments() {
         for (std::size_t i = 0; i < file_.comments.size();) {
             const std::size_t first = line_of(file_.comments[i].first);
@@ -88,7 +88,7 @@ private:
         }
     }
 
-    /// Whether nothing stands before it in its line.
+    /// Whether the comment is the first text in its line.
     bool stands_alone(Part comment) const {
         const std::string_view before = std::string_view(file_.text).substr(0, comment.first);
         const std::size_t last = before.find_last_not_of(" \t");
@@ -114,7 +114,7 @@ private:
     const EditedFile& file_;
     LineTable lines_;
     std::vector<Opening> open_;
-    std::map<std::size_t, Fold> found_;  ///< by their first line
+    std::map<std::size_t, Fold> found_;  ///< by first line
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ std::vector<Highlight> places_of(const EditedFile& file, NameId name) {
     return found;
 }
 
-/// The opening word, the dividers and the #end that the token is one of.
+/// Returns the opening word, the dividers and the #end of the directive to which the token belongs.
 std::vector<Highlight> parts_of_directive(const EditedFile& file, const Token& asked) {
     std::vector<std::vector<Highlight>> open;
     for (const Token& token : file.tokens) {

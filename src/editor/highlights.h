@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What belongs to the word under the cursor in the same file: the other places of a name, or the
+// Highlights for the word under the cursor within its file: the other occurrences of a name, or the
 // other parts of a directive.
 #pragma once
 
@@ -20,8 +20,8 @@ struct Highlight {
     }
 };
 
-/// In the order of the text; a name's declarations are written. Empty where no name and no
-/// directive with an #end is.
+/// Returns highlights in source order; declarations of a name are writes. Empty if the offset is
+/// neither on a name nor on a directive with an #end.
 std::vector<Highlight> highlights(const EditedFile&, std::uint32_t offset);
 
 }  // namespace candelabra

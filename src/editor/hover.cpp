@@ -23,7 +23,8 @@ std::string function_help(std::string_view word) {
     return {};
 }
 
-/// What the word is in a block of that name: a field of its item, or one of its kinds.
+/// Returns help on the word in a block of that name: as a field of its item, or as one of its
+/// kinds.
 std::string help_in_block(std::string_view word, std::string_view block) {
     for (const ItemGroup& group : catalogue())
         for (const ItemInfo* item : group.items) {
@@ -74,7 +75,7 @@ std::string_view line_at(std::string_view text, std::size_t offset) {
     return trimmed(text.substr(first, text.find('\n', first) - first));
 }
 
-/// The lines of // right above a place.
+/// Returns the // comment lines directly above a place.
 std::string comment_above(std::string_view text, std::size_t offset) {
     std::string comment;
     for (std::size_t first = line_start(text, offset); first > 0;) {
@@ -87,7 +88,7 @@ std::string comment_above(std::string_view text, std::size_t offset) {
     return comment;
 }
 
-/// What the library says of one of its macros, in front of the name of its file; or nothing.
+/// Returns the library's own description of one of its macros; empty if there is none.
 std::string library_help(const EditedFile& file, std::string_view name) {
     const LibraryFile library = library_file({}, file.text);
     const LibraryMacro* const macro = find_macro(library, name);

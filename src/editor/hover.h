@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is to say about the word at a place: the vocabulary's own words for items, fields and
-// functions; for a name its declaration, and the comment above it. Markdown.
+// Help on the word at a place, as Markdown: the vocabulary's descriptions of items, fields and
+// functions; for a name, its declaration and the comment above it.
 #pragma once
 
 #include "editor/workspace.h"
@@ -17,8 +17,7 @@ struct Hover {
 
 std::optional<Hover> hover(Workspace&, const std::string& path, std::uint32_t offset);
 
-/// The names of the blocks that a place lies in, the innermost first: "finish", "texture",
-/// "sphere".
+/// Returns the names of the blocks around a place, innermost first: "finish", "texture", "sphere".
 std::vector<NameId> blocks_around(const EditedFile&, std::uint32_t offset);
 
 }  // namespace candelabra

@@ -45,7 +45,8 @@ private:
     std::string_view rest_;
 };
 
-/// The value, with its sign, of the tokens from the equals sign to #end; nothing for an expression.
+/// Returns the signed value of the tokens between the equals sign and #end; nothing for an
+/// expression.
 std::optional<double> plain_value(const EditedFile& file, const Token* token) {
     const bool negative = token->kind == TokenKind::minus;
     if (negative) ++token;
@@ -93,7 +94,7 @@ std::vector<Knob> knobs(std::string_view scene) {
     Names names;
     EditedFile file = read_tokens(std::string(scene), names);
     const std::size_t count = file.tokens.size();
-    file.tokens.resize(count + 12);  // so that no form reaches beyond the end
+    file.tokens.resize(count + 12);  // so that matching a form never reads past the end
     std::vector<Knob> found;
     for (std::size_t i = 0; i < count; ++i)
         if (auto one = knob(file, names, &file.tokens[i])) found.push_back(std::move(*one));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene lets people turn: names that it declares only where nobody else has, with the range
-// of their values in a comment behind,
+// Parameters of a scene that users may adjust: names that the scene declares only if they are
+// undefined, followed by a comment with the range of their values,
 //
 //     #ifndef (Height) #declare Height = 2; #end  // 0 to 5 by 0.1: how tall the tree is
 //
@@ -15,15 +15,15 @@ namespace candelabra {
 
 struct Knob {
     std::string name;
-    double value;  ///< when nobody says anything
+    double value;  ///< the default
     double low, high;
-    double step;  ///< a hundredth of the range when none is given
+    double step;  ///< a hundredth of the range by default
     std::string help;
 
     friend bool operator==(const Knob&, const Knob&) = default;
 };
 
-/// In the order of the text. Ranges that are empty make none.
+/// Returns the knobs in source order. Declarations with empty ranges are ignored.
 std::vector<Knob> knobs(std::string_view scene);
 
 }  // namespace candelabra

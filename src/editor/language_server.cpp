@@ -23,7 +23,7 @@ namespace {
 struct Method {
     std::string_view name;
     Json (LanguageServer::*answer)(Parameters&);
-    bool question = false;  ///< nothing to be done when nobody waits for the answer
+    bool question = false;  ///< without effect unless an answer is expected
 };
 
 constexpr auto methods = std::array{
@@ -54,7 +54,7 @@ constexpr auto methods = std::array{
     Method{"textDocument/rangeFormatting", &LanguageServer::range_formatting, true},
 };
 
-// The errors of JSON-RPC and of the protocol.
+// Error codes of JSON-RPC and of the protocol.
 constexpr int parse_error = -32700;
 constexpr int invalid_request = -32600;
 constexpr int method_not_found = -32601;
@@ -63,7 +63,7 @@ constexpr int internal_error = -32603;
 constexpr int not_initialized = -32002;
 constexpr int request_failed = -32803;
 
-/// The protocol's numbers for what a suggestion is.
+/// Returns the protocol's CompletionItemKind of a suggestion.
 int completion_kind(Suggestion::Kind kind) {
     switch (kind) {
         case Suggestion::field:
@@ -87,7 +87,7 @@ int completion_kind(Suggestion::Kind kind) {
 }  // namespace
 
 void LanguageServer::send(const Json& message) {
-    // Bytes of a scene that are no UTF-8 become a replacement character.
+    // Bytes of a scene that are not valid UTF-8 become replacement characters.
     send_(message.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -120,7 +120,7 @@ int LanguageServer::untimely(std::string_view method) const {
 void LanguageServer::receive(const Json& request, Json& id) {
     if (request.is_discarded()) return refuse(id, parse_error, "the message is no JSON in UTF-8");
     if (!request.is_object()) return refuse(id, invalid_request, "this is no message");
-    // An answer to something that was never asked.
+    // A response, although this server sends no requests.
     if (request.contains("result") || request.contains("error")) return;
     const bool waits = request.contains("id");
     if (waits && !request["id"].is_string() && !request["id"].is_number_integer())
@@ -164,7 +164,8 @@ void LanguageServer::publish(const std::string& path, const std::vector<Json>& p
 }
 
 void LanguageServer::catch_up() {
-    // A scene's problems may lie in any file, and each file's in any scene: all are looked at.
+    // A scene's problems may be in any file, and a file's problems may come from any scene: check
+    // all.
     changed_.clear();
     std::map<std::string, std::vector<Json>> all;
     for (const std::string& path : workspace_.open_files()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Language Server Protocol: messages of an editor in, answers out. `candelabra lsp` carries
-// them between standard input and output; tests hand them over directly. Knows no streams.
+// The Language Server Protocol: receives an editor's messages and sends answers. `candelabra lsp`
+// connects it to standard input and output; tests call it directly. Performs no I/O itself.
 #pragma once
 
 #include "editor/checking.h"
@@ -18,7 +18,7 @@ namespace candelabra {
 class LanguageServer {
 public:
     /// `library`: folder of the standard library, or "". Scenes that write files write them below
-    /// `scratch`, and are evaluated within the limits.
+    /// `scratch`. Scenes are evaluated within the limits.
     LanguageServer(std::string library, std::string scratch,
                    std::function<void(const std::string& message)> send, CheckLimits limits = {})
         : workspace_(std::move(library)),
@@ -26,26 +26,26 @@ public:
           send_(std::move(send)),
           limits_(limits) {}
 
-    /// JSON may be nested so deep.
+    /// Maximum nesting depth of JSON messages.
     static constexpr int deepest = 64;
 
-    /// Takes a message and answers it. What is no message, or none for now, is answered with an
-    /// error of JSON-RPC; where the editor waits for no answer, with a line for its log.
+    /// Handles a message and answers it. Invalid or untimely messages are answered with a JSON-RPC
+    /// error. Where the editor expects no answer, errors in parameters are sent to its log.
     void receive(std::string_view message);
     /// Answers a message that was too long to be read.
     void receive_too_long();
 
-    /// Whether texts have changed since they were looked at for mistakes: to be done by catch_up()
-    /// when the editor has nothing to say for a moment. What breaks a limit is one more mistake.
+    /// Whether documents have changed since they were last checked. catch_up() checks them, and is
+    /// called while the editor is idle. An exceeded limit is reported as a problem.
     bool behind() const { return !changed_.empty(); }
     void catch_up();
 
-    /// After the editor has said goodbye.
+    /// Whether the editor has sent `exit`.
     bool ended() const { return ended_; }
-    /// Whether it did so in the right order.
+    /// Whether it sent `shutdown` first, as required.
     bool ended_well() const { return ended_ && shut_down_; }
 
-    // The answers, by method; parameters and results are those of the protocol.
+    // Handlers by method. Parameters and results are those of the protocol.
     Json initialize(Parameters&);
     Json shutdown(Parameters&);
     Json exit(Parameters&);
@@ -76,20 +76,22 @@ private:
     void send(const Json& message);
     void refuse(const Json& id, int code, const std::string& why);
     void receive(const Json& message, Json& id);
-    /// Why the request cannot be answered at the moment: 0 if it can, or the error's number.
+    /// Returns the error number if the request must not be answered in the current state; 0
+    /// otherwise.
     int untimely(std::string_view method) const;
     void publish(const std::string& path, const std::vector<Json>& problems);
     void fail(std::string reason) { failure_ = std::move(reason); }
-    /// The path of the open document that the parameters name, which else are refused.
+    /// Returns the path of the open document that the parameters name, or refuses them.
     std::string open_path(Parameters&);
-    /// The open document that the parameters name; null when there is none, which refuses them.
+    /// Returns the open document that the parameters name; refuses them and returns null if there
+    /// is none.
     FileHandle open_file(Parameters&);
 
     Workspace workspace_;
     std::string scratch_;
     std::function<void(const std::string&)> send_;
     std::set<std::string> changed_;
-    std::string failure_;  ///< why the request that is being answered cannot be
+    std::string failure_;  ///< why the current request cannot be answered
     CheckLimits limits_;
     bool initialized_ = false;
     bool shut_down_ = false;

@@ -13,12 +13,12 @@ namespace {
 constexpr int step = 4;
 constexpr std::string_view blanks = " \t\f\v";
 
-/// What is open at a place of the text, and the columns (from 0) of lines that follow.
+/// An open bracket or directive, and the columns (from 0) of the lines that follow.
 struct Opening {
     TokenKind kind;
-    int outside;   ///< of what closes it
-    int dividers;  ///< of what divides it: #else, #case
-    int inside;    ///< of all else
+    int outside;   ///< of the line that closes it
+    int dividers;  ///< of its dividers: #else, #case
+    int inside;    ///< of all other lines
 
     bool is_directive() const { return opens_directive(kind); }
     bool is_block() const { return is_directive() || kind == TokenKind::open_brace; }
@@ -34,21 +34,21 @@ bool closes_bracket(TokenKind kind) {
            kind == TokenKind::close_bracket;
 }
 
-/// Whether a value may end with this token, so that `<` behind it compares.
+/// Whether a value may end with this token, so that a following `<` is a comparison.
 bool ends_value(TokenKind kind) {
     using enum TokenKind;
     return kind == name || kind == number || kind == literal || kind == text || kind == constant ||
            kind == channel || kind == close_parenthesis || kind == close_bracket;
 }
 
-/// Whether an expression goes on behind this token.
+/// Whether an expression must continue after this token.
 bool asks_for_more(TokenKind kind) {
     using enum TokenKind;
     return kind == equal || kind == plus || kind == minus || kind == times || kind == divide ||
            kind == both || kind == either || kind == question || kind == colon;
 }
 
-/// The #ifndef around a whole file, which keeps it from being included twice; null: there is none.
+/// Returns the #ifndef around a whole file, its include guard; null if there is none.
 const Token* guard(const std::vector<Token>& tokens) {
     if (tokens.empty() || tokens.back().kind != TokenKind::hash_end) return nullptr;
     int ends = 0;
@@ -72,7 +72,7 @@ public:
         last_line_ = starts_.size();
     }
 
-    /// Of all lines, or of those that were chosen.
+    /// Lays out all lines, or those that were chosen.
     std::string operator()() {
         Names names;
         const EditedFile file = read_tokens(std::string(text_), names);
@@ -97,11 +97,11 @@ public:
         return written();
     }
 
-    /// Only lines that the part has something of get a new layout. Gives all of them.
+    /// Restricts the layout to the lines that overlap the part. Returns the extent of these lines.
     Part choose(Part part) {
         if (starts_.empty()) return {};
         first_line_ = line_of(part.first);
-        // A part that ends at the begin of a line has nothing of it.
+        // A part that ends at the beginning of a line does not include that line.
         last_line_ = line_of(part.last > part.first ? part.last - 1 : part.last) + 1;
         const std::size_t end = last_line_ < starts_.size() ? starts_[last_line_] : text_.size();
         return {static_cast<std::uint32_t>(starts_[first_line_]), static_cast<std::uint32_t>(end)};
@@ -113,7 +113,7 @@ private:
         columns_[line] = chosen ? column : present_column(line);
     }
 
-    /// Of the first sign in a line as it is.
+    /// Column of the first character in the original line.
     int present_column(std::size_t line) const {
         int column = 0;
         for (const char blank : line_text(line).substr(0, indentation(line)))
@@ -130,7 +130,7 @@ private:
         for (const Part& part : parts) keep_inside(part.first, part.last);
     }
 
-    /// Lines that begin or end within the part keep their blanks there.
+    /// Lines that begin or end within the part keep their blanks at that end.
     void keep_inside(std::size_t first, std::size_t last) {
         for (std::size_t line = line_of(first); line < line_of(last); ++line) {
             kept_ends_[line] = true;
@@ -143,7 +143,7 @@ private:
         return std::min(content.find_first_not_of(blanks), content.size());
     }
 
-    /// In the new layout.
+    /// Column in the new layout.
     int column_of(const Token& token) const {
         const std::size_t line = line_of(token.first);
         return columns_[line] + static_cast<int>(token.first - starts_[line] - indentation(line));
@@ -151,7 +151,7 @@ private:
 
     int column_within() const { return open_.empty() ? 0 : open_.back().inside; }
 
-    /// Of a line that begins with the token: a closing bracket stands below its opening one.
+    /// Column of a line that begins with the token; a closing bracket aligns with its opening line.
     int column_before(const Token& token) {
         const bool divides = divides_directive(token.kind);
         const bool of_directive =
@@ -186,9 +186,9 @@ private:
         previous_ = token.kind;
         if (divides_directive(token.kind)) end_branch();
         if (vector || opens_bracket(token.kind) || opens_directive(token.kind)) open(token, behind);
-        // A brace that a branch closes for the text around its directive is taken from there.
+        // If a branch closes a brace that was opened before its directive, remove that one.
         if (closes(token)) close(false);
-        // Braces that the last branch leaves open stay open behind the directive.
+        // Braces that the last branch leaves open stay open after the directive.
         if (token.kind == TokenKind::hash_end) close(true);
     }
 
@@ -209,7 +209,7 @@ private:
         if (last != open_.rend()) open_.erase(std::next(last).base());
     }
 
-    /// What one branch leaves open, the next one does, too: it counts once.
+    /// Each branch leaves the same brackets open, so they are counted once.
     void end_branch() {
         while (!open_.empty() && !open_.back().is_directive()) open_.pop_back();
     }
@@ -230,11 +230,11 @@ private:
                    std::string_view::npos;
     }
 
-    /// How many empty lines are in front of the first, which are at most to be two.
+    /// Number of empty lines before the first line; two are allowed at most.
     int empty_lines_before() const {
         int count = 0;
         for (std::size_t line = first_line_; line-- > 0 && is_empty(line) && count < 2;) ++count;
-        return first_line_ == 0 ? 2 : count;  // none at the beginning
+        return first_line_ == 0 ? 2 : count;  // allow none at the beginning
     }
 
     std::string written() const {
@@ -266,11 +266,11 @@ private:
 
     std::string_view text_;
     std::vector<std::size_t> starts_;     ///< of the lines
-    std::vector<int> columns_;            ///< of the first sign of each line, in the new layout
+    std::vector<int> columns_;            ///< of each line's first character in the new layout
     std::vector<bool> kept_, kept_ends_;  ///< lines whose first or last blanks belong to a comment
                                           ///< or string
-    std::size_t first_line_ = 0;          ///< that is laid out
-    std::size_t last_line_ = 0;           ///< the line behind the last one
+    std::size_t first_line_ = 0;          ///< of those to lay out
+    std::size_t last_line_ = 0;           ///< the line after the last of them
     std::vector<Opening> open_;
     const Token* guard_ = nullptr;
     TokenKind previous_ = TokenKind::end_of_file;

@@ -37,8 +37,8 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
-/// The comment at the begin of a file: its first paragraph, and what is indented behind it, which
-/// lists what there is.
+/// The comment at the beginning of a file: its first paragraph, and the indented entries that list
+/// the file's macros.
 struct Header {
     std::string about;
     std::vector<std::string> entries;
@@ -67,7 +67,7 @@ Header header_of(const std::vector<std::string_view>& lines) {
     return header;
 }
 
-/// The names that an entry begins with, and what it says of them.
+/// The macro names at the beginning of an entry, and the text about them.
 class HeaderEntry {
 public:
     template <class IsMacro>
@@ -93,7 +93,7 @@ private:
     std::string_view rest_;
 };
 
-/// `#macro Name(A, B)` at the begin of a line; the name ends in no `_`.
+/// `#macro Name(A, B)` at the beginning of a line. Names that end in `_` are excluded.
 struct Definition {
     std::string_view name;
     std::string form;
@@ -119,7 +119,7 @@ std::vector<Definition> definitions_in(const std::vector<std::string_view>& line
     return result;
 }
 
-/// The comment right above a line.
+/// Returns the comment directly above a line.
 std::string comment_of(const std::vector<std::string_view>& lines, std::size_t line) {
     std::size_t first = line;
     while (first > 0 && lines[first - 1].starts_with("// ") &&
@@ -156,7 +156,7 @@ LibraryFile library_file(std::string name, std::string_view text) {
         }
         file.macros.push_back(std::move(macro));
     }
-    // A file that lists none has its aids under its own name: Chars_Bar in chars.inc.
+    // In a file that lists none, aids start with the file's name: Chars_Bar in chars.inc.
     const std::string own = file.name.substr(0, file.name.find('.')) + "_";
     if (std::ranges::none_of(file.macros, &LibraryMacro::listed))
         for (LibraryMacro& each : file.macros)

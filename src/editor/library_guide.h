@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the files of the standard library say about themselves: the comment at their begin, the
-// macros that they define, and what is said of each. For --help, the manual and editors.
+// Documentation that the files of the standard library contain: the comment at the beginning, and
+// the macros that they define with a description of each. For --help, the manual and editors.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ struct LibraryMacro {
     std::string name;
     std::string form;  ///< Light_Ring(Lamp, Count, Radius)
     std::string help;  ///< may be empty
-    /// For scenes, and not an aid of other macros: named in the comment at the file's begin, or, if
-    /// that names none, not beginning with the file's name.
+    /// Whether the macro is for scenes, and not an aid of other macros: named in the comment at the
+    /// file's beginning or, if that names none, not starting with the file's name.
     bool listed = false;
 };
 
@@ -26,17 +26,17 @@ struct LibraryFile {
 
 using LibraryGuide = std::vector<LibraryFile>;
 
-/// The include files of a folder, by name in order; none when there is no such folder.
+/// Returns the include files of a folder, sorted by name; empty if there is no such folder.
 LibraryGuide library_guide(const std::string& folder);
 
-/// One of them by its text. Macros whose names end in `_` are its own affair and left out.
+/// Parses the text of one file. Macros whose names end in `_` are private and left out.
 LibraryFile library_file(std::string name, std::string_view text);
 
-/// The macro with that name, or null.
+/// Returns the macro with that name, or null.
 const LibraryMacro* find_macro(const LibraryFile&, std::string_view name);
 
-/// Whether a name that the file declares is for scenes. Aids of the library are not: names that end
-/// in `_`, and macros that are not listed.
+/// Whether a name that the file declares is for scenes. Names that end in `_` or `_Temp`, and
+/// macros that are not listed, are aids of the library.
 bool is_for_scenes(const LibraryFile&, std::string_view name, bool is_macro);
 
 }  // namespace candelabra

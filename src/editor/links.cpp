@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// Words in front of the name of a file that is no picture.
+/// Words before the name of a file that is not a picture.
 constexpr auto data_words = std::to_array<std::string_view>({"df3", "density_file", "file", "ttf"});
 /// Blocks whose first string is the name of a picture.
 constexpr auto picture_blocks = std::to_array<std::string_view>(
@@ -18,7 +18,7 @@ constexpr auto picture_blocks = std::to_array<std::string_view>(
 constexpr auto reading_functions =
     std::to_array<std::string_view>({"file_exists", "read_csv", "read_json"});
 
-/// How the name of a file is written, and what it may go on with.
+/// The kind of a file name, and the extensions that it may omit.
 struct WrittenFile {
     FileKind kind = FileKind::data;
     std::span<const std::string_view> endings = {};
@@ -27,7 +27,7 @@ struct WrittenFile {
 class Links {
 public:
     Links(Workspace& workspace, const EditedFile& file) : file_(file) {
-        // What is included is looked for as the scenes do that may include it.
+        // An include file's strings are looked up as by the open scenes that may include it.
         if (!file.path.ends_with(".pov"))
             for (const std::string& other : workspace.open_files())
                 if (other.ends_with(".pov")) add_scene(workspace, other);
@@ -61,7 +61,8 @@ private:
         return std::ranges::find(words, word) != words.end();
     }
 
-    /// What the tokens in front of a string say of it: nothing when it is not the name of a file.
+    /// Determines from the preceding tokens whether a string is a file name; returns nothing if
+    /// not.
     std::optional<WrittenFile> written_file(std::size_t text) const {
         const TokenKind before = kind(text - 1);
         if (before == TokenKind::hash_include) return WrittenFile{FileKind::include};

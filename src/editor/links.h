@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strings that name files: #include, pictures, fonts, densities, meshes, data.
+// Strings that name files: #include, pictures, fonts, densities, meshes and data.
 #pragma once
 
 #include "editor/workspace.h"
@@ -14,8 +14,8 @@ struct Link {
     std::string path;
 };
 
-/// Of the files that are there, and that a scene may open: an open scene, or the file itself as
-/// one. None of them is read.
+/// Returns links to existing files that an open scene, or the file itself as a scene, may read.
+/// Does not read these files.
 std::vector<Link> links(Workspace&, const std::string& path);
 
 }  // namespace candelabra

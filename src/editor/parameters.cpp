@@ -15,10 +15,10 @@ const Json* member(const Json* object, const char* name) {
     return found == object->end() ? nullptr : &*found;
 }
 
-/// A `uinteger` of the protocol, which is at most 2^31-1.
+/// Whether the value is a `uinteger` of the protocol, which is at most 2^31-1.
 bool is_count(const Json* json) {
     if (!json || !json->is_number_integer()) return false;
-    const auto value = json->get<std::int64_t>();  // what is larger comes out below 0
+    const auto value = json->get<std::int64_t>();  // larger values come out negative
     return value >= 0 && value <= 0x7fffffff;
 }
 

@@ -24,7 +24,7 @@ private:
         return known(span) && workspace_.is_open(sources_.name(span.source));
     }
 
-    /// Where users see it in an open file.
+    /// Returns the span in an open file at which users see the diagnostic.
     Span shown_at(const Diagnostic& each) const {
         if (is_open(each.span)) return each.span;
         for (const Frame& frame : each.frames)

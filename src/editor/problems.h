@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Diagnostics as the Language Server Protocol has them.
+// Converts diagnostics to the form of the Language Server Protocol.
 #pragma once
 
 #include "editor/protocol.h"
@@ -11,8 +11,9 @@
 
 namespace candelabra {
 
-/// By path of the file that shows them. A problem in a file that is not open is shown where an open
-/// one leads there: at a macro's call or an #include, or else at the top of the scene.
+/// Returns problems by the path of the file that shows them. A problem in a file that is not open
+/// is shown where an open file leads to it: at a macro call or an #include, or else at the top of
+/// the scene.
 std::map<std::string, std::vector<Json>> problems(const Report&, const Workspace&,
                                                   const std::string& scene);
 

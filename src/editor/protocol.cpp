@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view scheme = "file://";
 constexpr std::string_view hexadecimal = "0123456789ABCDEF";
 
-/// Units of UTF-16 that the character takes.
+/// Number of UTF-16 code units of the character.
 int units(const Character& character) { return character.code > 0xFFFF ? 2 : 1; }
 
 int digit(char c) {
@@ -28,7 +28,7 @@ std::int64_t number(const Json& object, const char* name) {
     return found != object.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
 }
 
-/// How many UTF-16 units a part of a line has.
+/// Number of UTF-16 code units of a part of a line.
 int column(std::string_view line) {
     int units_before = 0;
     for (std::size_t at = 0; at < line.size();) {
@@ -39,8 +39,8 @@ int column(std::string_view line) {
     return units_before;
 }
 
-/// The begin of the line behind the one that this place is in; npos: there is none. As in the
-/// protocol lines end in CR LF, LF or CR.
+/// Returns the beginning of the line after the one at this offset; npos if there is none. As in the
+/// protocol, lines end in CR LF, LF or CR.
 std::size_t next_line(std::string_view text, std::size_t at) {
     const std::size_t end = text.find_first_of("\r\n", at);
     if (end == text.npos) return end;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ranges of places in several files, of which there may be many: the lines of each file are counted
-// once.
+// Converts many places in several files to ranges, counting the lines of each file only once.
 #pragma once
 
 #include "editor/protocol.h"
@@ -16,7 +15,7 @@ class Ranges {
 public:
     explicit Ranges(Workspace& workspace) : workspace_(workspace) {}
 
-    /// For a file that is gone, the begin.
+    /// Returns the beginning for a file that no longer exists.
     Json of(const std::string& path, Part place) {
         auto known = tables_.find(path);
         if (known == tables_.end()) {
@@ -29,7 +28,7 @@ public:
 
 private:
     Workspace& workspace_;
-    /// The handles hold the texts.
+    /// The handles keep the texts alive.
     std::map<std::string, std::pair<FileHandle, LineTable>> tables_;
 };
 

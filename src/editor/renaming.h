@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a name is mentioned, and what changes when it gets another. A name means whatever was
-// declared last where it is used, so all of its mentions are renamed together, in all files that
-// belong together but those of the library.
+// Mentions of a name, and the changes when it is renamed. A name refers to its most recent
+// declaration at run time, so all of its mentions are renamed together, in all related files except
+// those of the library.
 #pragma once
 
 #include "editor/workspace.h"
@@ -17,10 +17,10 @@ struct Mention {
     Part place;
 };
 
-/// Of the name at the place, in the file and those around it; empty when there is none.
+/// Returns the mentions of the name at the place, in the file and those around it; empty if none.
 std::vector<Mention> mentions(Workspace&, const std::string& path, std::uint32_t offset);
 
-/// The mentions that are to be replaced, or why the name cannot become the new one.
+/// Returns the mentions to replace, or the reason why the name cannot become the new one.
 std::variant<std::vector<Mention>, std::string> renaming(Workspace&, const std::string& path,
                                                          std::uint32_t offset,
                                                          const std::string& new_name);

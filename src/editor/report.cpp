@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// Loops of a scene that is being typed may be without end.
+/// A scene that is being typed may contain endless loops.
 constexpr std::uint64_t max_steps = 5'000'000;
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace candelabra {
 
 namespace {
 
-/// What the names in a file mean: parameters within their macros, then names of the file itself,
-/// then those of others.
+/// Resolves the names in a file: parameters within their macros, then names of the file itself,
+/// then those of other files.
 class Meanings {
 public:
     Meanings(Workspace& workspace, const EditedFile& file) {
@@ -64,7 +64,7 @@ private:
                 names_.try_emplace(each.name, Meaning{kind_of(each), modifiers});
     }
 
-    /// The macros of a parameter come in the order of the text.
+    /// The macros that have the parameter are in source order.
     bool is_parameter(NameId name, std::uint32_t offset) const {
         const auto known = parameters_.find(name);
         if (known == parameters_.end()) return false;
@@ -141,7 +141,7 @@ private:
         }
     }
 
-    /// A token of several lines is divided, because not all editors know those.
+    /// Splits tokens of several lines, which not all editors support.
     void add(SemanticToken token) {
         const Part whole = token.place;
         for (std::uint32_t first = whole.first; first < whole.last;) {

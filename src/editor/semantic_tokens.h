@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each word of a scene is, for editors that colour it by its meaning: a name by its
-// declaration, a word of the language by its use.
+// Classifies the words of a scene, for editors that colour them by meaning: names by their
+// declarations, words of the language by their use.
 #pragma once
 
 #include "editor/workspace.h"
@@ -44,7 +44,7 @@ struct SemanticToken {
 std::span<const std::string_view> semantic_kinds();
 std::span<const std::string_view> semantic_modifiers();
 
-/// In the order of the text. Names that nobody declares have none, and neither have signs.
+/// Returns tokens in source order. Undeclared names and punctuation have none.
 std::vector<SemanticToken> semantic_tokens(Workspace&, const std::string& path);
 
 }  // namespace candelabra

@@ -6,12 +6,13 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace candelabra {
 
 namespace {
 
-/// The call around a place: the token of its name, and how many commas stand before the place.
+/// The call around a place: the token of its name, and the number of commas before the place.
 struct Call {
     const Token* name;
     std::size_t commas;
@@ -27,7 +28,7 @@ bool closes_group(TokenKind kind) {
            kind == TokenKind::close_brace;
 }
 
-/// Whether `<` begins a vector: not behind a value, where it compares.
+/// Whether `<` begins a vector; after a value it is a comparison.
 bool begins_vector(const EditedFile& file, const Token& less) {
     if (&less == &file.tokens.front()) return true;
     const TokenKind before = std::prev(&less)->kind;
@@ -35,33 +36,48 @@ bool begins_vector(const EditedFile& file, const Token& less) {
            before == TokenKind::comma;
 }
 
-/// From the place back to the innermost parenthesis that is open there. A vector that has begun
-/// holds its own commas.
+/// A group or a vector that is open at a place.
+struct OpenGroup {
+    const Token* opening;
+    std::size_t commas = 0;  ///< in the group itself
+
+    bool vector() const { return opening->kind == TokenKind::less; }
+};
+
+std::vector<OpenGroup> open_groups(const EditedFile& file, std::uint32_t offset) {
+    std::vector<OpenGroup> open;
+    for (const Token& token : file.tokens) {
+        if (token.first >= offset) break;
+        if (opens_group(token.kind) ||
+            (token.kind == TokenKind::less && begins_vector(file, token)))
+            open.push_back({&token});
+        else if (token.kind == TokenKind::comma && !open.empty())
+            ++open.back().commas;
+        else if (token.kind == TokenKind::greater && !open.empty() && open.back().vector())
+            open.pop_back();
+        else if (closes_group(token.kind)) {
+            while (!open.empty() && open.back().vector()) open.pop_back();
+            if (!open.empty()) open.pop_back();
+        }
+    }
+    return open;
+}
+
+/// Finds the innermost parenthesis that is open at the place, with the commas before the place.
+/// Vectors and brackets may be open within it, blocks may not.
 std::optional<Call> call_around(const EditedFile& file, std::uint32_t offset) {
-    int closed = 0;
-    std::size_t commas = 0;
-    const auto end = std::ranges::lower_bound(file.tokens, offset, {}, &Token::first);
-    for (auto token = end; token != file.tokens.begin();) {
-        --token;
-        const bool vector = token->kind == TokenKind::less && begins_vector(file, *token);
-        if (closes_group(token->kind) || token->kind == TokenKind::greater) ++closed;
-        if (token->kind == TokenKind::comma && closed == 0) ++commas;
-        if (!opens_group(token->kind) && !vector) continue;
-        if (closed > 0) {
-            --closed;
-            continue;
-        }
-        commas = token->kind == TokenKind::open_parenthesis ? commas : 0;
-        if (token->kind != TokenKind::open_parenthesis || token == file.tokens.begin()) {
-            if (vector || token->kind == TokenKind::open_bracket) continue;
+    const std::vector<OpenGroup> open = open_groups(file, offset);
+    for (const OpenGroup& group : open | std::views::reverse) {
+        if (group.vector() || group.opening->kind == TokenKind::open_bracket) continue;
+        if (group.opening->kind != TokenKind::open_parenthesis ||
+            group.opening == &file.tokens.front())
             return std::nullopt;
-        }
-        return Call{&*std::prev(token), commas};
+        return Call{std::prev(group.opening), group.commas};
     }
     return std::nullopt;
 }
 
-/// The parts between the commas of a form's parentheses.
+/// Returns the parts between the commas in a form's parentheses.
 std::vector<std::string> parameters_of(std::string_view form) {
     const std::size_t open = form.find('(');
     if (open == form.npos || form.size() < open + 2) return {};

@@ -28,7 +28,7 @@ public:
                 add({std::string(word.spelling), Suggestion::directive, "directive", ""});
     }
 
-    /// The fields of the block's item, and its kinds.
+    /// Adds the fields of the block's item, and its kinds.
     void add_block(std::string_view block) {
         for (const ItemGroup& group : catalogue())
             for (const ItemInfo* item : group.items) {
@@ -41,15 +41,15 @@ public:
             }
     }
 
-    /// Words of no item that a block takes beside its own: what holds for all objects, for textures
-    /// and so on.
+    /// Adds words that a block accepts besides those of its item, such as those common to all
+    /// objects or textures.
     void add_common_words(std::string_view block) {
         for (const auto& [blocks, words] : common_words)
             if (names_word(blocks, block) || (blocks == object_blocks && is_shape(block)))
                 for (std::string_view rest = words; !rest.empty();) add_word(take_until(rest, " "));
     }
 
-    /// Words outside of all blocks: the shapes, and the other parts of a scene.
+    /// Adds words outside of all blocks: the shapes, and the other parts of a scene.
     void add_statements() {
         for (std::string_view rest = statements; !rest.empty();) add_word(take_until(rest, " "));
         add_shapes();
@@ -61,7 +61,7 @@ public:
                 for (const ItemInfo* item : group.items) add_item(*item, group.block);
     }
 
-    /// Names of the file itself, then those of others, at last those of the library.
+    /// Adds names of the file itself, then of other files, and finally of the library.
     void add_names(Workspace& workspace, const std::string& path) {
         const std::vector<FileHandle> files = workspace.around(path);
         for (const FileHandle& file : files)
@@ -133,7 +133,7 @@ private:
         return false;
     }
 
-    /// A word of the glossary, or of an item.
+    /// Adds a word of the glossary or of an item.
     void add_word(std::string_view word) {
         if (const GlossaryEntry* entry = glossary_entry(word)) {
             add({std::string(word), Suggestion::word, std::string(entry->form),
@@ -152,7 +152,8 @@ private:
             if (locals || !each.local) add_name(file, each, names, guide);
     }
 
-    /// Aids of the library, whose names end in `_` or are no macros for scenes, are left out.
+    /// Skips aids of the library, which are names that end in `_` and macros that are not for
+    /// scenes.
     void add_library_names(const EditedFile& file, const Names& names) {
         const LibraryFile guide = library_file(file_name(file), file.text);
         for (const DeclaredName& each : file.declarations) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a word that is being typed may go on: what the block around it takes, names of the scene's
-// own files, names of the library that are for scenes, words of the language; behind # directives,
-// in the quotes of #include files.
+// Completions of a word that is being typed: fields of the enclosing block, names of the scene's
+// own files, names of the library that are for scenes, words of the language; directives after #,
+// and files in the quotes of #include.
 #pragma once
 
 #include "editor/workspace.h"
@@ -20,7 +20,7 @@ struct Suggestion {
     std::string help;
 };
 
-/// The likely ones first; each text once.
+/// Returns suggestions without duplicates, the likely ones first.
 std::vector<Suggestion> suggestions(Workspace&, const std::string& path, std::uint32_t offset);
 
 }  // namespace candelabra

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// A prefix and the numbers behind it.
+/// A prefix and the numbers after it.
 struct Written {
     Part place;
     std::string_view prefix;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours that are written as numbers, for editors that show them beside the text and let people
-// choose others.
+// Colours written as numbers, for editors that show them beside the text and offer a colour picker.
 #pragma once
 
 #include "base/vector.h"
@@ -13,14 +12,16 @@
 namespace candelabra {
 
 struct Swatch {
-    Part place;  ///< from the word to the numbers
-    Vec3 srgb;   ///< encoded, as screens have it; 0 to 1
+    Part place;  ///< from the prefix to the numbers
+    Vec3 srgb;   ///< sRGB-encoded, 0 to 1
 };
 
-/// `rgb <1, .5, 0>`, `srgb 0.5`, `rgbf <...>` and so on, as far as they are plain numbers.
+/// Finds `rgb <1, .5, 0>`, `srgb 0.5`, `rgbf <...>` and so on, if their components are plain
+/// numbers.
 std::vector<Swatch> swatches(const EditedFile&, const Names&);
 
-/// The colour at that place with other red, green and blue; what it says of transparency stays.
+/// Returns the colour at that place with new red, green and blue; filter and transmit stay
+/// unchanged.
 std::optional<std::string> recoloured(const EditedFile&, const Names&, Part place,
                                       const Vec3& srgb);
 

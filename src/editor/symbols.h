@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names that all files of the workspace declare, for a search.
+// Searches the names that the files of the workspace declare.
 #pragma once
 
 #include "editor/workspace.h"
@@ -17,9 +17,9 @@ struct Symbol {
     Part place;
 };
 
-/// Those whose names have the letters of the query in its order, in capitals or not: first those
-/// that begin with it, and the scenes' own before the library's that are for scenes. For an empty
-/// query there are the scenes' own. At most 1000.
+/// Returns names that contain the letters of the query in its order, ignoring case. Names that
+/// begin with the query come first; the scenes' own names precede the library's that are for
+/// scenes. An empty query returns the scenes' own names. At most 1000.
 std::vector<Symbol> symbols(Workspace&, std::string_view query);
 
 }  // namespace candelabra

@@ -15,7 +15,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// `\b(?:one|two)\b`
+/// Returns `\b(?:one|two)\b`.
 std::string any_of(const std::set<std::string_view>& words) {
     std::string all;
     for (const std::string_view word : words) all += message(all.empty() ? "" : "|", word);
@@ -30,7 +30,7 @@ std::set<std::string_view> words_of(std::initializer_list<WordClass> classes) {
     return found;
 }
 
-/// Words, and those that only this language has.
+/// Returns reserved words, and the item names that only this language has.
 std::set<std::string_view> item_words() {
     auto words = words_of({WordClass::word, WordClass::layer});
     for (const ItemGroup& group : catalogue())

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The language as a TextMate grammar, by which editors colour scenes: VS Code, Sublime Text, Kate's
-// and others' relatives. Made from the vocabulary. Called for `--describe textmate`.
+// A TextMate grammar of the language, with which VS Code, Sublime Text, Kate and similar editors
+// colour scenes. Generated from the vocabulary. Called for `--describe textmate`.
 #pragma once
 
 #include <string>
 
 namespace candelabra {
 
-/// JSON, for the scope name source.pov.
+/// Returns JSON for the scope name source.pov.
 std::string textmate_grammar();
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that an editor works on, as it has them, and those that they include, as the disk has
-// them. Answers come from tokens, so that they are there while a file is full of errors.
+// The files in an editor, with its current texts, and the files that they include, as on the disk.
+// Answers are derived from tokens, so that they are available while a file is full of errors.
 #pragma once
 
 #include "editor/edited_file.h"
@@ -13,7 +13,7 @@
 
 namespace candelabra {
 
-/// As it was when it was asked for.
+/// A snapshot of a file at the time of the call.
 using FileHandle = std::shared_ptr<const EditedFile>;
 
 class Workspace {
@@ -26,21 +26,21 @@ public:
     bool is_open(const std::string& path) const { return documents_.contains(path); }
     std::vector<std::string> open_files() const;
 
-    /// The file as the editor has it, or else as it is on the disk; null when there is none.
+    /// Returns the file as the editor has it, or else as it is on the disk; null if there is none.
     FileHandle file(const std::string& path);
-    /// The file, what it includes, the other open files and what they include; each once, and no
-    /// more than 1000.
+    /// Returns the file, its includes, and the other open files and their includes, without
+    /// duplicates; 1000 at most.
     std::vector<FileHandle> around(const std::string& path);
-    /// Where the name gets its meanings, seen from a place: first those in the same file, the
-    /// nearest above the place before others.
+    /// A declaration of a name, as seen from a place. Those in the same file come first: the ones
+    /// above the place, nearest first, before the others.
     struct Found {
         FileHandle file;
         const DeclaredName* declaration;
     };
     std::vector<Found> declarations(NameId, const std::string& path, std::uint32_t offset);
 
-    /// Finds files for a scene in this folder; open documents come before the disk. It reads what
-    /// the FileAccess permits, by default what belongs to open scenes.
+    /// Returns a loader for a scene in this folder; open documents take precedence over the disk.
+    /// It reads the files that the FileAccess permits, by default those that belong to open scenes.
     Loader loader(const std::string& folder) const;
     Loader loader(const std::string& folder, const FileAccess& access) const;
     bool in_library(const std::string& path) const;
@@ -57,7 +57,7 @@ private:
     std::string library_;
     Names names_;
     std::map<std::string, std::string> documents_;
-    std::map<std::string, FileHandle> read_;  ///< files with their tokens
+    std::map<std::string, FileHandle> read_;  ///< tokenised files
 };
 
 }  // namespace candelabra

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double middle_grey_shown = 0.18 / 1.18;
 constexpr double min_stops = -20, max_stops = 40;
-/// By which a dark picture can be made lighter.
+/// Maximum brightening of a dark picture, in stops.
 constexpr double max_lift = 4;
 
 double mean_shown(const std::vector<double>& luminances, double stops) {

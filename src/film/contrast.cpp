@@ -39,7 +39,7 @@ bool refine_block(const Contrast& contrast, const Region& block, const ContrastP
     std::vector<DisplayValue> shown;
     for (int y = top; y < block.bottom; ++y)
         for (int x = left; x < block.right; ++x)
-            // The one above and to the left of all is beside none of them.
+            // The upper left corner is adjacent to no pixel of the block.
             shown.push_back(x == left && y == top ? DisplayValue() : pixels.first(x, y));
     std::vector<bool> refined(shown.size());
     const auto at = [&](int x, int y) {

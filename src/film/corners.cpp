@@ -37,7 +37,7 @@ Vec2 place_in_pixel(const CornerRule& rule, const Key& key) {
     const std::uint32_t x = key.sample % (across + 1), y = key.sample / (across + 1);
     const Vec2 place = Vec2(x, y) / static_cast<double>(across);
     if (rule.jitter == 0 || (x % across == 0 && y % across == 0)) return place;
-    // POV-Ray's least distance is a little less than that of the places.
+    // POV-Ray's least distance is slightly smaller than that of the samples.
     const double least = 1.0 / (2 * across + 1);
     return place +
            rule.jitter * least *

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Antialiasing where nothing is left to chance, as POV-Ray's second method has it: rays through the
-// corners of a pixel, and through those of its quarters where corners differ. The pixel's colour is
-// one sample of the film, whatever it is made of.
+// Deterministic antialiasing, as in POV-Ray's second method: rays through the corners of a pixel,
+// and recursively through those of its quarters where corners differ. The resulting colour is a
+// single sample of the film.
 #pragma once
 
 #include "film/contrast.h"
@@ -14,36 +14,39 @@ namespace candelabra {
 
 struct CornerRule {
     Contrast contrast;
-    int depth;      ///< a pixel is quartered one time less than this
-    double jitter;  ///< how far rays inside are moved at random, in parts of the least distance
+    int depth;      ///< a pixel is quartered at most depth - 1 times
+    double jitter;  ///< maximum random offset of rays inside, as a fraction of the least distance
 };
 
 CornerRule corner_rule(const RenderSettings&, double assumed_gamma, double exposure = 1);
 
-/// How many of the smallest quarters are side by side in a pixel.
+/// Returns the number of the smallest quarters along an edge of a pixel.
 std::uint32_t quarters_across(const CornerRule&);
 
-/// Where the ray of a sample passes its pixel, from the left and upper edge, in pixels. Samples are
-/// numbered row by row: one more in a row, and rows, than quarters. Corners stay where they are.
+/// Returns the position of a sample's ray from the left and upper edge of its pixel, in pixels.
+/// Samples are numbered row by row; rows and columns have one sample more than quarters. Corners
+/// are not jittered.
 Vec2 place_in_pixel(const CornerRule&, const Key&);
 
-/// What one ray has shown, or the mean of several.
+/// The values of one ray, or the mean of several.
 struct PixelSample {
     Vec3 colour = Vec3(0);
-    double clear = 0;  ///< that is compared besides, where a picture has an alpha channel
-    std::vector<double> extra = {};  ///< as the film's
+    double clear = 0;  ///< transparency to compare, if the picture has an alpha channel
+    std::vector<double> extra = {};  ///< the film's further sums
     std::uint32_t shadow_rays = 0;
 };
 
 /// The pixels of a tile, which share their corners.
 class CornerCells {
 public:
-    /// What the ray of a sample shows; the pixel may be one behind the last of a row, or below.
+    /// Returns the values of a sample's ray; the pixel may lie one beyond the end of a row or
+    /// column.
     using Look = FunctionRef<PixelSample(int x, int y, std::uint32_t sample)>;
 
     CornerCells(const CornerRule&, const Region& tile);
 
-    /// Its shadow rays are those of its first corner and of what is inside.
+    /// Returns the sample of a pixel. Its shadow rays are those of its first corner and of its
+    /// inside.
     PixelSample pixel(int x, int y, Look look);
 
 private:
@@ -51,7 +54,8 @@ private:
         PixelSample sight;
         DisplayValue shown;
     };
-    /// A square in the pixel that is looked at: in smallest quarters from its left and upper edge.
+    /// A square in the current pixel: position from its left and upper edge and size, in smallest
+    /// quarters.
     struct Cell {
         std::uint32_t x, y, size;
     };
@@ -67,7 +71,7 @@ private:
     CornerRule rule_;
     Region tile_;
     std::vector<std::optional<Point>> corners_;
-    std::unordered_map<std::uint32_t, Point> inside_;  ///< of one pixel, by their sample
+    std::unordered_map<std::uint32_t, Point> inside_;  ///< rays of one pixel by sample
 };
 
 }  // namespace candelabra

@@ -11,21 +11,21 @@ namespace candelabra {
 
 namespace {
 
-/// Pixels to each side that a mean is taken over, and that are compared with each other.
+/// Radii of the search window and of the compared patches, in pixels.
 constexpr int reach = 7, patch = 1;
-/// Differences count in units of the variance by this factor. Of the figures that were tried for a
-/// room and a city with 4 samples these are the best.
+/// Factor on the variance by which squared differences are divided. The best of the values tried
+/// for a room and a city with 4 samples.
 constexpr double variance_unit = 0.64;
 constexpr double albedo_deviation = 0.1;
 constexpr double normal_unit = 0.2;
-/// Of the depth, for each pixel between two.
+/// Relative difference in depth, per pixel of distance.
 constexpr double depth_unit = 0.02;
-/// Light of a surface that is black is not divided by nothing.
+/// Added to the albedo, so that the light of black surfaces is not divided by 0.
 constexpr double min_albedo = 0.02;
-/// A weight of exp(-this) is none.
+/// A weight of exp(-no_weight) or less is treated as 0.
 constexpr double no_weight = 16;
 
-/// Light that differs by so little is the same.
+/// Added to divisors, so that equal values without variance do not divide by 0.
 constexpr double same = 1e-10;
 
 struct DenoisedPixel {
@@ -34,7 +34,7 @@ struct DenoisedPixel {
     double depth;
 };
 
-/// How far two pixels differ beyond what their noise explains; below 0: by less.
+/// Returns the difference of two pixels beyond that due to noise; negative if it is smaller.
 double difference(const DenoisedPixel& p, const DenoisedPixel& q) {
     const Vec3 apart = p.light - q.light;
     const Vec3 explained = p.variance + glm::min(p.variance, q.variance);
@@ -43,7 +43,7 @@ double difference(const DenoisedPixel& p, const DenoisedPixel& q) {
     return (beyond.x + beyond.y + beyond.z) / 3;
 }
 
-/// How far their surfaces differ.
+/// Returns the difference of their surfaces as a negative exponent of the weight.
 double surface_difference(const DenoisedPixel& p, const DenoisedPixel& q, int steps) {
     const Vec3 albedo = p.albedo - q.albedo, normal = p.normal - q.normal;
     double sum = dot(albedo, albedo) / (2 * albedo_deviation * albedo_deviation) +
@@ -55,10 +55,10 @@ double surface_difference(const DenoisedPixel& p, const DenoisedPixel& q, int st
     return sum;
 }
 
-/// Some rows of the picture, with those around that patches need.
+/// Filters some rows of the picture. Patches also use adjacent rows.
 class DenoisedRows {
 public:
-    /// `parts`: divided by the albedo as well.
+    /// `parts`: also divided by the albedo.
     DenoisedRows(const std::vector<DenoisedPixel>& pixels, const std::vector<Image>& parts,
                  const Image& size, int top, int bottom)
         : pixels_(pixels),
@@ -101,7 +101,7 @@ private:
         return pixels_[place(std::clamp(x, 0, width_ - 1), std::clamp(y, 0, height_ - 1), 0)];
     }
 
-    /// Each pixel with the one so far away; then the means over pieces of rows.
+    /// Compares each pixel with the one at an offset, and averages the differences along rows.
     void compare(int du, int dv) {
         for (int y = first_; y < last_; ++y) {
             for (int x = 0; x < width_; ++x)
@@ -135,7 +135,7 @@ private:
         }
     }
 
-    /// Not below 0.
+    /// Returns the mean difference of two patches, at least 0.
     double patch_difference(int x, int y) const {
         const int begin = std::max(y - patch, first_), end = std::min(y + patch, last_ - 1);
         double sum = 0;
@@ -146,8 +146,8 @@ private:
     const std::vector<DenoisedPixel>& pixels_;
     const std::vector<Image>& parts_;
     int width_, height_;
-    int top_, bottom_;  ///< of the rows
-    int first_, last_;  ///< with those around
+    int top_, bottom_;  ///< the filtered rows
+    int first_, last_;  ///< including adjacent rows
     std::vector<double> apart_, across_;
     std::vector<Vec3> sums_;
     std::vector<std::vector<Vec3>> sums_of_parts_;

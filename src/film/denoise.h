@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture with less noise: means over pixels around that show the same surface in the same light,
-// as far as their samples can tell. It comes beside the exact picture and becomes it as samples
-// grow, because what differs truly is told apart then.
+// Denoises a picture: averages each pixel with pixels nearby that show the same surface in the same
+// light, as far as their samples can tell. The result is written beside the exact picture and
+// converges to it, since real differences become significant with more samples.
 #pragma once
 
 #include "base/image.h"
@@ -10,27 +10,27 @@
 
 namespace candelabra {
 
-/// What is known of each pixel.
+/// The inputs: statistics of the samples of each pixel.
 struct NoisyPicture {
     Image light;                    ///< means of the samples
-    Image variance;                 ///< of these means, of each channel
-    Image albedo;                   ///< of the first surfaces; black where there are none
-    Image normal;                   ///< the same
-    std::vector<double> depth;      ///< of what the pixel's middle shows; infinite: nothing
+    Image variance;                 ///< of these means, per channel
+    Image albedo;                   ///< of the first surfaces; black where there is none
+    Image normal;                   ///< of the first surfaces; black where there is none
+    std::vector<double> depth;      ///< at the centre of the pixel; infinite: nothing there
     std::vector<Image> parts = {};  ///< of the light, such as that of each lamp
 };
 
 struct QuietPicture {
     Image light;
-    /// With the same weights: what was their sum is so still.
+    /// Filtered with the same weights, so that sums are preserved.
     std::vector<Image> parts;
 };
 
-/// Non-local means of the light divided by the albedo, by the distance of F. Rousselle et al.,
-/// "Adaptive rendering with non-local means filtering" (2012): squares around two pixels are
-/// compared in units of their variance, so that differences that noise explains do not count. What
-/// differs in albedo, normal or depth has less weight. Where there is no variance, as with one
-/// sample, nothing is changed. The result does not depend on the number of threads.
+/// Non-local means of the light divided by the albedo, with the distance of F. Rousselle et al.,
+/// "Adaptive rendering with non-local means filtering" (2012): patches around two pixels are
+/// compared relative to their variance, so that differences due to noise do not count. Pixels that
+/// differ in albedo, normal or depth have less weight. Pixels without variance, as with one sample,
+/// stay unchanged. The result does not depend on the number of threads.
 QuietPicture denoised(const NoisyPicture&, int threads);
 
 }  // namespace candelabra

@@ -21,7 +21,8 @@ Image in_single_precision(Image image) {
     return image;
 }
 
-/// The light after glare. Scattered light is exact; light that stays has smooth edges.
+/// Applies glare. Scattered light comes from the exact samples; light that is not scattered has
+/// smooth edges.
 Image glared(const Negative& negative, const FilmSettings& film, int threads) {
     const Image& stays = negative.smooth.pixels.empty() ? negative.light : negative.smooth;
     if (!film.glares || film.glare.share() <= 0 || stays.pixels.empty()) return stays;
@@ -34,8 +35,8 @@ Image glared(const Negative& negative, const FilmSettings& film, int threads) {
     return made;
 }
 
-/// Of a pixel and a channel, with a mean of 0 and a deviation of 1, and nearly normal: the sum of
-/// twelve uniform numbers.
+/// Returns a nearly normal random number for a pixel and channel, with mean 0 and deviation 1: the
+/// centred sum of twelve uniform numbers.
 double chance_of(int seed, std::size_t pixel, int channel) {
     const std::uint64_t place = mix(mix(static_cast<std::uint64_t>(seed)) + pixel);
     double sum = 0;
@@ -47,7 +48,7 @@ double chance_of(int seed, std::size_t pixel, int channel) {
     return sum - 0.5 * count;
 }
 
-/// A pixel's exposure as a display shows it.
+/// Maps the exposure of a pixel to display values.
 class Paper {
 public:
     Paper(const Negative& negative, const FilmSettings& film)
@@ -85,7 +86,7 @@ private:
 Vec3 compressed(const Vec3& sample, double factor) {
     const Vec3 light = glm::max(sample, Vec3(0));
     const double most = factor * max_component(light);
-    // The greatest channel of an infinite light becomes 1 / factor.
+    // An infinite light becomes 1 / factor.
     if (!(most < 1e30)) return Vec3(std::isnan(most) ? 0 : 1 / factor);
     return light / (1 + most);
 }

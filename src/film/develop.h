@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the light on the film to a picture that people look at. The program does this when it writes
-// a picture, and `candelabra develop` with the light that an OpenEXR file has kept: by the same
-// numbers, so that both make the same bytes.
+// Develops the radiance on the film to a picture for display. The program does this when it writes
+// a picture, and `candelabra develop` with the radiance in an OpenEXR file. Both start from the
+// same numbers, so they make the same bytes.
 #pragma once
 
 #include "base/image.h"
@@ -11,34 +11,37 @@
 
 namespace candelabra {
 
-/// The light on the film, before it is developed: linear, as the scene gives it.
+/// The undeveloped radiance on the film: linear, as the scene gives it.
 struct Negative {
     Image light;
-    /// The same with samples that were compressed before they were averaged; no pixels: as `light`.
+    /// The mean of compressed samples, expanded; no pixels: same as `light`.
     Image smooth;
-    /// Of each pixel, by which its light has been multiplied; empty: all is opaque.
+    /// Per pixel; the light is premultiplied by it. Empty: opaque.
     std::vector<double> alpha;
 };
 
-/// Compresses a sample to less than 1 / factor in its greatest channel, and the inverse for a mean
-/// of such samples. Half of a lamp's edge is then as bright as 1 / factor, however bright the lamp.
+/// Compresses a sample to less than 1 / factor in its greatest channel; expanded() is the inverse
+/// for a mean of such samples. Where a lamp covers half a pixel, the result is about 1 / factor,
+/// however bright the lamp.
 Vec3 compressed(const Vec3& sample, double factor);
 Vec3 expanded(const Vec3& mean, double factor);
 
-/// In stops, with those that the picture itself asks for.
+/// Returns the exposure in stops, including automatic exposure.
 double exposure_of(const Negative&, const FilmSettings&);
 
-/// The factor of the light at a place, from the middle of the picture, where the corners are at a
-/// distance of 1: the fourth power of a cosine, scaled to the share that corners lose.
+/// Returns the factor on the light at a distance from the centre of the picture, where corners are
+/// at a distance of 1. It is the fourth power of a cosine, scaled to the fraction that corners
+/// lose.
 double vignetted(double share, double distance);
 
-/// What a pixel of many grains shows, each of which is developed or not: its mean is `shown`, its
-/// deviation size * sqrt(shown * (1 - shown)). `chance`: with a mean of 0 and a deviation of 1.
+/// Returns the value of a pixel of many grains, each developed or not. Its mean is `shown`, its
+/// standard deviation size * sqrt(shown * (1 - shown)). `chance`: a random number with mean 0 and
+/// deviation 1.
 double grained(double shown, double size, double chance);
 
-/// Linear red, green and blue for a display, 0 to 1: glare, vignette, exposure, white balance,
-/// response, grain, in this order. Values are those of single precision, as files keep them.
-/// Precondition: the film is on. The result does not depend on the number of threads.
+/// Returns linear red, green and blue for a display, from 0 to 1. Applies glare, vignette,
+/// exposure, white balance, response and grain, in this order. Values have single precision, as in
+/// files. Precondition: the film is on. The result does not depend on the number of threads.
 Image develop(const Negative&, const FilmSettings&, int threads);
 
 }  // namespace candelabra

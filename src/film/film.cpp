@@ -9,7 +9,7 @@ void PixelSum::add(const Vec3& sample, bool subtracted, double exposure) {
     for (int i = 0; i < 3; ++i) {
         const auto channel = static_cast<std::size_t>(i);
         radiance[channel].add(subtracted ? -sample[i] : sample[i]);
-        // A square root is near enough to a display's transfer curve to weigh differences by.
+        // A square root is close enough to a display's transfer function for weighing differences.
         const double light = sample[i] * exposure;
         const double shown = light > 0 ? std::sqrt(std::min(light, 1.0)) : 0;
         const auto units = static_cast<std::uint64_t>(shown * 0x1p20 + 0.5);

@@ -12,21 +12,22 @@ namespace candelabra {
 
 namespace {
 
-/// Of the channels' middles, in nanometres.
+/// Mean wavelengths of the channels, in nanometres.
 const Vec3 wavelengths(611, 549, 465);
 constexpr double middle_wavelength = 549;
 
-/// Of pictures whose camera is not known.
+/// Field of view in degrees for pictures whose camera is unknown.
 constexpr double usual_field = 50;
 
-/// Pixels around the light itself are the mean of so many places in each direction, because the
-/// veil is steeper than a pixel there.
+/// Near the light itself, a pixel is the mean of this many points in each direction, because the
+/// veil is steep within a pixel there.
 constexpr int near_pixels = 3, places_in_near = 8;
 
-/// Half the width of a ray of the star, in pixels; it is far narrower in truth.
+/// Half width of a ray of the star, in pixels; real rays are far narrower.
 constexpr double ray_width = 0.5;
 
-/// Spencer et al.: parts of the eye's point spread function per solid angle, of degrees.
+/// Spencer et al.: parts of the eye's point spread function per solid angle, for an angle in
+/// degrees.
 double veil_density(double degrees) {
     constexpr double steep_share = 0.478, flat_share = 0.138;
     const double away = degrees + 0.02;
@@ -39,7 +40,7 @@ double halo_density(double degrees, double nanometres) {
     return ring_wavelength / nanometres * std::exp(-off * off);
 }
 
-/// Sums a function over rows, each by itself, in the order of the rows.
+/// Sums a function over rows. Sums of rows are added in row order.
 template <class Sum, class OfRow>
 Sum sum_rows(int rows, int threads, const OfRow& of_row) {
     std::vector<Sum> sums(static_cast<std::size_t>(rows));
@@ -52,7 +53,8 @@ Sum sum_rows(int rows, int threads, const OfRow& of_row) {
 
 double finite(double value) { return std::isfinite(value) ? value : 0; }
 
-/// Two channels of the picture in the left upper corner of a plane, as one complex number each.
+/// Returns two channels of the picture as real and imaginary parts, in the upper left corner of a
+/// plane.
 ComplexPlane picture_plane(const Image& image, std::size_t width, std::size_t height, int first,
                            int second) {
     ComplexPlane plane(width, height);
@@ -65,8 +67,8 @@ ComplexPlane picture_plane(const Image& image, std::size_t width, std::size_t he
     return plane;
 }
 
-/// The kernel around the left upper corner, where a plane that repeats has its other three
-/// quarters.
+/// Returns the kernel around the upper left corner. The plane is periodic, so the other three
+/// quadrants wrap around.
 ComplexPlane kernel_plane(const GlareKernel& kernel, std::size_t width, std::size_t height,
                           int first, int second, int threads) {
     ComplexPlane plane(width, height);
@@ -78,15 +80,16 @@ ComplexPlane kernel_plane(const GlareKernel& kernel, std::size_t width, std::siz
             const std::size_t x =
                 dx < 0 ? width - static_cast<std::size_t>(-dx) : static_cast<std::size_t>(dx);
             plane.at(x, dy) = both;
-            // The kernel is the same in opposite directions.
+            // The kernel is point-symmetric.
             plane.at((width - x) % width, (height - dy) % height) = both;
         }
     });
     return plane;
 }
 
-/// The spectrum of two real pictures in one complex one, each times a spectrum of its own. Those of
-/// kernels are real because kernels are symmetric, and both are in one complex plane, too.
+/// Multiplies the spectra of two real pictures, packed into one complex plane, by a spectrum each.
+/// Spectra of kernels are real because kernels are symmetric; both are packed into one complex
+/// plane, too.
 void multiply(ComplexPlane& pictures, const ComplexPlane& kernels) {
     for (std::size_t v = 0; v < pictures.height; ++v)
         for (std::size_t u = 0; u < pictures.width; ++u) {
@@ -126,7 +129,7 @@ GlareKernel::GlareKernel(const Glare& glare, int width, int height, int threads)
     }
     const Parts all = sum_rows<Parts>(height, threads, [&](int dy) {
         Parts sum;
-        // Rows above are those below, in opposite directions.
+        // By symmetry, rows above equal the rows below.
         for (int dx = 1 - width_; dx < width_; ++dx) {
             const Parts parts = parts_at(dx, dy);
             sum += parts;
@@ -142,7 +145,7 @@ GlareKernel::GlareKernel(const Glare& glare, int width, int height, int threads)
 void GlareKernel::add_point(double dx, double dy, Parts& parts) const {
     const double squared = (dx * dx + dy * dy) / (plane_ * plane_);
     const double angle = std::atan(std::sqrt(squared)) / radians_per_degree;
-    // Pixels far from the middle are smaller from the eye.
+    // Pixels far from the centre subtend a smaller solid angle.
     const double smaller = 1 / ((1 + squared) * std::sqrt(1 + squared));
     if (glare_.veil > 0) parts.veil += veil_density(angle) * smaller;
     for (int i = 0; i < 3 && glare_.halo > 0; ++i)
@@ -191,7 +194,7 @@ Image spread(const Image& image, const GlareKernel& kernel, int threads) {
     Image result(image.width, image.height);
     const std::size_t width = fft_size(2 * static_cast<std::size_t>(image.width)),
                       height = fft_size(2 * static_cast<std::size_t>(image.height));
-    // Red and green together, then blue alone.
+    // Red and green are transformed together, then blue alone.
     for (const int first : {0, 2}) {
         const int second = first + 1;
         ComplexPlane kernels = kernel_plane(kernel, width, height, first, second, threads);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light that lenses and eyes scatter, as a convolution of the picture. The light is kept: what
-// leaves a pixel arrives in others, or leaves the picture.
+// Scattering of light in lenses and eyes, as a convolution of the picture. Energy is conserved:
+// light that leaves a pixel arrives in others or leaves the picture.
 #pragma once
 
 #include "base/image.h"
@@ -10,29 +10,30 @@
 
 namespace candelabra {
 
-/// Where the light of one pixel arrives: shares of it for each place of a picture of that size and
-/// each channel, the pixel's own among them.
+/// The point spread function of a pixel in a picture of a given size: the fraction of its light
+/// that arrives at each offset, per channel, including that of the pixel itself.
 ///
 /// veil: the parts of the eye's point spread function that fall with the third and the second power
 /// of the angle, in the proportion of G. Spencer et al., "Physically-based glare effects for
 /// digital images" (1995).
-/// halo: the ring of the lens's fibres, of the same source, whose radius is in proportion to the
+/// halo: the ring of the lens's fibres, from the same source; its radius is proportional to the
 /// wavelength.
-/// star: far from a light, straight edges diffract light across them with the inverse square of the
-/// angle, times the wavelength (Fraunhofer).
+/// star: far from a light, straight edges diffract light perpendicularly to them, with the inverse
+/// square of the angle, times the wavelength (Fraunhofer).
 class GlareKernel {
 public:
     GlareKernel(const Glare&, int width, int height, int threads = 1);
 
-    /// The share that arrives so many pixels to the right and below; 1 of all together.
+    /// Returns the fraction that arrives at an offset to the right and down, in pixels; they sum to
+    /// 1.
     Vec3 at(int dx, int dy) const;
-    /// The share of all light that does not simply stay.
+    /// Returns the fraction of all light that is scattered.
     double scattered() const { return glare_.share(); }
     int width() const { return width_; }
     int height() const { return height_; }
 
 private:
-    /// Shares in proportion to each other.
+    /// Unnormalised parts of the kernel.
     struct Parts {
         double veil = 0;
         Vec3 halo = Vec3(0), star = Vec3(0);
@@ -45,13 +46,13 @@ private:
 
     Glare glare_;
     int width_, height_;
-    double plane_;            ///< pixels from the eye to the picture
+    double plane_;            ///< distance of the eye from the picture, in pixels
     std::vector<Vec2> rays_;  ///< directions of the star
-    Parts scales_;            ///< by which parts become shares
+    Parts scales_;            ///< normalisation factors of the parts
 };
 
-/// The picture's light after scattering by a kernel of its size; from outside comes none. Pixels
-/// that are no finite numbers give none. The result does not depend on the number of threads.
+/// Convolves a picture with a kernel of its size. No light comes from outside the picture, nor from
+/// pixels that are not finite. The result does not depend on the number of threads.
 Image spread(const Image&, const GlareKernel&, int threads);
 
 }  // namespace candelabra

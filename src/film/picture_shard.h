@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which part of a picture a run makes: a rectangle, some of its tiles, or some of the samples of
-// each pixel. The renderer, checkpoints and merging ask it.
+// The part of a picture that a run makes: a rectangle, some of its tiles, or some of the samples of
+// each pixel. Used by the renderer, checkpoints and merging.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,10 @@
 
 namespace candelabra {
 
-/// Edge of the squares that a picture is cut into, in pixels: POV-Ray's, whose antialiasing looks
-/// no further.
+/// Edge length of tiles in pixels. As in POV-Ray, whose antialiasing does not look beyond a tile.
 inline constexpr int tile_size = 32;
 
-/// Pixels from the left and top edge, the right and lower edges excluded.
+/// A rectangle in pixels from the left and top edge; the right and lower edges are excluded.
 struct Region {
     int left = 0, top = 0, right = 0, bottom = 0;
 
@@ -20,7 +19,7 @@ struct Region {
     friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// What belongs to both; nothing when a side is not before its other side.
+/// Returns the intersection; empty if a side is not before its opposite.
 inline Region common(const Region& a, const Region& b) {
     return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
             std::min(a.bottom, b.bottom)};
@@ -28,7 +27,7 @@ inline Region common(const Region& a, const Region& b) {
 
 struct PictureShard {
     Region region;
-    /// Every so many tiles, counted row by row, from this one on.
+    /// Every tile_step-th tile from first_tile on, counted row by row.
     int first_tile = 0, tile_step = 1;
     /// Number of the first sample of each pixel.
     std::uint32_t first_sample = 0;

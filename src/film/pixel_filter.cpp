@@ -97,7 +97,8 @@ FilteredPlace PixelFilter::place(const Key& key) const {
     if (is_box()) return {{uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)}, false};
     const std::uint32_t before = negatives_among(key.sample);
     const bool negative = negatives_among(key.sample + 1) > before;
-    // A part of an even sequence need not be even, so each sign has a sequence of its own.
+    // A subsequence of an evenly distributed sequence need not be even, so each sign has its own
+    // sequence.
     Key own = key.with_branch(negative ? 1 : 0);
     own.sample = negative ? before : key.sample - before;
     const double u = uniform(own, Purpose::pixel_x), v = uniform(own, Purpose::pixel_y);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double middle_grey = 0.18;
 
-/// Hable's curve, from 0 on.
+/// Hable's curve for x >= 0.
 double hable(double x) {
     constexpr double shoulder = 0.15, linear = 0.5, angle = 0.1, toe = 0.2, toe_top = 0.02,
                      toe_bottom = 0.3;
@@ -19,19 +19,19 @@ double hable(double x) {
            toe_top / toe_bottom;
 }
 
-/// What becomes white, in Hable's units.
+/// Exposure of white, in Hable's units.
 constexpr double hable_white = 11.2;
-/// By which the grey's exposure is multiplied to stay where it is: the solution of
-/// hable(k * 0.18) = 0.18 hable(11.2).
+/// Factor on the exposure that preserves the grey: the solution of hable(k * 0.18) = 0.18
+/// hable(11.2).
 constexpr double hable_gain = 2.9275228328801886;
 
 constexpr double stops_below = 10, stops_above = 6.5;
 constexpr double pivot_place = stops_below / (stops_below + stops_above);
-/// Of the values that the curve makes: they are to this power linear light.
+/// Exponent from values of the curve to linear light.
 constexpr double curve_gamma = 2.2;
 constexpr double slope = 2, toe_power = 3, shoulder_power = 3.25;
 
-/// A straight line of the slope through 0 that bends towards `room` when it has gone on to `way`.
+/// Returns a line through 0 with the given slope, which bends to reach `room` at x = `way`.
 double bent(double x, double way, double room, double power) {
     const double scale =
         room == 0
@@ -42,7 +42,7 @@ double bent(double x, double way, double room, double power) {
     return scale * steep / std::pow(1 + std::pow(steep, power), 1 / power);
 }
 
-/// How much of each channel comes from all, before the curve and after it.
+/// Fraction of each channel that is mixed from all channels before the curve, and unmixed after it.
 constexpr double mixed_in = 0.2, taken_back = 0.1;
 
 Vec3 mixed(const Vec3& c, double share) {

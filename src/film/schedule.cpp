@@ -7,10 +7,10 @@ namespace candelabra {
 
 namespace {
 
-/// More samples than this are not taken for the sake of noise, unless --samples says so.
+/// Maximum number of samples per pixel to reduce noise, unless --samples allows more.
 constexpr std::uint32_t max_for_noise = 1 << 16;
 
-/// Whether a neighbour of the pixel, or itself, belongs to the shard.
+/// Whether the pixel or one of its neighbours belongs to the shard.
 bool borders(const PictureShard& shard, int x, int y) {
     for (int v = y - 1; v <= y + 1; ++v)
         for (int u = x - 1; u <= x + 1; ++u)
@@ -29,8 +29,8 @@ AdaptiveRule rule_of(const RenderSettings& settings, const NoiseRule& rule) {
     if (settings.noise > 0)
         return {settings.noise, settings.samples > 0 ? static_cast<std::uint32_t>(settings.samples)
                                                      : max_for_noise};
-    // POV-Ray's threshold is for the difference of two rays; the mean of many should be better
-    // than that. Its recursive method makes up to so many rays of a pixel.
+    // POV-Ray's threshold applies to the difference of two rays; the mean of many should be more
+    // accurate. `most`: maximum number of rays per pixel of its recursive method.
     const std::uint32_t most = std::uint32_t{1} << (2 * settings.antialias_depth);
     return {settings.antialias_threshold / 10,
             rule.at_most > 0 ? std::min(most, rule.at_most) : most};
@@ -44,14 +44,14 @@ void refine(RenderState& state, const RenderSettings& settings, const NoiseRule&
         if (!state.shard.owns(x, y)) return;
         std::uint32_t& add = more[state.film.index(x, y)];
         add = samples_to_add(state.film, x, y, rule);
-        // A first guess of the noise may be far off; doubling comes near from below.
+        // A first estimate of the noise may be far off, so the number of samples at most doubles.
         if (settings.noise > 0) add = std::min(add, pixel.samples);
     });
     for (std::size_t i = 0; i < more.size(); ++i)
         state.film.pixels()[i].target = state.film.pixels()[i].samples + more[i];
 }
 
-/// Each pixel by its own samples, as POV-Ray does, though not after each of them.
+/// Refines each pixel by its own samples, as POV-Ray does, but not after each sample.
 void refine(RenderState& state, const RenderSettings&, const BlurRule& rule) {
     const auto most = static_cast<std::uint32_t>(rule.most);
     for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
@@ -61,11 +61,11 @@ void refine(RenderState& state, const RenderSettings&, const BlurRule& rule) {
     });
 }
 
-/// Tiles have seen to it.
+/// Tiles have taken all samples already.
 void refine(RenderState&, const RenderSettings&, const ContrastRule&) {}
 void refine(RenderState&, const RenderSettings&, const CornerRule&) {}
 
-/// Whether pixels are judged by those around them, which a shard then needs, too.
+/// Whether pixels are judged by their neighbours, which a shard must then sample, too.
 bool looks_around(const RenderSettings& settings, const SampleRule& rule) {
     return !is_even(settings, rule) && !std::holds_alternative<BlurRule>(rule) &&
            !is_settled_by_tiles(rule);

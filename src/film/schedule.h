@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many samples each pixel gets, round by round. A round is planned from the samples of the
-// rounds before and nothing else, so that a picture can be stopped at any moment and continued
-// without a trace.
+// The number of samples of each pixel, round by round. A round is planned only from the samples of
+// previous rounds, so that a picture can be stopped and continued at any moment with the same
+// result.
 #pragma once
 
 #include "camera/camera.h"
@@ -16,45 +16,46 @@
 
 namespace candelabra {
 
-/// A picture on its way.
+/// An unfinished picture.
 struct RenderState {
     Film film;
     PictureShard shard;
-    std::uint32_t rounds = 0;  ///< that have been planned
+    std::uint32_t rounds = 0;  ///< planned so far
 
     friend bool operator==(const RenderState&, const RenderState&) = default;
 };
 
-/// Before the first sample. `aovs`: sums for each pixel besides the picture's.
+/// Returns the state before the first sample. `aovs`: number of further sums per pixel.
 RenderState begin_picture(const RenderSettings&, std::size_t aovs = 0);
 
-/// Pixels get more samples by the noise of those around them.
+/// Pixels get more samples according to the noise of their neighbourhood.
 struct NoiseRule {
-    std::uint32_t at_most = 0;  ///< altogether; 0: as many as the settings allow
+    std::uint32_t at_most = 0;  ///< in total; 0: as many as the settings allow
 };
 
-/// What decides how many samples follow those of the first round. BlurRule: the camera's own;
-/// ContrastRule and CornerRule: none do.
+/// The rule for further samples after the first round. BlurRule is the camera's own; ContrastRule
+/// and CornerRule add none.
 using SampleRule = std::variant<NoiseRule, BlurRule, ContrastRule, CornerRule>;
 
-/// Whether the first round is the last one, in which tiles find out what their pixels need.
+/// Whether the first round is the last, because tiles determine the samples of their pixels
+/// themselves.
 bool is_settled_by_tiles(const SampleRule&);
 
-/// Whether the settings, and the rule for what follows, give all pixels the number of samples that
-/// is asked for. Neither an adaptive scheme nor a lens does so.
+/// Whether the settings and the rule give all pixels exactly the requested number of samples.
+/// Adaptive schemes and lenses do not.
 bool is_even(const RenderSettings&, const SampleRule& = {});
 
-/// Sets the pixels' targets for the next round. `samples` is what each pixel gets in the first
-/// round, or altogether when that number is even. False when no pixel needs more.
+/// Sets the targets of the pixels for the next round. `samples`: number per pixel in the first
+/// round, or in total if it is uniform. Returns false if no pixel needs more.
 bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
 
-/// The greatest target that the rounds can set, whatever the samples say.
+/// Returns the greatest target that the rounds can set, regardless of the samples.
 std::uint32_t max_wanted(const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
 
-/// What pixels are wanted to have up to now.
+/// Totals of the pixels' targets so far.
 struct Wanted {
     std::uint64_t samples = 0;
-    std::uint64_t missing = 0;  ///< of these
+    std::uint64_t missing = 0;  ///< those not yet taken
     std::uint32_t most = 0;     ///< in one pixel
 
     void add(const PixelSum& pixel) {

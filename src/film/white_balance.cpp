@@ -18,7 +18,7 @@ ColourMatrix transposed(const ColourMatrix& m) {
             {m.red.z, m.green.z, m.blue.z}};
 }
 
-/// First b, then a.
+/// Returns the map that applies b, then a.
 ColourMatrix product(const ColourMatrix& a, const ColourMatrix& b) {
     const ColourMatrix columns = transposed(b);
     return {columns(a.red), columns(a.green), columns(a.blue)};
@@ -30,7 +30,7 @@ ColourMatrix inverse(const ColourMatrix& m) {
                        cross(m.red, m.green) / volume});
 }
 
-/// Light of luminance 1.
+/// Returns XYZ with a luminance of 1.
 Vec3 xyz_of(Vec2 chromaticity) {
     const double x = chromaticity.x, y = chromaticity.y;
     return {x / y, 1, (1 - x - y) / y};

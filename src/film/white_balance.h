@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which light looks white, as film for lamps or for daylight has it.
+// White balance: the light that appears white, as with film for lamps or for daylight.
 #pragma once
 
 #include "base/vector.h"
@@ -13,12 +13,12 @@ struct ColourMatrix {
     Vec3 operator()(const Vec3& c) const { return {dot(red, c), dot(green, c), dot(blue, c)}; }
 };
 
-/// Chromaticity x, y of a black body, after M. Krystek, "An algorithm to calculate correlated
-/// colour temperature" (1985); from 1000 to 15000 kelvins.
+/// Returns the chromaticity x, y of a black body from 1000 to 15000 kelvins, after M. Krystek, "An
+/// algorithm to calculate correlated colour temperature" (1985).
 Vec2 black_body_chromaticity(double kelvins);
 
-/// Makes light of a black body of that temperature white and keeps its luminance, by the Bradford
-/// transform (CIE 160:2004) in sRGB's primaries. 0 kelvins: the identity.
+/// Returns a map that makes the light of a black body of this temperature white and preserves its
+/// luminance, by the Bradford transform (CIE 160:2004) in sRGB primaries. 0 kelvins: the identity.
 ColourMatrix white_balance(double kelvins);
 
 }  // namespace candelabra

@@ -18,11 +18,11 @@ namespace {
 using Library = std::unique_ptr<FT_LibraryRec_, decltype(&FT_Done_FreeType)>;
 using Face = std::unique_ptr<FT_FaceRec_, decltype(&FT_Done_Face)>;
 
-/// FreeType computes with whole numbers: this many more bits, so that it does not round the points
-/// in the middle between two control points, which a font leaves out.
+/// FreeType computes in integers. The outlines are shifted left by this many bits so that FreeType
+/// does not round the on-curve points that a font implies midway between two control points.
 constexpr int more_bits = 1;
 
-/// Takes the pieces of one letter's outlines.
+/// Collects the outlines of one glyph.
 struct Pen {
     std::vector<std::vector<CurvePiece>>& loops;
     Vec2 origin;
@@ -37,7 +37,7 @@ struct Pen {
         if (piece.start != piece.end || piece.factors[1] != Vec2(0)) loops.back().push_back(piece);
         at = piece.end;
     }
-    /// The curve that is drawn ends where it began.
+    /// Closes the current loop with a line, unless it already ends where it began.
     void close() {
         if (loops.empty() || loops.back().empty()) return;
         const Vec2 start = loops.back().front().start;
@@ -72,8 +72,8 @@ int cubic_to(const FT_Vector* control1, const FT_Vector* control2, const FT_Vect
     return 0;
 }
 
-/// Whether the bytes begin as TrueType, OpenType or PostScript fonts do. FreeType would try readers
-/// of many other formats, and unpack files that are packed.
+/// Whether the bytes begin as TrueType, OpenType or PostScript fonts do. Without this check,
+/// FreeType would try its readers of many other formats and unpack compressed files.
 bool is_outline_font(std::string_view font) {
     using namespace std::string_view_literals;
     static constexpr auto starts = std::to_array<std::string_view>(
@@ -81,7 +81,7 @@ bool is_outline_font(std::string_view font) {
     return std::ranges::any_of(starts, [&](auto start) { return font.starts_with(start); });
 }
 
-/// Fonts of symbols have their characters at other places.
+/// Symbol fonts map their characters into the private use area from U+F000 on.
 FT_UInt glyph_of(FT_Face face, char32_t code) {
     constexpr char32_t symbols = 0xF000;
     const FT_UInt found = FT_Get_Char_Index(face, code);
@@ -115,7 +115,7 @@ TextOutlines text_outlines(std::string_view font, std::string_view text, const V
             return {{}, "a letter of it is damaged"};
         const FT_GlyphSlot slot = read->glyph;
         FT_Vector kerning{0, 0};
-        // The outline of the first letter begins at x = 0.
+        // The outline of the first glyph begins at x = 0.
         if (at == 0)
             drawing.origin.x = -static_cast<double>(slot->metrics.horiBearingX) / drawing.em;
         else if (FT_HAS_KERNING(read))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fonts to curves: where the letters of a text stand and what their outlines are. The one place
-// that includes FreeType. Called when the language reads a `text`.
+// Converts text in a font to curves: the positions and the outlines of its glyphs. The only module
+// that includes FreeType. Called when the parser reads a `text` object.
 #pragma once
 
 #include "shape/curve.h"
@@ -12,13 +12,13 @@
 namespace candelabra {
 
 struct TextOutlines {
-    std::vector<std::vector<CurvePiece>> loops;  ///< an em is 1, the baseline is y = 0
-    std::string problem;  ///< why there are none, as a sentence; empty when all is well
+    std::vector<std::vector<CurvePiece>> loops;  ///< in em units; the baseline is y = 0
+    std::string problem;  ///< the reason for having no loops, as a clause; empty on success
 };
 
-/// The letters of a text in UTF-8, side by side from x = 0 on, with the distances that the font
-/// says (its kerning included); `offset` is added to each. The font is the content of its file
-/// (TrueType and what else FreeType reads).
+/// Lays out UTF-8 text from x = 0 with the font's advances and kerning, and returns the outlines of
+/// its glyphs. `offset` is added to every advance. `font` is the content of the font file: TrueType
+/// or another outline format that FreeType reads.
 TextOutlines text_outlines(std::string_view font, std::string_view text, const Vec2& offset);
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fonts that are installed on this computer. Called for a `text` whose font lies neither beside
-// the scene nor in the library.
+// Fonts that are installed on this computer. Called for a `text` object whose font is neither
+// beside the scene nor in the library.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace candelabra {
 
-/// The content of the font file with this name; nothing when there is none.
+/// Returns the content of the font file with this name; nothing if there is none.
 std::optional<std::string> system_font(const std::string& file_name);
 
-/// Free fonts of the kind of one of POV-Ray's, by their file names, the best first: for computers
-/// where that is not installed. Empty for all other fonts.
+/// File names of free fonts that resemble the given font of POV-Ray's, the best match first. They
+/// replace it on computers where it is not installed. Empty for any other font.
 std::span<const char* const> fonts_like(std::string_view file_name);
 
 }  // namespace candelabra

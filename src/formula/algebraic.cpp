@@ -11,7 +11,7 @@ namespace {
 
 constexpr double root2 = std::numbers::sqrt2;
 
-/// Cut off at a limit that is a parameter.
+/// Clamps the value to the limit that a parameter gives.
 double within(double value, double limit) { return std::min(limit, std::max(value, -limit)); }
 
 }  // namespace
@@ -109,7 +109,7 @@ double dupin_cyclid(const double* arguments) {
          square(square(r))));
 }
 
-/// Without the constant terms of Enneper's surface, as POV-Ray 3.7 has it.
+/// Omits the constant terms of Enneper's surface, as POV-Ray 3.7 does.
 double enneper(const double* arguments) {
     const Parameters a(arguments);
     const double z = std::abs(a.z) < 0.2 ? 0.2 : a.z;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Internal functions that are polynomials: surfaces with names from the history of geometry.
-// Called through the table in internal.cpp. Arguments are x, y, z, then p0, p1, ...; the formulas
-// are those that POV-Ray 3.7 computes.
+// Internal functions that are polynomials: classical algebraic surfaces and curves. Called through
+// the table in internal.cpp. Arguments are x, y, z, then p0, p1, ...; the formulas are those of
+// POV-Ray 3.7.
 #pragma once
 
 namespace candelabra {

@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-// An operand is a kind in the two highest bits and a number: the registers are known at the end.
+// An operand is a kind in the two highest bits and a number; finish() maps it to a register.
 constexpr std::uint16_t constant_kind = 0x4000;
 constexpr std::uint16_t computed_kind = 0x8000;
 constexpr std::uint16_t kind_bits = 0xC000;
@@ -22,7 +22,7 @@ ProgramBuilder::Operand operand(std::uint16_t kind, std::size_t number) {
     return ProgramBuilder::Operand(kind | static_cast<std::uint16_t>(number & 0x3FFF));
 }
 
-/// Which operands of an instruction are registers that it reads.
+/// Whether the operand `a` of the instruction is a register that it reads. Below, the same for `b`.
 bool reads_a(Operation operation) {
     return operation != Operation::jump && operation != Operation::repeat &&
            operation != Operation::call && operation != Operation::end;
@@ -52,7 +52,7 @@ bool writes(Operation operation) {
 ProgramBuilder::Operand ProgramBuilder::input() { return operand(0, inputs_++); }
 
 ProgramBuilder::Operand ProgramBuilder::constant(double value) {
-    // By bits: -0 is not 0, and what is not a number equals nothing.
+    // Compare bits: -0 differs from 0, and NaN does not compare equal to itself.
     for (std::size_t i = 0; i < constants_.size(); ++i)
         if (std::bit_cast<std::uint64_t>(constants_[i]) == std::bit_cast<std::uint64_t>(value))
             return operand(constant_kind, i);
@@ -65,7 +65,7 @@ const double* ProgramBuilder::known(Operand value) const {
     return constant ? &constants_[bits(value) & 0x3FFF] : nullptr;
 }
 
-/// Registers that follow each other, free for what is computed next.
+/// Allocates consecutive free registers.
 ProgramBuilder::Operand ProgramBuilder::fresh(std::size_t count) {
     std::size_t first = 0, run = 0;
     for (std::size_t i = 0; i < used_.size() && run < count; ++i) {
@@ -111,14 +111,14 @@ void ProgramBuilder::refuse(Operand value) {
 ProgramBuilder::Operand ProgramBuilder::call(Handle<Formula> formula,
                                              std::span<const Operand> arguments) {
     const std::size_t results = formula->results();
-    const bool lone = arguments.size() == 1;  // it can be read where it is
+    const bool lone = arguments.size() == 1;  // read in place
     const std::size_t count = lone ? results : std::max(arguments.size(), results);
     const Operand first = fresh(count);
     for (std::size_t i = 0; i < arguments.size() && !lone; ++i)
         assign(following(first, i), arguments[i]);
     const auto number = static_cast<std::uint16_t>(calls_.size());
     calls_.push_back(std::move(formula));
-    // Results over the arguments: nothing reads those any more.
+    // The results may overwrite the arguments, which are not read any more.
     code_.push_back({Operation::call, bits(first), number, bits(lone ? arguments[0] : first)});
     for (std::size_t i = results; i < count; ++i) release(following(first, i));
     return first;
@@ -217,7 +217,7 @@ bool ProgramBuilder::fits() const {
            used_.size() < max_of_a_kind && calls_.size() < max_of_a_kind;
 }
 
-/// The register of an operand.
+/// Returns the register of an operand.
 std::uint16_t ProgramBuilder::place(std::uint16_t operand) const {
     const std::size_t number = operand & 0x3FFF;
     const std::uint16_t kind = operand & kind_bits;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes a Program, instruction by instruction. Used by the compilers of expressions and of user
-// functions. What is computed from constants alone is computed at once.
+// Builds a Program, instruction by instruction, and folds constants. Used by the compilers of
+// expressions and of user functions.
 #pragma once
 
 #include "formula/program.h"
@@ -11,72 +11,73 @@ namespace candelabra {
 
 class ProgramBuilder {
 public:
-    /// A value of the program: an input, a constant, or a register that holds something computed.
+    /// A value in the program: an input, a constant, or a register that holds a computed value.
     enum class Operand : std::uint16_t {};
     static constexpr Operand none{0xFFFF};
 
-    /// One more input, behind those before.
+    /// Appends an input.
     Operand input();
     Operand constant(double value);
-    /// The value of a constant, or null.
+    /// Returns the value of a constant operand; null for other operands.
     const double* known(Operand) const;
 
-    /// A result in a register of its own, or a constant. Operations that only compute.
+    /// Emits an operation for which only_computes() holds. Returns a fresh register with its
+    /// result, or a constant if the operands are constants.
     Operand emit(Operation, Operand a, Operand b = none);
-    /// Operation::apply.
+    /// Emits Operation::apply.
     Operand apply(std::uint16_t function, Operand a);
-    /// a / b where the program gives up when b is 0.
+    /// Emits a / b; the program fails if b is 0.
     Operand divide_unless(Operand a, Operand b);
-    /// The program gives up unless the value is 0.
+    /// Emits a check: the program fails unless the value is 0.
     void refuse(Operand);
-    /// The first of the results, which are in registers that follow each other.
+    /// Emits a call. Returns the first of the results, which are in consecutive registers.
     Operand call(Handle<Formula>, std::span<const Operand> arguments);
-    /// The register behind another, of results of a call.
+    /// Returns the register `steps` after the first result of a call.
     static Operand following(Operand first, std::size_t steps);
 
-    // These take a list of values that nothing reads afterwards.
-    /// The operation with the first two, with the result and the third, and so on. Not empty.
+    // These take values that are not read afterwards, and release them.
+    /// Folds the values from the left with the operation. Precondition: at least one value.
     Operand fold(Operation, std::span<const Operand>);
-    /// v, a, b[, c] of select(). Three or four.
+    /// Emits select(v, a, b[, c]). Precondition: three or four values.
     Operand select(std::span<const Operand>);
 
-    /// By repeated squaring, for exponents 0 to 8, as POV-Ray's functions do it.
+    /// Emits a power by repeated squaring, as POV-Ray's functions do it. The exponent is 0 to 8.
     Operand whole_power(Operand base, int exponent);
 
-    /// A register to be written by assign() and update().
+    /// Returns a fresh register to be written by assign() and update().
     Operand variable();
     void assign(Operand variable, Operand value);
-    /// variable = variable operation value
+    /// Emits variable = variable operation value.
     void update(Operation, Operand variable, Operand value);
 
-    /// A value is not read any more: its register may be used for others.
+    /// Declares that a value is not read any more, so that its register may be reused.
     void release(Operand);
-    /// release() has no effect on the register until it is unpinned, which releases it.
+    /// Makes release() of the register ineffective until it is unpinned. Unpinning releases it.
     void pin(Operand);
     void unpin(Operand);
 
-    /// Where the next instruction will be.
+    /// Index of the next instruction.
     std::size_t here() const { return code_.size(); }
-    /// A jump forwards; land() says where it leads.
+    /// Emits a forward jump and returns its index; land() sets its target to the next instruction.
     std::size_t jump();
     std::size_t jump_unless(Operand condition);
     void land(std::size_t jump);
     void repeat(std::size_t from);
 
-    /// False: it has too many instructions or registers, and there is no program.
+    /// Whether the program has few enough instructions and registers to be finished.
     bool fits() const;
-    /// Precondition: fits(), and at most Program::max_results results.
+    /// Returns the program. Precondition: fits(), and at most Program::max_results results.
     Program finish(std::span<const Operand> results);
 
 private:
     Operand fresh(std::size_t count);
     std::uint16_t place(std::uint16_t operand) const;
 
-    std::vector<Instruction> code_;  ///< with operands instead of registers
+    std::vector<Instruction> code_;  ///< refer to operands instead of registers
     std::vector<double> constants_;
     std::vector<Handle<Formula>> calls_;
     enum class Use : std::uint8_t { none, once, pinned };
-    std::vector<Use> used_;  ///< by register of something computed
+    std::vector<Use> used_;  ///< indexed by the number of a computed register
     std::size_t inputs_ = 0;
 };
 

@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 double square(double x) { return x * x; }
 
-/// The distance of the values from 0.
+/// Returns the interval of absolute values.
 Bounds size(const Bounds& a) {
     const double low = std::abs(a.low), high = std::abs(a.high);
     return {a.contains(0) ? 0 : std::min(low, high), std::max(low, high)};
@@ -25,8 +25,8 @@ Bounds size(const Bounds& a) {
 
 using Code = double (*)(double);
 
-/// A function that grows where it is defined, from `first` to `last`, and whose derivative only
-/// grows or falls with the distance from 0.
+/// Encloses a function that increases on its domain and whose derivative is monotonic in the
+/// distance from 0.
 Enclosure growing(const Enclosure& a, Code code, Code derivative, const Bounds& domain) {
     const bool cut = a.value.low < domain.low || a.value.high > domain.high;
     const Bounds within{std::max(a.value.low, domain.low), std::min(a.value.high, domain.high)};
@@ -54,14 +54,14 @@ Enclosure stepped(const Enclosure& a, Code code) {
     return {value, value.single() ? Bounds{0, 0} : all_numbers};
 }
 
-/// Whether first + k * period is in the range for some whole number k.
+/// Whether the range contains first + k * period for some integer k.
 bool has_place(const Bounds& range, double first, double period) {
     constexpr double rounding = 1e-9;
     const double k = std::ceil((range.low - first) / period - rounding);
     return first + k * period <= range.high + rounding * period;
 }
 
-/// Of all angles in a range.
+/// The cosines and sines of all angles in a range.
 struct Circular {
     Bounds cosine{-1, 1}, sine{-1, 1};
 };
@@ -70,7 +70,8 @@ Circular circular(const Bounds& a) {
     if (!(a.high - a.low < pi) || std::abs(a.low) > 1e9) return {};
     const double c1 = std::cos(a.low), s1 = std::sin(a.low);
     const double c2 = std::cos(a.high), s2 = std::sin(a.high);
-    // In less than half a turn each has one extreme at most, where the other changes its sign.
+    // In less than half a turn each has at most one extremum, which is where the other changes
+    // sign.
     return {
         {s1 >= 0 && s2 <= 0 ? -1 : std::min(c1, c2), s1 <= 0 && s2 >= 0 ? 1 : std::max(c1, c2)},
         {c1 <= 0 && c2 >= 0 ? -1 : std::min(s1, s2), c1 >= 0 && c2 <= 0 ? 1 : std::max(s1, s2)}};
@@ -112,7 +113,7 @@ Enclosure tangent(const Enclosure& a) {
     return {value, Bounds{1 + square(far.low), 1 + square(far.high)} * a.slope};
 }
 
-// In the order of the functions of operation.cpp.
+// In the order of number_functions in operation.cpp.
 constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 22>{
     absolute,
     [](const Enclosure& a) { return plus(negated(arc_sine(a)), pi / 2); },
@@ -146,7 +147,10 @@ constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 
         return Enclosure{value, value * a.slope};
     },
     [](const Enclosure& a) { return stepped(a, [](double x) { return std::floor(x); }); },
-    [](const Enclosure& a) { return stepped(a, [](double x) { return double(to_int32(x)); }); },
+    [](const Enclosure& a) {
+        if (!has_int32(a.value.low) || !has_int32(a.value.high)) return Enclosure::unknown();
+        return stepped(a, [](double x) { return double(to_int32(x)); });
+    },
     logarithm,
     [](const Enclosure& a) { return scaled(logarithm(a), 1 / std::log(10)); },
     [](const Enclosure& a) { return scaled(a, radians_per_degree); },

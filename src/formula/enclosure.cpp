@@ -31,12 +31,12 @@ Bounds is_less_equal(const Bounds& a, const Bounds& b) {
     return a.low > b.high ? no : perhaps;
 }
 Bounds opposite(const Bounds& truth) { return {1 - truth.high, 1 - truth.low}; }
-/// Equal, or closer than `apart`.
+/// Whether the values are equal, or closer than `apart`.
 Bounds is_equal(const Bounds& a, const Bounds& b, double apart) {
     if (a.high < b.low - apart || a.low > b.high + apart) return no;
     return a.single() && a == b ? yes : perhaps;
 }
-/// Further from 0 than that.
+/// Whether the value is further from 0 than `apart`.
 Bounds is_beyond(const Bounds& a, double apart) {
     if (a.low > apart || a.high < -apart) return yes;
     return a.low >= -apart && a.high <= apart ? no : perhaps;
@@ -76,7 +76,7 @@ Enclosure greatest(const Enclosure& a, const Enclosure& b) {
     return {disjunction(a.value, b.value), hull(a.slope, b.slope)};
 }
 
-/// To the power of a whole number.
+/// Raises to an integer power.
 Enclosure whole_power(const Enclosure& a, double n) {
     if (n == 0) return Enclosure::constant(1);
     const auto values = [&](double exponent) {
@@ -129,7 +129,7 @@ Enclosure arc_tangent(const Enclosure& y, const Enclosure& x) {
     return {value, (x.value * y.slope - y.value * x.slope) / across};
 }
 
-/// a - b * (a / b towards zero).
+/// Encloses a - b * (a / b towards zero).
 Enclosure rest_of_division(const Enclosure& a, const Enclosure& b) {
     if (b.value.single() && b.value.low != 0) {
         const double size = std::abs(b.value.low);
@@ -144,6 +144,7 @@ Enclosure rest_of_division(const Enclosure& a, const Enclosure& b) {
 Enclosure whole_quotient(const Enclosure& a, const Enclosure& b) {
     if (b.value.contains(0)) return Enclosure::unknown();
     const Bounds q = a.value / b.value;
+    if (!has_int32(q.low) || !has_int32(q.high)) return Enclosure::unknown();
     const Bounds value{std::trunc(q.low), std::trunc(q.high)};
     return {value, value.single() ? no_slope : all_numbers};
 }
@@ -158,7 +159,7 @@ Bounds operator-(const Bounds& a, const Bounds& b) {
     return bounds(a.low - b.high, a.high - b.low);
 }
 
-// Only where something is infinite a product with 0 must be told from others.
+// Products of 0 and an infinity need special care only where the fast path yields NaN.
 Bounds operator*(const Bounds& a, const Bounds& b) {
     const double ll = a.low * b.low, lh = a.low * b.high, hl = a.high * b.low, hh = a.high * b.high;
     const double sum = (ll + lh) + (hl + hh);
@@ -270,7 +271,7 @@ public:
 private:
     static constexpr int max_steps = 100'000, max_branches = 8;
 
-    /// It may go on at either place.
+    /// Executes both branches of an uncertain condition and merges their registers.
     bool both(std::size_t first, std::size_t second, Enclosure* r) {
         if (branches_ == max_branches) return false;
         ++branches_;
@@ -285,7 +286,7 @@ private:
 
     const Program& program_;
     int steps_ = 0;
-    int branches_ = 0;  ///< taken both ways, around each other
+    int branches_ = 0;  ///< number of nested conditions with both branches taken
 };
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace {
 
 bool run_with(const Program& program, const double* arguments, double* results, double* registers,
               std::uint32_t& passes) {
-    // Of surfaces and patterns, which ask most: a call to copy so little takes as long as the copy.
+    // Fast path for surfaces and patterns, the most frequent callers: calling a copy function would
+    // take as long as the copy.
     if (program.inputs == 3) {
         registers[0] = arguments[0];
         registers[1] = arguments[1];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A function of numbers: what `function { ... }` stands for. Its body is a program, or code of C++
-// for what the language cannot write (a spline, a transformation, an internal function). Pure but
-// for code that says otherwise, and then safe to call from many threads.
+// A function of numbers: the value of `function { ... }`. Its body is a program, or C++ code for
+// functions that the language cannot express (a spline, a transformation, an internal function).
+// Formulas are pure, and then safe to call from many threads, unless C++ code states otherwise.
 #pragma once
 
 #include "formula/enclosure.h"
@@ -14,17 +14,17 @@
 
 namespace candelabra {
 
-/// Of which as many count as a function has results.
+/// Only as many elements are used as the function has results.
 using FunctionResults = std::array<double, Program::max_results>;
 
 class Formula {
 public:
-    /// Formulas that call formulas, at most so deep: each level takes room on the stack.
+    /// Maximum nesting depth of calls between formulas; each level takes stack space.
     static constexpr int max_depth = 100;
 
     explicit Formula(Program program);
-    /// Code of C++: bool(const double* arguments, double* results). The results may lie where the
-    /// arguments do. It gives false when there is no answer; the program that called then gives up.
+    /// Wraps C++ code: bool(const double* arguments, double* results). The results may overlap the
+    /// arguments. The code returns false if it has no answer; the calling program then fails.
     template <class Code>
     Formula(std::size_t parameters, std::size_t results, Code code)
         : parameters_(parameters),
@@ -36,18 +36,18 @@ public:
           }) {}
 
     std::size_t parameters() const { return parameters_; }
-    /// 1 to 5.
+    /// Number of results, 1 to 5.
     std::size_t results() const { return results_; }
-    /// How many calls of formulas can be inside each other in it, itself included.
+    /// Maximum depth of nested formula calls, including this one.
     int depth() const { return depth_; }
-    /// How many steps a call takes when no loop in it repeats: an upper bound but for code of C++,
-    /// which counts as few.
+    /// Number of steps of a call in which no loop repeats. An upper bound, except that C++ code
+    /// counts as a few steps.
     std::uint64_t cost() const { return cost_; }
 
-    /// Of a function that stands for a picture; otherwise 0.
+    /// Size in pixels of the picture that the function stands for; 0 if it stands for none.
     int columns() const { return columns_; }
     int rows() const { return rows_; }
-    /// Pixels of the picture that it stands for.
+    /// Sets the size of the picture that the function stands for.
     void stand_for(int columns, int rows) {
         columns_ = columns;
         rows_ = rows;
@@ -57,17 +57,17 @@ public:
         std::uint32_t passes = 0;
         return run_(code_.get(), arguments, results, passes);
     }
-    /// The same; passes of loops are added up.
+    /// Also adds the passes of all loops to `passes`.
     bool run(const double* arguments, double* results, std::uint32_t& passes) const {
         return run_(code_.get(), arguments, results, passes);
     }
 
-    /// Whether it is a program, and so is all that it calls.
+    /// Whether the body is a program, and so are the bodies of all formulas that it calls.
     bool written() const { return written_; }
-    /// Between which numbers the results lie; see enclose(). False: nothing is known.
+    /// Computes bounds of the results; see enclose(). Returns false if no bounds are known.
     bool enclose(const Enclosure* arguments, Enclosure* results) const;
 
-    /// The first result; not a number when there is none. Precondition: enough arguments.
+    /// Returns the first result; NaN if there is none. Precondition: enough arguments.
     double value(std::span<const double> arguments) const;
 
 private:
@@ -77,7 +77,7 @@ private:
     std::uint64_t cost_ = 10;
     bool written_ = false;
     int columns_ = 0, rows_ = 0;
-    std::shared_ptr<const void> code_;  ///< a Program, or what a constructor was given
+    std::shared_ptr<const void> code_;  ///< a Program, or the code that a constructor was given
     bool (*run_)(const void* code, const double* arguments, double* results, std::uint32_t& passes);
 };
 

@@ -39,7 +39,7 @@ double hetero_mf(const double* arguments) {
         const double more = next();
         sum += times > 1 ? more * std::pow(sum, times) : times == 1 ? more * sum : more;
     }
-    // A begun octave has been added as a whole; one more is added in part.
+    // A partial octave has already been added in full; one more is added by the fraction.
     const double fraction = octaves - std::floor(octaves);
     if (fraction != 0) sum += fraction * sum * next();
     return sum;

@@ -59,19 +59,19 @@ std::optional<Operation> operation_of_two(std::string_view name) {
 double apply_function(std::uint16_t number, double x) { return number_functions[number].code(x); }
 
 std::int32_t to_int32(double value) {
-    if (!(value > -2147483649.0 && value < 2147483648.0)) return INT32_MIN;
+    if (!has_int32(value)) return INT32_MIN;
     return static_cast<std::int32_t>(value);
 }
 
 double remainder_of(double a, double b) {
-    constexpr double most = 4503599627370496.0;  // 2^52: products of what follows are exact
+    constexpr double most = 4503599627370496.0;  // 2^52: the products below are exact
     if (!(std::abs(a) < most && std::abs(b) < most)) return std::fmod(a, b);
     const auto whole_a = static_cast<std::int64_t>(a);
     const auto whole_b = static_cast<std::int64_t>(b);
     if (static_cast<double>(whole_a) != a || static_cast<double>(whole_b) != b || b == 0)
         return std::fmod(a, b);
     const double size = std::abs(a), step = std::abs(b);
-    // The rounded quotient of whole numbers may be the next whole number, but not more.
+    // The rounded quotient of integers may exceed the true integer part by one, but not by more.
     double rest = size - static_cast<double>(static_cast<std::int64_t>(size / step)) * step;
     if (rest < 0) rest += step;
     return std::copysign(rest, a);

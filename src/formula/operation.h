@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arithmetic that a program consists of. One meaning for each operation, shared by user
-// functions and by the expressions of the language; where those two differ (what counts as equal),
-// there are two operations.
+// The arithmetic operations of programs. User functions and the expressions of the language share
+// one definition of each operation. Where the two differ, as in the tolerance of comparisons, there
+// are two operations.
 #pragma once
 
 #include <cmath>
@@ -11,24 +11,24 @@
 
 namespace candelabra {
 
-/// What an instruction does: `to` is the register that it writes, `a` and `b` are those it reads
-/// unless something else is said.
+/// The operation of an instruction. It writes register `to` and reads registers `a` and `b`, unless
+/// stated otherwise.
 enum class Operation : std::uint16_t {
-    copy,  ///< of a
+    copy,  ///< copies a
     add,
     subtract,
     multiply,
-    divide,  ///< as IEEE 754 has it: x / 0 is infinite or not a number
+    divide,  ///< by IEEE 754: x / 0 is infinite or NaN
     negate,
-    less,  ///< comparisons give 1 or 0
+    less,  ///< comparisons yield 1 or 0
     less_equal,
     equal,
     not_equal,
     greater_equal,
     greater,
-    both,  ///< whether both are not 0
+    both,  ///< whether neither is 0
     either,
-    about_less_equal,  ///< comparisons for which numbers closer than the tolerance are equal
+    about_less_equal,  ///< comparisons that treat numbers closer than the tolerance as equal
     about_equal,
     about_not_equal,
     about_greater_equal,
@@ -38,46 +38,48 @@ enum class Operation : std::uint16_t {
     least,
     greatest,
     power,
-    arc_tangent,  ///< of a / b with the quadrant of the point (b, a)
+    arc_tangent,  ///< of a / b, in the quadrant of the point (b, a)
     remainder,
     whole_quotient,
-    apply,          ///< the function number b to a
-    divide_unless,  ///< a / b, but the program gives up when b is 0
-    refuse,         ///< the program gives up unless a is 0
-    jump,           ///< goes on at instruction `to`
-    jump_unless,    ///< the same unless a is further from 0 than the tolerance
-    repeat,         ///< jumps back to `to`; the program gives up after very many of them
+    apply,          ///< applies function number b to a
+    divide_unless,  ///< a / b; the program fails if b is 0
+    refuse,         ///< the program fails unless a is 0
+    jump,           ///< continues at instruction `to`
+    jump_unless,    ///< jumps unless a is further from 0 than the tolerance
+    repeat,         ///< jumps back to `to`; the program fails after very many repeats
     call,           ///< formula number a: arguments from register b on, results from `to` on
     end,
 };
 
-/// Numbers of the language that are closer than this count as equal, and as 0.
+/// Numbers of the language that are closer than this compare equal, also to 0.
 inline constexpr double tolerance = 1e-10;
 
 inline bool is_true(double value) { return std::abs(value) > tolerance; }
 
-/// Whether they count as equal. As in POV-Ray, what is no number is as good as any.
+/// Whether the numbers compare equal. As in POV-Ray, NaN equals every number.
 inline bool about(double a, double b) { return a == b || !(std::abs(a - b) > tolerance); }
 
-/// The operations that only compute: those before `divide_unless`.
+/// Whether the operation only computes a value: true of those before `divide_unless`.
 constexpr bool only_computes(Operation operation) { return operation < Operation::divide_unless; }
 
-/// The number of a function of one argument for Operation::apply, by its name in the language. None
-/// gives anything but its value: where there is none (sqrt(-1)), that is not a number.
+/// Returns the number for Operation::apply of the function of one argument with this name in the
+/// language. These functions have no side effects and yield NaN outside their domains (sqrt(-1)).
 std::optional<std::uint16_t> function_number(std::string_view name);
 
-/// The operation that a function of two arguments is: atan2, div, mod, pow.
+/// Returns the operation for a function of two arguments: atan2, div, mod or pow.
 std::optional<Operation> operation_of_two(std::string_view name);
 
-/// The function with this number. Precondition: function_number() gave it.
+/// Applies the function with this number. Precondition: function_number() returned the number.
 double apply_function(std::uint16_t number, double x);
 
-/// To 32 bits, towards zero, as POV-Ray's machine does it: what does not fit becomes the least
-/// integer.
+/// Whether the integer part of the value is a 32-bit integer.
+constexpr bool has_int32(double value) { return value > -2147483649.0 && value < 2147483648.0; }
+/// Converts to 32 bits, rounding towards zero. As in POV-Ray on x86, values out of range become the
+/// least integer.
 std::int32_t to_int32(double value);
 
-/// a - b * (a / b towards zero), exactly, with the sign of a: std::fmod, but fast for whole
-/// numbers.
+/// Returns a - b * (a / b towards zero), exactly, with the sign of a. Equals std::fmod, but is fast
+/// for integers.
 double remainder_of(double a, double b);
 
 }  // namespace candelabra

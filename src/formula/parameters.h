@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the internal functions share: their arguments by name, and the ways in which many of them
-// prepare their point. Included by the files that define the functions, only.
+// Common code of the internal functions: access to their arguments by name, and transformations of
+// the point that many of them share. Included only by the files that define the functions.
 #pragma once
 
 #include "base/degrees.h"
@@ -18,7 +18,7 @@ using std::numbers::pi;
 constexpr double square(double t) { return t * t; }
 constexpr double cube(double t) { return t * t * t; }
 
-/// A point with its squares, and the parameters that follow it.
+/// A point, its squared coordinates, and the parameters that follow it.
 struct Parameters {
     explicit Parameters(const double* arguments)
         : x(arguments[0]), y(arguments[1]), z(arguments[2]), p(arguments + 3) {}
@@ -29,9 +29,9 @@ struct Parameters {
 
     double sum() const { return xx + yy + zz; }
 
-    /// A curve of two dimensions in the plane x, y, or, if parameter `first` is above 0, that curve
-    /// turned about the y axis at a distance (the next parameter), after a turn of its own by
-    /// degrees (the one after it).
+    /// Returns the point at which to evaluate a plane curve in x and y. If p[first] is above 0, the
+    /// curve is rotated in its plane by p[first + 2] degrees and then revolved about the y axis at
+    /// distance p[first + 1].
     Parameters turned(int first) const {
         Parameters result = *this;
         if (!(p[first] > 0)) return result;
@@ -48,12 +48,12 @@ struct Parameters {
     }
 };
 
-/// Values of polynomials are cut off: far from the surface they would only mislead the search for
-/// it.
+/// Clamps the value of a polynomial: large values far from the surface would only mislead the root
+/// search.
 inline double limited(double value) { return std::min(10.0, std::max(-10.0, value)); }
 
-/// Distance from the origin by the norm whose unit circle goes from square (0) over round (1) to
-/// star.
+/// Distance from the origin by a norm whose unit circle is a square at 0, round at 1, and a star
+/// beyond.
 inline double cross_section(double u, double w, double shape) {
     if (shape == 1) return std::sqrt(u * u + w * w);
     const double a = std::abs(u), b = std::abs(w);
@@ -61,7 +61,7 @@ inline double cross_section(double u, double w, double shape) {
     return std::pow(std::pow(a, 2 / shape) + std::pow(b, 2 / shape), shape / 2);
 }
 
-/// The remainder of a division, from 0 to below the divisor.
+/// Returns the remainder of the division in [0, divisor).
 inline double wrapped(double value, double divisor) {
     const double rest = std::fmod(value, divisor);
     return rest < 0 ? rest + divisor : rest;

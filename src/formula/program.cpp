@@ -10,8 +10,8 @@ namespace candelabra {
 
 namespace {
 
-/// Passes of all loops of one execution, also in what it calls. Nobody waits for more, and a loop
-/// may have no end: sum(i, 1, 1e300, i).
+/// Limit on the passes of all loops in one execution, including those in called functions. No user
+/// would wait for more, and a loop may be endless: sum(i, 1, 1e300, i).
 constexpr std::uint32_t max_passes = 100'000'000;
 
 }  // namespace

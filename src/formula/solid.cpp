@@ -12,8 +12,8 @@ namespace formula {
 
 namespace {
 
-/// Three bells of the shape of ellipsoids, each thin (p0) or thick along two axes and 1 along the
-/// third; p1 is how steep they are.
+/// Returns three Gaussian bells whose level sets are ellipsoids. Each has scale p0 along two axes
+/// and 1 along the third; p1 is the steepness.
 std::array<double, 3> bells(const Parameters& a) {
     const double thin = a.p[0], steep = a.p[1];
     return {std::exp(-steep * (thin * (a.xx + a.yy) + a.zz)),
@@ -21,11 +21,10 @@ std::array<double, 3> bells(const Parameters& a) {
             std::exp(-steep * (thin * (a.yy + a.zz) + a.xx))};
 }
 
-/// In a tiling of the plane by hexagons: the offsets from the nearest of the centres, both
-/// positive.
+/// Position in a hexagonal tiling of the plane: the absolute offsets from the nearest centre.
 struct HexagonPlace {
     double x, y;
-    bool sideways;  ///< the nearest border is one of those that stand upright
+    bool sideways;  ///< the nearest border is one of the upright ones
 };
 
 HexagonPlace hexagon_place(const Parameters& a) {
@@ -39,13 +38,13 @@ HexagonPlace hexagon_place(const Parameters& a) {
     return {x, y, std::atan2(y, x) < pi / 6};
 }
 
-/// Distance from a point of the plane to the nearest of a number of points, evenly spread over a
-/// circle around the origin from the z axis on.
+/// Distance from a point of the plane to the nearest of `parts` points, which are spread evenly
+/// over a circle around the origin, starting at the z axis.
 double to_nearest_on_circle(double x, double z, double radius, double parts) {
     const double last = std::trunc(parts) - 1;
     if (!(last >= 0)) return 10000;
     const double step = 2 * pi / parts;
-    // The distance grows with the difference of the angles: only the neighbours can be nearest.
+    // The distance grows with the difference of the angles, so only the neighbours can be nearest.
     const double at = wrapped(radius < 0 ? std::atan2(-x, -z) : std::atan2(x, z), 2 * pi) / step;
     double nearest = std::numeric_limits<double>::infinity();
     for (const double candidate : {0.0, std::floor(at), std::ceil(at), last}) {
@@ -182,7 +181,7 @@ double polytubes(const double* arguments) {
     return to_nearest_on_circle(a.x, a.z, radius, a.p[0]);
 }
 
-/// The probability cloud of an electron in an atom of hydrogen, more or less.
+/// Roughly the probability cloud of the electron in a hydrogen atom.
 double quantum(const double* arguments) {
     const Parameters a(arguments);
     const double x = a.x == 0 && a.z == 0 ? 1e-6 : a.x;
@@ -221,7 +220,7 @@ double spikes_2d(const double* arguments) {
                      std::exp(-a.p[3] * (a.xx + a.zz));
 }
 
-/// Parameters p3 and p4 have no effect in POV-Ray 3.7.
+/// POV-Ray 3.7 ignores parameters p3 and p4.
 double spiral(const double* arguments) {
     const Parameters a(arguments);
     const double away = std::sqrt(a.xx + a.zz) + a.p[0] * std::atan2(a.z, a.x) / (2 * pi);

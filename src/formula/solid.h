@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Internal functions that are distances, or like distances: tubes, helices, boxes, waves in a
+// Internal functions that are distances, or resemble distances: tubes, helices, boxes, waves in a
 // plane, and the coordinates of a point by radius and angles. Called through the table in
-// internal.cpp. Arguments are x, y, z, then p0, p1, ...; the formulas are those that POV-Ray 3.7
-// computes.
+// internal.cpp. Arguments are x, y, z, then p0, p1, ...; the formulas are those of POV-Ray 3.7.
 #pragma once
 
 namespace candelabra {

@@ -70,7 +70,7 @@ bool Evaluator::State::fill_one(ArrayData& array, std::size_t at, Value value, S
     return true;
 }
 
-/// Fills from `{ ... }`, which holds braces for each element of all dimensions but the last.
+/// Fills an array from `{ ... }`, with nested braces for all dimensions but the last.
 bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t& next, Body body,
                             Span span) {
     const bool innermost = dimension + 1 == array.sizes().size();

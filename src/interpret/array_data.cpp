@@ -45,7 +45,7 @@ bool ArrayData::fits(std::size_t i, const Value& value) const {
 }
 
 Value ArrayData::other(std::size_t i) const {
-    // The neighbour nearly always is one: elements are set one after the other.
+    // The neighbour nearly always is set: elements are set one after the other.
     if (i > 0 && has(i - 1)) return at(i - 1);
     for (std::size_t k = 0; k < size_; ++k)
         if (k != i && has(k)) return at(k);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The elements of an array, each set or not yet; in the language they are of one kind. Numbers,
-// which most arrays hold, lie side by side, as many for each element as the largest needs; anything
-// else is kept as values.
+// The elements of an array, each set or not yet set; in the language all are of one kind. Arrays of
+// numbers, the usual case, are stored contiguously, with as many numbers for each element as the
+// largest needs. Other elements are stored as values.
 #pragma once
 
 #include "interpret/value.h"
@@ -19,7 +19,7 @@ namespace candelabra {
 /// Names for the last index of an array: the columns of a table, the members of an object.
 class IndexNames {
 public:
-    /// Of equal names the first counts.
+    /// If names are equal, the first one counts.
     explicit IndexNames(std::vector<std::string> names);
     IndexNames(const IndexNames&) = delete;
     IndexNames& operator=(const IndexNames&) = delete;
@@ -36,10 +36,10 @@ class ArrayData {
 public:
     /// One to five sizes of at least 1. No element is set.
     explicit ArrayData(std::vector<int> sizes);
-    /// As many numbers as the array has elements; one that is not a number is not set.
+    /// One number for each element. A NaN leaves its element unset.
     ArrayData(std::vector<int> sizes, std::vector<double> numbers);
 
-    /// Names for the last index; null: there are none.
+    /// Names for the last index, or null.
     const std::shared_ptr<const IndexNames>& names() const { return names_; }
     void set_names(std::shared_ptr<const IndexNames> names) { names_ = std::move(names); }
 
@@ -48,9 +48,9 @@ public:
     std::size_t size() const { return size_; }
 
     bool has(std::size_t i) const { return values_.empty() ? count(i) != 0 : !values_[i].absent(); }
-    /// Absence::uninitialised when it is not set, Absence::broken when it was set to that.
+    /// Absence::uninitialised if the element is not set, Absence::broken if set to a broken value.
     Value at(std::size_t i) const;
-    /// How many numbers an element is; 0 when it is not set or not of numbers.
+    /// The number of components of an element; 0 if it is not set or not numbers.
     int count(std::size_t i) const {
         return values_.empty() && counts_[i] != broken ? counts_[i] : 0;
     }
@@ -58,35 +58,35 @@ public:
     const double* numbers(std::size_t i) const {
         return numbers_.data() + i * static_cast<std::size_t>(stride_);
     }
-    /// The most numbers that an element has had; 0 for other kinds.
+    /// The largest number of components that an element has had; 0 for other kinds.
     int max_numbers() const { return values_.empty() ? stride_ : 0; }
 
-    /// Whether the value is of the kind of element i as it is, or of all others.
+    /// Whether the value is of the kind of element i, or of the kind of the other elements.
     bool fits(std::size_t i, const Value& value) const;
-    /// An element other than i that is set, when there is one.
+    /// A set element other than i, or Absence::uninitialised.
     Value other(std::size_t i) const;
 
-    /// Keeps a value that does not fit all the same; a caller that cares asks fits() first.
+    /// Sets an element, even to a value that does not fit: callers check fits() first.
     void set(std::size_t i, Value value);
     void set(std::size_t i, const Numbers& numbers);
-    /// The element is not set any more.
+    /// Makes an element unset.
     void clear(std::size_t i);
-    /// The array that an element is, for writing; null when it is none.
+    /// The array in an element, for writing; null if the element is none.
     Value* inner(std::size_t i);
 
 private:
-    static constexpr std::uint8_t broken = 0xFF;  ///< in counts_: what it was set to was reported
+    static constexpr std::uint8_t broken = 0xFF;  ///< in counts_: set to a broken value
 
     void widen(int stride);
     void put(std::size_t i, Value value);
 
     std::vector<int> sizes_;
     std::size_t size_ = 1;
-    std::size_t set_ = 0;  ///< how many elements are set
+    std::size_t set_ = 0;  ///< number of set elements
     int stride_ = 0;
     std::vector<std::uint8_t> counts_;  ///< numbers of each element, 0: not set
     std::vector<double> numbers_;
-    std::vector<Value> values_;  ///< not empty: elements are no numbers
+    std::vector<Value> values_;  ///< not empty: elements are not numbers
     std::shared_ptr<const IndexNames> names_;
 };
 

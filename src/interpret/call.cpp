@@ -33,7 +33,7 @@ Value Evaluator::State::call(const Tree& tree, const node::Call& node, NodeId id
         const Value called = *found;
         return call_value(tree, called, node.name, node.arguments, tree.span(id));
     }
-    called_macro(tree, node, id);  // says what is wrong
+    called_macro(tree, node, id);  // reports the problem
     return Absence::broken;
 }
 
@@ -117,7 +117,7 @@ Value Evaluator::State::call_function(const Tree& tree, const node::Call& node, 
                 .with_help(message(name, "(", function->arguments, "): ", function->help)));
         return Absence::broken;
     }
-    // The arguments are looked at, and the result is as long as they are or little longer.
+    // The arguments are read, and the result is as long as they are or a little longer.
     constexpr std::uint64_t each_call = 60, of_object = 1000;
     std::uint64_t amount = each_call;
     for (const Value& value : values)
@@ -135,7 +135,7 @@ Value Evaluator::State::call_function(const Tree& tree, const node::Call& node, 
     return result;
 }
 
-/// Stores a function's second result in the variable that its last argument is.
+/// Stores a function's second result in the variable that its last argument names.
 void Evaluator::State::receive(const Tree& tree, NodeId first, int count, const Value& value) {
     NodeId last = first;
     while (tree[last].next != no_node) last = tree[last].next;

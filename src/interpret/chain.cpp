@@ -6,16 +6,16 @@
 
 namespace candelabra {
 
-/// Takes an expression apart. A macro stands for its text, and so does a part of a directive:
-/// 2*Sum(1, 2) is 2*1 + 2 when Sum(A, B) is A+B without parentheses.
+/// Splits an expression into operands. A macro stands for its text, and so does a part of a
+/// directive: 2*Sum(1, 2) is 2*1 + 2 when Sum(A, B) is A+B without parentheses.
 class Evaluator::State::OperandWalk {
 public:
     OperandWalk(State& state, FunctionRef<void(const Operand&)> take)
         : state_(state), take_(take) {}
 
-    /// `text`: it is not by itself, but what stands in a macro or a directive.
+    /// `text`: the expression is the text of a macro or a directive.
     void expression(const Tree&, NodeId, bool text = false);
-    /// False: something has been reported.
+    /// False after a report.
     bool finish(Span);
 
 private:
@@ -27,9 +27,9 @@ private:
 
     State& state_;
     FunctionRef<void(const Operand&)> take_;
-    std::optional<Operator> sign_ = Operator::add;  ///< in front of the next operand
-    bool negative_ = false;                         ///< so is the next operand
-    std::optional<Span> call_;                      ///< the outermost of a macro that is open
+    std::optional<Operator> sign_ = Operator::add;  ///< operator before the next operand
+    bool negative_ = false;                         ///< the next operand is negated
+    std::optional<Span> call_;                      ///< the outermost open macro call
     bool good_ = true;
 };
 
@@ -56,7 +56,7 @@ void Evaluator::State::OperandWalk::expression(const Tree& tree, NodeId id, bool
     }
 }
 
-/// An operator; behind another one it is the sign of the next operand.
+/// Takes an operator. After another operator it is the sign of the next operand.
 void Evaluator::State::OperandWalk::join(Operator sign) {
     if (sign_ && (sign == Operator::add || sign == Operator::subtract))
         negative_ ^= sign == Operator::subtract;

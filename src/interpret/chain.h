@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What operands with signs between them amount to, when they come one by one because directives
-// stand between them: products before sums. Used for values and for what functions compile to.
+// The total of operands with operators between them, products before sums. Operands are added one
+// by one, because directives may stand between them. Used for values and for compiled functions.
 #pragma once
 
 #include "syntax/tree.h"
@@ -13,8 +13,8 @@ namespace candelabra {
 template <class Operand>
 class ChainTotal {
 public:
-    /// The first operand; each other one comes with the sign in front of it, and `join(sign, a, b)`
-    /// computes.
+    /// Adds an operand with the operator before it, which does not count for the first.
+    /// `join(sign, a, b)` computes.
     template <class Join>
     void add(Operator sign, Operand operand, Join join) {
         if (product_ && (sign == Operator::multiply || sign == Operator::divide)) {
@@ -26,7 +26,7 @@ public:
         sign_ = sign;
     }
 
-    /// Nothing when nothing has come.
+    /// The total; nothing without operands.
     template <class Join>
     std::optional<Operand> result(Join join) {
         end_product(join);
@@ -42,8 +42,8 @@ private:
     }
 
     std::optional<Operand> sum_;
-    std::optional<Operand> product_;  ///< of the last operands
-    Operator sign_ = Operator::add;   ///< in front of it
+    std::optional<Operand> product_;  ///< product of the last operands
+    Operator sign_ = Operator::add;   ///< operator before the product
 };
 
 }  // namespace candelabra

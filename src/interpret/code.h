@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Expressions of numbers, compiled: each is a program that reads the names of the expression and
-// computes its components one by one. Beside each tree the evaluator keeps a table of what was
-// compiled for which node. Compiling takes longer than evaluating once, so it is done for nodes
-// that are met again.
+// Compiled numeric expressions. Each is a program that reads the names of the expression and
+// computes its components one by one. For each tree the evaluator keeps a table of the code of its
+// nodes. Compiling takes longer than evaluating once, so only nodes that are met again are
+// compiled.
 #pragma once
 
 #include "formula/program.h"
@@ -14,15 +14,15 @@
 
 namespace candelabra {
 
-/// One way to compute an expression: for names of the kinds that it was compiled for.
+/// One version of an expression's code, for the kinds that its names had when it was compiled.
 struct Code {
-    /// A name that is read first; it must stand for that many numbers.
+    /// A name that is read first. Its value must have `count` numbers.
     struct Input {
         NameId name;
-        std::uint16_t first;  ///< its register
+        std::uint16_t first;  ///< its first register
         std::uint16_t count;
     };
-    /// A name that is called; it must still stand for this.
+    /// A called function. Its name must still stand for it.
     struct Callee {
         NameId name;
         const void* function;
@@ -35,12 +35,12 @@ struct Code {
     std::uint64_t cost = 0;       ///< see cost(Program)
     bool random = false;          ///< advances random streams
     std::unique_ptr<Code> other;  ///< for names of other kinds
-    int versions = 1;             ///< how many are linked from here on
+    int versions = 1;             ///< number of versions linked from here on
 };
 
 class CodeTable {
 public:
-    /// Must have been called for a tree before its nodes are asked for.
+    /// Must be called for a tree before its nodes are looked up.
     void add(const Tree&);
 
     /// The newest code of an expression, or null.
@@ -52,18 +52,18 @@ public:
     bool excluded(const Tree& tree, NodeId id) const {
         return nodes_[tree.source][static_cast<std::size_t>(id)] == never;
     }
-    /// Whether it is worth while to compile one more version now. Counts the visits.
+    /// Whether compiling another version now is worthwhile. Counts the visits.
     bool wanted(const Tree&, NodeId);
-    /// One more version for a node.
+    /// Adds a version of a node's code.
     Code* keep(const Tree&, NodeId, Code);
-    /// No code can be made of this node, whatever its names stand for.
+    /// Marks a node as one that cannot be compiled, whatever its names stand for.
     void exclude(const Tree&, NodeId);
 
 private:
-    // What nodes_ says about a node.
-    static constexpr std::uint32_t met = 1;       ///< once; until `never`: compiled in vain
+    // States of a node in nodes_.
+    static constexpr std::uint32_t met = 1;       ///< once; up to `never`: compiled in vain
     static constexpr std::uint32_t never = 5;     ///< not to be compiled
-    static constexpr std::uint32_t compiled = 8;  ///< and more: the number of its code
+    static constexpr std::uint32_t compiled = 8;  ///< and above: plus the index of its code
     static constexpr int max_versions = 4;
 
     std::uint32_t& state(const Tree& tree, NodeId id) {

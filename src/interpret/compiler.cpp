@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// Expressions that are nested deeper are walked: compiling takes room on the stack.
+/// Maximum nesting of compiled expressions: compiling takes stack. Deeper ones are walked.
 constexpr int max_depth = 500;
 
 }  // namespace
@@ -86,7 +86,7 @@ Operands Evaluator::State::Compiler::compile(NodeId id) {
         }
     }();
     --depth;
-    // Nothing around such a node can be compiled either, and need not be tried again.
+    // No node around such a node can be compiled either, so none is tried again.
     if (hopeless) state.codes.exclude(tree, id);
     return compiled;
 }
@@ -278,7 +278,7 @@ Operands Evaluator::State::Compiler::call(const node::Call& node) {
     return of_numbers(name, node.arguments);
 }
 
-/// Arguments that each are one number.
+/// Compiles arguments that are single numbers.
 bool Evaluator::State::Compiler::scalars(NodeId first, std::vector<Operand>& result) {
     for (NodeId id = first; id != no_node; id = tree[id].next) {
         const Operands operand = compile(id);
@@ -317,7 +317,7 @@ Operands Evaluator::State::Compiler::random(NodeId arguments) {
     return native(1, next, stream);
 }
 
-/// trace() and inside() of an object that has a name.
+/// trace() and inside() of a named object.
 Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arguments) {
     const auto* object = tree.get_if<node::Name>(arguments);
     if (!object || !state.world.objects || !state.deprecated.empty()) return never();
@@ -333,7 +333,7 @@ Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arg
     }
     if (traces) {
         const auto* normal = tree.get_if<node::Name>(id);
-        // What sets a variable comes last, so that nothing has to be taken back.
+        // A call that sets a variable must come last, so that it need not be undone.
         const bool fits = id == no_node || (normal && tree[id].next == no_node && depth == 1);
         return fits ? trace(object->name, normal ? normal->name : no_name, vectors) : never();
     }
@@ -367,7 +367,7 @@ Operands Evaluator::State::Compiler::trace(NameId object, NameId normal,
     return native(3, first_hit, ray);
 }
 
-/// The indices of an element, of which the last one may be a name among those of the array now.
+/// Compiles the indices of an element. The last may be one of the array's current names.
 bool Evaluator::State::Compiler::indices_of(const ArrayData& now, NodeId first,
                                             std::vector<Operand>& result, bool& named) {
     NodeId last = first;
@@ -385,7 +385,7 @@ bool Evaluator::State::Compiler::indices_of(const ArrayData& now, NodeId first,
     return named;
 }
 
-/// An element of an array of numbers, all with as many components as those that it has now.
+/// An element of an array of numbers with as many components as its elements have now.
 Operands Evaluator::State::Compiler::index(const node::Index& node) {
     const Value* found = state.scope.find(node.name);
     const ArrayData* now = found ? found->array() : nullptr;
@@ -435,7 +435,7 @@ Operands Evaluator::State::Compiler::array_size(std::string_view name, NodeId ar
     return native(1, size, dimension);
 }
 
-/// A function of that kind itself reports arguments outside of where it is defined.
+/// Refuses arguments outside of the function's domain: they are reported when it is walked.
 void Evaluator::State::Compiler::refuse_outside(std::string_view function, Operand x) {
     const Operand zero = builder.constant(0);
     if (function == "sqrt") refuse_unless(builder.emit(Operation::greater_equal, x, zero));
@@ -522,7 +522,7 @@ Operands Evaluator::State::Compiler::of_vectors(std::string_view name, NodeId ar
         const Operand squared = dot(values[0], values[0]);
         const Operand length = builder.apply(*function_number("sqrt"), squared);
         builder.release(squared);
-        // The zero vector has no direction, which is said.
+        // The zero vector has no direction, which is reported.
         if (name == "vnormalize")
             while (result.count < 3) {
                 result.at[result.count] = builder.divide_unless(values[0].at[result.count], length);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiles one expression of numbers to a program. Only compute.cpp uses it. What is compiled has
-// no effects but random streams that advance: a program that meets what must be reported (a
-// division by zero, a missing element) gives up, and the expression is walked instead. Vectors are
-// computed component by component.
+// Compiles one numeric expression to a program. Only compute.cpp uses it. A program has no effects
+// except that random streams advance and that trace() stores a normal. A program that meets a case
+// to be reported (a division by zero, a missing element) gives up, and the expression is walked
+// instead. Vectors are computed component by component.
 #pragma once
 
 #include "formula/builder.h"
@@ -13,7 +13,7 @@
 
 namespace candelabra {
 
-/// The components of a value of the program; none: it cannot be compiled.
+/// The components of a value of the program; none if it cannot be compiled.
 struct Operands {
     std::size_t count = 0;
     std::array<ProgramBuilder::Operand, 5> at{};
@@ -21,12 +21,12 @@ struct Operands {
     static Operands one(ProgramBuilder::Operand operand) { return {1, {operand}}; }
 };
 
-/// What a sign between two numbers does: in expressions, where numbers that are very close are
-/// equal and a division by zero is reported, and in functions.
+/// The operations of a binary operator. `tolerant` is for expressions, where very close numbers are
+/// equal and a division by zero is reported; `exact` is for functions.
 struct OperatorCode {
     Operation tolerant, exact;
 };
-/// Precondition: it has two operands.
+/// Precondition: the operator is binary.
 OperatorCode operations_of(Operator);
 
 struct Evaluator::State::Compiler {
@@ -46,12 +46,12 @@ struct Evaluator::State::Compiler {
     Operands vector(const node::Vector&);
     Operands member(const node::Member&);
     Operands prefixed(const node::Prefixed&);
-    /// The random numbers that an expression would have drawn.
+    /// Draws the random numbers that an expression would have drawn.
     bool draw(NodeId);
-    /// With at least so many components: one is copied to all, others get zeros.
+    /// Returns at least `count` components: a single one is copied to all, others get zeros.
     Operands promoted(const Operands&, std::size_t count);
     Operands with_zeros(const Operands&, std::size_t count);
-    /// Nothing reads these any more.
+    /// Releases operands that are not read any more.
     void release(const Operands&);
     void refuse_unless(Operand condition);
 
@@ -69,7 +69,7 @@ struct Evaluator::State::Compiler {
     Operands of_object(std::string_view name, NodeId arguments);
     Operands trace(NameId object, NameId normal, std::span<const Operand> ray);
     Operands of_two_vectors(std::string_view name, const Operands& a, const Operands& b);
-    /// A call of code of C++.
+    /// A call of C++ code.
     template <class Code>
     Operands native(std::size_t results, Code code, std::span<const Operand> arguments) {
         return call_program(make_handle<Formula>(arguments.size(), results, std::move(code)),
@@ -85,7 +85,7 @@ struct Evaluator::State::Compiler {
     ProgramBuilder builder;
     std::vector<std::pair<NameId, Operands>> loaded;  ///< names and their inputs
     int depth = 0;
-    bool hopeless = false;  ///< it could not be compiled whatever its names stood for
+    bool hopeless = false;  ///< cannot be compiled, whatever its names stand for
 };
 
 }  // namespace candelabra

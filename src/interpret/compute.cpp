@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fast way to numbers: literals and names are read, other expressions run as the programs that
-// compile.cpp makes of them. Whatever has to be reported is left to walk_expression().
+// The fast path to numbers. Literals and names are read directly; other expressions run as the
+// programs that compiler.cpp makes of them. Expressions with anything to report are left to
+// walk_expression().
 #include "interpret/state.h"
 #include "text/message.h"
 #include "vocabulary/reserved.h"
@@ -36,7 +37,7 @@ std::optional<double> Evaluator::State::compute_scalar(const Tree& tree, NodeId 
     return result.at[0];
 }
 
-/// Whether the names are of the kinds that the code is for; then they are in its registers.
+/// Loads the names into the registers. False if their kinds are not those that the code is for.
 bool Evaluator::State::load(Code& code) const {
     double* const registers = code.registers.data();
     for (const Code::Input& input : code.inputs) {
@@ -72,7 +73,7 @@ bool Evaluator::State::run(Code& code, Numbers& result) {
 
 namespace {
 
-/// The help where a scene takes a word like `x` for a name of its own.
+/// Help for a scene that uses a word like `x` as a name of its own.
 std::string about_axis(const Tree& tree, NodeId id) {
     while (const auto* group = tree.get_if<node::Group>(id)) id = group->content;
     const auto* binary = tree.get_if<node::Binary>(id);

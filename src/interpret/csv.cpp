@@ -3,6 +3,7 @@
 
 #include "interpret/csv_rows.h"
 #include "text/ascii.h"
+#include "text/decimal.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -41,14 +42,14 @@ private:
         return false;
     }
 
-    /// The separator, the header and the number of columns.
+    /// Finds the separator, the header and the number of columns.
     bool begin() {
         if (!rows_.find_row()) return true;
         separator_ = form_.separator ? form_.separator : rows_.find_separator();
         table_.decimal_comma = separator_ != ',';
         const std::size_t start = rows_.at();
         if (!rows_.take_row(separator_, row_, problem_)) return false;
-        // A separator behind the last cell makes no other one.
+        // A separator after the last cell does not begin another one.
         if (row_.size() > 1 && row_.back().empty()) row_.pop_back();
         table_.columns = row_.size();
         const bool header = form_.header == CsvForm::Header::there ||
@@ -84,7 +85,7 @@ private:
         return true;
     }
 
-    /// False: there is something else, or it failed.
+    /// False if there are other cells, or after a failure.
     bool read_numbers() {
         const std::string_view rest = rows_.text().substr(rows_.at());
         const auto lines = static_cast<std::size_t>(std::ranges::count(rest, '\n')) + 1;
@@ -167,7 +168,7 @@ std::optional<double> csv_number(std::string_view cell, bool decimal_comma) {
         std::ranges::replace(with_point, ',', '.');
         cell = with_point;
     }
-    // Words such as inf are no numbers here.
+    // Words such as inf are not numbers here.
     const char first = cell[cell.size() > 1 && cell[0] == '-' ? 1 : 0];
     if (first != '.' && !is_digit(first)) return std::nullopt;
     double result = 0;
@@ -175,9 +176,8 @@ std::optional<double> csv_number(std::string_view cell, bool decimal_comma) {
     const auto [behind, failure] = std::from_chars(cell.data(), end, result);
     if (behind != end) return std::nullopt;
     if (failure == std::errc()) return result;
-    // What is too small for a number is 0; what is too large is none.
-    const std::size_t exponent = cell.find_first_of("eE");
-    if (exponent != cell.npos && cell.substr(exponent + 1).starts_with('-')) return 0.0;
+    // A number that is too small for a double is 0; one that is too large is not a number.
+    if (underflows(cell.substr(cell[0] == '-' ? 1 : 0))) return 0.0;
     return std::nullopt;
 }
 

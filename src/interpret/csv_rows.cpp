@@ -113,7 +113,7 @@ bool CsvRows::take_row(char separator, std::vector<CsvCell>& cells, CsvProblem& 
     return true;
 }
 
-/// A cell whose opening quote is at i; what may follow it.
+/// Takes a cell whose opening quote is at i, and checks the text after it.
 bool CsvRows::take_quoted(char separator, std::size_t& i, std::size_t& last, CsvCell& cell,
                           CsvProblem& problem) {
     std::size_t end = text_.find('"', i + 1);
@@ -168,13 +168,13 @@ std::size_t CsvRows::line_end(std::size_t from) const {
     return end == nowhere ? text_.size() : end;
 }
 
-/// Whether a comment begins here, behind a blank: `1, 2 // here` or `1, 2 # here`.
+/// Whether a comment begins here, after a blank: `1, 2 // here` or `1, 2 # here`.
 bool CsvRows::comment_begins(std::size_t i) const {
     if (i == 0 || i + 1 >= text_.size() || !is_gap(text_[i - 1])) return false;
     return text_[i] == '/' ? text_[i + 1] == '/' : text_[i] == '#' && is_gap(text_[i + 1]);
 }
 
-/// The line here without blanks, and without brackets around all of it: `[1, 2, 3],`.
+/// The current line without outer blanks, and without brackets around all of it: `[1, 2, 3],`.
 std::pair<std::size_t, std::size_t> CsvRows::inner(char separator) const {
     std::size_t first = at_, last = line_end(at_);
     const auto skips = [&](char c) { return is_gap(c) && c != (separator == '\t' ? '\t' : 0); };

@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-/// The text of a cell, without blanks around it and without its quotes.
+/// The range of a cell's text, without blanks around it and without its quotes.
 struct CsvCell {
     std::size_t first = 0, last = 0;
     bool quoted = false;
@@ -19,30 +19,30 @@ struct CsvCell {
     bool empty() const { return !quoted && first == last; }
 };
 
-/// Goes through the lines of a table.
+/// Iterates over the lines of a table.
 class CsvRows {
 public:
-    /// `max_cells`: how many cells a row may have.
+    /// `max_cells`: maximum number of cells in a row.
     CsvRows(std::string_view text, std::size_t max_cells);
 
     std::string_view text() const { return text_; }
     std::string_view text(const CsvCell& cell) const {
         return text_.substr(cell.first, cell.last - cell.first);
     }
-    /// The text of a cell, where two quotes in quotes stand for one.
+    /// The text of a cell, with two quotes inside quotes replaced by one.
     std::string content(const CsvCell&) const;
     std::size_t at() const { return at_; }
     void go_to(std::size_t at) { at_ = at; }
 
     /// Moves to the next line that is neither empty nor a comment; false at the end.
     bool find_row();
-    /// What separates the cells of the line here: a tab, a semicolon, a comma, a bar or blanks, the
-    /// first of these that it has.
+    /// The separator of the current line: the first of tab, semicolon, comma, bar and blank that
+    /// occurs in it.
     char find_separator() const;
-    /// The cells of the line here, and moves behind it; a quoted cell may go on in the next line.
+    /// Reads the cells of the current line and moves past it. A quoted cell may contain line ends.
     bool take_row(char separator, std::vector<CsvCell>& cells, CsvProblem& problem);
-    /// The same for a row of so many numbers without anything else, which is faster. False: it is
-    /// none, and nothing has happened.
+    /// A faster take_row() for rows of `columns` numbers and nothing else. Returns false, with no
+    /// effect, for other rows.
     bool take_numbers(char separator, std::size_t columns, std::vector<double>& numbers);
 
 private:
@@ -56,7 +56,7 @@ private:
     std::size_t at_ = 0;
 };
 
-/// `#ff8800`: a colour, which begins no comment.
+/// Whether a cell is a colour, `#ff8800`, which does not begin a comment.
 bool is_hex_colour(std::string_view cell);
 
 }  // namespace candelabra

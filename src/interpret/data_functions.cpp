@@ -16,7 +16,7 @@ namespace candelabra {
 
 namespace {
 
-/// A file that a function reads, and where it says what is wrong with it.
+/// A file that a function reads, and the reports about it.
 class DataText {
 public:
     DataText(FunctionCall& call, Evaluator& evaluator) : call_(call), evaluator_(evaluator) {}
@@ -26,7 +26,7 @@ public:
         const std::string name(call_.text(0));
         if (call_.failed()) return false;
         std::optional<Found> found = evaluator_.load_found(name, call_.place(0));
-        // Its text is looked at, and made into numbers.
+        // The text is read, and converted to numbers.
         if (!found || !evaluator_.spend(4 * found->text.size(), call_.place(0))) {
             call_.fail_silently();
             return false;
@@ -39,7 +39,7 @@ public:
     std::size_t most() const { return evaluator_.limits().array_elements; }
     std::string name() const { return printable(call_.text(0)); }
 
-    /// Says what is wrong with the file as a whole.
+    /// Reports a problem of the file as a whole.
     Value fail(Fault fault, std::string why, std::string help = {}) {
         evaluator_.report(error(fault, call_.place(0), message("`", name(), "` ", why))
                               .with_help(std::move(help)));
@@ -52,7 +52,7 @@ public:
                     "--limit-elements raises the limit");
     }
 
-    /// Says what is wrong at a place in the file.
+    /// Reports a problem at a place in the file.
     Value fail_at(Fault fault, std::size_t first, std::size_t last, std::string_view what,
                   std::string help) {
         SourceStore& sources = evaluator_.sources();
@@ -72,7 +72,7 @@ private:
     Found found_;
 };
 
-/// Whether all words of the second argument are known.
+/// Applies the options in the second argument. False after a report.
 bool take_options(FunctionCall& call, CsvForm& form) {
     if (call.count() < 2) return true;
     std::string_view rest = call.text(1);

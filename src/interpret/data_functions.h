@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Functions that read files of data into arrays. The table in functions.cpp names them and says
-// what they do.
+// Functions that read files of data into arrays. The table in functions.cpp names and describes
+// them.
 #pragma once
 
 #include "interpret/functions.h"

@@ -17,7 +17,7 @@ DataReader::DataReader(SourceId source, const SourceStore& sources, Names& names
 }
 
 void DataReader::advance() {
-    // The token ahead is the only one whose number or string is still wanted.
+    // Only the number or string of the token ahead is still needed.
     tree_.numbers.clear();
     tree_.texts.clear();
     taken_ = ahead_.last;
@@ -73,7 +73,7 @@ std::optional<double> DataReader::number() {
     return negative ? -size : size;
 }
 
-/// `< ... >` in forms that are not one token: with comments, or without commas.
+/// Reads `< ... >` in forms that are not one token: with comments, or without commas.
 Value DataReader::vector() {
     const std::uint32_t first = ahead_.first;
     advance();

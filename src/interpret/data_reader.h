@@ -15,17 +15,17 @@ class DataReader {
 public:
     DataReader(SourceId, const SourceStore&, Names&, Diagnostics&);
 
-    /// The next value and the comma behind it. Nothing at the end of the file; a broken value when
-    /// what is there is none, which has been reported.
+    /// Reads the next value and the comma after it. Returns nothing at the end of the file, and a
+    /// broken value after a report.
     std::optional<Value> next();
 
-    /// Where the last value stands.
+    /// The place of the last value.
     Span place() const { return place_; }
-    /// Whether there is a line end between the last value and the one before it.
+    /// Whether a line ends between the last value and the one before it.
     bool behind_line_end() const { return behind_line_end_; }
 
-    /// Whether the file has been read to its end: a comma behind the last value says that there is
-    /// more to come, as in POV-Ray.
+    /// Whether the file has been read to its end. A comma after the last value announces another
+    /// one, as in POV-Ray.
     bool at_end() const { return ahead_.kind == TokenKind::end_of_file && !after_comma_; }
 
 private:
@@ -42,9 +42,9 @@ private:
     Tree tree_;  ///< holds the numbers and strings of the tokens
     Lexer lexer_;
     Token ahead_;
-    bool after_comma_ = true;  ///< or at the start
+    bool after_comma_ = true;  ///< or at the start of the file
     Span place_;
-    std::uint32_t taken_ = 0;  ///< where the last token that was taken ends
+    std::uint32_t taken_ = 0;  ///< end of the last token taken
     bool behind_line_end_ = false;
 };
 

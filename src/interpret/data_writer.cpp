@@ -62,7 +62,7 @@ void DataWriter::write(const Numbers& numbers, BinaryForm form) {
     const double least = form.is_signed ? -most - 1 : 0;
     for (int i = 0; i < numbers.count; ++i) {
         const double value = std::floor(numbers.at[static_cast<std::size_t>(i)] + 0.5);
-        // What is no number becomes the least.
+        // NaN becomes the least.
         const double limited = value >= most ? most : value >= least ? value : least;
         const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(limited));
         std::array<char, 4> bytes;

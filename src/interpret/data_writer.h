@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes values into a file for #write, as text or as binary numbers. Errors of the disk are kept
-// until somebody asks.
+// Writes values into a file for #write, as text or as binary numbers. Disk errors are kept until
+// good() or close() is called.
 #pragma once
 
 #include "interpret/value.h"
@@ -15,34 +15,34 @@
 
 namespace candelabra {
 
-/// How a number is written: `uint16le` is {2, false, false}.
+/// The binary format of a number: `uint16le` is {2, false, false}.
 struct BinaryForm {
     int bytes = 1;
     bool is_signed = false;
     bool big_end_first = false;
 };
 
-/// The form with that name.
+/// The form of this name, or nothing.
 std::optional<BinaryForm> binary_form(std::string_view name);
 
 class DataWriter {
 public:
-    /// A file that FileAccess has opened; a closed one has failed.
+    /// Writes to a file that FileAccess has opened. A closed file counts as failed.
     explicit DataWriter(OpenedFile);
-    /// What is written goes to the end of this text, and to no disk.
+    /// Appends to this text and writes to no disk.
     explicit DataWriter(std::shared_ptr<std::string> text) : text_(std::move(text)) {}
 
-    /// Whether there is such a file and all that was written has gone well so far.
+    /// Whether the file is open and all writes so far have succeeded.
     bool good() const { return !failed_; }
 
-    /// As text: strings as they are, numbers with six digits, `<x,y,z> ` with a blank behind.
+    /// Writes text: strings unchanged, numbers with six digits, vectors as `<x,y,z> ` with a blank.
     void write(const Value&);
-    /// Every number rounded, and limited to what the form can hold.
+    /// Writes each number rounded, and clamped to the range of the form.
     void write(const Numbers&, BinaryForm);
 
-    /// How much was written.
+    /// Number of bytes written so far.
     std::uint64_t bytes() const { return bytes_; }
-    /// Puts everything on the disk; false if that, or anything before, has failed.
+    /// Closes the file. False if that, or any write, has failed.
     bool close();
 
 private:

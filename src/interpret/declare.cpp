@@ -22,7 +22,7 @@ Value Evaluator::State::right_side(const Tree& tree, NodeId id) {
 
 namespace {
 
-/// How what follows a value on its line begins when it is one more value; empty: it is none.
+/// The first character of another value that follows a value on its line; empty if none does.
 std::string_view value_behind(std::string_view rest) {
     const std::size_t at = rest.find_first_not_of(" \t");
     if (at == rest.npos) return {};
@@ -38,9 +38,9 @@ constexpr std::string_view old_scenes =
 
 }  // namespace
 
-/// A value that needs a semicolon has none.
+/// Reports that a value lacks its semicolon.
 void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& node) {
-    // A macro may end in one; and the oldest scenes have none.
+    // A macro may end in a semicolon, and the oldest scenes have none.
     if (version < 3.1 || tree.get_if<node::Call>(node.value)) return;
     const Span end{tree.source, tree[node.value].last, tree[node.value].last};
     const std::string text = "a `;` is missing after this value";
@@ -64,7 +64,7 @@ void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& n
     report(problem);
 }
 
-/// Numbers for a name or element that does not hold numbers yet.
+/// Declares numbers for a name or element that does not hold numbers yet.
 void Evaluator::State::declare_numbers(const Tree& tree, const node::Declare& node,
                                        const Numbers& numbers) {
     const auto* name = node.local ? tree.get_if<node::Name>(node.target) : nullptr;
@@ -79,7 +79,7 @@ void Evaluator::State::declare_numbers(const Tree& tree, const node::Declare& no
 void Evaluator::State::declare(const Tree& tree, const node::Declare& node, NodeId id) {
     constexpr std::uint64_t declaring = 20;
     if (!spend(declaring, tree.span(id))) return;
-    // Nearly always numbers take the place of numbers.
+    // Nearly always, numbers replace numbers.
     const auto* name = tree.get_if<node::Name>(node.target);
     Numbers* target = name ? scope.overwritable(name->name, node.local) : nullptr;
     Numbers computed;
@@ -94,7 +94,7 @@ void Evaluator::State::declare(const Tree& tree, const node::Declare& node, Node
     if (stopped_) return;
     if (const Numbers* numbers = value.numbers()) {
         check_semicolon(tree, node);
-        // Looked up again: a macro may have changed what the name stands for.
+        // Looked up again, because a macro may have changed the binding of the name.
         target = name ? scope.overwritable(name->name, node.local) : nullptr;
         if (target) {
             *target = *numbers;
@@ -104,8 +104,8 @@ void Evaluator::State::declare(const Tree& tree, const node::Declare& node, Node
     assign(tree, node.target, std::move(value), node.local);
 }
 
-/// As in POV-Ray, textures behind a call that gives one are layers on it, as in
-/// `#declare T = Base() texture { ... }`. Gives the first node that is no layer.
+/// As in POV-Ray, textures after a call that yields one are layers on it, as in
+/// `#declare T = Base() texture { ... }`. Returns the first node that is not a layer.
 NodeId Evaluator::State::declare_layers(const Tree& tree, const node::Declare& node, NodeId next) {
     const auto* name = tree.get_if<node::Name>(node.target);
     if (!name || !tree.get_if<node::Call>(node.value) || !handlers.layered) return next;
@@ -128,8 +128,8 @@ bool Evaluator::State::declare_text(const Tree& tree, const node::Declare& node)
     const NameId name = tree.get<node::Name>(node.target).name;
     const auto& call = tree.get<node::Call>(node.value);
     const auto* first = tree.get_if<node::Name>(call.arguments);
-    // `#declare S = concat(S, ...)` appends. The old text is kept while the rest is built, for that
-    // may change it.
+    // `#declare S = concat(S, ...)` appends. The old text is kept while the rest is built, because
+    // that may change it.
     const Value* before = scope.find(name);
     const bool appends =
         call.name == concat && first && first->name == name && before && before->text();
@@ -146,7 +146,7 @@ bool Evaluator::State::declare_text(const Tree& tree, const node::Declare& node)
     if (appends && !unchanged) text.insert(0, *old);
     old = nullptr;
     const std::size_t length = text.size() + (unchanged ? target->text()->size() : 0);
-    // What is added at the end is all the work, unless the whole is copied.
+    // Only the appended text counts as work, unless the whole is copied.
     if (length > limits.text_bytes && !may_be_long(length, tree.span(node.value))) return true;
     std::string* const own = target ? target->own_text() : nullptr;
     if (unchanged && own) {
@@ -185,7 +185,7 @@ void Evaluator::State::warn_deprecated(NameId name, Span span) {
     report(warning(Fault::deprecated, span, known.text));
 }
 
-/// `#declare (a, b) = (1, 2);`, one after the other.
+/// Declares `#declare (a, b) = (1, 2);`, one after the other.
 void Evaluator::State::declare_tuple(const Tree& tree, const node::Declare& node, NodeId id) {
     const auto* values = tree.get_if<node::Tuple>(node.value);
     NodeId value = values ? values->content : no_node;

@@ -160,7 +160,7 @@ Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, con
     return stopped_ ? Flow::stopped : Flow::end;
 }
 
-/// Start, end and step of a loop, or nothing when there is no pass or it has been reported.
+/// Start, end and step of a loop; nothing if there is no pass, or after a report.
 std::optional<std::array<double, 3>> Evaluator::State::for_range(const Tree& tree,
                                                                  const node::For& node, NodeId id) {
     std::array<double, 3> range = {0, 0, 1};
@@ -270,7 +270,7 @@ Flow Evaluator::State::include(const Tree& tree, const node::Include& node, Node
     const auto* bare = tree.get_if<node::Name>(member ? member->operand : node.file);
     const bool angles = tree.get_if<node::Vector>(node.file) != nullptr;
     if (angles || (bare && !scope.find(bare->name))) {
-        // Everything that the file would have declared is missing from here on.
+        // All declarations of the file are missing from here on.
         const std::uint32_t sign = angles ? 1 : 0;
         broken(Fault::wrong_type, span,
                message("the name of a file stands in quotes: #include \"",
@@ -315,7 +315,7 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
     const std::optional<Found> found = loader.load(name, directory);
     if (!found) {
         report(loader.problem(name, span, FileKind::include, directory));
-        // What the file would have declared is missing from here on: more messages would follow
+        // The declarations of the file are missing from here on, so that more errors would follow
         // from this one.
         stopped_ = true;
         return nullptr;

@@ -98,7 +98,7 @@ void Evaluator::run(SourceId main) {
         [&state](Diagnostic& diagnostic) { state.point_at_scene(diagnostic); });
     on_deep_stack(state.limits.stack_bytes, [&](std::size_t bytes) {
         const char here = 0;
-        // What runs between two checks, the binder included, fits into the margin.
+        // The code between two checks, including the binder's, fits into the margin.
         const std::size_t margin = std::size_t{1} << 20;
         state.stack_end = &here - (bytes - margin);
         state.run_within_memory(main);
@@ -149,7 +149,7 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
 
 void Evaluator::State::add_functions(std::span<const FunctionInfo> added) {
     for (const FunctionInfo& function : added) {
-        // Some functions are not reserved: a scene's own names go before them.
+        // Some functions are not reserved: a scene's own names take precedence.
         const auto number = static_cast<std::size_t>(names.intern(function.name));
         functions.resize(std::max(functions.size(), number + 1));
         functions[number] = &function;
@@ -157,7 +157,7 @@ void Evaluator::State::add_functions(std::span<const FunctionInfo> added) {
 }
 
 void Evaluator::State::run_within_memory(SourceId main) {
-    // Given back to have room for the message.
+    // Released to have room for the message.
     auto reserve = std::make_unique<std::array<char, std::size_t{1} << 20>>();
     try {
         run(main);
@@ -202,7 +202,7 @@ void Evaluator::State::run(SourceId main) {
 }
 
 void Evaluator::State::walk_whole(const Tree& tree, NodeId first, const Sink& take) {
-    // Apart, because objects inside each other must not set aside the room of a message each.
+    // Not inlined, so that nested objects do not each reserve stack for a message.
     const auto report_break = [this]() __attribute__((noinline)) {
         report(error(Fault::misplaced, last_break,
                      "this #break is in no loop, #switch or macro that it could leave"));
@@ -265,12 +265,12 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     return Absence::broken;
 }
 
-/// Where the file that uses the name declares it around that place, or first behind it, or last
-/// before it, in a part that has not been walked; null: it does not.
+/// The declaration of a name in the file that uses it: around the use, or the first after it, or
+/// the last before it in a part that has not been walked. Null if there is none.
 std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Span use) const {
     std::pair<const Tree*, NodeId> result{nullptr, no_node}, above = result;
     std::vector<std::uint32_t> undefs;
-    bool again = false;  // what is behind the use may come before it
+    bool again = false;  // text after the use may run before it
     for (const Tree& tree : files.all()) {
         if (tree.source != use.source) continue;
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {

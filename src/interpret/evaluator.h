@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Walks trees: expands directives, macros, loops and includes, computes expressions, and hands the
-// elements that remain to their handlers (the binder's). It knows the language and no item of a
-// scene. Evaluation takes place in the order of the text; a block is handed over
-// unevaluated and its content is walked when the binder asks for it, so variables then have the
-// values they have at that place.
+// Walks trees: expands directives, macros, loops and includes, computes expressions, and passes the
+// remaining elements to the binder's handlers. It knows the language but no item of a scene.
+// Evaluation follows the order of the text. A block is passed on unevaluated, and its content is
+// walked when the binder asks for it, so variables have the values that they have at that place.
 #pragma once
 
 #include "base/function_ref.h"
@@ -27,18 +26,17 @@
 
 namespace candelabra {
 
-/// One element of a body, after all directives are gone.
+/// One element of a body, after all directives have been carried out.
 struct Element {
     enum class Kind {
         value,   ///< numbers, a string, an array, or a declared part of a scene; `word` is its name
-                 ///< when it was a lone name
-        word,    ///< a word of the language, or a name that nothing has declared: switches, items,
-                 ///< kinds
+                 ///< if it was a lone name
+        word,    ///< a word of the language or an undeclared name: switches, items, kinds
         block,   ///< `word { body }`
         entry,   ///< `[ body ]`
         braces,  ///< `{ body }`
         list,    ///< `< ... >` with six numbers or more: a matrix, coefficients
-        joined,  ///< `+ body`: what a directive adds to the expression that it goes on with
+        joined,  ///< `+ body`: the part that a directive adds to the expression before it
     };
 
     Kind kind = Kind::word;
@@ -51,7 +49,7 @@ struct Element {
     Span word_span;                ///< of the word of a block; otherwise the same as span
 };
 
-/// What the scene can know about its run.
+/// Facts about the run that a scene can read.
 struct RunFacts {
     double clock = 0;
     bool clock_given = false;
@@ -65,28 +63,26 @@ struct RunFacts {
     double final_clock = 0;
     double clock_delta = 0;
     std::string header;             ///< file that is included before the scene; empty: none
-    std::optional<double> version;  ///< until the scene says one
+    std::optional<double> version;  ///< until the scene sets one
 };
 
-/// The binder's side: what becomes of the elements. All may walk and evaluate; they may be called
-/// while others of them run.
+/// The binder's handlers of elements. All may walk and evaluate, and may be called while others of
+/// them run.
 struct ElementHandlers {
-    /// An element of the scene itself.
+    /// Takes an element of the scene itself.
     std::function<void(const Element&)> top;
-    /// A block, or several in a row (layers of a texture), where a value is wanted: what #declare
-    /// stores.
+    /// The value of a block, or of several in a row (layers of a texture), as #declare stores it.
     std::function<Value(std::span<const Element>)> value;
-    /// One value of two that a macro gives in a row as blocks: a texture over another. Nothing
-    /// where they stay two; null: they always do.
+    /// The one value of two that a macro yields in a row as blocks: a texture over another.
+    /// Absence::nothing if they remain two; a null handler: they always do.
     std::function<Value(const Value& below, const Value& above, Span)> layered;
-    /// The pattern or pigment in `function { ... }`, as a function of a point. Null: reported.
+    /// The pattern or pigment in `function { ... }`, as a function of a point. Null after a report.
     std::function<Handle<Formula>(const Element&)> function;
-    /// `#default { ... }`: each element of its body.
+    /// Takes each element in the body of `#default { ... }`.
     std::function<void(const Element&)> set_default;
-    /// Whether the word is nothing without what follows in braces: for messages.
+    /// Whether the word needs braces after it, for messages.
     std::function<bool(NameId)> takes_braces;
-    /// `#debug` and its relatives that are not diagnostics; the text comes as it is, without a line
-    /// end added.
+    /// Prints the text of `#debug`, `#render` and `#statistics`, without an added line end.
     std::function<void(std::string_view)> print;
 };
 
@@ -103,100 +99,100 @@ public:
     /// Set once, before run(): the handlers usually refer to the evaluator.
     void set_handlers(ElementHandlers);
 
-    /// Before run(): functions beside those of values, and what answers about objects. Both outlive
-    /// the evaluator.
+    /// Adds functions beside those of values, and the object that answers queries about objects. To
+    /// be called before run(). Both outlive the evaluator.
     void add_functions(std::span<const FunctionInfo>, ObjectQueries&);
 
-    /// Before run(); otherwise the default limits hold.
+    /// To be called before run(); otherwise the default limits hold.
     void set_limits(const Limits&);
     const Limits& limits() const;
 
-    /// A global name from outside: `Declare=Depth=5`.
+    /// Declares a global name from outside the scene: `Declare=Depth=5`.
     void declare(std::string_view name, Value);
 
     /// Parses and walks the main file, on a stack of its own that is deep enough for any recursion
     /// within the limits.
     void run(SourceId main);
 
-    /// Calls `take` for each element, in order, after all directives are gone. Names that are not
-    /// declared and reserved words come as words; a value that could not be computed has been
-    /// reported and comes as a broken value.
+    /// Carries out directives and calls `take` for each remaining element, in order. Undeclared
+    /// names and reserved words are passed as words. A value that could not be computed has been
+    /// reported and is passed as a broken value.
     void walk(Body, Take);
 
-    /// The numbers of an expression, when it can be computed without saying anything. False:
-    /// nothing has happened, and walk() must do it.
+    /// Computes the numbers of an expression if nothing has to be reported. Otherwise returns
+    /// false, without effects, and walk() must do it.
     bool compute(Body, Numbers&);
-    /// Several compute() together: unless all is kept in the end, nothing has happened.
+    /// Brackets several compute(): unless `keep` is true at the end, they have no effects.
     void begin_attempt();
     void end_attempt(bool keep);
-    /// What the name stands for now, or null.
+    /// The current value of the name, or null.
     const Value* find(NameId) const;
 
-    /// The element as a value: a block becomes one by the handlers; a word that is no value is
-    /// reported.
+    /// The element as a value. The handlers make the value of a block; a word that is not a value
+    /// is reported.
     Value value_of(const Element&);
 
     /// The value of `#version`.
     double version() const;
-    /// Whether a string of the scene has other characters than those of ASCII, so far as it is
-    /// read.
+    /// Whether a string in the files read so far has characters beyond ASCII.
     bool has_foreign_strings() const;
-    /// What assumed_gamma has said: colours by srgb are converted to it from here on.
+    /// Sets the gamma that assumed_gamma states. From here on srgb colours are converted to it.
     void set_working_gamma(double);
     /// Whether `#version` has occurred.
     bool version_given() const;
-    /// Lives on in the functions that use it.
+    /// The noise of the scene, which lives on in the functions that use it.
     const std::shared_ptr<SceneNoise>& noise() const;
 
-    /// A file of data that the scene names; nothing after a report.
+    /// The text of a data file that the scene names; nothing after a report.
     std::optional<std::string> load_data(const std::string& name, Span);
-    /// The same, and where it is.
+    /// The same, with the path of the file.
     std::optional<Found> load_found(const std::string& name, Span);
-    /// The same of a name without an ending, which may stand for one with one of these.
+    /// The same for a name without an ending, to which one of these may be added.
     std::optional<Found> find_data(const std::string& name, Span,
                                    std::span<const std::string_view> endings);
 
-    /// Adds the frames that lead here.
+    /// Reports a diagnostic, with the frames that lead here.
     void report(Diagnostic);
-    /// A report says what is wrong with the word at that node: of parentheses right behind it
-    /// nothing more has to be said.
+    /// Notes that the word at that node has been reported: then parentheses directly after it need
+    /// no report.
     void note_reported(const Body& word);
-    /// After #error or too many errors nothing more is evaluated; walk() returns early.
+    /// Whether evaluation has stopped, as after #error or too many errors; walk() then returns
+    /// early.
     bool stopped() const;
-    /// Evaluates nothing more: going on makes no sense.
+    /// Stops evaluation, where going on makes no sense.
     void stop();
-    /// To be called for each object that the scene keeps, at its place. Stops with a report when
+    /// To be called for each object that the scene keeps, at its place. Stops with a report if
     /// there are more than the limits allow.
     void count_object(Span);
-    /// The same for an object that is put into the scene, with all its parts: those of declared
+    /// The same for an object that is placed in the scene, with all its parts. Parts of declared
     /// objects count each time.
     void count_placed(std::uint64_t parts, Span);
-    /// To be called before all parts of an object are looked at; false when there are too many,
-    /// which stops.
+    /// To be called before all parts of an object are visited. If there are too many, stops and
+    /// returns false.
     bool may_have_parts(std::uint64_t parts, Span);
-    /// To be called before work that takes long: `amount` in steps of some nanoseconds. False when
-    /// it is too much, which stops.
+    /// To be called before long work. `amount`: steps of some nanoseconds each. If it is too much,
+    /// stops and returns false.
     bool spend(std::uint64_t amount, Span);
-    /// Asks a function of x and y at all pixels that it has, row by row, both from 0 to 1; `good`:
-    /// it has an answer there. False when that is too much work.
+    /// Evaluates a function of x and y, both from 0 to 1, at all its pixels, row by row. `good`:
+    /// whether it has a value there. Returns false if that is too much work.
     enum class Rows { from_bottom, from_top };
     bool sample(const Formula&, Rows, Span,
                 FunctionRef<void(const FunctionResults&, bool good)> visit);
 
-    /// The element of an array, or what is in it, at a path such as "lamps.0.radiance". Broken
-    /// after a report, absent when it is not set.
+    /// The element of an array, or of arrays in it, at a path such as "lamps.0.radiance". Broken
+    /// after a report, absent if it is not set.
     Value element_at(const Value& array, std::string_view path, Span);
-    /// A colour in the values of displays, and its opacity, as a colour of the scene.
+    /// Converts an sRGB colour and its opacity to a colour of the scene.
     Numbers display_colour(const std::array<double, 4>&) const;
 
     std::string_view spelling(NameId) const;
     SourceStore& sources();
-    /// Finds files, those that this run has written among them.
+    /// Finds files, including those that this run has written.
     const Loader& loader() const;
     Names& names();
     Diagnostics& diagnostics();
 
-    /// Names that are declared now, for "did you mean".
+    /// Currently declared names, for "did you mean".
     std::vector<std::string_view> declared_names() const;
 
 private:

@@ -48,8 +48,8 @@ double apply(Operator sign, double a, double b) {
 
 bool is_comparison(Operator sign) { return sign >= Operator::less && sign <= Operator::greater; }
 
-/// `(#include "five.inc" + 1)`: values of which each but the first begins with a sign; nothing when
-/// they are something else.
+/// The sum of values of which each but the first begins with a sign, as in
+/// `(#include "five.inc" + 1)`; nothing for other elements.
 std::optional<Numbers> sum(std::span<const Element> elements, const SourceStore& sources) {
     Numbers total = Numbers::scalar(0);
     for (const Element& element : elements) {
@@ -102,7 +102,7 @@ Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, 
 
 Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
     if (!room(tree, id)) return Absence::broken;
-    // Apart, because expressions inside each other must not set aside the room of a message each.
+    // Not inlined, so that nested expressions do not each reserve stack for a message.
     const auto refuse_tuple = [&]() __attribute__((noinline))->Value {
         const std::string_view before = sources.text(tree.source).substr(0, tree[id].first);
         const std::size_t last = before.find_last_not_of(" \t");
@@ -230,7 +230,7 @@ Value Evaluator::State::combine(Operator sign, Value left, Value right, Span rig
     return left;
 }
 
-/// Operators whose operands are not numbers: strings can be compared.
+/// Applies an operator to operands that are not numbers: strings can be compared.
 Value Evaluator::State::truth(const Value& left, const Value& right, Operator sign, Span span) {
     if (left.text() && right.text() && is_comparison(sign)) {
         const int order = left.text()->compare(*right.text());
@@ -303,7 +303,7 @@ std::vector<NodeId> Evaluator::State::random_calls(const Tree& tree, NodeId id) 
 }
 
 Value Evaluator::State::group(const Tree& tree, NodeId content, Span span) {
-    // Nearly always there is nothing but the value.
+    // Nearly always there is only the value.
     if (content != no_node && tree[content].next == no_node && !tree.get_if<node::If>(content))
         return evaluate(tree, content);
     std::vector<Element> elements;
@@ -330,7 +330,7 @@ bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<do
         const auto* call = tree.get_if<node::Call>(id);
         const bool macro = call && !names.reserved(call->name) && !is_function(call->name);
         if (macro || is_directive(tree, id)) {
-            // It may give several components, or none.
+            // It may yield several components, or none.
             bool good = true;
             const auto take = [&](const Element& element) {
                 good = good && add(evaluator.value_of(element), element.span);

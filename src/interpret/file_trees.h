@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of a scene as trees. An include file is parsed when the walk comes to its #include, or
-// before that, when a file is parsed that names it: it may define macros that open braces, which
-// the parser has to know. Its errors are reported when the walk comes to it.
+// The trees of a scene's files. An include file is parsed when the walk reaches its #include, or
+// earlier, when a file that names it is parsed: it may define open macros, which the parser has to
+// know. Its errors are reported when the walk reaches it.
 #pragma once
 
 #include "syntax/parser.h"
@@ -19,38 +19,37 @@ public:
     FileTrees(SourceStore& sources, const Loader& loader, Names& names, Diagnostics& diagnostics)
         : sources_(sources), loader_(loader), names_(names), diagnostics_(diagnostics) {}
 
-    /// The scene itself.
+    /// Parses the scene itself.
     const Tree& main(SourceId, double version);
-    /// What an #include at that place has found.
+    /// The file of an #include.
     struct Included {
         const Tree* tree;
-        bool first;         ///< it is the first #include of it
-        Diagnostics found;  ///< the first time: what is wrong in it
+        bool first;         ///< whether this is its first #include
+        Diagnostics found;  ///< at the first #include: its diagnostics
     };
     Included included(const Found&, Span, double version);
-    /// The file at this path is another one from now on.
+    /// Forgets the file at this path, whose content has changed.
     void forget(const std::string& path) { files_.erase(path); }
 
-    /// The path of a file that defines a macro of this name which leaves braces open; null: none
-    /// does.
+    /// The path of a file that defines an open macro of this name, or null.
     const std::string* opening(NameId macro) const;
 
     const std::deque<Tree>& all() const { return trees_; }
-    /// How far files may include each other.
+    /// Maximum depth of nested includes.
     std::size_t deepest = 100;
 
 private:
     struct File {
-        const Tree* tree = nullptr;  ///< null: it is being parsed
-        double version = 0;          ///< that it was parsed for
+        const Tree* tree = nullptr;  ///< null while it is being parsed
+        double version = 0;          ///< of the language, when it was parsed
         Diagnostics found = {};
-        OpenMacroList macros = {};  ///< that are known behind it
-        bool met = false;           ///< the walk has come to it
+        OpenMacroList macros = {};  ///< known at its end
+        bool met = false;           ///< the walk has reached it
     };
 
     ParseOptions options(double version, bool included, OpenMacroList&);
     File& parse_file(const Found&, Span, double version, OpenMacroList known);
-    /// For an #include that the parser has met.
+    /// Parses the file of an #include that the parser has met.
     void read_ahead(const std::string& name, Span, double version, OpenMacroList& known);
 
     SourceStore& sources_;
@@ -60,7 +59,7 @@ private:
     std::deque<Tree> trees_;
     std::map<std::string, File> files_;                                 ///< by path
     std::map<std::pair<std::string, std::string>, std::string> paths_;  ///< by folder and name
-    OpenMacroList of_main_;  ///< that the scene knows at its end
+    OpenMacroList of_main_;  ///< known at the end of the scene
     std::size_t depth_ = 0;
 };
 

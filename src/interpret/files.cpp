@@ -67,15 +67,15 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
     if (!writer->good())
         return report(
             error(Fault::io, span, message("the file `", file.name, "` cannot be written")));
-    // An #include of this file is to see what is in it then.
+    // A later #include of this file must see its new content.
     if (!loader.keeps_off_disk()) loader.written(*path);
     files.forget(*path);
     file.writer = writer;
     written_files.push_back({file.name, file.opened, writer});
 }
 
-/// A writer at a destination that may be written; in a run that changes nothing to memory, where
-/// the loader finds the text.
+/// A writer to a destination that may be written. In a run that keeps off the disk, it writes to
+/// memory, where the loader finds the text.
 std::unique_ptr<DataWriter> Evaluator::State::writer_for(const std::string& path, bool append) {
     if (!loader.keeps_off_disk())
         return std::make_unique<DataWriter>(loader.file_access().open(path, append));
@@ -114,14 +114,14 @@ Handle<DataFile> Evaluator::State::open_file_named(NameId name, Span span) {
 
 void Evaluator::State::close_file(const Tree& tree, const node::Close& node, NodeId id) {
     const Value* found = scope.find(node.file);
-    if (!found) return;  // reading has come to its end
+    if (!found) return;  // #read has closed it at its end
     const Handle<DataFile> file = open_file_named(node.file, tree.span(id));
     if (!file) return;
     scope.undefine(node.file);
     if (file->writer) check_written(file->writer, tree.span(id));
 }
 
-/// Closes a file and reports, once, what has not got to the disk.
+/// Closes a file and reports, once, if not all of it could be written.
 void Evaluator::State::check_written(const std::shared_ptr<DataWriter>& writer, Span span) {
     const auto file = std::ranges::find(written_files, writer, &WrittenFile::writer);
     if (file == written_files.end()) return;
@@ -161,7 +161,7 @@ void Evaluator::State::read_values(const Tree& tree, const node::Read& node, Nod
     }
 }
 
-/// A row that is short gives its place to what stands in the next one. Said once of each file.
+/// Warns that a short row is completed from the next one. Reported once for each file.
 void Evaluator::State::warn_of_line_end(const DataFile& file, Span target, Span before) {
     if (!crossed_lines.insert(file.name).second) return;
     report(warning(Fault::wrong_count, target,
@@ -182,7 +182,7 @@ bool Evaluator::State::read_into(const Tree& tree, NodeId target, DataReader& re
     constexpr std::uint64_t reading = 50;
     work += reading;
     std::optional<Value> value = reader.next();
-    if (!value) {  // the comma before promised one; a new name is declared, but has no value
+    if (!value) {  // the comma before announced one; a new name is declared, but has no value
         if (name && !scope.find(name->name)) scope.declare(name->name, Absence::uninitialised);
         return true;
     }
@@ -243,7 +243,7 @@ void Evaluator::State::write_value(DataWriter& writer, const Value& value,
         writer.write(value);
 }
 
-/// From where a name is looked for: of those that a macro of the library is given, from its call.
+/// The folder from which a name is looked up; for a library macro, that of the scene's call.
 std::string Evaluator::State::data_folder(Span span) const {
     return directory_of(sources.name(outside_library(span).source));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `#fopen` declares: a file that is open for reading or for writing. It is closed by #fclose,
-// by #read at its end, and with the last value that refers to it. The directives are in files.cpp,
-// as members of the evaluator's state.
+// The value that `#fopen` declares: a file that is open for reading or for writing. It is closed by
+// #fclose, by #read at its end, and with the last value that refers to it. The directives are in
+// files.cpp, as members of the evaluator's state.
 #pragma once
 
 #include "interpret/data_reader.h"
@@ -25,7 +25,7 @@ struct DataFile {
     std::shared_ptr<DataWriter> writer;
 };
 
-/// A file that was opened for writing, to tell in the end whether all of it is on the disk.
+/// A file opened for writing, kept to check in the end whether all of it was written.
 struct WrittenFile {
     std::string name;
     Span opened;

@@ -9,7 +9,7 @@
 
 namespace candelabra {
 
-/// A place in the library becomes that of the scene's call which has led there.
+/// Maps a place in the library to that of the scene's call that led there.
 Span Evaluator::State::outside_library(Span span) const {
     const auto in_library = [this](Span place) {
         return place.known() && loader.in_standard_library(sources.name(place.source));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The macro calls and include files that are open, for diagnostics: how the evaluation came to
-// where it is.
+// The open macro calls and include files, which tell in diagnostics how the evaluation got here.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -25,7 +24,7 @@ public:
     void pop() { open_.pop_back(); }
     std::size_t depth() const { return open_.size(); }
 
-    /// The innermost first. Of very many only the ends are told apart by whoever prints them.
+    /// All frames, the innermost first. Printing them omits the middle of a very long list.
     std::vector<Frame> list(const Names& names, const SourceStore& sources) const {
         std::vector<Frame> result;
         for (std::size_t i = open_.size(); i-- > 0;) {

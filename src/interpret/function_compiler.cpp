@@ -17,7 +17,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::wrong
     return std::nullopt;
 }
 
-/// Runs the directives and macros of a list and compiles the expressions that they leave; what
+/// Runs the directives and macros of a list and compiles the expressions that remain. One that
 /// cannot be compiled is reported and counts as an expression.
 void Evaluator::State::FunctionCompiler::list(const Tree& tree, NodeId first,
                                               std::vector<Operand>& values) {
@@ -88,7 +88,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::expre
     }
 }
 
-/// What has a value now has it for ever.
+/// A value that exists now is a constant of the function.
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::constant(
     const Value& value, std::string_view what, Span span) {
     if (value.broken()) return std::nullopt;
@@ -161,7 +161,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::combi
     return result;
 }
 
-/// The passes of a loop are parts of the expression, each with what its names stand for then.
+/// Passes of a loop are parts of the expression, each with the values that its names have then.
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::open(const Tree& tree,
                                                                                 NodeId id) {
     struct Placed {
@@ -199,8 +199,8 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::divis
     return builder.emit(Operation::multiply, a, builder.constant(1 / *known));
 }
 
-/// In functions `&` binds closer than `|`; in other expressions, as which this one was parsed, both
-/// are the same and group from the left.
+/// In functions `&` binds closer than `|`. The parser treats both alike and groups from the left,
+/// as in other expressions.
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::logical(const Tree& tree,
                                                                                    NodeId id) {
     std::vector<std::pair<Operator, NodeId>> parts;  // each with the sign before it
@@ -262,7 +262,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call(
     return call_formula(tree, node, id, found->handle<Formula>());
 }
 
-/// The first result; the others are in the registers behind it.
+/// Returns the first result; the others are in the registers after it.
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call_formula(
     const Tree& tree, const node::Call& node, NodeId id, Handle<Formula> formula) {
     const auto values = arguments(tree, node.arguments);
@@ -297,7 +297,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::membe
     return result;
 }
 
-/// A component, or a mixture of some, of numbers in registers that follow each other.
+/// A component, or a weighted sum of components, of numbers in consecutive registers.
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::part(
     std::string_view member, Operand first, std::size_t count) {
     const auto mixed = [&](std::span<const double> weights) -> Result {
@@ -337,7 +337,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::loop(
     const Result first = expression(tree, parts[1]), last = expression(tree, parts[2]);
     if (!first || !last) return std::nullopt;
     const Operand i = builder.variable(), result = builder.variable();
-    builder.pin(i);  // whoever reads the counter releases it
+    builder.pin(i);  // else each reading of the counter would release it
     builder.assign(i, *first);
     builder.assign(result, builder.constant(sums ? 0 : 1));
     builder.release(*first);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compiles the body of a user function. Its language is smaller than that of other expressions:
-// numbers only, comparisons without tolerance, and sum() and prod(). What has a value when the
-// function is declared is a constant from then on. Used by user_function.cpp.
+// numbers only, comparisons without tolerance, and sum() and prod(). A name that has a value when
+// the function is declared is a constant from then on. Used by user_function.cpp.
 #pragma once
 
 #include "formula/builder.h"
@@ -16,14 +16,14 @@ namespace candelabra {
 
 struct Evaluator::State::FunctionCompiler {
     using Operand = ProgramBuilder::Operand;
-    using Result = std::optional<Operand>;  ///< nothing: has been reported
+    using Result = std::optional<Operand>;  ///< nothing: after a report
 
     explicit FunctionCompiler(State& state) : state(state) {}
 
     void add_parameter(NameId name) { locals.push_back({name, builder.input()}); }
 
     // ---- operators
-    /// A list with directives and one expression.
+    /// Compiles a list with directives and one expression.
     Result body(const Tree&, NodeId first, Span);
     void list(const Tree&, NodeId first, std::vector<Operand>& values);
     void take(const Tree&, NodeId, std::vector<Operand>& values);
@@ -33,7 +33,7 @@ struct Evaluator::State::FunctionCompiler {
     Result unary(const Tree&, const node::Unary&, NodeId);
     Result binary(const Tree&, const node::Binary&, NodeId);
     Result negative(Result);
-    /// An expression with macros or directives among its operands.
+    /// Compiles an expression with macros or directives among its operands.
     Result open(const Tree&, NodeId);
     Result combine(const Tree&, Operator, Result a, Result b, NodeId right);
     Result logical(const Tree&, NodeId);

@@ -14,7 +14,7 @@
 namespace candelabra {
 
 std::size_t RandomStreams::open(double seed) {
-    // Cut off to 32 bits with a sign; what does not fit becomes the least, as in POV-Ray.
+    // Truncated to a signed 32-bit number. Numbers out of range become the least, as in POV-Ray.
     constexpr double least = -2147483648.0;
     const double whole = seed > least - 1 && seed < -least ? std::trunc(seed) : least;
     states_.push_back(static_cast<std::uint32_t>(static_cast<std::int32_t>(whole)));

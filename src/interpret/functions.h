@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The functions that expressions can call: one table with name, number of arguments, help and code.
-// Those that are about names rather than values (defined) are with the expressions; those about
-// objects come from the binder.
+// Functions of names rather than values (defined) are with the expressions; functions of objects
+// come from the binder.
 #pragma once
 
 #include "base/function_ref.h"
@@ -24,7 +24,7 @@ class Evaluator;
 /// POV-Ray's random numbers: seed() opens a stream, rand() advances one.
 class RandomStreams {
 public:
-    /// The number of the new stream.
+    /// Opens a stream and returns its number.
     std::size_t open(double seed);
     bool known(double stream) const {
         return stream >= 0 && stream < static_cast<double>(states_.size());
@@ -36,8 +36,8 @@ public:
         return state / 4294967295.0;
     }
 
-    // For attempts that may have to be taken back. One may contain others; then it must be ended.
-    /// Where the attempt begins.
+    // For attempts that may be undone. An attempt may contain others; then it must be ended.
+    /// Returns the start of the attempt, for take_back().
     std::size_t begin_attempt(bool contains_others = false) {
         if (!inside_) drawn_.clear();
         inside_ = inside_ || contains_others;
@@ -49,7 +49,7 @@ public:
         drawn_.push_back({stream, states_[stream]});
         return next(stream);
     }
-    /// All streams are again as they were when the attempt began.
+    /// Restores all streams to their states at the start of the attempt.
     void take_back(std::size_t begin);
 
 private:
@@ -60,10 +60,10 @@ private:
 
     std::vector<std::uint32_t> states_;
     std::vector<Drawn> drawn_;
-    bool inside_ = false;  ///< an attempt that contains others
+    bool inside_ = false;  ///< within an attempt that contains others
 };
 
-/// What functions can see and change beside their arguments.
+/// State that functions can see and change besides their arguments.
 struct FunctionWorld {
     Evaluator* evaluator = nullptr;
     RandomStreams random;
@@ -72,8 +72,8 @@ struct FunctionWorld {
     ObjectQueries* objects = nullptr;  ///< null: there are none
 };
 
-/// A call with its arguments computed. The accessors report an argument of the wrong kind once; the
-/// result of the call is then thrown away, so what they return in that case does not matter.
+/// A call with its arguments computed. The accessors report an argument of the wrong kind once.
+/// Then the result of the call is discarded, so the value that they return does not matter.
 class FunctionCall {
 public:
     FunctionCall(std::string_view name, std::span<const Value> arguments,
@@ -82,7 +82,7 @@ public:
 
     std::size_t count() const { return arguments_.size(); }
     double number(std::size_t i);
-    /// Towards zero; a number that does not fit becomes the nearest that does.
+    /// Truncates towards zero. A number out of range becomes the nearest in range.
     std::int64_t integer(std::size_t i);
     Vec3 vector(std::size_t i);
     const Numbers& numbers(std::size_t i);
@@ -90,16 +90,16 @@ public:
     const ArrayData* array(std::size_t i);
     /// Null after a report.
     Handle<Object> object(std::size_t i);
-    /// A second result, for the variable that the last argument names.
+    /// Sets a second result, for the variable that the last argument names.
     void give(Value value) { given_ = std::move(value); }
     const std::optional<Value>& given() const { return given_; }
 
     Value fail(Fault, std::size_t argument, std::string message);
     void warn(Fault, std::size_t argument, std::string message);
-    /// The same for what has been reported already.
+    /// The same after the problem has been reported.
     Value fail_silently();
     bool failed() const { return failed_; }
-    /// Where an argument stands.
+    /// The place of an argument.
     Span place(std::size_t argument) const {
         return argument < places_.size() ? places_[argument] : span_;
     }
@@ -123,13 +123,13 @@ struct FunctionInfo {
     static constexpr int any = 1000;
 
     std::string_view name;
-    int least, most;  ///< how many arguments
+    int least, most;  ///< number of arguments
     std::string_view arguments;
     std::string_view help;
     std::variant<Unary, General> code;
 };
 
-/// The functions of values, by name in order.
+/// The functions of values, sorted by name.
 std::span<const FunctionInfo> functions();
 
 }  // namespace candelabra

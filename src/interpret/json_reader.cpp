@@ -15,7 +15,7 @@ namespace {
 
 using NamesHandle = std::shared_ptr<const IndexNames>;
 
-/// What nlohmann's parser calls as it goes through the text; false stops it.
+/// Handler of the events of nlohmann's parser; returning false stops it.
 class JsonBuilder {
 public:
     JsonBuilder(std::size_t most, JsonProblem& problem) : most_(most), problem_(problem) {}
@@ -38,7 +38,7 @@ public:
     bool end_object() { return end(); }
     bool end_array() { return end(); }
     bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) {
-        // The position counts what has been read, what is wrong or the last sign included.
+        // The position counts the characters read, including the wrong one or the last.
         problem_ = {position > 0 ? position - 1 : 0, true, "is no JSON from here on"};
         return false;
     }
@@ -112,7 +112,7 @@ private:
         return make_handle<ArrayData>(std::move(data));
     }
 
-    /// Objects of a list mostly have the same names.
+    /// Objects of a list mostly have the same names, so they share them.
     NamesHandle shared(std::vector<std::string> keys) {
         NamesHandle& known = names_[keys];
         if (!known) known = std::make_shared<const IndexNames>(std::move(keys));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON as values of the language: lists and objects are arrays, those of objects with the names of
-// their members; lists of lists or of objects that are alike are one array of more dimensions.
-// true and false are 1 and 0; null and what is empty are elements that are not set. Called by
-// read_json(). Comments are left out. Time and memory grow with the text and no faster.
+// Converts JSON to values of the language. Lists and objects become arrays, objects with the names
+// of their members. Lists of lists or objects of equal shape become one array of more dimensions.
+// true and false are 1 and 0; null, empty lists and empty objects are elements that are not set.
+// Comments are skipped. Called by read_json(). Time and memory are linear in the text.
 #pragma once
 
 #include "interpret/value.h"
@@ -14,17 +14,17 @@
 
 namespace candelabra {
 
-/// Why a text cannot be read.
+/// The reason why a text cannot be read.
 struct JsonProblem {
-    std::size_t at = 0;  ///< the byte where it was noticed, when `placed`
+    std::size_t at = 0;  ///< byte offset of the error, if `placed`
     bool placed = false;
-    std::string message;  ///< goes on behind the name of the file
+    std::string message;  ///< continues the name of the file
 };
 
-/// Lists and objects inside each other.
+/// Maximum nesting of lists and objects.
 inline constexpr std::size_t max_json_depth = 200;
 
-/// The value, or nothing and the reason. `most`: how many values there may be.
+/// Returns the value, or nothing and the reason. `most`: maximum number of values.
 std::optional<Value> read_json(std::string_view text, std::size_t most, JsonProblem&);
 
 }  // namespace candelabra

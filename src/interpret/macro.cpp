@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// `1 -2` among the arguments: a difference, where a comma was meant.
+/// Whether an argument is a difference like `1 -2`, where a comma was meant.
 bool has_minus_for_comma(const Tree& tree, NodeId call, std::string_view text) {
     const auto* arguments = tree.get_if<node::Call>(call);
     for (NodeId id = arguments ? arguments->arguments : no_node; id != no_node;
@@ -103,7 +103,7 @@ void Evaluator::State::report_arguments(const MacroData& macro, std::size_t coun
     report(problem);
 }
 
-/// What a macro gives as arguments of another: perhaps several.
+/// Passes the values that a macro yields, perhaps several, as arguments of another.
 bool Evaluator::State::pass_values(const Tree& tree, const node::Call& inner, NodeId id) {
     bool good = true;
     const std::size_t depth = arguments.size();

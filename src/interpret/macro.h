@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `#macro` declares: its parameters, and where its body is in which tree. The trees live as
-// long as the evaluation.
+// The value that `#macro` declares: its parameters, and the place of its body in a tree. Trees live
+// as long as the evaluation.
 #pragma once
 
 #include "syntax/tree.h"
@@ -17,7 +17,7 @@ struct MacroData {
 
     NameId name;
     std::vector<Parameter> parameters;
-    std::size_t least = 0;  ///< how many arguments it needs
+    std::size_t least = 0;  ///< minimum number of arguments
     Body body;
     Span defined;  ///< from `#macro` to its name
 };

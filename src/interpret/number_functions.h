@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions of the language that compute with numbers and vectors and are more than one call of
-// the C++ library. Their meanings and limits are POV-Ray 3.7's; functions.cpp names them.
+// Functions of numbers and vectors that take more than one call of the C++ library. Their
+// definitions and limits are those of POV-Ray 3.7; functions.cpp names them.
 #pragma once
 
 #include "interpret/functions.h"
@@ -32,7 +32,7 @@ Value square_root(FunctionCall&);
 Value vector_length(FunctionCall&);
 Value vector_turbulence(FunctionCall&);
 
-/// To 32 bits, towards zero, as int() does it.
+/// Truncates to 32 bits, towards zero, as int() does.
 double to_integer(double);
 
 }  // namespace candelabra

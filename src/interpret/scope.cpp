@@ -21,7 +21,7 @@ Value* Scope::edit(NameId name) {
     Slot& top = slot(name);
     if (top.kind != Kind::element) return top.cell;
     const Reference origin = element(name).origin;
-    // Without the copy nothing shares an array that is the element, and it is edited in place.
+    // Without the copy, an array in the element is not shared and is edited in place.
     if (top.cell->array()) *top.cell = Absence::uninitialised;
     Value* inner = origin.cell->array()
                        ? origin.cell->edit_array().inner(static_cast<std::size_t>(origin.element))
@@ -35,7 +35,7 @@ Scope::Reference Scope::reference(NameId name) const {
     return top.kind == Kind::element ? element(name).origin : Reference{top.cell, -1};
 }
 
-/// Of the newest binding of a name that is one.
+/// The element that a name's newest binding refers to. Precondition: it refers to one.
 const Scope::Element& Scope::element(NameId name) const {
     return *std::find_if(elements_.rbegin(), elements_.rend(),
                          [&](const Element& element) { return element.name == name; });
@@ -56,7 +56,7 @@ Value* Scope::new_cell(Value value) {
     return cell;
 }
 
-/// What a bound name stands for becomes something else.
+/// Changes the value of a bound name.
 void Scope::change(NameId name, Value value) {
     const Slot& top = slot(name);
     if (top.kind == Kind::element) {
@@ -93,7 +93,7 @@ void Scope::alias(NameId name, Reference reference) {
     elements_.push_back({name, reference, copy});
 }
 
-/// A binding goes; the one below it is put back by the caller.
+/// Releases a binding. The caller restores the one below it.
 void Scope::drop(NameId name, const Slot& slot) {
     if (!slot.cell || slot.kind == Kind::alias) return;
     if (slot.kind == Kind::element)

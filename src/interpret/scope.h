@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What names stand for. Scoping is POV-Ray's, dynamic: a frame for each macro call and each include
-// file that is open, and a look-up finds the newest. Each name holds its newest binding directly,
-// so a look-up is one load; a frame remembers what its bindings hid and puts it back when it is
-// left.
+// The bindings of names. Scoping is dynamic, as in POV-Ray: each open macro call and include file
+// has a frame, and a look-up finds the newest binding. Each name holds its newest binding directly,
+// so a look-up is one load. A frame records the bindings that its own ones hid, and restores them
+// when it is left.
 #pragma once
 
 #include "interpret/value.h"
@@ -16,8 +16,8 @@ namespace candelabra {
 
 class Scope {
 public:
-    /// Where a value lies: a variable, or an element of an array that is one. What parameters by
-    /// reference hold.
+    /// The place of a value: a variable, or an element of an array variable. Parameters by
+    /// reference hold one.
     struct Reference {
         Value* cell = nullptr;
         std::int64_t element = -1;
@@ -28,14 +28,14 @@ public:
         const auto i = static_cast<std::size_t>(name);
         return i < slots_.size() ? slots_[i].cell : nullptr;
     }
-    /// The value of the newest binding, for changing an array that it is; or null. edited() must
+    /// The value of the newest binding, for changing it if it is an array; or null. edited() must
     /// follow.
     Value* edit(NameId name);
     void edited() {
         if (!elements_.empty()) refresh();
     }
-    /// The numbers that `#declare` or `#local` of the name with other numbers may simply overwrite,
-    /// or null: declare() and declare_local() do that.
+    /// The numbers that a `#declare` or `#local` of numbers may overwrite in place. If null,
+    /// declare() or declare_local() must be called.
     Numbers* overwritable(NameId name, bool local) {
         Value* const cell = own_cell(name, local);
         return cell ? cell->edit_numbers() : nullptr;
@@ -46,18 +46,18 @@ public:
         return cell && cell->text() ? cell : nullptr;
     }
 
-    /// Whether the newest binding is of the current frame.
+    /// Whether the newest binding belongs to the current frame.
     bool is_local(NameId name) const {
         return find(name) && slots_[static_cast<std::size_t>(name)].frame == frames_.size();
     }
-    /// The place behind a name, for passing it on; its cell is null when the name is not declared.
+    /// The place of a name's value, for passing it on. Its cell is null for an undeclared name.
     Reference reference(NameId name) const;
 
     /// `#declare`: changes the newest binding, or makes a global one.
     void declare(NameId name, Value value);
     /// `#local`: changes the binding of this frame, or makes one.
     void declare_local(NameId name, Value value);
-    /// A cell for a parameter by value: bound in a fresh frame, or given back.
+    /// A cell for a parameter by value, to be bound in a fresh frame or given back.
     Value* fresh_cell() {
         if (free_cells_.empty()) return &cells_.emplace_back(Absence::nothing);
         Value* const cell = free_cells_.back();
@@ -66,7 +66,7 @@ public:
     }
     void bind_parameter(NameId name, Value* fresh);
     void give_back(Value* fresh) {
-        // Numbers hold nothing that must be freed now, and the next value often is numbers.
+        // Numbers own nothing to free, and the next value often is numbers.
         if (!fresh->numbers()) *fresh = Absence::nothing;
         free_cells_.push_back(fresh);
     }
@@ -76,9 +76,9 @@ public:
         *cell = numbers;
         bind(name, cell, Kind::own);
     }
-    /// A parameter by reference: another name for what is there. The frame must be fresh.
+    /// Binds a parameter by reference: another name for the place. The frame must be fresh.
     void alias(NameId name, Reference);
-    /// `#undef`: takes the newest binding away. False if there was none.
+    /// `#undef`: removes the newest binding. False if there was none.
     bool undefine(NameId name);
 
     void enter() { frames_.push_back(hidden_.size()); }
@@ -104,7 +104,7 @@ private:
         Slot slot;
     };
     /// A name for an element of an array. Elements may be packed, so there is no value to point to:
-    /// the name has a copy, which follows every change of the array.
+    /// the name has a copy, which is updated at every change of the array.
     struct Element {
         NameId name;
         Reference origin;
@@ -124,7 +124,7 @@ private:
         return slots_[static_cast<std::size_t>(name)];
     }
     void make_slots(NameId name);
-    /// A fresh binding of the current frame over whatever the name stood for.
+    /// Binds the name in the current frame, over its previous binding.
     void bind(NameId name, Value* cell, Kind kind) {
         Slot& top = slot(name);
         if (!frames_.empty()) hidden_.push_back({name, top});

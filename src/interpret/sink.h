@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the elements of a list go while it is walked: to a callback, or, where one value is wanted,
-// straight into it; or all that is no directive goes to a callback as it is written. Part of the
-// inside of the evaluator.
+// The destination of a list's elements during a walk: a callback; or one value, where one is
+// expected; or a callback for unevaluated nodes, all but directives. Internal to the evaluator.
 #pragma once
 
 #include "interpret/evaluator.h"
@@ -11,22 +10,22 @@
 
 namespace candelabra {
 
-/// What a list gives where one value is wanted.
+/// Collects the value of a list, where one value is expected.
 struct OneValue {
-    /// What makes a value of a block.
+    /// They make the value of a block.
     const ElementHandlers& handlers;
-    Value value = Absence::nothing;     ///< the first, if it is one
-    std::optional<Element> first = {};  ///< the first element, if it is no value
+    Value value = Absence::nothing;     ///< the first element, if it is a value
+    std::optional<Element> first = {};  ///< the first element, if it is not a value
     std::size_t count = 0;
-    bool broken = false;    ///< one of them has been reported
-    bool of_block = false;  ///< all are blocks, and the value is what they have made so far
+    bool broken = false;    ///< an element has been reported
+    bool of_block = false;  ///< all elements are blocks, which have made the value so far
 
     void add(Value&& next) {
         broken = broken || next.broken();
         if (count++ == 0) value = std::move(next);
         of_block = false;
     }
-    /// Now, while the names of its macro are there.
+    /// Makes the value at once, while the names of its macro are bound.
     void add_block(const Element& element) {
         Value made = handlers.value({&element, 1});
         const bool first_one = count == 0;
@@ -58,15 +57,15 @@ public:
              std::is_invocable_v<F&, const Element&>) Sink(F&& take)
         : take_(take) {}
     explicit Sink(OneValue& one) : take_(one), one_(&one) {}
-    /// What is taken as it is written must be used at once, while its names are there.
+    /// Takes unevaluated nodes. They must be used at once, while their names are bound.
     using Written = FunctionRef<void(const Tree&, NodeId)>;
     explicit Sink(const Written& written) : take_(nowhere), written_(&written) {}
 
-    /// Where nodes go as they are written; null: nowhere.
+    /// The callback for unevaluated nodes, or null.
     const Written* written() const { return written_; }
 
     void operator()(const Element& element) const { take_(element); }
-    /// What a node gives.
+    /// Passes on the value of a node.
     void value(Value&& value, const Tree& tree, NodeId id) const {
         if (one_) return one_->add(std::move(value));
         take_(value_element(std::move(value), tree, id));

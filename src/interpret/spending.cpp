@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene may spend that no count of loops and calls shows: files, words, long strings,
+// Limits of costs that do not show in the number of loops and calls: files, messages, long strings,
 // functions of functions, objects of objects, and work of any kind.
 #include "interpret/state.h"
 #include "text/message.h"
@@ -35,7 +35,7 @@ bool Evaluator::State::count_file(Span span) {
 }
 
 bool Evaluator::State::count_said(std::size_t bytes, Span span) {
-    // An empty text takes its time, too.
+    // An empty text costs time, too.
     constexpr std::uint64_t least = 16;
     said_bytes += least + bytes;
     if (said_bytes <= limits.said_bytes) return spend(bytes, span);

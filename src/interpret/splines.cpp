@@ -30,7 +30,8 @@ Handle<Formula> spline_formula(Handle<Spline> spline) {
 
 namespace {
 
-/// The content of one block: perhaps a spline to begin with, the kind, pairs of t and a point.
+/// Reads the content of a block: an optional spline to begin with, the kind, pairs of t and a
+/// point.
 class SplineReader {
 public:
     explicit SplineReader(Evaluator& evaluator) : evaluator_(evaluator) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `spline { ... }`: reads the block. Splines are values of the language, not parts of a scene, so
+// Reads the block `spline { ... }`. Splines are values of the language, not parts of a scene, so
 // the evaluator reads them itself.
 #pragma once
 
@@ -11,10 +11,10 @@
 
 namespace candelabra {
 
-/// Broken when reported.
+/// The spline of a block; broken after a report.
 Value read_spline(Evaluator&, const Element& block);
 
-/// The way of joining that a word names: linear_spline, ...
+/// The kind of interpolation that a word names: linear_spline, ...; nothing for other words.
 std::optional<Spline::Kind> spline_kind(std::string_view word);
 
 /// The spline as a function of t.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inside of the evaluator: what its parts (expression.cpp, array.cpp, call.cpp, directive.cpp)
-// share. Nobody else includes it.
+// The evaluator's internal state, which its parts (expression.cpp, array.cpp, call.cpp,
+// directive.cpp) share. No other module includes it.
 #pragma once
 
 #include "interpret/array_data.h"
@@ -29,16 +29,16 @@ enum class Flow {
     stopped  ///< nothing more is evaluated
 };
 
-/// A loop that is running.
+/// A running loop.
 struct OpenLoop {
     const Tree* tree;
-    NodeId first;  ///< of the nodes of its condition or range
+    NodeId first;  ///< first node of its condition or range
     std::uint64_t passes = 0;
 
     Span place() const;
 };
 
-/// Which component of numbers a member names (`.x`), grey_component, or -1 for none.
+/// The component of numbers that a member names (`.x`), grey_component, or -1 for none.
 int component_of(std::string_view member);
 inline constexpr int grey_component = 5;
 inline constexpr auto grey_weights = std::array{0.297, 0.589, 0.114};
@@ -49,15 +49,15 @@ struct Evaluator::State {
     // ---- evaluator.cpp
     void add_functions(std::span<const FunctionInfo>);
     void run(SourceId main);
-    /// The same, with a message when memory runs out.
+    /// run(), with a report if memory runs out.
     void run_within_memory(SourceId main);
-    /// Whether there is stack left to go deeper; reports when not.
+    /// Whether there is stack left to recurse further. Reports if there is not.
     bool room(const Tree& tree, NodeId id) {
         const char here = 0;
         return !stack_end || &here > stack_end || no_room(tree, id);
     }
     bool no_room(const Tree&, NodeId);
-    /// Stops the evaluation, too, when no further errors are told.
+    /// Reports, and stops evaluation once the limit of errors is reached.
     void report(Diagnostic diagnostic) {
         diagnostics.add(std::move(diagnostic));
         if (diagnostics.full()) stopped_ = true;
@@ -70,25 +70,25 @@ struct Evaluator::State {
     bool stopped() const { return stopped_; }
     Value unknown_name(NameId, Span);
     std::pair<const Tree*, NodeId> own_declaration(NameId, Span use) const;
-    /// From the word of a declaration, which may be long, to the name that it declares.
+    /// The span from the word of a declaration, which may be long, to the name that it declares.
     Span heading(const Tree&, NodeId declaration, NameId) const;
-    /// To be called where a name is used: warns of deprecated ones.
+    /// To be called where a name is used: warns if it is deprecated.
     void note_use(NameId name, const Tree& tree, NodeId id) {
         if (!deprecated.empty()) warn_deprecated(name, tree.span(id));
     }
     void warn_deprecated(NameId, Span);
-    /// The one value of some elements, for a place where a value is wanted.
+    /// The value of some elements, of which one value is expected.
     Value one_value(std::span<const Element>, Span);
     Value one_value(OneValue&&, Span);
-    /// Where one value is wanted and a macro gives none or several.
+    /// Reports that a macro yields no value, or several, where one is expected.
     Value report_count(std::size_t, Span);
-    /// A block element as it is handed to the handlers.
+    /// A block element as it is passed to the handlers.
     Element block_element(const Tree&, NodeId);
 
-    // ---- compute.cpp: the fast way for numbers
-    struct Compiler;  ///< compile.cpp
-    /// The numbers of an expression, when it can be computed without saying anything. False:
-    /// nothing has happened, and walk_expression() must do it.
+    // ---- compute.cpp: the fast path for numbers
+    struct Compiler;  ///< compiler.h
+    /// Computes the numbers of an expression if nothing has to be reported. Otherwise returns
+    /// false, without effects, and walk_expression() must do it.
     bool compute(const Tree&, NodeId, Numbers&);
     std::optional<double> compute_scalar(const Tree&, NodeId);
     Code* compile(const Tree&, NodeId);
@@ -97,15 +97,15 @@ struct Evaluator::State {
 
     // ---- expression.cpp
     Value evaluate(const Tree&, NodeId);
-    /// The same without an attempt to compute() it.
+    /// evaluate() without an attempt to compute() first.
     Value walk_expression(const Tree&, NodeId);
     Value name_value(NameId, Span);
     Value index_value(const Tree&, const node::Index&, NodeId);
-    /// A number, or nothing when that has been reported. `what` and the word begin the message:
+    /// The number of an expression; nothing after a report. `what` and the word begin the message:
     /// "the argument of `sin`".
     std::optional<double> number(const Tree&, NodeId, std::string_view what, NameId word = no_name);
-    /// The number of an expression that most often is one; nothing: it has this other value, of
-    /// which number_in() makes a number or says that it is none.
+    /// The number of an expression that nearly always is one. If nothing, its value is `other`,
+    /// which number_in() converts to a number or reports.
     std::optional<double> number_or(const Tree&, NodeId, Value& other);
     std::optional<double> number_in(const Value&, const Tree&, NodeId, std::string_view what,
                                     NameId word = no_name);
@@ -114,27 +114,26 @@ struct Evaluator::State {
     Value binary(const Tree&, const node::Binary&, NodeId);
     Value combine(Operator, Value left, Value right, Span right_span, Span whole);
     // ---- chain.cpp
-    /// An operand as it is written, and what is in front of it. The sign of the first is add.
+    /// An unevaluated operand, and the operators before it. The sign of the first is add.
     struct Operand {
         Operator sign;
         bool negative;
         const Tree& tree;
         NodeId id;
-        Span span;  ///< where it stands in the expression: the call, if it is of a macro
+        Span span;  ///< its place in the expression: the call, if it is of a macro
     };
     class OperandWalk;
-    /// The operands of an expression in their order, with those of the macros and directives among
-    /// them, as if their text stood there; false when there is something else, which has been
-    /// reported.
+    /// Walks the operands of an expression in order. Macros and directives among them are expanded
+    /// as if their text stood there. Returns false after a report.
     bool walk_operands(const Tree&, NodeId, FunctionRef<void(const Operand&)> take);
-    /// The value of an expression that is walked so.
+    /// The value of an expression whose operands are walked in this way.
     Value open_expression(const Tree&, NodeId);
     /// The call of a macro; null for other nodes.
     const node::Call* macro_call(const Tree&, NodeId) const;
     Value choice(const Tree&, const node::Choice&);
     /// Draws the random numbers that an expression would have drawn.
     void draw(const Tree&, NodeId);
-    /// The calls of rand() in an expression, in their order; those in macros are not seen.
+    /// The calls of rand() in an expression, in order, except those in macros.
     std::vector<NodeId> random_calls(const Tree&, NodeId) const;
     Value group(const Tree&, NodeId content, Span);
     Value vector(const Tree&, const node::Vector&, NodeId);
@@ -151,21 +150,21 @@ struct Evaluator::State {
     Value array(const Tree&, const node::Array&, NodeId);
     bool fill(ArrayData&, std::size_t dimension, std::size_t& next, Body, Span);
     bool fill_one(ArrayData&, std::size_t at, Value value, Span);
-    /// Computed before the array is looked up: an index may call a macro that changes the array.
+    /// Must be called before the array is looked up: an index may call a macro that changes it.
     bool indices(const Tree&, NodeId first, Indices& result);
-    /// The element that indices lead to, through arrays of arrays: uninitialised when it is not
-    /// set, broken when that has been reported.
+    /// The element at the indices, through arrays of arrays. Uninitialised if it is not set, broken
+    /// after a report.
     Value element(const Value& array, Indices&, Span);
     /// An element for writing.
     struct Place {
-        ArrayData* array = nullptr;  ///< null when reported
+        ArrayData* array = nullptr;  ///< null after a report
         std::size_t element = 0;
     };
     Place edit_element(Value& array, Indices&, Span);
-    /// The place of an element in its array, or nothing when reported; `used` moves past the
-    /// indices that it took.
+    /// The position of an element in its array, or nothing after a report. Moves `used` past the
+    /// indices that it used.
     std::optional<std::size_t> place(const ArrayData&, Indices&, std::size_t& used, Span);
-    /// One index of a dimension of that size; nothing when reported.
+    /// One index, checked against the size of its dimension; nothing after a report.
     std::optional<int> index_in(const ArrayData&, std::size_t dimension, Indices&,
                                 std::size_t used);
     void report_unknown_name(const IndexNames*, const std::string& name, Span);
@@ -178,7 +177,7 @@ struct Evaluator::State {
     bool defined(const Tree&, NodeId target);
     void walk_arguments(const Tree&, NodeId first, FunctionRef<void(Value, Span)> take);
 
-    /// Whether the name, where it is called, is a function or a spline and not a macro.
+    /// Whether the name, in a call, stands for a function or a spline, not for a macro.
     bool is_function(NameId) const;
     /// A call of a function or a spline; `name` is for messages.
     Value call_value(const Tree&, const Value& called, NameId name, NodeId first, Span);
@@ -196,35 +195,35 @@ struct Evaluator::State {
     Value call_spline(const Tree&, Handle<Spline>, NameId, NodeId first, Span);
 
     // ---- texts.cpp
-    /// Whether it is a call that append_text() can build.
+    /// Whether the node is a call that append_text() can build.
     bool builds_text(const Tree& tree, NodeId id) const {
         const auto* call = tree.get_if<node::Call>(id);
         return call && (call->name == concat || call->name == str) &&
                has_plain_arguments(tree, *call);
     }
     bool has_plain_arguments(const Tree&, const node::Call&) const;
-    /// The text of an argument of the function is appended; false when reported.
+    /// Appends the text of an argument of the function. Returns false after a report.
     bool append_text(const Tree&, NodeId, std::string& text, NameId function);
     bool append_texts(const Tree&, NodeId first, std::string& text, NameId function);
     bool append_number(const Tree&, NodeId first, std::string& text);
-    /// One number, an argument of a function.
+    /// The number of an argument of a function; nothing after a report.
     std::optional<double> number_argument(const Tree&, NodeId, NameId function);
 
     // ---- macro.cpp
     void define_macro(const Tree&, const node::Macro&, NodeId);
-    /// Opens a call: its parameters have their values until leave_macro(). Null, and nothing to
-    /// leave, when reported.
+    /// Opens a call: its parameters are bound until leave_macro(). Returns null, with nothing to
+    /// leave, after a report.
     const MacroData* enter_macro(const Tree&, const node::Call&, NodeId);
     void leave_macro();
     /// Runs a macro; its elements go to `take`.
     Flow call_macro(const Tree&, const node::Call&, NodeId, const Sink& take);
-    /// The macro that is called, or null when it has been reported that there is none.
+    /// The macro that is called, or null after a report.
     const MacroData* called_macro(const Tree&, const node::Call&, NodeId);
     struct Argument {
         Scope::Reference place;
         bool by_value = false;  ///< the cell is a fresh one
     };
-    /// Makes it a value in a cell of its own; false when that is broken.
+    /// Puts a value into a cell of its own. Returns false if the value is broken.
     template <class Given>
     bool by_value(Given&& value, Argument& result) {
         result.by_value = true;
@@ -233,7 +232,7 @@ struct Evaluator::State {
         return !result.place.cell->broken();
     }
     bool pass_values(const Tree&, const node::Call& inner, NodeId);
-    /// Computes the arguments and puts them at the end of `arguments`; false when reported.
+    /// Computes the arguments and appends them to `arguments`. Returns false after a report.
     bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);
     void report_arguments(const MacroData&, std::size_t count, const Tree&, NodeId call);
     bool argument(const Tree&, NodeId, Argument&);
@@ -241,37 +240,37 @@ struct Evaluator::State {
 
     // ---- walk.cpp, directive.cpp, declare.cpp
     Flow walk(const Tree&, NodeId first, const Sink& take);
-    /// A list that #break cannot leave: a file, the content of a block.
+    /// Walks a list that #break cannot leave: a file, the content of a block.
     void walk_whole(const Tree&, NodeId first, const Sink& take);
-    /// One node of a list: gives the next one to go on with.
+    /// Walks one node of a list.
     Flow walk_one(const Tree&, NodeId, const Sink& take);
     static bool is_directive(const Tree&, NodeId);
     Flow directive(const Tree&, NodeId, const Sink& take);
-    // ---- spending.cpp: work that no loop shows
-    /// Counts work, in the unit of the limit; reports, and stops, when it is too much.
+    // ---- spending.cpp: costs other than loops and calls
+    /// Counts work, in the unit of the limit. If it is too much, reports, stops and returns false.
     bool spend(std::uint64_t amount, Span place) {
         work += amount;
         return work <= limits.work || overspent(place);
     }
     bool overspent(Span);
-    /// Counts a file that is included or opened; false when it is one too many.
+    /// Counts a file that is included or opened. Returns false if it is one too many.
     bool count_file(Span);
-    /// Counts what is said; false when it is too much.
+    /// Counts the bytes of a message. Returns false if they are too many.
     bool count_said(std::size_t bytes, Span);
-    /// Whether a string may be so long; reports, and stops, when not. Counts the work of making it.
+    /// Whether a string may be this long; if not, reports and stops. Counts the work of making it.
     bool may_be_long(std::size_t bytes, Span);
-    /// The same for a function.
+    /// Whether a function may cost this much; if not, reports and stops.
     bool may_be_costly(const Formula&, Span);
-    /// Whether an object may have so many parts.
+    /// Whether an object may have this many parts; if not, reports and stops.
     bool may_have_parts(std::uint64_t parts, Span);
     void exceeded(Span, std::string message, std::string help);
-    /// Counts one more step; reports when it is one too many.
+    /// Counts one more step. If it is one too many, reports, stops and returns true.
     bool too_many_steps(const Tree&, NodeId);
-    /// The open loop that has run the most passes, and the innermost of several; null: none.
+    /// The open loop with the most passes, the innermost of equals; null if none is open.
     const OpenLoop* busiest_loop() const;
-    /// Shows the busiest loop with a problem that it is perhaps the reason for.
+    /// Points at the busiest loop, which may have caused the problem.
     Diagnostic& point_at_loop(Diagnostic&) const;
-    /// Counts one more object; reports when it is one too many.
+    /// Counts one more object. If it is one too many, reports and stops.
     void count_object(Span);
     void count_placed(std::uint64_t parts, Span);
     std::optional<std::array<double, 3>> for_range(const Tree&, const node::For&, NodeId);
@@ -294,8 +293,8 @@ struct Evaluator::State {
     void declare_numbers(const Tree&, const node::Declare&, const Numbers&);
     void assign(const Tree&, NodeId target, Value&& value, bool local);
     void assign_element(const Tree&, const node::Index&, NodeId target, Value&& value);
-    /// A string built by concat() for a name, in place where that is possible. False: it is
-    /// something else, and nothing has happened.
+    /// Declares a string built by concat() or str(), in place if possible. Returns false, with no
+    /// effect, for other values.
     bool declare_text(const Tree&, const node::Declare&);
     Value right_side(const Tree&, NodeId);
     void undefine(const Tree&, NodeId target);
@@ -309,12 +308,12 @@ struct Evaluator::State {
     void open_for_reading(DataFile&, Span);
     void open_for_writing(DataFile&, bool append, Span);
     std::unique_ptr<DataWriter> writer_for(const std::string& path, bool append);
-    /// The file behind a name; null when there is none, which has been reported.
+    /// The open file of a name; null after a report.
     Handle<DataFile> open_file_named(const Tree&, NodeId);
     Handle<DataFile> open_file_named(NameId, Span);
     void close_file(const Tree&, const node::Close&, NodeId);
     void check_written(const std::shared_ptr<DataWriter>&, Span);
-    /// At the end: those that were not closed by the scene.
+    /// Checks, at the end, the files that the scene did not close.
     void check_written_files();
     void read_values(const Tree&, const node::Read&, NodeId);
     bool read_into(const Tree&, NodeId target, DataReader&);
@@ -323,15 +322,15 @@ struct Evaluator::State {
     void write_value(DataWriter&, const Value&, const std::optional<BinaryForm>&, Span);
 
     // ---- walk.cpp
-    /// Hands the element of a value node to `take`, with channels that follow it (`Red filter .5`);
-    /// gives the next node.
+    /// Passes the element of a value node to `take`, with the channels that follow it
+    /// (`Red filter .5`). Returns the next node.
     NodeId take_value(const Tree&, NodeId, const Sink& take);
     Flow take_vector(const Tree&, NodeId, const Sink& take);
     NodeId take_power(const Tree&, NodeId, const Sink& take);
 
     Evaluator& evaluator;
     SourceStore& sources;
-    Loader loader;  ///< knows what this run has written
+    Loader loader;  ///< knows the files that this run has written
     Names& names;
     Diagnostics& diagnostics;
     RunFacts facts;
@@ -345,33 +344,33 @@ struct Evaluator::State {
     const NameId str = names.find("str");
     FileTrees files{sources, loader, names, diagnostics};
     CodeTable codes;
-    std::map<std::pair<SourceId, NodeId>, MacroData> macros;  ///< by where they are defined
+    std::map<std::pair<SourceId, NodeId>, MacroData> macros;  ///< by place of definition
     struct Deprecation {
         std::string text;
         bool once = false;
-        std::set<std::pair<SourceId, std::uint32_t>> places;  ///< where it has been reported
+        std::set<std::pair<SourceId, std::uint32_t>> places;  ///< at which it has been reported
     };
     std::map<NameId, Deprecation> deprecated;
     std::vector<Argument> arguments;  ///< of the calls that are being made
     std::size_t include_depth = 0;
-    /// The innermost last. When evaluation ends early they are left here: a report names one.
+    /// The innermost last. They stay here if evaluation ends early: a report names one.
     std::vector<OpenLoop> loops;
-    double working_gamma = 1;  ///< of colours, as assumed_gamma says
+    double working_gamma = 1;  ///< of colours, set by assumed_gamma
     std::uint64_t steps = 0;
     std::uint64_t objects = 0;
     std::uint64_t placed = 0;                ///< objects in the scene with all their parts
     std::vector<WrittenFile> written_files;  ///< that are still to be checked
-    std::set<std::string> crossed_lines;     ///< files of which a #read went on in the next line
+    std::set<std::string> crossed_lines;     ///< files in which a #read continued in the next line
     std::uint64_t written_bytes = 0, said_bytes = 0, opened_files = 0;
     std::uint64_t work = 0;
     double version = 3.7;
     bool version_given = false;
-    bool semicolons_reported = false;  ///< what a missing one means
+    bool semicolons_reported = false;  ///< the rule of semicolons has been given
     std::shared_ptr<SceneNoise> noise = std::make_shared<SceneNoise>();
     Span last_break;
-    Body reported;  ///< the last word that a report spoke of
+    Body reported;  ///< the last reported word
     bool stopped_ = false;
-    const char* stack_end = nullptr;  ///< how far down the stack may grow; null: unlimited
+    const char* stack_end = nullptr;  ///< lowest address that the stack may reach; null: unlimited
 };
 
 }  // namespace candelabra

@@ -17,10 +17,10 @@ namespace {
 
 using Call = FunctionCall&;
 
-/// Whole numbers that a double holds exactly.
+/// Doubles hold all whole numbers up to this one exactly.
 constexpr double max_whole = 9007199254740992.0;
 
-/// Digits of a finite number, rounded to even as C's %f does; gives their end.
+/// Writes the digits of a finite number, rounded to even as C's %f does. Returns their end.
 char* write_digits(char* first, char* last, double value, int precision) {
     if (precision > 0 || std::abs(value) >= max_whole)
         return std::to_chars(first, last, value, std::chars_format::fixed, precision).ptr;
@@ -29,7 +29,7 @@ char* write_digits(char* first, char* last, double value, int precision) {
     return std::to_chars(first, last, static_cast<std::int64_t>(whole)).ptr;
 }
 
-/// The number of a character's bytes that begins so. Strings are UTF-8; a stray byte counts as a
+/// The size in bytes of the UTF-8 character that begins at `at`. A stray byte counts as a
 /// character.
 std::size_t character_size(std::string_view text, std::size_t at) {
     const auto lead = static_cast<unsigned char>(text[at]);
@@ -132,7 +132,7 @@ Value substring(Call call) {
     const std::int64_t start = call.integer(1), length = call.integer(2);
     const auto size = static_cast<std::int64_t>(length_in_characters(text));
     if (call.failed()) return Absence::broken;
-    // POV-Ray has the end of a string in front of the first character.
+    // As in POV-Ray, the end of a string is also in front of the first character.
     if (start == 0 && length >= 0 && length <= size + 1) return std::string();
     if (start < 1 || start > size + 1)
         return call.fail(Fault::out_of_range, 1,

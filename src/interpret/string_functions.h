@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions of the language that take or make strings. Strings are UTF-8 and count in
-// characters; a byte that is no UTF-8 counts as one. Their meanings are POV-Ray 3.7's;
-// functions.cpp names them.
+// Functions that take or make strings. Strings are UTF-8 and lengths are in characters; a byte that
+// is not UTF-8 counts as one. Their definitions are those of POV-Ray 3.7; functions.cpp names them.
 #pragma once
 
 #include "interpret/functions.h"
 
 namespace candelabra {
 
-/// C's %f: so wide at least, filled with blanks, or with zeros when the width is below 0; so many
-/// digits behind the point, six when that is below 0.
+/// Appends a number as C's %f does. `width`: at least so many characters, filled with blanks, or
+/// with zeros if it is negative. `digits`: after the point; six if it is negative.
 void append_formatted(std::string& text, double value, double width, double digits);
 
 Value character(FunctionCall&);

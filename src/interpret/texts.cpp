@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// How what is no string becomes one.
+/// Help on the conversion of a value to a string; empty for values other than numbers.
 std::string as_text(const Value& value) {
     const Numbers* numbers = value.numbers();
     if (!numbers) return {};
@@ -76,7 +76,7 @@ std::optional<double> Evaluator::State::number_argument(const Tree& tree, NodeId
     return std::nullopt;
 }
 
-/// str(number, width, digits).
+/// Appends str(number, width, digits).
 bool Evaluator::State::append_number(const Tree& tree, NodeId first, std::string& text) {
     std::array<double, 3> values{};
     bool good = true;

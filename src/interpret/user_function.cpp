@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `function (a, b) { ... }` to a Formula, and its calls in expressions.
+// Compiles `function (a, b) { ... }` to a Formula, and calls it in expressions.
 #include "base/transform.h"
 #include "formula/internal.h"
 #include "interpret/function_compiler.h"
@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-/// `(a, b)`; without that x, y, z, the first two of which are also u and v.
+/// The parameters `(a, b)`. Without a list they are x, y, z, the first two also u and v.
 std::optional<std::vector<NameId>> Evaluator::State::parameters(const Tree& tree,
                                                                 const node::Function& node,
                                                                 NodeId id) {
@@ -57,7 +57,7 @@ std::optional<std::vector<NameId>> Evaluator::State::parameters(const Tree& tree
 
 namespace {
 
-/// `function 256, 256 { ... }`.
+/// Whether the function is of the form `function 256, 256 { ... }`.
 bool stands_for_picture(const Tree& tree, const node::Function& node) {
     return node.parameters != no_node && !tree.get_if<node::Group>(node.parameters) &&
            !tree.get_if<node::Tuple>(node.parameters) && tree[node.parameters].next != no_node;
@@ -74,7 +74,7 @@ Handle<Formula> noise_formula(std::shared_ptr<const SceneNoise> scene) {
 
 }  // namespace
 
-/// Tells the function the size of the picture that it stands for; false after a report.
+/// Sets the size of the picture that the function stands for. False after a report.
 bool Evaluator::State::take_size(const Tree& tree, const node::Function& node, Formula& formula) {
     constexpr double most = 16384;
     const NodeId second = tree[node.parameters].next;
@@ -91,7 +91,7 @@ bool Evaluator::State::take_size(const Tree& tree, const node::Function& node, F
     return false;
 }
 
-/// A body that is no expression, but names something: null when it is none or has been reported.
+/// The function of a body that is a word or block, not an expression. Null after a report.
 Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::Function& node,
                                                  NodeId id) {
     const auto* word = tree.get_if<node::Word>(node.body);
@@ -123,7 +123,7 @@ Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::F
     return block_function(tree, node.body, id);
 }
 
-/// `function { transform { ... } }` and its like.
+/// `function { transform { ... } }`, or one of a spline, pattern or pigment.
 Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, NodeId id) {
     const auto* block = tree.get_if<node::Block>(body);
     const std::string_view word = block ? names.spelling(block->word) : std::string_view();
@@ -224,7 +224,7 @@ Value Evaluator::State::call_formula(const Tree& tree, Handle<Formula> formula, 
         message("`", names.spelling(name), "` gives no value here: a sum in it does not end"));
 }
 
-/// S(t) or S(t, natural_spline).
+/// Calls S(t) or S(t, natural_spline).
 Value Evaluator::State::call_spline(const Tree& tree, Handle<Spline> spline, NameId name,
                                     NodeId first, Span span) {
     Spline::Kind kind = spline->kind();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What expressions and names of the language stand for: numbers, strings, arrays, and shared
-// immutable parts of a scene. A value that is not there says why, so that nobody reports the same
-// hole twice. There is no conversion to bool.
+// Values of expressions and names: numbers, strings, arrays, and shared immutable parts of a scene.
+// An absent value states the reason, so that nothing is reported twice. There is no conversion to
+// bool.
 #pragma once
 
 #include "base/colour.h"
@@ -52,12 +52,12 @@ struct Numbers {
 };
 
 enum class Absence : std::uint8_t {
-    nothing,        ///< there was nothing to give a value, e.g. a macro without elements
+    nothing,        ///< no value was given, e.g. by a macro without elements
     uninitialised,  ///< an array's element that was never set
-    broken,         ///< has been reported: say no more
+    broken,         ///< has been reported: needs no further report
 };
 
-/// A kind of what values share. Its address tells it from others.
+/// A kind of shared value. Its address identifies it.
 struct ValueKind {
     std::string (*name)();  ///< for messages: "a string"
 };
@@ -65,14 +65,14 @@ struct ValueKind {
 /// "an open file" for "open_file".
 std::string with_article(std::string_view word);
 
-/// What values of a type are called in messages. A type that is an item is called by the name in
-/// its vocabulary; others say their names here, or where they are defined.
+/// The name of a type in messages. The type of an item has its name in its vocabulary; other names
+/// are stated here, or where the type is defined.
 template <class T>
 struct KindName {
     static std::string text() { return with_article(T::vocabulary.name); }
 };
 
-/// A name that is said where the type is.
+/// A name that is stated where the type is defined.
 template <std::size_t size>
 struct KindText {
     consteval KindText(const char (&written)[size]) { std::copy_n(written, size, text); }
@@ -100,7 +100,8 @@ struct KindName<Spline> : Named<"a spline"> {};
 template <class T>
 inline constexpr ValueKind value_kind{&KindName<T>::text};
 
-/// A variant by hand: numbers are most of what is copied and moved, and must not cost a dispatch.
+/// A hand-written variant: most values copied and moved are numbers, which must not cost a
+/// dispatch.
 class Value {
 public:
     Value(Absence why) : kind_(absence_kind), absence_(why) {}
@@ -147,15 +148,15 @@ public:
     /// The string for writing, when no other value shares it; otherwise null.
     std::string* own_text();
     const ArrayData* array() const { return shared<ArrayData>(); }
-    /// The array for writing: no other value sees the change, so one that is shared is copied
-    /// first. Precondition: array().
+    /// The array for writing. A shared array is copied first, so that no other value sees the
+    /// change. Precondition: array().
     ArrayData& edit_array();
     /// Whether no other value has the same array. Precondition: array().
     bool alone() const { return shared_.handle.alone(); }
     const MacroData* macro() const { return kind_ == macro_kind ? macro_ : nullptr; }
     const Formula* formula() const { return shared<Formula>(); }
-    /// Where what is shared lies, to tell whether it is still the same; null for what is not
-    /// shared.
+    /// The address of the shared part, to test whether it is still the same; null for values that
+    /// are not shared.
     const void* shared_place() const { return is_shared() ? shared_.handle.get() : nullptr; }
     /// The shared part of a scene, or null when the value is something else.
     template <class T>
@@ -163,7 +164,7 @@ public:
         return holds<T>() ? shared_.handle.as<T>() : Handle<T>();
     }
     bool absent() const { return kind_ == absence_kind; }
-    /// Has been reported: nobody needs to hear of it again.
+    /// Whether it has been reported, so that no further report is needed.
     bool broken() const { return is(Absence::broken); }
     bool is(Absence why) const { return kind_ == absence_kind && absence_ == why; }
     /// Whether both are the same thing: equal numbers, or one shared part.
@@ -183,8 +184,8 @@ public:
 private:
     static constexpr std::uint8_t absence_kind = 0, numbers_kind = 1, macro_kind = 2,
                                   shared_kind = 3, array_kind = 4, object_kind = 5;
-    /// Shared values have greater bytes than others. Those that loops ask for most have bytes of
-    /// their own, so that one comparison tells.
+    /// Shared values have greater bytes than others. The kinds that loops ask for most have bytes
+    /// of their own, so that one comparison suffices.
     template <class T>
     static constexpr std::uint8_t byte_of = std::is_same_v<T, ArrayData> ? array_kind
                                             : std::is_same_v<T, Object>  ? object_kind
@@ -224,11 +225,11 @@ private:
 };
 static_assert(sizeof(Value) <= 56);
 
-/// What a value is, for messages: "a number", "a vector of 3", "a colour", "a string", "a pigment",
-/// ...
+/// The kind of a value, for messages: "a number", "a vector of 3", "a colour", "a string", "a
+/// pigment", ...
 std::string kind_name(const Value&);
-/// The same, with the beginning of what a string says: "the string \"north\"". For values that come
-/// from tables, where this tells which one it is.
+/// The same, with the start of a string: "the string \"north\"". For values from tables, where the
+/// text identifies the value.
 std::string kind_and_text(const Value&);
 
 }  // namespace candelabra

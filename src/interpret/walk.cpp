@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The walk over lists of elements: values are computed, directives done, and what remains handed
-// on.
+// Walks lists of elements: computes values, carries out directives, and passes on the elements that
+// remain.
 #include "interpret/state.h"
 #include "text/message.h"
 #include "vocabulary/reserved.h"
@@ -9,13 +9,13 @@ namespace candelabra {
 
 namespace {
 
-/// `pwr(a, b)`, the one word of a block that has arguments.
+/// Whether the node begins `pwr(a, b)`, the only word of a block that has arguments.
 bool is_power(const Tree& tree, NodeId id) {
     const auto* word = tree.get_if<node::Word>(id);
     return word && word->word == "pwr"_word && tree.get_if<node::Tuple>(tree[id].next);
 }
 
-/// A value that channels may change: `Red*0.8 filter 0.5`.
+/// Whether a node is a value that channels follow, which may change it: `Red*0.8 filter 0.5`.
 bool has_channels(const Tree& tree, const Node& node) {
     const std::size_t index = node.content.index();
     return index > kind<node::Word> && index < kind<node::Channel> && index != kind<node::Call> &&
@@ -31,7 +31,7 @@ bool Evaluator::State::is_directive(const Tree& tree, NodeId id) {
 Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
     for (NodeId id = first; id != no_node;) {
         if (stopped_) return Flow::stopped;
-        work += 10;  // what is spent is looked at once in a while
+        work += 10;  // the sum is checked now and then, elsewhere
         const Node& node = tree[id];
         const std::size_t kind_here = node.content.index();
         if (kind_here == kind<node::Declare>) {
@@ -57,7 +57,7 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
     return stopped_ ? Flow::stopped : Flow::end;
 }
 
-/// `pwr(a, b)`: its arguments come as a vector. Gives the next node.
+/// Passes on `pwr(a, b)`, with its arguments as a vector. Returns the next node.
 NodeId Evaluator::State::take_power(const Tree& tree, NodeId id, const Sink& take) {
     walk_one(tree, id, take);
     const NodeId arguments = tree[id].next;
@@ -120,7 +120,7 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, const Sink& take) {
     }
 }
 
-/// A list in `< >`: with six numbers or more it is no value, but an element of its own kind.
+/// Takes a list in `< >`. With six numbers or more it is not a value, but a list element.
 Flow Evaluator::State::take_vector(const Tree& tree, NodeId id, const Sink& take) {
     Numbers computed;
     if (compute(tree, id, computed)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a surface scatters light, as the choice of luminaires knows it.
+// The scattering of a surface, as far as the choice of luminaires takes it into account.
 #pragma once
 
 #include "base/function_ref.h"
@@ -11,9 +11,10 @@
 
 namespace candelabra {
 
-/// Where a surface answers light more than elsewhere: by peak / (1 + sharpness (1 - cosine) / 2)^2
-/// of light of colour 1 that makes that cosine with the axis, as facets do (GGX) and others
-/// roughly. A white diffuse surface answers by the cosine to its normal.
+/// A lobe in which a surface reflects more light than elsewhere. Of light of colour 1 whose
+/// direction has a given cosine with the axis, it reflects peak / (1 + sharpness (1 - cosine) /
+/// 2)^2. Facets (GGX) do this exactly, and other highlights approximately. A white diffuse surface
+/// reflects the cosine with its normal.
 struct Highlight {
     Vec3 axis = Vec3(0);  ///< unit
     double peak = 0, sharpness = 0;
@@ -25,9 +26,9 @@ struct BsdfLobes {
     std::size_t count = 0;  ///< of highlights
 };
 
-/// Directions drawn as a surface scatters light.
+/// Samples directions in proportion to a surface's scattering.
 struct BsdfSampler {
-    double specular_probability = 0;  ///< share of the directions that highlights draw
+    double specular_probability = 0;  ///< fraction of the directions that highlights sample
     FunctionRef<std::optional<Vec3>(Vec2)> sample;
     FunctionRef<double(const Vec3&)> pdf;  ///< per steradian
 };

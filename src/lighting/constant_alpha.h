@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One luminaire, all with the same probability (the paper, section 4.1). Cannot be wrong, and is
+// One luminaire, all with the same probability (the paper, section 4.1). It is never wrong, and
 // hardly ever good.
 #pragma once
 

@@ -10,13 +10,13 @@ namespace candelabra {
 
 namespace {
 
-/// Shadow rays for each entry.
+/// Number of shadow rays for each entry.
 constexpr std::uint32_t rays = 6;
-/// Places that these rays start from.
+/// Maximum number of places from which these rays start.
 constexpr std::size_t max_places = 8;
-/// Greatest share of an entry as a multiple of the mean, and the least for what is far.
+/// Minimum and maximum share of an entry, as multiples of the mean; the minimum is for far entries.
 constexpr double least = 0.1, greatest = 4;
-/// What all entries that have the least share may count together, as a share of what arrives: a sun
+/// Fraction of the arriving light that all entries with the minimum share may count together: a sun
 /// behind shutters must not take all rays.
 constexpr double max_unseen = 0.1;
 
@@ -24,7 +24,7 @@ double trial_number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return uniform(Key::of(Survey::visibility, a, b, c), Purpose::light_representative);
 }
 
-/// What was found of an entry: the share of its weight that arrives, and its mean weight.
+/// Survey of an entry: the fraction of its weight that arrives, and its mean weight.
 struct Trial {
     double share = 0, weight = 0;
 };
@@ -36,10 +36,10 @@ std::vector<float> judged(std::span<const Trial> trials) {
         squares += t.share * t.share * t.weight;
     }
     if (!(sum > 0)) return std::vector<float>(trials.size(), 1.0f);
-    // Of what arrives, so that what is strong and hidden does not count.
+    // Weighted by arriving light, so that strong occluded entries do not count.
     const double mean = squares / sum;
-    // First each of those that little arrives of for itself, so that one does not make the others
-    // lose their chance.
+    // Each entry from which little light arrives is limited by itself first, so that one of them
+    // does not take the chance from the others.
     const double most = max_unseen * sum / mean;
     const auto dark = [&](const Trial& t) {
         return t.weight * least > most ? most / t.weight : least;
@@ -58,7 +58,7 @@ std::vector<float> judged(std::span<const Trial> trials) {
 
 namespace {
 
-/// The share of light from so far away that surfaces leave.
+/// Fraction of light that surfaces transmit over that distance.
 double left_on_way(const Ray& ray, double tolerance, double distance, const LightProbe& probe) {
     double left = 1;
     look_along(ray, tolerance, probe, [&](const ProbeHit& sight, double share) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What shadow rays that are tried when a cell is made tell of its cut: how much of what its entries
-// promise arrives. Called by the light octree.
+// Calibration of a cell's cut by shadow rays that are traced when the cell is made: they measure
+// how much of the light that its entries promise arrives. Called by the light octree.
 #pragma once
 
 #include "lighting/light_cut.h"
@@ -8,23 +8,23 @@
 
 namespace candelabra {
 
-/// What one shadow ray brings to a place: the light of the luminaire's point for u in [0, 1)^2,
-/// over the density of that point per steradian. 0 where none arrives.
+/// Light that one shadow ray brings to a place: that of the luminaire's point for u in [0, 1)^2,
+/// divided by the pdf of that point per steradian. 0 where no light arrives.
 double arriving(std::span<const Luminaire>, LightIndex, const SurveyPlace&, const Vec2& u,
                 const LightProbe&);
 
-/// For each entry of the cut the root of the mean square of what arrives over what the entry's
-/// formula says, by a few luminaires of it at a few places; never below a small share of what the
-/// entries have on the whole, so that no luminaire loses its chance. All the same where nothing
+/// For each entry of the cut, returns the root mean square of arriving light over the entry's
+/// estimate, from a few of its luminaires at a few places. A share is never below a small fraction
+/// of the entries' mean, so that each luminaire keeps its chance. All shares are equal if no light
 /// arrives.
 std::vector<float> arriving_shares(const LightCut&, const LightTree&, std::span<const Luminaire>,
                                    std::span<const SurveyPlace>, const LightProbe&);
 
-/// The same for an entry of a cell, but not below what may go unseen by a few rays: what is near is
-/// seen in many ways from a cell.
+/// The same for an entry of a cell, but at least the fraction that a few rays may miss: near
+/// luminaires look different from different points of a cell.
 float cautious_share(float share, const Box& cell, const LightProxy&);
 
-/// What all entries weigh together, on average over the places.
+/// Total weight of all entries, averaged over the places.
 double mean_total(const LightCut&, std::span<const SurveyPlace>);
 
 }  // namespace candelabra

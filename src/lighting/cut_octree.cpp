@@ -11,42 +11,42 @@ namespace candelabra {
 
 namespace {
 
-/// Clusters nearer than so many of their radii are taken apart at the point itself.
+/// Clusters nearer than this multiple of their radius are divided at the point itself.
 constexpr double near_radii = 6;
-/// Cells that are not surveyed are divided when their noise is above the bound by this factor: less
-/// is made up for by weighing the entries at each point.
+/// Factor by which the noise of a cell without a survey exceeds the bound before the cell is
+/// divided: weighing the entries at each point compensates for less.
 constexpr double divided_above = 20;
-/// Cells that look bigger than so many pixels to the eye are divided: there are many hits in them,
-/// and what is seen from them differs. Smaller ones stay whole when they are surveyed, so that the
-/// survey's rays are a small part of all.
+/// Size in pixels, as seen by the eye, above which cells are divided: they contain many hits, whose
+/// views differ. Smaller cells stay whole if they are surveyed, so that the survey's rays are a
+/// small part of all rays.
 constexpr double coarse_pixels = 32;
-/// The same of cells between surfaces, where light differs less: so many times as coarse.
+/// Factor on this size for cells between surfaces, where light varies less.
 constexpr double coarser_in_air = 4;
-/// As an angle (size over distance): bounds for large and for small pictures.
+/// Bounds on this size as an angle (size over distance), for large and for small pictures.
 constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
-/// Probabilities may fall this far before the random number that is used up level by level is
-/// replaced.
+/// Probability below which the random number that is reused level by level is replaced by a new
+/// one.
 constexpr double worn_out = 1e-7;
-/// What is near is seen in many ways from a cell, and so counts more than the survey says: all of
-/// it up to so many times what all entries count by the survey, and each alone so many times. So
-/// what is hidden makes little noise, however bright, and what shows against the survey is not too
-/// rare.
+/// Near luminaires look different from different points of a cell, and so count more than the
+/// survey says. Together they are raised by at most this multiple of the survey's total of all
+/// entries, and each alone by at most this multiple. So occluded luminaires cause little noise,
+/// however bright, and those that are visible against the survey are not too rare.
 constexpr double max_raised = 1, max_raised_alone = 0.1;
-/// Shadow rays that tell how noisy the choice of luminaires is in a cell.
+/// Number of shadow rays that measure the noise of choosing luminaires in a cell.
 constexpr std::uint32_t trials = 48;
-/// Variance over squared mean that both ways of sampling have in any case: of surfaces that differ.
+/// Minimum variance over squared mean of both ways of sampling, because surfaces differ.
 constexpr double min_noise = 0.02;
-/// How many times as much the noise of the choice counts against the outlook's: what told it taught
-/// the choice as well.
+/// Factor on the noise of the choice against that of the outlook: the rays that measured the choice
+/// had also trained it.
 constexpr double doubt = 3;
-/// Share of the shadow rays that are drawn from the outlook in any case: it is what finds a
-/// luminaire that nearly touches the point. The less noise the choice has, the less there is to be
-/// found; nothing where it has none at all.
+/// Minimum fraction of the shadow rays that are sampled from the outlook, which finds luminaires
+/// that nearly touch the point. The fraction decreases with the noise of the choice below
+/// little_noise, and is 0 if there is none at all.
 constexpr double min_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
-/// Surfaces may ask for light as they scatter it where no luminaire is brighter than so many times
-/// the mean of what is seen: then no ray can bring much more than others.
+/// Maximum ratio of the brightest luminaire to the mean visible luminance at which surfaces may
+/// sample directions from their BSDF alone: no ray can then bring much more than others.
 constexpr double max_glare = 16;
-/// Share of the shadow rays that surfaces without a diffuse part draw as they scatter.
+/// Fraction of the shadow rays that surfaces without a diffuse part sample from their BSDF.
 constexpr double max_by_surface = 0.5;
 
 bool near(const Box& box, const Vec3& position) {
@@ -62,9 +62,9 @@ double estimate(const LightTree& tree, const LightCluster& c, const Receiver& po
                    : square;
 }
 
-/// Entries on top for those that face away from a cell: as many again where all shine one way.
+/// Adds entries for luminaires that face away from a cell: twice as many if all shine one way.
 int entries_for(int cut, std::span<const Luminaire> luminaires) {
-    double one_way = 0;  // luminaires that shine one way only
+    double one_way = 0;  // number of luminaires that shine one way only
     for (const Luminaire& luminaire : luminaires) one_way += 2 * length(luminaire.bent_normal);
     const double share = luminaires.empty() ? 0 : one_way / static_cast<double>(luminaires.size());
     return static_cast<int>(std::lround(cut * (1 + share)));
@@ -75,8 +75,8 @@ struct Halves {
     double share;  ///< probability of the first
 };
 
-/// How a cluster that is near is divided at a point: by what its halves give there, else by their
-/// strength. Nothing when it is drawn from as it is.
+/// Divides a near cluster at a point by the estimated light of its halves. Nothing if the cluster
+/// is sampled as a whole, by the strength of its luminaires.
 std::optional<Halves> divided(const LightTree& tree, const LightCluster& c, const Receiver& point) {
     if (c.count == 1 || !near(tree.box(c), point.position)) return {};
     const auto [first, second] = tree.halves(c);
@@ -89,21 +89,21 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c, cons
 
 }  // namespace
 
-/// What rays that were tried tell of a cell.
+/// Results of the rays that survey a cell.
 struct BuiltCutOctree::CellSurvey {
-    std::optional<LightGuide> outlook;  ///< none: nothing is drawn by it
+    std::optional<LightGuide> outlook;  ///< none: no directions are sampled from it
     double by_direction = 0;            ///< see Weights
     bool as_scattered = false;
-    /// See Weights; for each unit of the total weight.
+    /// See Weights; per unit of the total weight.
     double noise = -1, irradiance = 0;
 };
 
 struct BuiltCutOctree::Cell {
     Box box;
-    int depth = -1;                    ///< 0 of the greatest
+    int depth = -1;                    ///< 0 for the root
     bool in_air = false;               ///< for points between surfaces
-    std::optional<LightCut> cut;       ///< none: it is divided
-    std::optional<CellSurvey> survey;  ///< none: the scene was not there to be asked
+    std::optional<LightCut> cut;       ///< none: the cell is divided
+    std::optional<CellSurvey> survey;  ///< none: there was no scene to survey
     std::array<std::atomic<Cell*>, 8> children{};
 
     Cell() = default;
@@ -122,14 +122,14 @@ struct BuiltCutOctree::State {
     LightTree tree;
     LightBall ball;
     std::optional<Vec3> eye;
-    /// Size of cells that are small, at distance 1 from the eye if there is one.
+    /// Maximum size of small cells, at distance 1 from the eye if there is one.
     double coarse = 0;
     double brightest = 0;                           ///< luminance
-    bool any_volume = false, only_volumes = false;  ///< which no direction meets
+    bool any_volume = false, only_volumes = false;  ///< no direction hits a volume
     Box cube;
     std::atomic<Cell*> root;
-    std::atomic<Cell*> air;  ///< of points between surfaces
-    Cell above, above_air;   ///< what both are in
+    std::atomic<Cell*> air;  ///< for points between surfaces
+    Cell above, above_air;   ///< parents of the two roots
     std::atomic<std::size_t> cells = 0, bytes = 0;
 
     ~State() {
@@ -188,7 +188,7 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     return cell;
 }
 
-/// Teaches the cut of a cell, too, what arrives of its entries' light.
+/// Surveys a cell, and scales its cut's entries by the arriving fraction of their light.
 BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cut,
                                                   const LightProbe& probe) const {
     const Box& box = cell.box;
@@ -197,7 +197,7 @@ BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cu
     cut.scale(counted(arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), cut,
                       box));
     CellSurvey result;
-    // Sources are not seen; and from points in the air luminaires are small.
+    // Directions cannot hit light sources, and luminaires look small from points in the air.
     if (state_->tree.falloff(state_->tree.root()) || cell.in_air) return result;
     const Found by_choice = found_by_choice(cut, receivers, probe);
     const double found = by_choice.noise, choice = doubt * found + min_noise;
@@ -213,7 +213,7 @@ BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cu
     if (found > no_noise)
         result.by_direction = std::clamp(
             share, min_by_direction * std::fmin(found / little_noise, 1), state_->settings.outlook);
-    // What the outlook knows of surfaces is not all.
+    // The outlook knows surfaces only, which are not all luminaires here.
     if (state_->any_volume) return result;
     const double scattering = result.outlook->noise_of_scattering();
     result.as_scattered = scattering <= std::fmin(outlook, found + min_noise) &&
@@ -230,7 +230,7 @@ BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cu
     return result;
 }
 
-/// By what the weights of the entries of a cell are to be multiplied: as rays tell, with caution.
+/// Factors on the weights of a cell's entries: the survey's shares, raised for near entries.
 std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const LightCut& cut,
                                            const Box& box) const {
     const std::size_t count = cut.entries();
@@ -296,7 +296,7 @@ BuiltCutOctree::Found BuiltCutOctree::found_by_choice(const LightCut& cut,
     return {sum > 0 ? trials * squares / (sum * sum) - 1 : INFINITY, light / trials};
 }
 
-/// The cell at a place of the tree, which is made when there is none.
+/// Returns the cell at a place of the tree, which is made if there is none.
 BuiltCutOctree::Cell* BuiltCutOctree::cell_in(std::atomic<Cell*>& place, const Box& box,
                                               const Cell& parent, const LightProbe* probe) const {
     Cell* cell = place.load(std::memory_order_acquire);
@@ -343,7 +343,7 @@ void BuiltCutOctree::weigh(const LightQuery& query, Weights& weights) const {
     weights.noise = cell.survey ? cell.survey->noise * weights.total : -1;
     weights.irradiance = cell.survey ? cell.survey->irradiance * weights.total : 0;
     if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
-    if (!query.bsdf) weights.by_direction = 0;  // nobody asks for directions
+    if (!query.bsdf) weights.by_direction = 0;  // directions are not wanted
     if (weights.as_scattered || !(weights.by_direction > 0)) return;
     cell.survey->outlook->weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;

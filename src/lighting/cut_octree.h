@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An octree over the points to be lit, whose cells hold cuts through the light tree: the paper's
-// lists of bright luminaires, with clusters in the place of the dim ones. A cell is made when a
-// point in it is asked for the first time, and is a pure function of its box, so that the answers
-// do not depend on the order. By trial it also knows what light is seen from it: its outlook.
+// lists of bright luminaires, with clusters in place of the dim ones. A cell is made at the first
+// query for a point in it, and is a pure function of its box, so that results do not depend on the
+// order of queries. A survey also tells it which light is visible from there: its outlook.
 #pragma once
 
 #include "base/random.h"
@@ -17,16 +17,15 @@ namespace candelabra {
 
 class BuiltCutOctree {
 public:
-    /// What luminaires give at one point: for several choices and questions there.
+    /// Weights of luminaires and directions at one point, for several choices and queries there.
     struct Weights : CutWeights {
         const LightCut* cut = nullptr;
-        LightGuide::Weights outlook;  ///< when the scene was there to be asked
-        double by_direction = 0;      ///< share of the shadow rays that should be drawn from it
-        bool as_scattered = false;  ///< all shadow rays should go where the surface scatters light
-        /// Standard deviation that one shadow ray's irradiance is expected to have; below 0: not
-        /// known.
+        LightGuide::Weights outlook;  ///< if the scene was available
+        double by_direction = 0;      ///< fraction of shadow rays to be sampled from the outlook
+        bool as_scattered = false;    ///< all shadow rays should be sampled from the BSDF
+        /// Expected standard deviation of one shadow ray's irradiance; below 0: not known.
         double noise = -1;
-        double irradiance = 0;  ///< that is expected; known where the noise is
+        double irradiance = 0;  ///< expected irradiance; known if the noise is
     };
 
     class At;
@@ -38,18 +37,18 @@ public:
 
     At at(const LightQuery&) const;
 
-    /// Precondition: the scene is there to be asked.
+    /// Precondition: the query has a scene.
     void weigh(const LightQuery&, Weights&) const;
-    /// The same without the scene: luminaires can be chosen by it, directions cannot be drawn.
+    /// The same without a scene: sets the weights of luminaires, but not those of directions.
     void weigh_choice(const Receiver&, const BsdfLobes&, Weights&) const;
-    /// Appends the luminaire for u in [0, 1), if any is above the horizon.
+    /// Appends the luminaire for u in [0, 1), if there is one above the horizon.
     void choose(const Receiver&, const Weights&, const Key&, double u, LightPicks&) const;
     double expected(const Receiver&, const Weights&, LightIndex) const;
 
     void choose(const Receiver&, const Key&, LightPicks&) const;
     double expected(const Receiver&, const Key&, LightIndex) const;
 
-    /// With the cells that there are so far.
+    /// Includes the cells made so far.
     std::size_t memory_bytes() const;
     std::size_t cells() const;
     const LightTree& tree() const;
@@ -64,8 +63,8 @@ private:
     std::unique_ptr<Cell> make(const Box&, const Cell& parent, const LightProbe*) const;
     CellSurvey survey(const Cell&, LightCut&, const LightProbe&) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
-    /// What shadow rays to chosen luminaires found: variance over squared mean, and the mean
-    /// irradiance for each unit of the total weight.
+    /// Result of shadow rays to chosen luminaires: variance over squared mean, and mean irradiance
+    /// per unit of the total weight.
     struct Found {
         double noise, irradiance;
     };
@@ -76,11 +75,12 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// At one receiver. A shadow ray has a direction from the cell's outlook, or as the surface
-/// scatters light, in which whatever luminaire is seen counts, or a luminaire and a point on it:
-/// weighed by the density that all ways together have for a point of a luminaire (one-sample
-/// multiple importance sampling). So a luminaire that the outlook does not know keeps its chance,
-/// no ray is lost where luminaires hide each other, and none glares that only a highlight shows.
+/// The answer at one receiver. A shadow ray has either a direction, sampled from the cell's outlook
+/// or from the BSDF, in which all visible luminaires count, or a luminaire and a point on it. Each
+/// is weighted by the pdf of all ways together for a point of a luminaire (one-sample multiple
+/// importance sampling). So luminaires that the outlook does not know keep their chance, no ray is
+/// lost where luminaires hide each other, and luminaires seen only in a highlight cause no
+/// fireflies.
 class BuiltCutOctree::At {
 public:
     At(const BuiltCutOctree&, const LightQuery&);
@@ -101,7 +101,7 @@ private:
     const Receiver& receiver_;
     const BsdfSampler* bsdf_;
     Weights weights_;
-    /// Shares of the shadow rays.
+    /// Fractions of the shadow rays.
     double by_surface_ = 0, by_outlook_ = 0, by_choice_ = 1;
 };
 

@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// Number of places of all together, nearly: fits the random numbers.
+/// Approximate total number of places, which suits the random numbers.
 constexpr double all_places = 0x1p48;
 constexpr int guide_bits = 12;
 
@@ -43,7 +43,8 @@ std::size_t LightPlaces::memory_bytes() const {
 }
 
 LightIndex DimSet::nth(std::uint64_t n) const {
-    // The j-th of the list has bright[j] - j dim ones before it, which never falls with j.
+    // The j-th luminaire of the list has bright[j] - j dim ones before it, which never falls with
+    // j.
     std::size_t passed = 0, behind = bright_.size();
     while (passed < behind) {
         const std::size_t j = (passed + behind) / 2;

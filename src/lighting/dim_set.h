@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The luminaires that are not in a list, drawn evenly or by their strength. Counting is exact:
-// strengths are integers, so no luminaire can get lost in rounding. Used by the light octree, whose
+// The luminaires that are not in a list, sampled uniformly or by their strength. Counting is exact:
+// strengths are integers, so rounding cannot lose a luminaire. Used by the light octree, whose
 // cells list the bright luminaires.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace candelabra {
 
-/// All luminaires laid end to end, each on a number of places in proportion to its intensity: at
+/// All luminaires laid end to end. Each takes a number of places in proportion to its intensity: at
 /// least one, unless it is dark.
 class LightPlaces {
 public:
@@ -20,7 +20,7 @@ public:
     std::uint64_t before(LightIndex light) const { return light == 0 ? 0 : ends_[light - 1]; }
     std::uint64_t end(LightIndex light) const { return ends_[light]; }
     std::uint64_t of(LightIndex light) const { return end(light) - before(light); }
-    /// Whose place it is. Precondition: place < total().
+    /// Returns the luminaire that takes the place. Precondition: place < total().
     LightIndex at(std::uint64_t place) const;
     std::size_t memory_bytes() const;
 
@@ -30,7 +30,7 @@ private:
     int guide_shift_ = 0;
 };
 
-/// What is left when the luminaires of a list, in ascending order, are taken out. Refers to its
+/// The luminaires that remain when those of a list, in ascending order, are removed. Refers to its
 /// arguments.
 class DimSet {
 public:
@@ -41,12 +41,12 @@ public:
         : places_(places), bright_(bright), dim_before_(dim_before) {}
 
     std::size_t lights() const { return places_.lights() - bright_.size(); }
-    /// The dim luminaire that has n others before it. Precondition: n < lights().
+    /// Returns the dim luminaire with n others before it. Precondition: n < lights().
     LightIndex nth(std::uint64_t n) const;
 
     std::uint64_t places() const;
-    /// The dim luminaire that has this place, counted without the bright ones. Precondition: place
-    /// < places().
+    /// Returns the dim luminaire at this place, counted without the bright ones. Precondition:
+    /// place < places().
     LightIndex at(std::uint64_t place) const;
 
 private:
@@ -55,8 +55,8 @@ private:
     std::span<const std::uint64_t> dim_before_;
 };
 
-/// Per luminaire of a list in ascending order, the places of those before it that are not in the
-/// list.
+/// For each luminaire of a list in ascending order, returns the number of places before it that
+/// belong to luminaires not in the list.
 std::vector<std::uint64_t> dim_places_before(const LightPlaces&,
                                              std::span<const LightIndex> bright);
 

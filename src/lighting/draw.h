@@ -7,12 +7,12 @@
 
 namespace candelabra {
 
-/// Where on a luminaire, or in which direction, the key decides: uniform in [0, 1)^2.
+/// A place on a luminaire, or a direction, as chosen by the key: uniform in [0, 1)^2.
 inline Vec2 place_on_light(const Key& key) {
     return {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
 }
 
-/// Number n of those for a purpose; independent of the others and of uniform(key, purpose).
+/// Random number n for a purpose; independent of the others and of uniform(key, purpose).
 inline double draw(const Key& key, Purpose purpose, std::uint64_t n) {
     Key other = key;
     other.pixel = mix(key.pixel ^ mix(n));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The conventional way: every luminaire, at every point. Slow, without noise of its own, and the
-// oracle of the others.
+// reference for the others.
 #pragma once
 
 #include "base/random.h"

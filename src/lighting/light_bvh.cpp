@@ -11,11 +11,11 @@ namespace candelabra {
 
 namespace {
 
-/// Least share of the full brightness that a node keeps at the edge of the horizon, and seen from
-/// the side.
+/// Minimum fractions of the full brightness for a node at the edge of the horizon, and for one seen
+/// from the side.
 constexpr double min_height = 1e-4, min_facing = 1e-2;
-/// Probabilities may fall this far before the random number that is used up level by level is
-/// replaced.
+/// Probability below which the random number that is reused level by level is replaced by a new
+/// one.
 constexpr double worn_out_walk = 1e-7;
 
 /// cos(max(0, a - b)) for angles from 0 to pi given by cosine and, for b, also by sine.
@@ -24,9 +24,9 @@ double cosine_beyond(double cos_a, double cos_b, double sin_b) {
     return cos_a * cos_b + std::sqrt(std::fmax(0, (1 - cos_a) * (1 + cos_a))) * sin_b;
 }
 
-/// Upper bound, in the manner of the paper, of what the luminaires of a node give at a point: as if
-/// all were at the distance of the middle, each turned to the point and above it as well as any
-/// place in the node's sphere may be.
+/// Upper bound, in the manner of the paper, of the light of a node's luminaires at a point: as if
+/// all were at the distance of the node's centre, each turned to the point and raised above its
+/// horizon as well as anywhere in the node's sphere.
 double importance(const LightNode& node, const Receiver& point) {
     const Vec3 v = node.centre - point.position;
     const double d2 = dot(v, v), r2 = node.radius * node.radius;
@@ -39,8 +39,8 @@ double importance(const LightNode& node, const Receiver& point) {
     const Vec3 axis(node.axis);
     double turned = 1;
     if (axis != Vec3(0)) {
-        // The spread and the angle that the sphere fills, together; beyond a right angle some
-        // normal may face the point.
+        // The angle of spread and that of the sphere, together; beyond a right angle some normal
+        // may face the point.
         const double cos_both = node.cos_spread * cosine - node.sin_spread * sine;
         const double sin_both = node.sin_spread * cosine + node.cos_spread * sine;
         const double seen = std::fmin(std::abs(dot(axis, v)) / distance, 1);
@@ -51,9 +51,11 @@ double importance(const LightNode& node, const Receiver& point) {
 
 }  // namespace
 
-BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires, bool paired)
-    : nodes_(build_light_hierarchy(luminaires)), leaf_of_(luminaires.size()) {
-    if (paired) tree_ = LightTree(luminaires);
+BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires, const LightBvh& settings)
+    : exponential_(settings.exponential),
+      nodes_(build_light_hierarchy(luminaires)),
+      leaf_of_(luminaires.size()) {
+    if (settings.mis) tree_ = LightTree(luminaires);
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         if (nodes_[i].leaf) leaf_of_[nodes_[i].second] = i;
 }
@@ -109,7 +111,7 @@ std::size_t BuiltLightBvh::memory_bytes() const {
 }
 
 BuiltLightBvh build(const LightBvh& settings, const LightScene& scene, int) {
-    return BuiltLightBvh(scene.luminaires, settings.mis);
+    return BuiltLightBvh(scene.luminaires, settings);
 }
 
 }  // namespace candelabra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One luminaire, found by walking down a hierarchy: at each node the two halves are weighed by what
-// they may give (Conty Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree
-// Splitting", 2018). A half has probability 0 only where all of it is below the horizon.
-// Probabilities do not depend on the scale of the scene.
+// One luminaire, found by descending a hierarchy: at each node the two halves are weighted by their
+// possible light (Conty Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree
+// Splitting", 2018). A half has probability 0 only if all of it is below the horizon. Probabilities
+// do not depend on the scale of the scene.
 #pragma once
 
 #include "base/random.h"
@@ -11,25 +11,25 @@
 
 namespace candelabra {
 
-/// A node of the hierarchy: a sphere around its luminaires, and how they shine.
+/// A node of the hierarchy: a sphere around its luminaires, and their emission.
 struct LightNode {
     Vec3 centre = Vec3(0);
     double radius = 0;
     double intensity = 0;
     glm::vec<3, float> axis{
-        0};  ///< middle of the normals of flat luminaires; 0 when they look everywhere
-    float cos_spread = 1, sin_spread = 0;  ///< of the angle around the axis that holds all normals
+        0};  ///< middle of the normals of flat luminaires; 0 if light goes in all directions
+    float cos_spread = 1, sin_spread = 0;  ///< of half the cone around the axis with all normals
     std::uint32_t parent = 0;
-    /// The second child, the first is the next node; in leaves the luminaire.
+    /// The second child (the first one is the next node); in leaves, the luminaire.
     std::uint32_t second = 0;
     bool leaf = false;
 };
 
 class BuiltLightBvh {
 public:
-    explicit BuiltLightBvh(std::span<const Luminaire>, bool paired = false);
+    explicit BuiltLightBvh(std::span<const Luminaire>, const LightBvh& = {});
 
-    /// At one receiver. With a partner, directions are drawn as the surface scatters light.
+    /// The answer at one receiver. If paired, directions are also sampled from the BSDF.
     class At {
     public:
         At(const BuiltLightBvh& bvh, const LightQuery& query)
@@ -39,20 +39,20 @@ public:
         double expected(const Key& key, LightIndex light) const {
             return bvh_.expected(receiver_, key, light);
         }
-        /// By the balance heuristic (Veach) of both ways.
+        /// Combines both ways by the balance heuristic (Veach).
         double pdf(const Vec3& direction, double expected, double of_point) const {
             return expected * of_point + (bsdf_ ? bsdf_->pdf(direction) : 0);
         }
         double picked() const { return 1; }
         double noise() const { return -1; }
         double irradiance() const { return 0; }
-        double expected_light() const { return -1; }
+        double expected_light() const { return bvh_.exponential() ? 1 : -1; }
         const LightTree* meetings() const { return bsdf_ ? &bvh_.tree() : nullptr; }
 
     private:
         const BuiltLightBvh& bvh_;
         const Receiver& receiver_;
-        const BsdfSampler* bsdf_;  ///< null: no partner
+        const BsdfSampler* bsdf_;  ///< null: not paired
     };
     At at(const LightQuery& query) const { return {*this, query}; }
 
@@ -60,12 +60,15 @@ public:
     double expected(const Receiver&, const Key&, LightIndex) const;
     std::size_t memory_bytes() const;
 
-    /// Whether each shadow ray has a partner that the surface chooses; then there is a tree to find
-    /// what that one meets.
+    /// Whether each shadow ray has a partner sampled from the BSDF; there is then a tree to find
+    /// the luminaires that the partner hits.
     bool paired() const { return tree_.lights() > 0; }
+    /// Whether light in media is taken for the same everywhere.
+    bool exponential() const { return exponential_; }
     const LightTree& tree() const { return tree_; }
 
 private:
+    bool exponential_;
     LightTree tree_;
     std::vector<LightNode> nodes_;        ///< depth first; parents before children
     std::vector<std::uint32_t> leaf_of_;  ///< per luminaire

@@ -13,27 +13,28 @@ namespace {
 
 using std::numbers::pi;
 
-/// Entries that all lists together may have. A cell's share of them goes to its children by the
-/// length of their lists.
+/// Maximum number of entries of all lists together. A cell's share of them is passed on to its
+/// children by the lengths of their lists.
 double max_entries(std::size_t luminaires) {
     return std::fmin(1e6, 1e5 + 128 * static_cast<double>(luminaires));
 }
-/// Length of a list; of more luminaires the brightest are taken, and the others count as dim.
+/// Maximum list length; of more luminaires the brightest are taken, and the others count as dim.
 constexpr std::size_t longest_list = 2048;
-/// A cut helps when the lists of the parts are at most this much of the whole's, on average. After
-/// so many cuts in a row that did not, cells are left whole: smaller ones would not help either.
+/// A cut helps if the lists of the parts are at most this fraction of the whole's, on average.
+/// After this number of cuts in a row that did not help, cells stay whole: smaller ones would not
+/// help either.
 constexpr double helpful = 0.9;
 constexpr int patience = 3;
 
-/// A cell on its way to be cut.
+/// A cell that may still be cut.
 struct Region {
     Box box;
     std::vector<LightIndex> lights;
-    std::vector<std::uint32_t> surfaces;  ///< that touch it; not looked at when it is covered
+    std::vector<std::uint32_t> surfaces;  ///< that touch the cell; unused if it is covered
     bool covered = false;                 ///< surfaces may be anywhere in it
     int depth = 0;
-    double entries = 0;    ///< that the lists in it may have
-    int useless_cuts = 0;  ///< that it comes from, since the last helpful one
+    double entries = 0;    ///< maximum number of entries of its lists
+    int useless_cuts = 0;  ///< number of its last cuts that did not help
 };
 
 Box octant(const Box& box, int which) {
@@ -60,7 +61,7 @@ public:
         tree.cells.resize(1);
     }
 
-    /// Makes the region a cell with everything below it.
+    /// Makes the region a cell, with all cells below it.
     void grow(std::uint32_t cell, Region region) {
         std::vector<Region> parts = cut(region);
         if (parts.empty()) {
@@ -76,8 +77,8 @@ public:
             if (!parts[i].box.empty()) grow(first + i, std::move(parts[i]));
     }
 
-    /// The eight parts of a region, those without surfaces with an empty box; nothing when it is to
-    /// stay whole.
+    /// Returns the eight parts of a region, where parts without surfaces have an empty box; nothing
+    /// if the region is to stay whole.
     std::vector<Region> cut(const Region& region) const {
         if (region.depth >= settings_.max_depth || region.useless_cuts >= patience ||
             region.lights.size() <= static_cast<std::size_t>(settings_.max_bright) ||
@@ -106,11 +107,11 @@ private:
         return static_cast<double>(std::min(region.lights.size(), longest_list));
     }
 
-    /// The list of a cell that is not cut.
+    /// Returns the list of a cell that is not cut.
     std::vector<LightIndex> brightest(Region& region) const {
         std::vector<LightIndex>& lights = region.lights;
         if (lights.size() > longest_list) {
-            // Nearness in terms of the reach tells how far above the threshold each may be.
+            // The distance relative to the reach tells how far above the threshold each may be.
             const auto farness = [&](LightIndex light) {
                 return nearest_distance2(region.box, centres_[light]) / reach2_[light];
             };
@@ -125,7 +126,8 @@ private:
         return std::move(lights);
     }
 
-    /// All that are bright somewhere in it are bright everywhere in it, and so in all parts.
+    /// Whether all luminaires that are bright somewhere in the region are bright everywhere in it,
+    /// and so in all of its parts.
     bool bright_everywhere(const Region& region) const {
         return std::ranges::all_of(region.lights, [&](LightIndex light) {
             return farthest_distance2(region.box, centres_[light]) < reach2_[light];
@@ -162,11 +164,11 @@ private:
     const LightOctree& settings_;
     const LightScene& scene_;
     const std::vector<Vec3>& centres_;
-    /// Squares of the distances within which luminaires are bright.
+    /// Squared distances within which luminaires are bright.
     const std::vector<double>& reach2_;
 };
 
-/// Cells of a part of the tree, behind those that are there; its first cell takes the given place.
+/// Appends the cells of a part of the tree; the part's first cell goes to the given place.
 void splice(LightCells& tree, std::uint32_t place, LightCells&& part) {
     // Cell 0 of the part moves to its place, the others to the end.
     const auto cells = static_cast<std::uint32_t>(tree.cells.size()) - 1,
@@ -197,14 +199,14 @@ Box cube_to_light(const LightScene& scene, std::span<const LightBounds> lights) 
 
 double bright_reach(const LightBounds& light, double radiance) {
     if (!(light.luminance > 0)) return -1;
-    // Its radiance is luminance times solid angle over pi, when all of it is seen straight on.
+    // The radiance is luminance times solid angle over pi, if all of it is seen straight on.
     const double solid_angle = pi * radiance / light.luminance;
     if (solid_angle >= 4 * pi) return -1;
     const double versine = solid_angle / (2 * pi);
     const double as_sphere =
         versine >= 1 ? light.radius : light.radius / std::sqrt(versine * (2 - versine));
-    // A flat one shows at most its area, and what its thin sides show; any other at most twice what
-    // it shows on average.
+    // A flat luminaire shows at most its area and its thin sides; any other shows at most twice its
+    // average.
     const double seen =
         (light.axis != Vec3(0) ? 1 + 2 * light.evenness : 2) * light.intensity / light.luminance;
     return std::fmin(as_sphere, light.radius + std::sqrt(seen / solid_angle));

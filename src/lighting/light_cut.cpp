@@ -10,15 +10,15 @@ namespace candelabra {
 
 namespace {
 
-/// Shares of the whole strength below this one count as this: single precision would lose them.
+/// Minimum fraction of the whole strength: single precision would lose smaller ones.
 constexpr double min_strength = 1e-24;
-/// Radius over distance at which rounding in single precision may still lift an entry over the
+/// Radius over distance at which rounding in single precision may still lift an entry above the
 /// horizon.
 constexpr float slack = 1e-6f;
-/// What a surface without a diffuse part is thought to answer at least: highlights are not quite
-/// what the formula says.
+/// Minimum reflectance of surfaces without a diffuse part: highlights differ a little from the
+/// formula.
 constexpr double min_diffuse = 0.02;
-/// Of entries that are lower over the horizon, weights are not divided by the cosine, but by this.
+/// Minimum height of entries over the horizon, as a cosine, by which weights are divided.
 constexpr float min_cosine = 0.05f;
 
 struct EntryColumns {
@@ -34,8 +34,8 @@ struct Place {
     float x, y, z, nx, ny, nz;
 };
 
-/// A block of rows. Arithmetic on local arrays of known length, which nothing else can refer to, is
-/// what compilers turn into vectors.
+/// A block of rows. Compilers vectorise arithmetic on local arrays of known length, to which
+/// nothing else can refer.
 constexpr std::size_t block = CutWeights::block;
 using Rows = std::array<float, block>;
 
@@ -93,7 +93,7 @@ template <Horizon horizon>
     }
 }
 
-/// x to the power p within some hundredths, for x above 0; the result stays in a wide range.
+/// x to the power p within some hundredths, for x above 0; the result is clamped to a wide range.
 [[gnu::always_inline]] inline float rough_power(float x, float p) {
     const auto bits = std::bit_cast<std::int32_t>(x);
     const float m = std::bit_cast<float>((bits & 0x7fffff) | 0x3f800000);
@@ -138,8 +138,8 @@ template <Horizon horizon>
     }
 }
 
-/// Exact but for the last bits of double precision: a faint entry behind glaring ones must keep its
-/// chance.
+/// Exact except for the last bits of double precision: a faint entry behind glaring ones must keep
+/// its chance.
 [[gnu::always_inline]] inline double sum(const Rows& rows) {
     std::array<double, block / 2> strand;
     for (std::size_t j = 0; j < block / 2; ++j)
@@ -151,11 +151,11 @@ template <Horizon horizon>
 
 struct Look {
     Horizon horizon;
-    bool turned;                   ///< some luminaires are flat, or have a bent normal
-    const SourceColumns* sources;  ///< null: there are luminaires only
+    bool turned;                   ///< whether any luminaire is flat, or has a bent normal
+    const SourceColumns* sources;  ///< null: there are only luminaires
 };
 
-/// Weighs all rows, and adds up each block of them.
+/// Sets the weights of all rows, and the sum of each block of them.
 CANDELABRA_TARGET_CLONES
 void weigh_rows(const EntryColumns& c, std::size_t count, const Place& place, const Look& look,
                 CutWeights& result) {
@@ -179,7 +179,8 @@ struct Peak {
     float x, y, z, peak, sharpness;
 };
 
-/// Adds to what each row of a block answers at least: of a highlight, spread over the entry's cone.
+/// Adds the least reflectance of a highlight, spread over each entry's cone, to the rows of a
+/// block.
 [[gnu::always_inline]] inline void shine(const EntryColumns& c, std::size_t first, const Place& p,
                                          const Peak& peak, Rows& out) {
     for (std::size_t i = 0; i < block; ++i) {
@@ -251,7 +252,7 @@ LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires,
 
 void LightCut::fill(std::size_t entry, const LightProxy& g) {
     const Vec3 place = (g.centre - middle_) * scale_;
-    // Rounding must not carry any of it below a horizon that it is above.
+    // Rounding must not move any of it below a horizon that it is above.
     const double rounding = 4e-7 * (max_abs_component(place) + 1e-3);
     const double r = g.radius * scale_ + rounding;
     column(x)[entry] = static_cast<float>(place.x);
@@ -338,8 +339,8 @@ void LightCut::scale(std::span<const float> factors) {
 }
 
 std::size_t LightCut::find(const CutWeights& weights, double& target) const {
-    // Rounding may carry the target past the end of the list or of a block: then the last that has
-    // a weight is taken.
+    // Rounding may carry the target past the end of the list or of a block: then the last entry
+    // with a weight is taken.
     std::size_t found = 0;
     bool passed = false;
     for (std::size_t i = 0; !passed && i < rows_ / CutWeights::block; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A short partition of all luminaires for the points of one cell: single ones where they matter,
-// clusters of the light tree where they do not. At a point all entries are weighed in one loop of
+// A short partition of all luminaires for the points of one cell: single luminaires where they
+// matter, clusters of the light tree elsewhere. At a point all entries are weighed in one loop of
 // single precision. Each entry above the horizon has a weight above 0, so every luminaire has a
 // chance.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace candelabra {
 
-/// What the entries of a cut give at a point, as if nothing were between.
+/// Unoccluded contributions of a cut's entries at a point.
 struct CutWeights {
     static constexpr std::size_t most = 256;
     static constexpr std::size_t block = 16;
@@ -21,25 +21,26 @@ struct CutWeights {
 
 class LightCut {
 public:
-    /// A pure function of its arguments. The unit is a length of about the size of the scene.
+    /// A pure function of its arguments. `unit` is a length of about the size of the scene.
     LightCut(const LightTree&, std::span<const Luminaire>, const Box& cell, const CutRule&,
              double unit);
 
-    /// Expected variance of the choice over the squared mean, by a rough bound; without single
+    /// Expected variance of the choice over the squared mean, by a rough bound, without single
     /// luminaires that outshine all others.
     double noise() const { return noise_; }
     std::size_t entries() const { return clusters_.size(); }
     const LightCluster& cluster(std::size_t entry) const { return clusters_[entry]; }
-    /// The entry that has the luminaire at this place of the tree.
+    /// Returns the entry that contains the luminaire at this place of the tree.
     std::size_t entry_of(std::uint32_t place) const;
 
     void weigh(const Receiver&, CutWeights&) const;
-    /// Makes of weights at a point those of what a surface that shines sends to the viewer.
+    /// Turns weights at a point into those of the light that a glossy surface reflects to the
+    /// viewer.
     void weigh_answers(const Receiver&, const BsdfLobes&, CutWeights&) const;
-    /// Multiplies the weights of each entry by a number above 0.
+    /// Multiplies the weight of each entry by a factor above 0.
     void scale(std::span<const float> factors);
-    /// The entry at which the running sum of the weights passes target, which is in [0, total).
-    /// What is left of the target goes back. Precondition: the total is above 0.
+    /// Returns the entry at which the running sum of the weights passes target, which is in [0,
+    /// total). The remainder is stored in target. Precondition: the total is above 0.
     std::size_t find(const CutWeights&, double& target) const;
 
     std::size_t memory_bytes() const;
@@ -61,13 +62,13 @@ private:
         bent_x,
         bent_y,
         bent_z,
-        bent_length,  ///< its length
+        bent_length,  ///< length of the bent normal
         columns,
-        /// Of light sources only, behind the others.
+        /// For light sources only, after the others.
         fade_power = columns,
         per_fade_distance,
-        dark,      ///< cosine of the half angle of the cone; much below -1: there is none
-        per_edge,  ///< one over the cosine of the bright part less that
+        dark,      ///< cosine of the cone's half angle; much below -1: no cone
+        per_edge,  ///< one over the difference of that to the cosine of the bright part
         source_columns
     };
 
@@ -81,7 +82,7 @@ private:
     Vec3 middle_;
     double scale_ = 1;  ///< of lengths
     std::size_t rows_ = 0;
-    bool turned_ = false;  ///< some are flat, or have a bent normal
+    bool turned_ = false;  ///< whether any entry is flat, or has a bent normal
     bool sources_ = false;
     double noise_ = 0;
     std::vector<LightCluster> clusters_;  ///< in the tree's order

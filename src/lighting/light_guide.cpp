@@ -14,24 +14,25 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t rings = LightGuide::rings, sectors = LightGuide::sectors;
-/// Lines that look for surfaces in a cell, and places that are enough.
+/// Number of lines that look for surfaces in a cell, and number of places that suffice.
 constexpr std::uint32_t lines = 48, enough = 12;
-/// How many times as much as the place with the least light others may count.
+/// Maximum light of a place, as a multiple of that of the place with the least light.
 constexpr double max_counted = 4;
-/// Rays tried for each bin: results of some are held against those of the others.
+/// Rays traced for each bin: results of some are compared with those of the others.
 constexpr std::size_t tries = 2;
-/// From so many of its radii on, the luminaires' ball is looked at as a ball.
+/// Distance, in its radii, from which the luminaires' ball is treated as a ball.
 constexpr double well_outside = 1.15;
-/// Share of a bin that its neighbours have in what is thought to come from it.
+/// Fraction of a bin's estimate that is taken from its neighbours.
 constexpr double neighbours = 0.3;
-/// How many tries the mean of all bins may count for; the last is all but no picture at all.
+/// Weights of the mean of all bins, in rays per bin; with the last one the picture is nearly
+/// uniform.
 constexpr std::array<double, 5> caution = {1, 2, 6, 20, 1e6};
 
 double outlook_number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return uniform(Key::of(Survey::cell, a, b, c), Purpose::light_representative);
 }
 
-/// Sine and cosine of the middles of the sectors.
+/// Cosine and sine at the centres of the sectors.
 struct Compass {
     std::array<float, sectors> cosine, sine;
 };
@@ -54,7 +55,8 @@ struct RingView {
 };
 using RingViews = std::array<RingView, rings>;
 
-/// Weights of a ring's bins by their light and their height above the horizon. Returns their sum.
+/// Sets the weights of a ring's bins by their light and their height above the horizon. Returns
+/// their sum.
 [[gnu::always_inline]] inline double weigh_ring(const float* light, const Compass& c,
                                                 const RingView& view, float margin, bool both_sides,
                                                 float* out) {
@@ -84,7 +86,8 @@ void weigh_rings(const float* light, const Compass& c, const RingViews& views, f
     }
 }
 
-/// The index at which the running sum passes the target, which becomes what is left, as a share.
+/// Returns the index at which the running sum passes the target. The remainder is stored in target,
+/// as a fraction.
 template <class Number>
 std::size_t find(const Number* sums, std::size_t count, double& target) {
     std::size_t last = 0;
@@ -104,8 +107,8 @@ std::size_t find(const Number* sums, std::size_t count, double& target) {
 
 using Picture = std::array<double, LightGuide::bins>;
 
-/// What is thought to come from each bin after one ray for each: some of it from the bins beside
-/// it, and, by this weight, from anywhere.
+/// Estimated light of each bin after one ray each: part of it comes from the neighbouring bins and,
+/// with weight `care`, from the mean of all.
 Picture guess(const Picture& seen, double care) {
     double mean = 0;
     for (const double light : seen) mean += light / LightGuide::bins;
@@ -123,7 +126,7 @@ Picture guess(const Picture& seen, double care) {
     return result;
 }
 
-/// Variance over squared mean of rays drawn in proportion to a guess, as other rays tell it.
+/// Variance over squared mean of rays sampled in proportion to a guess, as measured by other rays.
 double noise_of(const Picture& guess, const Picture& seen) {
     double all = 0, sum = 0, second = 0;
     for (std::size_t bin = 0; bin < LightGuide::bins; ++bin) {
@@ -134,8 +137,8 @@ double noise_of(const Picture& guess, const Picture& seen) {
     return sum > 0 && all > 0 ? std::fmax(second * all / (sum * sum) - 1, 0) : INFINITY;
 }
 
-/// What lines meet in a cell: outsides of solids that do not glow, which are looked at most, then
-/// what glows, then insides.
+/// Hits of the lines in a cell: outsides of solids that do not glow, which are seen most, then
+/// surfaces that glow, then insides.
 using Found = std::array<std::vector<SurveyPlace>, 3>;
 
 template <class Line>
@@ -223,13 +226,16 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
     : ball_(ball) {
     const Vec3 nearest = glm::clamp(ball.centre, cell.low, cell.high);
     around_ = !(length(nearest - ball.centre) > well_outside * ball.radius);
-    // A pole far from the ball, so that all points of the cell turn the picture alike.
+    // A pole far from the ball's direction, so that all points of the cell orient the picture
+    // alike.
     const Vec3 away = glm::abs(cell.centre() - ball.centre);
     if (!around_)
         pole_ = away.x < away.y ? (away.x < away.z ? Vec3(1, 0, 0) : Vec3(0, 0, 1))
                                 : (away.y < away.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1));
+    // Steps that have no divisor in common with the number of places reach all of them.
+    const std::size_t step = receivers.size() % 5 == 0 ? 7 : 5;
     const auto place_of = [&](std::size_t bin, std::size_t i) {
-        return (tries * bin + i) * 5 % receivers.size();
+        return (tries * bin + i) * step % receivers.size();
     };
     std::array<Picture, tries> seen{};
     std::vector<double> arriving(receivers.size(), 0);
@@ -266,7 +272,7 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
     noise_ = INFINITY;
     double best = caution[0];
     for (const double care : caution) {
-        // Each half of the rays says how well the picture by the other half does.
+        // Each half of the rays measures the quality of the picture by the other half.
         const double noise = 0.5 * (noise_of(guess(seen[0], care), seen[1]) +
                                     noise_of(guess(seen[1], care), seen[0]));
         if (!(noise < noise_)) continue;
@@ -307,7 +313,7 @@ void LightGuide::weigh(const Receiver& point, Weights& result) const {
                              : RingView{static_cast<float>((1 - versine) * along),
                                         static_cast<float>(sine * x), static_cast<float>(sine * y)};
     }
-    // Bins that the horizon cuts get something as well.
+    // Bins that the horizon cuts get some weight, too.
     const double margin = in_air ? 0 : 0.12 * std::sqrt(widest / 2);
     weigh_rings(light_.data(), compass(), views, static_cast<float>(margin),
                 point.horizon == Horizon::both_sides, result);

@@ -12,17 +12,17 @@ namespace {
 using std::numbers::pi;
 
 constexpr int bins = 12;
-/// Below this depth nodes are halved by number, so that luminaires in geometric progression make no
-/// endless tree.
+/// Depth below which nodes are halved by number, so that luminaires in geometric progression do not
+/// make an endless tree.
 constexpr int halved_below = 64;
-/// Nodes with more luminaires are only cut across their longest side: which way matters little
-/// there, and time does.
+/// Nodes with more luminaires are only cut across their longest side: the axis matters little
+/// there, but time does.
 constexpr std::size_t many = 1u << 14;
 
-/// Normals of flat luminaires around an axis, which has no sign because both sides shine.
+/// Normals of flat luminaires around an axis, which has no sign because both sides emit.
 struct Normals {
     Vec3 axis = Vec3(0);
-    double spread = -1;  ///< radians; below 0: none yet; pi: luminaires that look everywhere
+    double spread = -1;  ///< radians; below 0: none yet; pi: luminaires that emit in all directions
 };
 
 Normals join(Normals a, Normals b) {
@@ -40,7 +40,7 @@ Normals join(Normals a, Normals b) {
     return {unit(std::cos(turn) * a.axis + std::sin(turn) * unit(across)), spread};
 }
 
-/// Solid angle into which luminaires with these normals shine, weighed by cosine (Conty Estevez and
+/// Solid angle into which luminaires with these normals emit, weighted by cosine (Conty Estevez and
 /// Kulla, equation 1).
 double orientation_measure(const Normals& normals) {
     if (normals.spread >= pi / 2) return 4 * pi;
@@ -84,7 +84,7 @@ public:
     }
 
     std::vector<LightNode> build() {
-        // The second half waits on the stack while the first is finished: children come after
+        // The second half waits on the stack while the first is processed: children follow their
         // parents, depth first.
         std::vector<Work> waiting;
         if (!order_.empty()) waiting.push_back({0, order_.size(), 0, 0, false});
@@ -149,7 +149,7 @@ private:
         }
     }
 
-    /// Brings the luminaires of a node in order, and says where its second half begins.
+    /// Partitions the luminaires of a node. Returns the index of the first one of the second half.
     std::size_t divide(const Work& work) {
         Box centres;
         for (std::size_t i = work.first; i < work.end; ++i)
@@ -179,7 +179,7 @@ private:
         return half;
     }
 
-    /// What each node holds, from the leaves up.
+    /// Sets the properties of each node, from the leaves up.
     void fill_in() {
         std::vector<Cluster> clusters(nodes_.size());
         for (std::size_t i = nodes_.size(); i-- > 0;) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The question that every light strategy answers: what to ask for light at one receiver. Each
-// strategy has a type of answers, which is made once for a receiver and drawn from for each of its
-// shadow rays. Estimates of light know strategies by this alone.
+// The interface of light strategies: which luminaires or directions to sample for one receiver.
+// Each strategy has a type of answer, which is made once for a receiver and sampled for each of its
+// shadow rays. Estimators of light know strategies only by this interface.
 #pragma once
 
 #include "base/random.h"
@@ -16,15 +16,15 @@ namespace candelabra {
 
 struct LightQuery {
     const Receiver& receiver;
-    const BsdfLobes& lobes;   ///< how the receiver answers light
-    const BsdfSampler* bsdf;  ///< null: luminaires are wanted, and no directions
-    const LightProbe* scene;  ///< null: the scene is not there to be asked
+    const BsdfLobes& lobes;   ///< the receiver's scattering
+    const BsdfSampler* bsdf;  ///< null: only luminaires are wanted, no directions
+    const LightProbe* scene;  ///< null: the scene is not available
 };
 
-/// What to ask for one shadow ray: the estimate is the sum over all of it.
+/// Samples for one shadow ray: the estimate is the sum over all of them.
 struct LightSamples {
-    LightPicks picks;               ///< luminaires, of each of which a point is to be drawn
-    std::optional<Vec3> direction;  ///< unit; all luminaires that are seen in it count
+    LightPicks picks;               ///< luminaires, on each of which a point is to be sampled
+    std::optional<Vec3> direction;  ///< unit; all luminaires that are visible in it count
 
     void clear() {
         picks.clear();
@@ -36,21 +36,22 @@ struct LightSamples {
 template <class T>
 concept LightAnswer = requires(const T& at, const Key& key, LightSamples& samples,
                                const Vec3& direction) {
-    at.sample(key, samples);  // adds to what is there
+    at.sample(key, samples);  // appends
     {
         at.expected(key, LightIndex{})
         } -> std::same_as<double>;  // number of times the luminaire is picked, for sample()'s key
-    // Density of a point of a luminaire by all ways together, per steradian: its direction, how
-    // often the luminaire is expected to be picked, and the density that it then has.
+    // Pdf per steradian of a point of a luminaire by all ways together. Arguments: its direction,
+    // the expected number of times that the luminaire is picked, and the pdf of the point if it is
+    // picked.
     { at.pdf(direction, double{}, double{}) } -> std::same_as<double>;
-    // Share of the picks in it, for luminaires that no direction meets: volumes.
+    // Fraction of the samples that are picks, for luminaires that no direction can hit: volumes.
     { at.picked() } -> std::same_as<double>;
-    // Standard deviation that one shadow ray's irradiance is expected to have; below 0: not known.
+    // Expected standard deviation of one shadow ray's irradiance; below 0: not known.
     { at.noise() } -> std::same_as<double>;
-    { at.irradiance() } -> std::same_as<double>;  // that is expected; known where the noise is
-    // In proportion to what is expected to arrive of all luminaires; below 0: not known.
+    { at.irradiance() } -> std::same_as<double>;  // expected; known if the noise is
+    // Expected light of all luminaires, up to a constant factor; below 0: not known.
     { at.expected_light() } -> std::same_as<double>;
-    // Finds the luminaires in a direction; null: the scene does.
+    // Finds the luminaires in a direction; null: rays in the scene do.
     { at.meetings() } -> std::convertible_to<const LightTree*>;
 };
 

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// Triangles nearer than this many radii are asked themselves.
+/// Distance, in radii, within which triangles are evaluated exactly.
 constexpr double exact_radii = 4;
 
 struct GlowColumns {
@@ -26,8 +26,8 @@ template <Horizon horizon>
                                      c.strength[i]);
 }
 
-/// The sign says that the estimate must be replaced: -0 needs no replacement, nothing is above the
-/// horizon then.
+/// A negative sign marks an estimate to be replaced. -0 is not replaced, because nothing is above
+/// the horizon then.
 [[gnu::always_inline]] inline void turn_to_point(const GlowColumns& c, std::size_t count,
                                                  const Vec3& p, double* out) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -50,7 +50,7 @@ void estimate_rows(const GlowColumns& c, std::size_t count, const Receiver& poin
     if (c.axis_x) turn_to_point(c, count, point.position, out);
 }
 
-/// Adds in strands, always in the same order.
+/// Adds up in strands, in a fixed order.
 double sum_rows(const double* rows, std::size_t count) {
     std::array<double, LightTable::lanes> strand{};
     for (std::size_t i = 0; i < count; i += LightTable::lanes)
@@ -171,8 +171,8 @@ LightTable::Found LightTable::find_among(const double* sums, std::size_t count, 
 LightTable::Row LightTable::find(const LightList& list, const Receiver& point, const Sums& sums,
                                  double target) const {
     const std::size_t rows = padded(list.count), length = part_length(list);
-    // Rounding may carry the target past the end of the list or of a part: then the last that can
-    // be meant is taken.
+    // Rounding may carry the target past the end of the list or of a part: then the last possible
+    // row is taken.
     const Found part = find_among(sums.part.data(), (rows + length - 1) / length, target);
     if (length == 1) return {list.first + part.index, part.sum};
     if (!part.passed) target = std::numeric_limits<double>::infinity();

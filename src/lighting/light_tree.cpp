@@ -9,11 +9,11 @@ namespace candelabra {
 namespace {
 
 constexpr int tree_bins = 16;
-/// Below this depth nodes are halved by number, so that luminaires in geometric progression make no
-/// endless tree.
+/// Depth below which nodes are halved by number, so that luminaires in geometric progression do not
+/// make an endless tree.
 constexpr int tree_halved_below = 64;
-/// Nodes with more luminaires are only cut across their longest side: which way matters little
-/// there, and time does.
+/// Nodes with more luminaires are only cut across their longest side: the axis matters little
+/// there, but time does.
 constexpr std::uint32_t many_luminaires = 1u << 12;
 
 using Float3 = std::array<float, 3>;
@@ -34,7 +34,7 @@ struct Bin {
         intensity += other.intensity;
         count += other.count;
     }
-    /// What the node costs: its surface times its strength, both as shares that never are quite 0.
+    /// Cost of the node: its surface times its strength, as fractions that are never quite 0.
     float cost() const {
         if (count == 0) return 0;
         const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
@@ -42,7 +42,7 @@ struct Bin {
     }
 };
 
-/// How luminaires shine on the whole: sums over a node, weighed by intensity.
+/// Emission of all luminaires of a node: sums, weighted by intensity.
 struct Shine {
     Vec3 axis = Vec3(0), bent_normal = Vec3(0);
     double flat = 0, even = 0, all = 0;
@@ -54,7 +54,7 @@ Shine join(const Shine& a, const Shine& b) {
             a.all + b.all};
 }
 
-/// Components as numbers of parts, of which a unit has so many.
+/// Components as multiples of 1 / unit.
 std::array<std::int8_t, 3> in_bytes(const Vec3& v, double unit) {
     const auto part = [&](int axis) {
         return static_cast<std::int8_t>(std::lround(unit * v[axis]));
@@ -95,7 +95,7 @@ public:
     }
 
     void build() {
-        // The second half waits on the stack while the first is finished: depth first.
+        // The second half waits on the stack while the first is processed: depth first.
         std::vector<Work> waiting = {{0, static_cast<std::uint32_t>(items_.size()), 0}};
         while (!waiting.empty()) {
             const Work work = waiting.back();
@@ -118,13 +118,13 @@ public:
     }
 
 private:
-    /// A luminaire on its way into the tree.
+    /// A luminaire that is to be placed in the tree.
     struct Item {
         Float3 low, high;
         float intensity;
         LightIndex light;
 
-        float middle(int axis) const { return low[axis] + high[axis]; }  // twice: no matter here
+        float middle(int axis) const { return low[axis] + high[axis]; }  // doubled: harmless
     };
 
     struct Work {
@@ -143,7 +143,7 @@ private:
         }
     };
 
-    /// The greatest number of single precision that is surely below.
+    /// Returns a number of single precision that is surely below x.
     static float below(double x) {
         return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
     }
@@ -172,7 +172,7 @@ private:
         }
     }
 
-    /// Brings the luminaires of a node in order, and says where its second half begins.
+    /// Partitions the luminaires of a node. Returns the index of the first one of the second half.
     std::uint32_t divide(const Work& work) {
         Float3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
         for (std::uint32_t i = work.first; i < work.end; ++i)
@@ -226,8 +226,8 @@ private:
         fall_off(tree_.root());
     }
 
-    /// Fills in what becomes of light on its way, from the leaves up. Sources and others
-    /// are not in one tree.
+    /// Sets the falloff of the nodes, from the leaves up. A tree has either light sources or other
+    /// luminaires.
     Falloff fall_off(const LightCluster& cluster) {
         Falloff result;
         if (cluster.count > 1) {
@@ -241,7 +241,7 @@ private:
         return tree_.falloffs_[cluster.node] = result;
     }
 
-    /// Fills in how the nodes shine, from the leaves up. (The depth is bounded: see
+    /// Sets the emission of the nodes, from the leaves up. (The depth is bounded: see
     /// tree_halved_below.)
     Shine shine(const LightCluster& cluster) {
         Shine sum;

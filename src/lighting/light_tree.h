@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All luminaires in one compact hierarchy, with their strengths laid end to end: clusters of them
-// for the light octree's cuts, and the luminaires that a line pierces for the renderer. 88 bytes
-// for each luminaire. Immutable once built.
+// for the light octree's cuts, and the luminaires that a line hits for the renderer. It takes 88
+// bytes per luminaire. Immutable once built.
 #pragma once
 
 #include "lighting/dim_set.h"
@@ -12,19 +12,19 @@
 
 namespace candelabra {
 
-/// A node: its box in single precision, around its luminaires and from the tree's origin, and how
-/// they shine on the whole.
+/// A node: the bounding box of its luminaires, in single precision from the tree's origin, and
+/// their combined emission.
 struct LightTreeNode {
     std::array<float, 3> low, high;
-    /// Mean axis of the flat ones, 127 long if all are parallel.
+    /// Mean axis of the flat luminaires, of length 127 if all are parallel.
     std::array<std::int8_t, 3> axis{};
-    std::uint8_t evenness = 255;   ///< see LightProxy; in 255ths
-    std::uint32_t first_half = 0;  ///< luminaires in the first half; 0: it is a single one
-    std::array<std::int8_t, 3> bent_normal{};  ///< see LightProxy; 254 long for 1
+    std::uint8_t evenness = 255;   ///< see LightProxy; in units of 1/255
+    std::uint32_t first_half = 0;  ///< luminaires in the first half; 0: it is a single luminaire
+    std::array<std::int8_t, 3> bent_normal{};  ///< see LightProxy; in units of 1/254
 };
 static_assert(sizeof(LightTreeNode) == 36);
 
-/// A node with the luminaires below it, which stand side by side in the tree's order.
+/// A node with the luminaires below it, which are consecutive in the tree's order.
 struct LightCluster {
     std::uint32_t node = 0;
     std::uint32_t first = 0;
@@ -41,27 +41,28 @@ public:
 
     std::uint32_t lights() const { return static_cast<std::uint32_t>(order_.size()); }
     LightCluster root() const { return {0, 0, lights()}; }
-    /// The two halves of a cluster of more than one.
+    /// Returns the two halves of a cluster of more than one luminaire.
     std::pair<LightCluster, LightCluster> halves(const LightCluster&) const;
 
     LightIndex light(std::uint32_t place) const { return order_[place]; }
     std::uint32_t place_of(LightIndex light) const { return place_of_[light]; }
 
-    /// The cluster as one luminaire; a sphere around all of it.
+    /// The cluster as one luminaire: a sphere around all of it.
     LightProxy light_proxy(const LightCluster&) const;
     Box box(const LightCluster&) const;
-    /// Of a cluster of light sources; null where there are luminaires only.
+    /// Falloff of a cluster of light sources; null if there are only luminaires.
     const Falloff* falloff(const LightCluster& c) const {
         return falloffs_.empty() ? nullptr : &falloffs_[c.node];
     }
 
-    /// The share of a cluster's strength that one of it has, and one drawn so; u is in [0, 1).
-    /// Every luminaire that is not dark has some share. Precondition: the cluster is not dark.
+    /// share(): fraction of a cluster's strength that one of its luminaires has. draw(): a
+    /// luminaire sampled by these fractions, for u in [0, 1). Every luminaire that is not dark has
+    /// some share. Precondition: the cluster is not dark.
     double share(const LightCluster&, std::uint32_t place) const;
     std::uint32_t draw(const LightCluster&, double u) const;
     bool dark(const LightCluster&) const;
 
-    /// Calls visit(LightIndex) for all luminaires whose box the ray may meet, in any order.
+    /// Calls visit(LightIndex) for all luminaires whose box the ray may hit, in any order.
     template <class Visit>
     void along(const Vec3& origin, const Vec3& direction, Visit&& visit) const;
 
@@ -74,13 +75,13 @@ private:
     std::uint64_t strength(const LightCluster&) const;
 
     std::vector<LightTreeNode> nodes_;  ///< depth first
-    std::vector<Falloff> falloffs_;     ///< of the nodes; none when nothing is a light source
+    std::vector<Falloff> falloffs_;     ///< of the nodes; empty if there are no light sources
     std::vector<LightIndex> order_;
     std::vector<std::uint32_t> place_of_;
     LightPlaces strengths_;  ///< in the tree's order
-    double unit_ = 0;        ///< intensity of one place of these
+    double unit_ = 0;        ///< intensity of one place of strengths_
     Vec3 origin_ = Vec3(0);
-    double size_ = 0;  ///< greatest coordinate of a luminaire from there
+    double size_ = 0;  ///< greatest coordinate of a luminaire relative to the origin
 
     friend class LightTreeBuilder;
 };
@@ -91,7 +92,7 @@ inline std::pair<LightCluster, LightCluster> LightTree::halves(const LightCluste
     return {{c.node + 1, c.first, half}, {c.node + 2 * half, c.first + half, c.count - half}};
 }
 
-/// A ray that asks nodes in single precision, with margins for all rounding.
+/// A ray that tests nodes in single precision, with margins for all rounding.
 class LightTreeRay {
 public:
     LightTreeRay(const Vec3& from, const Vec3& direction, double size) {

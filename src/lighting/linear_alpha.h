@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One luminaire, in proportion to what each would give if nothing were between (the paper,
-// section 4.2). Asks them all at every choice. A luminaire has probability 0 only where all of it
-// is below the horizon.
+// One luminaire, in proportion to the unoccluded contribution of each (the paper, section 4.2).
+// Evaluates all of them at every choice. A luminaire has probability 0 only if all of it is below
+// the horizon.
 #pragma once
 
 #include "base/random.h"

@@ -9,18 +9,17 @@ namespace candelabra {
 
 namespace {
 
-/// Share of the dim luminaires' probability that all of them have alike; the rest goes by
-/// intensity. (The paper shares all of it evenly, but luminaires are rarely that alike: on a
-/// sphereflake, whose luminaires come in four sizes that give the same in sum, the variance is 15
-/// times greater then.)
+/// Fraction of the dim luminaires' probability that is shared evenly; the rest is by intensity.
+/// (The paper shares all of it evenly, but luminaires are rarely that alike: on a sphereflake,
+/// whose luminaires come in four sizes with equal sums, the variance is then 15 times greater.)
 constexpr double even_share = 0.1;
-/// The dim are taken to give at least this share of what they would if they were all straight above
-/// the point. This keeps few unlucky representatives from making the rest a rare and glaring
-/// surprise, and ends the search where all are below the horizon. (The paper draws until one is
-/// above, which need never happen.)
+/// Minimum estimate of the dim luminaires, as a fraction of their light if they were all straight
+/// above the point. So a few unlucky representatives do not turn the rest into rare fireflies, and
+/// the search ends if all are below the horizon. (The paper draws until one is above, which may
+/// never happen.)
 constexpr double min_dim_height = 0.05;
 
-/// What a luminaire gives a surface that faces it, nearly.
+/// Approximate light of a luminaire on a surface that faces it.
 double straight_on_bound(const LightProxy& g, const Vec3& position) {
     const Vec3 v = g.centre - position;
     return g.strength * g.radius / std::fmax(dot(v, v), g.radius * g.radius);
@@ -69,8 +68,8 @@ double BuiltPaperOctree::share(const DimSet& dim, LightIndex light) const {
 
 double BuiltPaperOctree::guess_dim(const Receiver& point, const Key& key, const DimSet& dim) const {
     if (dim.places() == 0) return 0;
-    // Representatives are drawn by intensity, so that they differ by where they are and not by how
-    // strong they are.
+    // Representatives are sampled by intensity, so that they differ in position and not in
+    // strength.
     double given = 0, straight_on = 0;
     for (int i = 0; i < representatives_; ++i) {
         const LightIndex light = dim.at(draw_integer(key, Purpose::light_representative,
@@ -99,7 +98,7 @@ void BuiltPaperOctree::choose(const Receiver& point, const Key& key, LightPicks&
         picks.push_back({table_.light(row), estimate / odds.total()});
         return;
     }
-    // Numbers of their own, since what is left of the target may be too coarse for millions of
+    // Uses new random numbers, since the remainder of the target may be too coarse for millions of
     // luminaires.
     const DimSet dim = dim_set(odds.list);
     const bool evenly = draw(key, Purpose::light_choice, 1) < even_share;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One luminaire, chosen by the lists of an octree's cells (the paper, section 4.3): those that are
-// bright in the cell in proportion to what they would give at the point if nothing were between,
-// the dim rest by a guess from a few of them. A luminaire has probability 0 only where it is bright
-// and all of it is below the horizon: the rest is never quite 0.
+// One luminaire, chosen by the lists of an octree's cells (the paper, section 4.3): luminaires that
+// are bright in the cell in proportion to their unoccluded contribution, and the dim rest by an
+// estimate from a few of them. A luminaire has probability 0 only if it is bright and all of it is
+// below the horizon: the probability of the rest is never quite 0.
 #pragma once
 
 #include "base/random.h"
@@ -22,12 +22,12 @@ public:
         return {*this, query.receiver};
     }
     void choose(const Receiver&, const Key&, LightPicks&) const;
-    /// Looks at the same representatives of the dim luminaires as choose() with this key.
+    /// Evaluates the same representatives of the dim luminaires as choose() with this key.
     double expected(const Receiver&, const Key&, LightIndex) const;
     std::size_t memory_bytes() const;
 
     std::size_t cells() const { return cells_.cells.size(); }
-    /// Number of luminaires that are bright around a point; points where no surface is have none.
+    /// Number of luminaires that are bright at a point; 0 at points without surfaces.
     std::size_t bright(const Vec3& point) const { return list_at(point).count; }
 
 private:
@@ -41,14 +41,14 @@ private:
 
     LightList list_at(const Vec3& point) const;
     DimSet dim_set(const LightList&) const;
-    /// Share of one dim luminaire in what all of them have.
+    /// Fraction of the dim luminaires' probability that one of them has.
     double share(const DimSet&, LightIndex) const;
     void weigh(const Receiver&, const Key&, Odds&) const;
-    /// What all dim luminaires together give, guessed from some of them; 0 only when all are dark.
+    /// Light of all dim luminaires together, estimated from some of them; 0 only if all are dark.
     double guess_dim(const Receiver&, const Key&, const DimSet&) const;
 
     int representatives_;
-    LightCells cells_;  ///< without its lists, which are here:
+    LightCells cells_;  ///< without its lists, which are moved to lists_
     std::vector<LightList> lists_;
     LightTable table_;
     LightPlaces places_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a light sampling strategy answers.
+// The input and the result of a light sampling strategy.
 #pragma once
 
 #include "luminaire/luminaire.h"
@@ -12,21 +12,21 @@ namespace candelabra {
 
 using LightIndex = std::uint32_t;
 
-/// A luminaire to send a shadow ray to.
+/// A luminaire to which to trace a shadow ray.
 struct LightPick {
     LightIndex light;
     double expected;  ///< expected number of times it is picked here; above 0
 };
 using LightPicks = std::vector<LightPick>;
 
-/// Everything a strategy is built from. The luminaires outlive it.
+/// The data from which a strategy is built. The luminaires must outlive it.
 struct LightScene {
     std::span<const Luminaire> luminaires;
-    /// Bounds of the finite primitives: where points to be lit may be.
+    /// Bounds of the finite primitives, on which points to be lit may lie.
     std::span<const Box> surfaces;
     std::span<const Plane> planes = {};  ///< the unbounded ones, in world space
-    std::optional<Vec3> eye = {};        ///< where most points to be lit are seen from
-    double pixel = 0.004;                ///< angle that a pixel of the picture fills, in radians
+    std::optional<Vec3> eye = {};        ///< point from which most points to be lit are seen
+    double pixel = 0.004;                ///< angle of a pixel of the picture, in radians
 };
 
 }  // namespace candelabra

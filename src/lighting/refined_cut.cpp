@@ -9,15 +9,15 @@ namespace candelabra {
 
 namespace {
 
-/// Single luminaires that outshine all clusters so many times are left out when the noise of these
-/// is judged: they may turn out to be hidden.
+/// Single luminaires brighter than this multiple of all clusters are left out when the clusters'
+/// noise is judged: they may turn out to be occluded.
 constexpr double outshining = 20;
 
-/// A cluster as a point of the cell sees it, roughly.
+/// A cluster with its approximate contribution to the points of the cell.
 struct Entry {
     LightCluster cluster;
     double weight = 0;
-    double excess = 0;  ///< what it adds to the variance of the choice
+    double excess = 0;  ///< its contribution to the variance of the choice
 
     bool operator<(const Entry& other) const {
         return excess != other.excess ? excess < other.excess : cluster.first > other.cluster.first;
@@ -68,8 +68,8 @@ private:
         if (const Falloff* falloff = tree_.falloff(cluster))
             entry.weight *= against_square_law(*falloff, g.centre - centre_, radius_ + g.radius);
         if (cluster.count > 1) {
-            // From everywhere in the cell, distance and height of the members differ by about this
-            // share.
+            // Seen from anywhere in the cell, the distance and height of the members differ by
+            // about this fraction.
             const double spread = g.radius / std::fmax(d - radius_, g.radius);
             entry.excess = entry.weight * spread * spread;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the light tree is cut for the points of one cell: from the whole on, what adds most to the
-// noise of a choice is divided, until there is little left or the cut is as long as it may be.
+// The cut through the light tree for the points of one cell: starting from the root, the cluster
+// that adds most to the noise of a choice is divided, until there is little noise left or the cut
+// has its maximum length.
 #pragma once
 
 #include "lighting/light_tree.h"
@@ -9,12 +10,12 @@ namespace candelabra {
 
 /// How fine a cut is.
 struct CutRule {
-    double noise = 0.01;  ///< variance over squared mean that the choice alone may have, unoccluded
+    double noise = 0.01;  ///< variance over squared mean of the choice alone, unoccluded
     int max_entries = 64;
 };
 
 struct RefinedCut {
-    std::vector<LightCluster> clusters;  ///< in the tree's order; what is dark is left out
+    std::vector<LightCluster> clusters;  ///< in the tree's order; without dark ones
     double noise;                        ///< see LightCut::noise()
 };
 

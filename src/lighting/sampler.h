@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All light strategies: what each of them can do once it is built, and one variant of them. Who
-// estimates light asks them the question of light_query.h, and knows no strategy by name.
+// All light strategies: the interface of each once it is built, and a variant of them. Estimators
+// of light query them by light_query.h, and know no strategy by name.
 #pragma once
 
 #include "base/random.h"
@@ -18,8 +18,8 @@
 
 namespace candelabra {
 
-/// What every strategy can do once it is built for a set of luminaires. Deterministic for a given
-/// key.
+/// The interface of every strategy once it is built for a set of luminaires. Deterministic for a
+/// given key.
 template <class T>
 concept LightStrategy = requires(const T& built, const LightQuery& query, const Receiver& point,
                                  const Key& key, LightPicks& picks) {
@@ -29,8 +29,8 @@ concept LightStrategy = requires(const T& built, const LightQuery& query, const 
     { built.memory_bytes() } -> std::convertible_to<std::size_t>;
 };
 
-/// A strategy that is ready to be asked. Refers to the luminaires it was built for. The default one
-/// knows of none.
+/// A strategy that is ready for queries. Refers to the luminaires for which it was built. The
+/// default one has none.
 using BuiltLightSampler = std::variant<BuiltEveryLight, BuiltConstantAlpha, BuiltLinearAlpha,
                                        BuiltLightBvh, BuiltCutOctree, BuiltPaperOctree>;
 
@@ -40,13 +40,13 @@ template <class... Built>
 inline constexpr bool are_strategies<std::variant<Built...>> = (LightStrategy<Built> && ...);
 static_assert(are_strategies<BuiltLightSampler>);
 
-/// The light octree's cells have cuts, or, when the settings say so, the paper's lists.
+/// The light octree's cells have cuts or, if the settings say so, the paper's lists.
 inline BuiltLightSampler build(const LightOctree& settings, const LightScene& scene, int threads) {
     if (settings.paper) return BuiltPaperOctree(settings, scene, threads);
     return BuiltCutOctree(settings, scene);
 }
 
-/// Builds what the settings ask for. The answer does not depend on the number of threads (0: one
+/// Builds the strategy of the settings. The result does not depend on the number of threads (0: one
 /// per core).
 inline BuiltLightSampler build(const LightSampler& settings, const LightScene& scene, int threads) {
     return std::visit([&](const auto& s) { return BuiltLightSampler(build(s, scene, threads)); },

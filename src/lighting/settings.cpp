@@ -25,7 +25,10 @@ const ItemInfo LightBvh::vocabulary = described<LightBvh>([] {
     return schema<LightBvh>("light_bvh", "Walks down a hierarchy of luminaires by importance.",
                             F{"mis", &LightBvh::mis, flag,
                               "each shadow ray has a partner that the surface chooses; the two are "
-                              "weighed against each other (multiple importance sampling)"});
+                              "weighed against each other (multiple importance sampling)"},
+                            F{"exponential", &LightBvh::exponential, flag,
+                              "distances in media are drawn by the transmittance alone, as other "
+                              "renderers draw them"});
 });
 
 const ItemInfo LightOctree::vocabulary = described<LightOctree>([] {

@@ -7,8 +7,8 @@
 
 namespace candelabra {
 
-/// A shadow ray to every luminaire: the conventional way, and the oracle that the others are tested
-/// against.
+/// A shadow ray to every luminaire: the conventional way, and the reference against which the
+/// others are tested.
 struct EveryLight {
     static const ItemInfo vocabulary;
 };
@@ -20,16 +20,16 @@ struct ConstantAlpha {
 struct LinearAlpha {
     static const ItemInfo vocabulary;
 };
-/// A hierarchy of luminaires, walked down by importance (Conty Estevez and Kulla,
-/// "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018): what other renderers
-/// do.
+/// A hierarchy of luminaires, descended by importance (Conty Estevez and Kulla, "Importance
+/// Sampling of Many Lights with Adaptive Tree Splitting", 2018), as in other renderers.
 struct LightBvh {
     bool mis = false;
+    bool exponential = false;  ///< distances in media
 
     static const ItemInfo vocabulary;
 };
-/// An octree whose cells hold short partitions of all luminaires, or, as in the paper (section
-/// 4.3), lists of those that are bright there.
+/// An octree whose cells hold short partitions of all luminaires or, as in the paper (section 4.3),
+/// lists of the luminaires that are bright there.
 struct LightOctree {
     double eta = 0.02;
     int cut = 64;
@@ -44,7 +44,7 @@ struct LightOctree {
 
     static const ItemInfo vocabulary;
 };
-/// Every strategy there is. GlobalSettings says which one is the default.
+/// All strategies. GlobalSettings names the default one.
 using LightSampler = std::variant<EveryLight, ConstantAlpha, LinearAlpha, LightBvh, LightOctree>;
 
 }  // namespace candelabra

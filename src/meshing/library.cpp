@@ -13,7 +13,7 @@ namespace {
 
 Vec3 vector(const Polyhedron::Point& p) { return {p[0], p[1], p[2]}; }
 
-/// The angle at `corner` between the directions to the others.
+/// The angle at `corner` between the directions to a and b.
 double angle(const Vec3& corner, const Vec3& a, const Vec3& b) {
     const Vec3 u = a - corner, v = b - corner;
     return std::atan2(length(cross(u, v)), dot(u, v));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work on meshes by the library of polyhedra, which is opened when it is first needed: what the
-// evaluator's blocks of modelling are made with.
+// Operations on meshes by the library of polyhedra, which is opened when first needed. Used by the
+// evaluator's modelling blocks.
 #pragma once
 
 #include "cgal/polyhedra.h"
@@ -16,25 +16,25 @@ namespace candelabra {
 /// The entry points; null, with a diagnostic at the span, when the library cannot be opened.
 const Polyhedra* modelling_library(Diagnostics&, Span asked_at);
 
-/// The mesh's faces; corners at the same place become one point. Normals and the like are left out.
+/// The mesh's faces; coincident corners become one point. Normals and other attributes are dropped.
 /// Precondition: problem(mesh) is empty.
 Polyhedron polyhedron(const Mesh&);
-/// A flat mesh.
+/// A mesh with flat shading.
 Mesh mesh(const Polyhedron&);
-/// The same shaded as if it were curved, with the normals that its faces have around each point on
-/// average, weighted by their angles.
+/// A mesh with smooth shading: each point's normal is the mean of those of the adjacent faces,
+/// weighted by their angles there.
 Mesh smooth_mesh(const Polyhedron&);
 
 struct MeshFile {
     Polyhedron shape;
     PolyhedronLook look;
 };
-/// What an OBJ, PLY, STL or OFF file says, which the end of its name tells apart; nothing, with a
-/// diagnostic at the span, when it cannot be read.
+/// Reads an OBJ, PLY, STL or OFF file, whose kind its extension decides; empty, with a diagnostic
+/// at the span, when it cannot be read.
 std::optional<MeshFile> read_mesh_file(const Found&, Diagnostics&, Span asked_at);
 
-/// Gives a mesh what a file says beyond its shape; normals only if it has none. Precondition: the
-/// mesh has the file's points and faces.
+/// Adds the texture coordinates of a file to its mesh, and the normals if the mesh has none.
+/// Precondition: the mesh has the file's points and faces.
 void dress(Mesh&, const PolyhedronLook&);
 
 }  // namespace candelabra

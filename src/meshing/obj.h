@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes as OBJ files, which are text. Called for --export-mesh.
+// Writes meshes as OBJ files, which are text. Called for --export-mesh.
 #pragma once
 
 #include "shape/mesh.h"
@@ -8,8 +8,8 @@
 
 namespace candelabra {
 
-/// The file's content: a line for each corner and each face; corners are counted from 1, and their
-/// numbers read back as they were. Corners that no face has are left out.
+/// The file's content: a line for each corner and each face. Corners are counted from 1, and their
+/// coordinates round-trip exactly. Corners without a face are left out.
 std::string obj(const Mesh&);
 
 }  // namespace candelabra

@@ -11,14 +11,14 @@ namespace candelabra {
 
 namespace {
 
-/// How a solid is made or, of a half space, what will be one when it is known how much of it is
-/// needed.
+/// The steps that build a solid, or a half space, which becomes a solid when it is known how much
+/// of it is needed.
 struct Part {
     std::vector<SolidOperation> steps = {};
     std::vector<Polyhedron> solids = {};
     Box box = {};
     std::optional<Plane> plane = {};
-    bool inverse = false;  ///< all but the solid
+    bool inverse = false;  ///< the complement of the solid
 };
 
 Part solid(Polyhedron mesh) {
@@ -37,8 +37,8 @@ Part combination(SolidOperation how, Part lower, Part upper) {
     return lower;
 }
 
-/// All of them as one, in pairs, so that what is large is not gone through again for each small
-/// part.
+/// The union of all parts, joined in pairs, so that large parts are not processed again for each
+/// small one.
 Part joined(std::vector<Part> parts) {
     while (parts.size() > 1) {
         std::vector<Part> pairs;
@@ -51,7 +51,7 @@ Part joined(std::vector<Part> parts) {
     return std::move(parts.front());
 }
 
-/// The half space as far as it reaches into the box: a block that is larger than it.
+/// The part of the half space that matters in the box, as a block larger than the box.
 Polyhedron block(const Plane& plane, const Box& box) {
     const Vec3 normal = unit(plane.normal), centre = box.centre();
     const double size = 2 * length(box.size()) + std::abs(dot(normal, centre) - plane.distance);
@@ -138,7 +138,7 @@ private:
         return joined(std::move(parts));
     }
 
-    /// What is inside all parts.
+    /// The intersection of all parts.
     std::optional<Part> cut(std::vector<Part> parts) {
         std::optional<Part> kept;
         std::vector<Part> taken;
@@ -164,13 +164,13 @@ private:
     int cells_;
 };
 
-/// How to make triangles.
+/// Parameters of the triangulation.
 struct How {
     int cells;
     const Polyhedra* library;
 };
 
-/// Parts of a union stay apart, as they do for rays.
+/// Parts of a union stay separate, as they do for rays.
 void append_surface(const ObjectHandle& object, const Handle<Transform>& outer, const How& how,
                     Mesh& all) {
     const auto* group = std::get_if<Union>(&object->form);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Objects of a scene as meshes: what `mesh { difference { ... } }` and --export-mesh make. Shapes
-// are taken apart into triangles; unions, intersections and differences of them are then exact.
+// Converts objects of a scene to meshes, for `mesh { difference { ... } }` and --export-mesh.
+// Shapes are triangulated; unions, intersections and differences of the triangles are exact.
 #pragma once
 
 #include "meshing/library.h"
@@ -8,19 +8,19 @@
 
 namespace candelabra {
 
-/// A closed mesh, or why there is none, as a part of a sentence.
+/// A closed mesh, or the reason why there is none, as a part of a sentence.
 struct SolidMesh {
     Polyhedron polyhedron;
     std::string problem;
 };
 
-/// The solid that the object is, with its transforms. Half spaces serve to cut others. `cells`: see
-/// tessellation(). Null: a single shape needs no library, others cannot be made then.
+/// The object as a solid, with its transforms. Half spaces can only cut other solids. `cells`: see
+/// tessellation(). Without the library (null), only single shapes can be converted.
 SolidMesh solid_mesh(const Object&, int cells, const Polyhedra*);
 
-/// The object's surface, open or closed: parts of unions each for itself, solids exact where the
-/// library can make them, all else of the triangles whose middle is seen. Empty when it has none,
-/// or no end.
+/// The object's surface, open or closed: parts of unions separately, solids exactly where the
+/// library can compute them, all others as the triangles whose centre is visible. Empty when the
+/// object has no surface or is unbounded.
 Mesh surface_mesh(const ObjectHandle&, int cells, const Polyhedra*);
 
 }  // namespace candelabra

@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// The lowest byte first, on any machine.
+/// Appends the bytes in little-endian order, on any machine.
 template <class Whole>
 void append(std::string& text, Whole value) {
     for (std::size_t i = 0; i < sizeof value; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes as PLY files, which all programs for meshes read. Called for --export-mesh.
+// Writes meshes as PLY files, which all programs for meshes read. Called for --export-mesh.
 #pragma once
 
 #include "shape/mesh.h"
@@ -8,7 +8,7 @@
 
 namespace candelabra {
 
-/// The file's content: binary, little-endian, corners in double precision. Corners that no face has
+/// The file's content: binary, little-endian, corners in double precision. Corners without a face
 /// are left out.
 std::string ply(const Mesh&);
 

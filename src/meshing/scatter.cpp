@@ -12,11 +12,11 @@ namespace candelabra {
 
 namespace {
 
-/// Darts for each square of the distance. Twice as many would find room for one point in a hundred
-/// more.
+/// Number of darts per square of the distance. Doubling it would place about one percent more
+/// points.
 constexpr double darts = 24;
 
-/// Points by the cube that they are in, whose side is the distance.
+/// Points by the cube that contains them; the side of a cube is the distance.
 class Cubes {
 public:
     explicit Cubes(double distance) : distance_(distance) {}
@@ -62,7 +62,7 @@ std::vector<SurfacePoint> scattered(const Composite& surface, const Mesh& triang
         const auto corners = face(triangles, number).corners;
         const Vec2 u(uniform(key, Purpose::light_u), uniform(key, Purpose::light_v));
         const auto [dart, across] = sample_area(Triangle{corners[0], corners[1], corners[2]}, u);
-        // Nothing is asked of the surface where there is no room anyway.
+        // Skips the test of the surface where there is no room anyway.
         if (taken.near(dart, 0.9 * distance)) continue;
         const auto met = surface_near(surface, corners, dart, [](std::uint32_t) { return true; });
         if (!met) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points all over a surface, at random and yet nowhere close together: places for lamps, leaves,
-// studs. What the language's scatter() gives.
+// Random points all over a surface, with a minimum distance from each other, to place lamps, leaves
+// or studs. Result of the language's scatter().
 #pragma once
 
 #include "shape/area.h"
@@ -11,10 +11,11 @@
 
 namespace candelabra {
 
-/// Points of the seen surface that are at least so far from each other, so many that hardly one
-/// more finds room (Poisson-disc sampling by throwing darts); with unit normals as rays meet them.
-/// They lie on the surface itself; 0.9 times the area over distance^2 is a bound of their number.
-/// `triangles` are near it: see seen_tessellation(). The same for the same seed.
+/// Points of the visible surface with at least the given distance from each other, so dense that
+/// hardly any more fit (Poisson-disc sampling by dart throwing), with the unit normals that rays
+/// find. They lie on the surface itself; their number is at most 0.9 times the area over
+/// distance^2. `triangles` approximate the surface: see seen_tessellation(). Deterministic for a
+/// seed.
 std::vector<SurfacePoint> scattered(const Composite&, const Mesh& triangles, double distance,
                                     std::uint64_t seed);
 

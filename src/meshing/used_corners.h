@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes for files, which have the corners that faces have and no others.
+// Removes unused corners from meshes for files.
 #pragma once
 
 #include "shape/mesh.h"
 
 namespace candelabra {
 
-/// The corners and faces of a mesh; corners in the order in which the faces come to them, and those
-/// that no face has left out.
+/// The corners and faces of a mesh: corners in the order in which faces first use them, without
+/// those that no face has.
 Mesh with_used_corners(const Mesh&);
 
 }  // namespace candelabra

@@ -37,7 +37,8 @@ std::vector<Vec2> voronoi_cell(std::span<const Vec2> points, std::size_t i, cons
     for (const std::size_t k : others) {
         if (k == i || cell.empty()) continue;
         if (points[k] == own) return {};
-        // No corner is so far away that this one, or any after it, could be nearer.
+        // Stops when no corner is so far away that this point, or any after it, could be nearer to
+        // it.
         double reach = 0;
         for (const Vec2& corner : cell) reach = std::max(reach, square(corner - own));
         if (square(points[k] - own) > 4 * reach) break;

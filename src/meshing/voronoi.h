@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voronoi's cells of points in a plane: for prisms, tiles, cracks. What the language's
-// voronoi_cell() gives.
+// Voronoi cells of points in the plane, for prisms, tiles and cracks. Result of the language's
+// voronoi_cell().
 #pragma once
 
 #include "base/vector.h"
@@ -10,8 +10,8 @@
 
 namespace candelabra {
 
-/// The corners of what is nearer to point number i than to any other, within the rectangle,
-/// counterclockwise; empty when nothing is (the point lies outside, or on another one).
+/// The corners of the region within the rectangle that is nearer to point number i than to any
+/// other, counterclockwise; empty when there is none (the point lies outside, or on another one).
 std::vector<Vec2> voronoi_cell(std::span<const Vec2> points, std::size_t i, const Vec2& low,
                                const Vec2& high);
 

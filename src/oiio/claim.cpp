@@ -47,8 +47,8 @@ double high_first(std::string_view bytes, std::size_t at) {
     return 256.0 * byte_of(bytes, at) + byte_of(bytes, at + 1);
 }
 
-/// Targa files have no mark: the fields of the head must fit each other. Those whose pixels are
-/// numbers of colours have a reader of their own.
+/// Targa files have no signature, so the fields of the header must be consistent. Files with
+/// palette indices are handled by a reader of their own.
 bool is_targa(std::string_view bytes) {
     constexpr std::size_t head = 18;
     const unsigned kind = byte_of(bytes, 2), bits = byte_of(bytes, 16);
@@ -61,7 +61,7 @@ std::string targa_problem(std::string_view bytes) {
     const double pixels = low_first(bytes, 12, 2) * low_first(bytes, 14, 2);
     const double step = std::ceil(byte_of(bytes, 16) / 8.0);
     const bool packed = (byte_of(bytes, 2) & 8) != 0;
-    // A packet of one byte and one pixel repeats it up to 128 times.
+    // A packet of one byte and one pixel repeats the pixel up to 128 times.
     return too_large(pixels * step, packed ? 128 * step / (1 + step) : 1, bytes.size());
 }
 
@@ -76,14 +76,15 @@ std::string bmp_problem(std::string_view bytes) {
     const bool old = low_first(bytes, 14, 4) == old_head;
     const double width = low_first(bytes, 18, old ? 2 : 4);
     double height = low_first(bytes, old ? 20 : 22, old ? 2 : 4);
-    if (!old && height >= 0x1p31) height = 0x1p32 - height;  // from the top: below 0
+    // A negative height means that rows are stored from the top.
+    if (!old && height >= 0x1p31) height = 0x1p32 - height;
     const double bits = low_first(bytes, old ? 24 : 28, 2);
     const double coding = old ? 0 : low_first(bytes, 30, 4);
     const bool runs = coding == 1 || coding == 2;
     return too_large(width * height * (runs ? 1 : bits / 8), runs ? 128 : 1, bytes.size());
 }
 
-/// The size is in the segment that begins the frame.
+/// Finds the size in the segment that begins the frame.
 std::string jpeg_problem(std::string_view bytes) {
     for (std::size_t at = 2; at + 9 < bytes.size();) {
         const unsigned mark = byte_of(bytes, at + 1);
@@ -123,10 +124,10 @@ double max_growth(std::string_view format, std::string_view compression) {
         std::string_view name;
         double growth;
     };
-    // Deflate makes 258 bytes of two bits; full tables of LZW, 3839 bytes of twelve bits; a frame
-    // of JPEG, 64 pixels of a bit; zstd, a block of 2^17 bytes of four; DWA, 64 values of what
-    // deflate makes. Where a reader gives more than the file has (colours for their numbers, all
-    // channels as the largest), that is in it.
+    // Deflate expands two bits to 258 bytes; full LZW tables, twelve bits to 3839 bytes; a JPEG
+    // frame, a bit to 64 pixels; zstd, four bytes to a block of 2^17; DWA, a value of deflate's
+    // output to 64. The factors include expansion by a reader (palette indices to colours, all
+    // channels to the largest type).
     constexpr double deflate = 1032, lzw = 2560, zstd = 32768;
     static constexpr auto compressions = std::to_array<Known>({{"none", 3},
                                                                {"packbits", 64},
@@ -151,7 +152,7 @@ double max_growth(std::string_view format, std::string_view compression) {
                                                           {"targa", 128}});
     const auto* const by_format = std::ranges::find(formats, format, &Known::name);
     if (by_format != formats.end()) return by_format->growth;
-    // "dwaa:45" has its quality behind its name.
+    // The name may be followed by a quality, as in "dwaa:45".
     const std::string_view name = compression.substr(0, compression.find(':'));
     const auto* const found = std::ranges::find(compressions, name, &Known::name);
     return found != compressions.end() ? found->growth : zstd;

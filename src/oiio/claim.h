@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture file says of itself before a reader is trusted with it: its format, by its first
-// bytes and among those that the language names only, and whether it has bytes enough for the size
-// that it says. Called before OpenImageIO opens a file, as its readers reserve memory by then.
+// Checks the claims of a picture file before a reader is trusted with it: its format, by its first
+// bytes and only among those that the language names, and whether the file has enough bytes for its
+// stated size. Called before OpenImageIO opens a file, since its readers reserve memory then.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +11,23 @@
 namespace candelabra {
 
 struct Claim {
-    std::string_view format;  ///< in OpenImageIO's words; empty: none that the language names
-    std::string problem;      ///< why it cannot be what it says; empty when it can
+    std::string_view format;  ///< in OpenImageIO's terms; empty: none that the language names
+    std::string problem;      ///< why the claims cannot be true; empty if they can
 };
 
-/// Of the bytes of a whole file. Formats whose readers reserve nothing early are not looked into.
+/// Returns the claim of a whole file. Formats whose readers reserve no memory early are not checked
+/// further.
 Claim claim_of(std::string_view bytes);
 
-/// How many bytes of pixels one byte of a file can hold at most, by the rules of the format and its
-/// compression (in OpenImageIO's words).
+/// Returns the maximum number of pixel bytes per byte of a file, for a format and its compression
+/// (in OpenImageIO's terms).
 double max_growth(std::string_view format, std::string_view compression);
 
-/// Pixels that a reader has room for at least. Tiles that are not large do not count: some formats
-/// cut them at the edge.
+/// Returns the minimum number of pixels that a reader reserves memory for. Only large tiles count,
+/// since some formats crop small ones at the edge.
 double covered(double width, double height, double tile_width, double tile_height);
 
-/// Why so many bytes of pixels cannot be in a file of so many bytes; empty when they can.
+/// Describes why a file of this size cannot hold so many bytes of pixels; empty if it can.
 std::string too_large(double pixel_bytes, double growth, std::size_t file_bytes);
 
 }  // namespace candelabra

@@ -19,7 +19,7 @@ double number(std::string_view bytes, std::size_t at, bool below_zero) {
     return below_zero ? static_cast<double>(static_cast<std::int32_t>(bits)) : bits;
 }
 
-/// A text that a zero ends; takes it from the front.
+/// Removes a zero-terminated text from the front and returns it.
 std::string_view take_text(std::string_view& rest) {
     const std::size_t end = std::min(rest.find('\0'), rest.size());
     const std::string_view text = rest.substr(0, end);
@@ -27,7 +27,7 @@ std::string_view take_text(std::string_view& rest) {
     return text;
 }
 
-/// How pieces are packed, and how many rows each has.
+/// The compression of chunks, and the number of rows in each.
 struct Compression {
     std::string_view name;
     int lines;
@@ -58,7 +58,7 @@ struct Part {
             compression = value.empty() ? 0 : static_cast<unsigned char>(value[0]);
         }
     }
-    /// Pieces that have an entry of eight bytes each in the file.
+    /// Returns the number of chunks, which have an entry of eight bytes each in the file.
     double chunks() const {
         if (tile_width > 0 && tile_height > 0)
             return std::ceil(width / tile_width) * std::ceil(height / tile_height);
@@ -70,7 +70,7 @@ struct Part {
         constexpr double entry = 8;
         const std::string wrong = too_large(entry * chunks(), 1, file_bytes);
         if (!wrong.empty()) return wrong;
-        // A value has two bytes at least.
+        // A value has at least two bytes.
         return too_large(2 * covered(width, height, tile_width, tile_height),
                          max_growth("openexr", compressions[compression].name), file_bytes);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the heads of an OpenEXR file say of its size (openexr.com, "OpenEXR File Layout"): OpenEXR
-// reserves the table of all chunks, and rooms for tiles, when it opens a file.
+// Checks the sizes in the headers of an OpenEXR file (openexr.com, "OpenEXR File Layout"), since
+// OpenEXR reserves the chunk table and tile buffers when it opens a file.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace candelabra {
 
-/// Why the file cannot be as large as it says; empty when it can.
+/// Describes why the file cannot be as large as it claims; empty if it can.
 std::string exr_problem(std::string_view bytes);
 
 }  // namespace candelabra

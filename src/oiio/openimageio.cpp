@@ -16,7 +16,7 @@ using OIIO::TypeDesc;
 
 std::string number(std::int64_t n) { return std::to_string(n); }
 
-/// Colours and alpha of pixels that have `stored` channels side by side.
+/// Separates the colours and alpha of pixels with `stored` interleaved channels.
 void split(const std::vector<float>& all, std::size_t stored, std::size_t alpha,
            StoredPicture& picture) {
     const auto channels = static_cast<std::size_t>(picture.channels);
@@ -30,20 +30,20 @@ void split(const std::vector<float>& all, std::size_t stored, std::size_t alpha,
     }
 }
 
-/// An empty text of a reader that failed would count as success.
+/// Replaces an empty message of a failed reader, which would count as success.
 std::string said(std::string problem) {
     return problem.empty() ? "it is damaged or ends too early" : problem;
 }
 
-/// A file in memory that is open, or why there is none. The bytes live as long as it does.
+/// An open file in memory, with the reader of its bytes, or the reason why it could not be opened.
 struct Opened {
     std::unique_ptr<OIIO::Filesystem::IOMemReader> bytes;
     std::unique_ptr<OIIO::ImageInput> input;
     std::string problem;
 };
 
-/// Bytes of the pixels as the file's rules count them, before they are packed: a pixel of a table
-/// has a number only. Tiles reach over the edge.
+/// Returns the number of uncompressed pixel bytes by the rules of the file: with a palette, a pixel
+/// is only an index. Tiles extend beyond the edge.
 double stored_bytes(const OIIO::ImageSpec& spec) {
     constexpr int by_table = 3;
     const bool numbers = spec.get_int_attribute("tiff:PhotometricInterpretation") == by_table;
@@ -53,7 +53,7 @@ double stored_bytes(const OIIO::ImageSpec& spec) {
            (numbers ? 1 : spec.nchannels) * bits / 8;
 }
 
-/// The fault in a reader's description of the file.
+/// Describes the error in a reader's specification of the file; empty if there is none.
 std::string problem_of(const OIIO::ImageSpec& spec, std::string_view format,
                        std::int64_t max_pixels, std::size_t file_bytes) {
     if (spec.width < 1 || spec.height < 1 || std::int64_t{spec.width} * spec.height > max_pixels)
@@ -64,12 +64,12 @@ std::string problem_of(const OIIO::ImageSpec& spec, std::string_view format,
     if (spec.nchannels < 1 || spec.nchannels > max_channels)
         return "it says that it has " + number(spec.nchannels) + " channels";
     const std::string compression = spec.get_string_attribute("compression");
-    if (compression.starts_with("ccitt"))  // a row takes a bit at least
+    if (compression.starts_with("ccitt"))  // a row takes at least a bit
         return too_large(spec.height, 8, file_bytes);
     return too_large(stored_bytes(spec), max_growth(format, compression), file_bytes);
 }
 
-/// By the reader of the file's own format, and no other.
+/// Opens a file with the reader of its own format, and no other.
 Opened open(std::string_view bytes, std::int64_t max_pixels, const OIIO::ImageSpec& wishes,
             std::string_view only = {}) {
     const auto fail = [](std::string problem) {
@@ -83,7 +83,7 @@ Opened open(std::string_view bytes, std::int64_t max_pixels, const OIIO::ImageSp
                   {}};
     OIIO::ImageSpec spec;
     if (!opened.input) return fail(said(OIIO::geterror()));
-    // A reader that took no bytes would look for a file of this name.
+    // A reader that does not accept the bytes would open a file of this name.
     if (!opened.input->set_ioproxy(opened.bytes.get())) return fail("it cannot be read");
     const std::string name = "bytes." + std::string(claim.format);
     if (!opened.input->open(name, spec, wishes)) return fail(said(opened.input->geterror()));
@@ -128,7 +128,7 @@ struct StoredType {
     TypeDesc operator()(const std::vector<float>&) const { return TypeDesc::FLOAT; }
 };
 
-/// What an output makes of a picture that is sent to it.
+/// Encodes a picture in memory. `send` writes the pixels to the output.
 template <class Send>
 std::string to_memory(const std::string& extension, const OIIO::ImageSpec& spec, const Send& send,
                       std::string& bytes) {
@@ -144,7 +144,7 @@ std::string to_memory(const std::string& extension, const OIIO::ImageSpec& spec,
     return why.empty() ? "the format does not take it" : why;
 }
 
-// A fixed time: the same picture must give the same bytes.
+// Fixed, so that the same picture gives the same bytes.
 constexpr auto fixed_time = "2000:01:01 00:00:00";
 
 std::string write(const RawPicture& picture, std::string& bytes) {
@@ -175,14 +175,14 @@ std::string read_layers(std::string_view bytes, std::int64_t max_pixels, Layered
     picture.width = spec.width;
     picture.height = spec.height;
     for (auto& [name, text] : picture.texts) text = spec.get_string_attribute(name);
-    // Numbers of other sizes become floats; whole numbers would lose bits.
+    // Floats of other sizes are converted; integers would lose bits.
     bool as_stored = true, whole_numbers = false;
     for (int c = 0; c < spec.nchannels; ++c) {
         as_stored &= spec.channelformat(c).size() == sizeof(std::uint32_t);
         whole_numbers |= !spec.channelformat(c).is_floating_point();
     }
     if (!as_stored && whole_numbers) return "its channels do not have 32 bits each";
-    // All at once: asking for one channel unpacks the whole file, too.
+    // All at once, since reading one channel decodes the whole file, too.
     const auto count = static_cast<std::size_t>(spec.nchannels);
     std::vector<std::uint32_t> side_by_side(static_cast<std::size_t>(pixels) * count);
     const TypeDesc type = as_stored ? TypeDesc::UNKNOWN : TypeDesc::FLOAT;

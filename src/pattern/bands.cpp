@@ -48,7 +48,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// What a statement's turbulence adds to a value; its x component is how much.
+/// Returns the amount that the statement's turbulence adds to a value, scaled by its x component.
 double added_turbulence(const PatternPoint& at) {
     const double amount = at.modifiers.turbulence.x;
     if (amount == 0) return 0;
@@ -56,7 +56,7 @@ double added_turbulence(const PatternPoint& at) {
            scalar_turbulence(at.position, at.modifiers.noise_octaves(), at.noise_generator());
 }
 
-/// Along z, outwards, and around the z axis once for each arm.
+/// Grows along z and outwards, and by 1 per turn around the z axis for each arm.
 double spiral(int arms, const PatternPoint& at) {
     const Vec3& p = at.position;
     const double away = std::sqrt(p.x * p.x + p.y * p.y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patterns whose value grows along a line, a radius or an angle: gradient, marble, wood, onion,
-// leopard, radial, the spirals.
+// leopard, radial and the spirals.
 #pragma once
 
 #include "pattern/waveform.h"
@@ -13,7 +13,7 @@ struct Gradient {
     static const ItemInfo vocabulary;
 };
 
-/// The statement's turbulence does not displace the point: it is added to the value.
+/// The statement's turbulence is added to the value instead of displacing the point.
 struct Marble {
     using Wave = TriangleWave;
     static constexpr bool displaced = false;
@@ -21,7 +21,7 @@ struct Marble {
     static const ItemInfo vocabulary;
 };
 
-/// The statement's turbulence does not displace the point, but the rings.
+/// The statement's turbulence displaces the rings instead of the point.
 struct Wood {
     using Wave = TriangleWave;
     static constexpr bool displaced = false;

@@ -50,7 +50,7 @@ double power(double base, double exponent) {
     return exponent == 2 ? base * base : exponent == 1 ? base : std::pow(base, exponent);
 }
 
-/// Distance to the power of the metric.
+/// Returns the distance raised to the power of the metric.
 double raised_distance(const Vec3& v, double metric) {
     return power(std::abs(v.x), metric) + power(std::abs(v.y), metric) +
            power(std::abs(v.z), metric);
@@ -61,12 +61,13 @@ double root(double raised, double metric) {
     return metric == 1 ? raised : std::pow(raised, 1 / metric);
 }
 
-/// Steps along the axes, -2 to 2.
+/// Steps along the axes, each -2 to 2.
 struct CellStep {
     int x, y, z;
 };
 
-/// To all neighbours of a cell, and to those two steps away along one axis, near ones first.
+/// Returns the steps to all neighbours of a cell and to those two steps away along one axis,
+/// nearest first.
 constexpr auto make_steps() {
     std::array<CellStep, 81> steps{};
     std::size_t count = 0;
@@ -80,7 +81,8 @@ constexpr auto make_steps() {
     return steps;
 }
 
-/// How far from a point cells begin that lie -2 to 2 steps away, to the power of the metric.
+/// Distances along one axis from a point to the cells -2 to 2 steps away, raised to the power of
+/// the metric.
 struct Gaps {
     Gaps(double corner, double metric) {
         for (int step = -2; step <= 2; ++step) {
@@ -93,9 +95,9 @@ struct Gaps {
     std::array<double, 5> raised;
 };
 
-/// Calls use(offset of the nucleus from the point, distance to the power of the metric) for the
-/// nuclei in the cells around the point, except where they are surely farther away than `farthest`,
-/// which may shrink meanwhile.
+/// Calls use(offset of the nucleus from the point, distance raised to the power of the metric) for
+/// the nuclei of the cells around the point. Skips cells that are surely farther away than
+/// `farthest`, which `use` may reduce.
 template <class Use>
 void for_nuclei(const Vec3& point, double metric, const double& farthest, Use use) {
     static constexpr auto steps = make_steps();
@@ -124,7 +126,7 @@ double evaluate(const Cells&, const Vec3& point) {
 double evaluate(const Crackle& crackle, const PatternPoint& at) {
     const double metric = crackle.metric.x;
     std::array<double, 3> nearest = {infinite, infinite, infinite};
-    // More of the nearest are not asked for.
+    // Only the nearest nuclei up to this index are needed.
     const std::size_t last = crackle.solid         ? 0
                              : crackle.form.z != 0 ? 2
                              : crackle.form.y != 0 ? 1
@@ -155,7 +157,7 @@ double evaluate(const Facets&, const Vec3&) { return 0; }
 Vec3 nearest_nucleus(const Vec3& point, double metric) {
     double least = infinite;
     Vec3 result(0);
-    // By the metric 1, what lies behind counts as near, as in POV-Ray.
+    // With metric 1, a nucleus behind the point counts as near, as in POV-Ray.
     const bool signed_sum = metric == 1;
     for_nuclei(point, metric, signed_sum ? infinite : least,
                [&](const Vec3& offset, double raised) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns made of random cells: cells, crackle and facets. Each unit cube of the lattice has one
-// nucleus at a random place.
+// Patterns of random cells: cells, crackle and facets. Each unit cube of the lattice has one
+// nucleus at a random position.
 #pragma once
 
 #include "pattern/modifiers.h"
@@ -13,14 +13,14 @@ struct Cells {
 
 struct Crackle {
     Vec3 form = Vec3(-1, 1, 0);
-    Vec3 metric = Vec3(2);  ///< POV-Ray reads a vector, and uses its x component
+    Vec3 metric = Vec3(2);  ///< POV-Ray reads a vector and uses its x component
     double offset = 0;
     bool solid = false;
 
     static const ItemInfo vocabulary;
 };
 
-/// Has no value: it is a normal only (surface/bump).
+/// A normal only (surface/bump); its value is always 0.
 struct Facets {
     double size = 0.1;
     double coords = 0;
@@ -34,8 +34,9 @@ double evaluate(const Cells&, const Vec3& point);
 double evaluate(const Crackle&, const PatternPoint&);
 double evaluate(const Facets&, const Vec3& point);
 
-/// The nucleus that is nearest to a point. Metric 2: straight; 1: the signed sum of the offsets;
-/// other: the sum of their sizes to that power. As POV-Ray's facets have it.
+/// Returns the nucleus nearest to a point. Metric 2 is the Euclidean distance, 1 the signed sum of
+/// the offsets, and any other the sum of their absolute values to that power, as in POV-Ray's
+/// facets.
 Vec3 nearest_nucleus(const Vec3& point, double metric);
 
 }  // namespace candelabra

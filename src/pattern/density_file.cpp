@@ -25,24 +25,24 @@ std::uint32_t big_endian(std::string_view content, std::size_t at, std::size_t b
     return number;
 }
 
-/// Where a coordinate lies among the values along one axis.
+/// Position of a coordinate among the values along one axis.
 struct AxisPlace {
-    std::array<std::size_t, 4> index{};  ///< the one before, the one itself, the two after
+    std::array<std::size_t, 4> index{};  ///< of the value before, the value, and the two after
     double fraction = 0;
 };
 
 AxisPlace place(double t, std::size_t size) {
     const double along = t * static_cast<double>(size);
     const auto i = std::min(static_cast<std::size_t>(along), size - 1);
-    // POV-Ray takes the one before the first modulo the size after it has wrapped at 2^64: that is
-    // the last one for powers of two only.
+    // POV-Ray computes the index before the first modulo the size after it has wrapped around at
+    // 2^64. The result is the last index only if the size is a power of two.
     const std::size_t before = i == 0 ? ~std::uint64_t{0} % size : i - 1;
     return {{before, i, (i + 1) % size, (i + 2) % size}, along - static_cast<double>(i)};
 }
 
 double interpolated(double a, double b, double t) { return a + t * (b - a); }
 
-/// The cubic curve from b to c with slopes as between their neighbours.
+/// Cubic Hermite interpolation from v[1] to v[2] with central differences as slopes.
 double cubic(const std::array<double, 4>& v, double t) {
     const double start = (v[2] - v[0]) / 2, end = (v[3] - v[1]) / 2, step = v[1] - v[2];
     const double third = 2 * step + start + end, second = -3 * step - 2 * start - end;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns that fall from 1 at a point, a line or a plane to 0 at distance 1, and stay 0.
+// Patterns that fall from 1 at a point, a line or a plane to 0 at distance 1 and beyond.
 #pragma once
 
 #include "vocabulary/item_info.h"

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// The vocabulary of a fractal with the words that all have.
+/// Returns the vocabulary of a fractal, with the words that all fractals share.
 template <class T, class... F>
 consteval auto described_fractal(std::string_view name, std::string_view help, F... fields) {
     return schema<T>(
@@ -61,7 +61,7 @@ const ItemInfo Magnet::vocabulary = described<Magnet>([] {
 
 namespace {
 
-/// A complex number. (std::complex would check each product for infinities.)
+/// A complex number. (std::complex would check every product for infinities.)
 struct Complex {
     double a = 0, b = 0;
 
@@ -120,14 +120,14 @@ double interior(const FractalColouring& colouring, double least, Complex z) {
         case 5:
             return z.b * z.b * factor;
         case 6:
-            // The factor belongs to one of the two, as in POV-Ray.
+            // The factor applies to the second term only, as in POV-Ray.
             return z.a * z.a + z.b * z.b * factor;
         default:
             return factor;
     }
 }
 
-/// Follows an orbit until it leaves. `least` is the smallest squared size so far.
+/// Follows an orbit until it escapes. `least` is the smallest squared modulus so far.
 template <class Step, class Left>
 double orbit(const FractalColouring& colouring, int steps, Complex z, double least, Step next,
              Left left) {

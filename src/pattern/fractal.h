@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fractals of the complex plane, which is the plane z = 0: Mandelbrot's and Julia's sets for a
-// power, and those of magnetism.
+// Fractals in the complex plane, which is the plane z = 0: Mandelbrot and Julia sets for an
+// exponent, and the magnet fractals.
 #pragma once
 
 #include "vocabulary/item_info.h"
 
 namespace candelabra {
 
-/// How many iterations a pattern may ask for.
+/// Maximum number of iterations that a pattern may ask for.
 inline constexpr double max_iterations = 1e6;
 
-/// What values points have inside and outside of the set, from the last point of their orbit, a+bi.
+/// Values of points inside and outside of the set, computed from the last point of their orbit,
+/// a+bi.
 struct FractalColouring {
     int exterior = 1;
     double exterior_factor = 1;

@@ -9,14 +9,14 @@
 
 namespace candelabra {
 
-/// Named by the function itself: pigment { function { sin(x) } ... }.
+/// A pattern given by the function itself: pigment { function { sin(x) } ... }.
 struct FunctionPattern {
     Handle<Formula> formula = nullptr;  ///< of x, y and z; null: 0 everywhere
 
     static const ItemInfo vocabulary;
 };
 
-/// What is above 1 begins again at 0; where the function has no value it is 0.
+/// Values above 1 wrap around to 0. The value is 0 where the function is undefined.
 double evaluate(const FunctionPattern&, const Vec3&);
 
 }  // namespace candelabra

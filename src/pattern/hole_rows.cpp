@@ -14,25 +14,25 @@ namespace candelabra {
 
 namespace {
 
-/// More than what is lost where coordinates and their differences are rounded to single precision.
+/// Relative bound on the error of rounding coordinates and their differences to single precision.
 constexpr double rounding = 4 * std::numeric_limits<float>::epsilon();
 
 double size_of(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// The black hole that a step is, with one ball and an effect; null when it is none.
+/// Returns the step's black hole if it is one that is not repeated; null otherwise.
 const BlackHole* single_hole(const WarpStep& step) {
     const Warp* warp = std::get_if<Warp>(&step);
     const BlackHole* hole = warp ? std::get_if<BlackHole>(warp) : nullptr;
     return hole && hole->repeat == Vec3(0) ? hole : nullptr;
 }
 
-/// A bit for each ball that may hold the point; `x` to `radius` are the rows of a Row.
+/// Returns a bit for each ball that may contain the point; `x` to `radius` are the arrays of a Row.
 CANDELABRA_TARGET_CLONES
 std::uint32_t may_hold(const float* x, const float* y, const float* z, const float* radius,
                        const std::array<float, 4>& point) {
     const Lanes dx = load_lanes(x) - point[0], dy = load_lanes(y) - point[1];
     const Lanes dz = load_lanes(z) - point[2], reach = load_lanes(radius) + point[3];
-    // What is no number is in doubt.
+    // NaN counts as inside.
     return marked(~(dx * dx + dy * dy + dz * dz > reach * reach));
 }
 
@@ -74,7 +74,7 @@ std::size_t HoleRows::left(const Vec3& point, std::size_t end) const {
 Vec3 HoleRows::warped(std::span<const WarpStep> steps, Vec3 point) const {
     for (std::size_t end = steps.size();;) {
         const std::size_t begun = std::exchange(end, left(point, end));
-        // As in each hole that leaves it where it is.
+        // Each skipped hole would have limited the point in the same way.
         if (end < begun) point = within_reach(point);
         if (end == 0) return within_reach(point);
         point = undone(steps[--end], point);

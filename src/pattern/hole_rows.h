@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The balls of many black holes in rows, eight to a row: of a thousand holes a point is in few, and
-// those that leave it where it is are passed over together. Made by whoever makes a PatternUse of
-// many steps, asked by its place().
+// Accelerates sequences of many black holes: their balls are kept in rows of eight. A point is
+// inside few of a thousand holes, and the others are skipped a row at a time. Made by the creator
+// of a PatternUse with many steps; used by its place().
 #pragma once
 
 #include "pattern/warp.h"
@@ -12,22 +12,22 @@ namespace candelabra {
 
 class HoleRows {
 public:
-    /// Fewer black holes are asked one by one.
+    /// Minimum number of black holes; fewer are tested one by one.
     static constexpr std::size_t least = 16;
 
     explicit HoleRows(std::span<const WarpStep>);
 
-    /// warped(), for the steps that this is made of, and more of them at the end.
+    /// Equals warped() for the steps that this was made of, with further steps appended.
     Vec3 warped(std::span<const WarpStep>, Vec3 point) const;
 
 private:
-    /// The number of steps, from the first on, that are left when the last ones that surely leave
-    /// the point where it is are taken away; `end` is how many there were.
+    /// Of the first `end` steps, drops the last ones that surely leave the point in place; returns
+    /// the number of those that remain.
     std::size_t left(const Vec3& point, std::size_t end) const;
 
     static constexpr std::size_t width = 8;
-    /// Single precision, and radii so much larger that rounding passes over no hole. A step that is
-    /// no such hole has a radius without end.
+    /// In single precision, with the radii enlarged so that rounding cannot skip a hole. Steps
+    /// other than single black holes have an infinite radius.
     struct Row {
         std::array<float, width> x{}, y{}, z{}, radius{};
     };
@@ -35,7 +35,7 @@ private:
     std::size_t count_;
 };
 
-/// Null where there are too few black holes to gain by it.
+/// Returns null if there are too few black holes to benefit.
 Handle<HoleRows> hole_rows(std::span<const WarpStep>);
 
 }  // namespace candelabra

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What may follow every pattern: how its point is disturbed and how its value is repeated. Read
-// with the pattern by the evaluator; used by PatternUse and by the patterns that do one of these
-// things in a way of their own.
+// Modifiers that may follow every pattern: the disturbance of its point and the repetition of its
+// value. Read with the pattern by the evaluator; used by PatternUse, and by patterns that apply
+// some of them in their own way.
 #pragma once
 
 #include "base/noise.h"
@@ -9,7 +9,8 @@
 
 namespace candelabra {
 
-/// As POV-Ray stores some numbers: it shows where values meet the keys of a map.
+/// Rounds to single precision, as POV-Ray does with some numbers. The difference is visible where
+/// values meet the keys of a map.
 constexpr double single_precision(double x) { return static_cast<float>(x); }
 
 struct PatternModifiers {
@@ -17,8 +18,8 @@ struct PatternModifiers {
     int octaves = 6;
     double omega = 0.5;
     double lambda = 2;
-    int noise_generator = 0;  ///< 0: the scene's
-    double frequency = 1;     ///< 0: neither frequency nor phase have an effect
+    int noise_generator = 0;  ///< 0: the scene's generator
+    double frequency = 1;     ///< 0: frequency and phase have no effect
     double phase = 0;
 
     Octaves noise_octaves() const {
@@ -28,22 +29,22 @@ struct PatternModifiers {
     friend bool operator==(const PatternModifiers&, const PatternModifiers&) = default;
 };
 
-/// Where a ray meets a surface, in the space of the scene.
+/// The point where a ray hits a surface, in world space.
 struct SurfaceView {
     Vec3 position;
-    Vec3 normal;     ///< unit, on the side of the viewer
+    Vec3 normal;     ///< unit, on the viewer's side
     Vec3 direction;  ///< unit, of the ray
 };
 
-/// What the scene decides about all patterns, and what only some points have.
+/// Settings of the scene that affect all patterns, and properties that only some points have.
 struct PatternScene {
     NoiseGenerator noise_generator = NoiseGenerator::full_range;
     int number_of_waves = 10;
     const SurfaceView* view = nullptr;  ///< null: the point is on no surface
-    Vec2 uv = Vec2(0);  ///< where the point is on a picture that is wrapped around the surface
+    Vec2 uv = Vec2(0);  ///< coordinates in a picture that is wrapped around the surface
 };
 
-/// All that a pattern can know: the point in its own space, and what surrounds it.
+/// The input of a pattern: the point in its own space, and its context.
 struct PatternPoint {
     Vec3 position;
     const PatternModifiers& modifiers;

@@ -40,7 +40,7 @@ const ItemInfo Agate::vocabulary = described<Agate>([] {
 
 namespace {
 
-/// Frequencies from the first on, each twice the one before.
+/// Returns frequencies that start at `first` and double each time.
 template <std::size_t count>
 constexpr std::array<double, count> doubled(double first) {
     std::array<double, count> result{};

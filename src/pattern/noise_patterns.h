@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns that are noise, or sums of it: bozo and its kin, granite, wrinkles, agate.
+// Patterns of noise, or of sums of noise: bozo and its variants, granite, wrinkles and agate.
 #pragma once
 
 #include "pattern/modifiers.h"

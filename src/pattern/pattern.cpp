@@ -7,13 +7,13 @@ namespace candelabra {
 
 namespace {
 
-/// Depends on the point alone.
+/// A pattern that depends on the point alone.
 template <class T>
 concept PlainPattern = requires(const T& pattern, const Vec3& point) {
     { evaluate(pattern, point) } -> std::same_as<double>;
 };
 
-/// Depends on what surrounds the point as well.
+/// A pattern that may also depend on the point's context.
 template <class T>
 concept PatternKind = PlainPattern<T> || requires(const T& pattern, const PatternPoint& point) {
     { evaluate(pattern, point) } -> std::same_as<double>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every pattern there is: a function from a point to a number, mostly in 0..1, or to a small whole
-// number that picks from a list. The type list is the registry; what makes a kind differ from the
-// others (a wave of its own, a list, no displacement) is stated in the kind.
+// All patterns. A pattern is a function from a point to a number, mostly in 0..1, or to a small
+// integer that picks from a list. The type list is the registry. Each kind declares the properties
+// in which it differs from the others (a default wave, a list, no displacement).
 #pragma once
 
 #include "pattern/bands.h"
@@ -30,24 +30,25 @@ using Pattern =
                  Quilted, Radial, Ripples, Slope, SphericalPattern, Spiral1, Spiral2, Spotted,
                  Square, Tiling, Triangular, Waves, Wood, Wrinkles>;
 
-/// The value before any wave.
+/// Returns the value before any wave is applied.
 double evaluate(const Pattern&, const PatternPoint&);
 
-/// How many colours or pigments may follow the name as a list; 0: it takes a map.
+/// Returns the number of colours or pigments that may follow the name as a list; 0: it takes a map.
 int choices(const Pattern&);
 
-/// The one block that the pattern may stand in: "pigment", "normal" or "texture"; empty: any.
+/// Returns the only block that the pattern may occur in: "pigment", "normal" or "texture"; empty:
+/// any.
 std::string_view home(const Pattern&);
 
-/// What a pattern has of a picture; null when it is made of none.
+/// Returns the pattern's picture; null if it has none.
 const PictureMap* picture_of(const Pattern&);
 PictureMap* picture_of(Pattern&);
 
-/// Whether turbulence displaces the point; otherwise the pattern does something else with it.
+/// Whether turbulence displaces the point; otherwise the pattern uses it in another way.
 bool displaced(const Pattern&);
 
-/// What naming the pattern sets in its statement. What it does not set stays as it was, as in
-/// POV-Ray 3.7.
+/// Applies the settings that naming the pattern implies to its statement. Other settings keep their
+/// values, as in POV-Ray 3.7.
 void name_pattern(const Pattern&, PatternModifiers&, Waveform&);
 
 }  // namespace candelabra

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// The vocabulary of one of the four: its own fields after the common ones.
+/// Returns the vocabulary of one of the four kinds: the common fields, then its own.
 template <class T, class... Own>
 consteval auto picture_schema(std::string_view name, std::string_view help, Own... own) {
     using F = Field<T>;
@@ -68,7 +68,8 @@ using std::numbers::pi;
 
 constexpr double tiny = 1e-10;
 
-/// Values of a texel that are mixed as they are: red, green, blue, transmit, and filter.
+/// Components of a texel in the form in which they are interpolated: red, green, blue, transmit,
+/// and filter.
 struct Mixture {
     Vec4 rgbt = Vec4(0);
     double filter = 0;
@@ -102,7 +103,7 @@ double floor_mod(double x, double m) {
     return rest >= m || !(rest >= 0) ? 0 : rest;
 }
 
-/// Where on the picture a point is, in pixels, before offset and repetition; y upwards.
+/// Maps a point to the picture, in pixels, before offset and repetition; y points up.
 std::optional<Vec2> unrolled(const PictureMap& map, const Vec3& p, const Vec2& size) {
     const bool off_plane = map.once && (p.x < 0 || p.x > 1),
                off_height = map.once && (p.y < 0 || p.y > 1);
@@ -125,7 +126,8 @@ std::optional<Vec2> unrolled(const PictureMap& map, const Vec3& p, const Vec2& s
     }
 }
 
-/// The place on the picture, in pixels from its upper left corner; nothing where it is missed.
+/// Returns the position on the picture, in pixels from its upper left corner; nothing where the
+/// point misses it.
 std::optional<Vec2> place_on(const PictureMap& map, const Vec3& point) {
     if (!map.texels) return std::nullopt;
     const Vec2 size(map.texels->width, map.texels->height);
@@ -137,7 +139,7 @@ std::optional<Vec2> place_on(const PictureMap& map, const Vec3& point) {
     return Vec2(floor_mod(at->x, size.x), floor_mod(-at->y, size.y));
 }
 
-/// The number of a pixel that may lie beyond the rim.
+/// Wraps or clamps the index of a pixel that may be outside the picture.
 int within(const PictureMap& map, int i, int count) {
     if (map.once) return std::clamp(i, 0, count - 1);
     return i < 0 ? (i % count + count) % count : i % count;
@@ -158,7 +160,7 @@ std::array<double, 4> weights_of(int interpolate, double p, double q) {
     return result;
 }
 
-/// fetch(x, y) at a place, mixed as the map says.
+/// Interpolates fetch(x, y) at a place by the map's method.
 template <class Fetch>
 auto mixed_at(const PictureMap& map, const Vec2& place, Fetch fetch) {
     const int width = map.texels->width, height = map.texels->height;
@@ -183,7 +185,7 @@ auto mixed_at(const PictureMap& map, const Vec2& place, Fetch fetch) {
     return sum;
 }
 
-/// A texel with its colour times its alpha, or the other way round.
+/// Multiplies the colour of a texel by its alpha, or by the reciprocal to undo that.
 Mixture times_alpha(Mixture m, double alpha) {
     return {Vec4(m.rgbt.x * alpha, m.rgbt.y * alpha, m.rgbt.z * alpha, m.rgbt.w), m.filter};
 }
@@ -191,7 +193,7 @@ Mixture times_alpha(Mixture m, double alpha) {
 Colour sampled(const PictureMap& map, const Vec2& place) {
     const auto at = [&](int x, int y) { return texel(*map.texels, x, y); };
     if (!map.premultiplied || map.interpolate < 2) return mixed_at(map, place, at).colour();
-    // Colours are mixed as they are stored.
+    // Interpolate the colours as they are stored.
     const Mixture mixed = mixed_at(map, place, [&](int x, int y) {
         const Mixture m = at(x, y);
         const double own = 1 - m.rgbt.w;
@@ -206,8 +208,9 @@ double grey_at(const PictureMap& map, const Vec3& point) {
     return place ? std::clamp(grey(sampled(map, *place).rgb), 0.0, 1.0) : 0;
 }
 
-/// The number of a colour in the file's table: as in POV-Ray, numbers are mixed like colours.
-/// Nothing where the file has no table, or the mixture is -1, which means the same to POV-Ray.
+/// Returns the index of a colour in the file's table. As in POV-Ray, indices are interpolated like
+/// colours. Returns nothing if the file has no table, or for an interpolated index of -1, which
+/// POV-Ray treats likewise.
 std::optional<int> number_at(const PictureMap& map, const Vec2& place) {
     const Texels& texels = *map.texels;
     if (texels.numbers.empty()) return std::nullopt;
@@ -217,15 +220,17 @@ std::optional<int> number_at(const PictureMap& map, const Vec2& place) {
     return number == -1 ? std::nullopt : std::optional(number);
 }
 
-/// The number of a texture. Red is mixed before it becomes a number, in single precision like
-/// POV-Ray's.
+/// Returns the number of a texture. Red is interpolated before its conversion to a number, in
+/// single precision as in POV-Ray.
 int texture_number_at(const PictureMap& map, const Vec2& place) {
     if (const auto number = number_at(map, place)) return *number;
     const auto red = static_cast<float>(sampled(map, place).rgb.x);
-    return static_cast<int>(std::fmax(red * 255.0F, 0.0F));
+    constexpr float last = 65535;
+    return static_cast<int>(std::fmin(std::fmax(red * 255.0F, 0.0F), last));
 }
 
-/// Heights of a point and two others: numbers where all have them and they are asked for.
+/// Returns the heights at three places: colour indices if they are requested and available at all
+/// of them, otherwise brightnesses.
 std::array<double, 3> heights_at(const BumpMap& map, const std::array<Vec2, 3>& places) {
     std::array<double, 3> heights{};
     bool numbered = map.use_index;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures laid on the space: as colours (image_map), as values (image_pattern), as bumps
-// (bump_map), and as a choice of textures (material_map). The reader of the language puts in the
-// texels; without any, nothing is shown.
+// Pictures mapped into space: as colours (image_map), as values (image_pattern), as bumps
+// (bump_map) and as a choice of textures (material_map). The evaluator supplies the texels; without
+// them, nothing is shown.
 #pragma once
 
 #include "base/handle.h"
@@ -10,11 +10,11 @@
 
 namespace candelabra {
 
-/// What all four have in common: which picture, and how it lies.
+/// The common part of all four: the picture and its mapping.
 struct PictureMap {
     std::string file;
-    Handle<Formula> function;  ///< instead of a file
-    double gamma = 0;          ///< 0: what the file says, below 0: sRGB
+    Handle<Formula> function;  ///< replaces the file
+    double gamma = 0;          ///< 0: as the file says, below 0: sRGB
     bool premultiplied = false;
     int map_type = 0;
     int interpolate = 0;
@@ -28,13 +28,13 @@ struct ImageMap : PictureMap {
     /// `filter all 0.5` or `transmit 3, 0.5`.
     struct Adjustment {
         bool filter = false;
-        int number = -1;  ///< of the colour in the file's table; below 0: all
+        int number = -1;  ///< index into the file's colour table; below 0: all
         double amount = 0;
     };
     std::vector<Adjustment> adjustments;
-    double filter = 0, transmit = 0;  ///< added to every texel, where there is no table
+    double filter = 0, transmit = 0;  ///< added to every texel if there is no table
 
-    /// Puts the adjustments into effect. Called once, when there are texels.
+    /// Applies the adjustments. Called once, after the texels have been set.
     void adjust();
     static constexpr int frequency = 0;
     static constexpr std::string_view home = "pigment";
@@ -47,7 +47,7 @@ struct ImagePattern : PictureMap {
 };
 
 struct BumpMap : PictureMap {
-    std::optional<double> bump_size;  ///< for the normal that it stands in
+    std::optional<double> bump_size;  ///< for the normal that contains it
 
     static constexpr int frequency = 0;
     static constexpr std::string_view home = "normal";
@@ -55,23 +55,23 @@ struct BumpMap : PictureMap {
 };
 
 struct MaterialMap : PictureMap {
-    int textures = 1;  ///< how many there are to choose from
+    int textures = 1;  ///< number of textures to choose from
 
     static constexpr int frequency = 0;
     static constexpr std::string_view home = "texture";
     static const ItemInfo vocabulary;
 };
 
-/// The colour at a point; nothing where a picture that is there once only is missed.
+/// Returns the colour at a point; nothing where the point misses a picture that is not repeated.
 std::optional<Colour> colour_at(const ImageMap&, const Vec3& point);
 
-/// The direction in which the surface points there, where y is up, x and z lie along the picture,
-/// and the bumps have this height; nothing where the picture is missed.
+/// Returns the surface normal at the point, where y points up, x and z lie along the picture, and
+/// the bumps have the given height; nothing where the point misses the picture.
 std::optional<Vec3> bump_at(const BumpMap&, const Vec3& point, double height);
 
-double evaluate(const ImageMap&, const Vec3& point);  ///< brightness; 0 where it is missed
+double evaluate(const ImageMap&, const Vec3& point);  ///< brightness; 0 where the point misses it
 double evaluate(const ImagePattern&, const Vec3& point);
-double evaluate(const BumpMap&, const Vec3& point);      ///< the same as an image_pattern's
+double evaluate(const BumpMap&, const Vec3& point);      ///< as for image_pattern
 double evaluate(const MaterialMap&, const Vec3& point);  ///< number of the texture
 
 }  // namespace candelabra

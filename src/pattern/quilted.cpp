@@ -14,14 +14,14 @@ const ItemInfo Quilted::vocabulary = described<Quilted>([] {
 
 namespace {
 
-/// From the middle of the cube; whole negative numbers belong to the cube below.
+/// Returns the offset from the centre of the cube; negative integers belong to the cube below.
 double from_middle(double t) {
     const double cube = t >= 0 ? std::floor(t) : -std::floor(-t) - 1;
     return t - cube - 0.5;
 }
 
-/// A cubic curve from 0 at the middle to 1 at the corner, scaled so that the middle of a face has
-/// no jump.
+/// A cubic curve from 0 at the centre to 1 at the corner, scaled for continuity at the centre of a
+/// face.
 double height(const Quilted& quilted, double distance) {
     const double rest = 1 - distance;
     return 1.154700538 * (distance * distance * distance +

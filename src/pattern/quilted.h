@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A quilt: a cushion in each unit cube.
+// A quilt with a cushion in each unit cube.
 #pragma once
 
 #include "pattern/modifiers.h"
@@ -16,8 +16,8 @@ struct Quilted {
 
 double evaluate(const Quilted&, const Vec3& point);
 
-/// The offset from the middle of the point's cube, times the height of the cushion there: how a
-/// normal is tilted.
+/// Returns the offset from the centre of the point's cube, times the height of the cushion there:
+/// the tilt of a normal.
 Vec3 quilted_tilt(const Quilted&, const Vec3& point);
 
 }  // namespace candelabra

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns whose values come from parts of a scene that are defined after the patterns: the grey of
-// a pigment. The evaluator ties the two together.
+// Patterns whose values come from scene elements that are defined after the patterns, such as the
+// brightness of a pigment. The evaluator connects the two.
 #pragma once
 
 #include "pattern/modifiers.h"
+#include "pattern/nesting.h"
 
 #include <memory>
 
 namespace candelabra {
 
-/// A number for each point, by code that knows what the data is.
+/// Computes a number for each point by code that knows the type of the data.
 struct PointFunction {
     std::shared_ptr<const void> data;
     double (*code)(const void* data, const Vec3& point, const PatternScene&) = nullptr;
@@ -21,9 +22,7 @@ struct PointFunction {
 
 struct PigmentGrey {
     PointFunction grey;
-    int depth = 0;       ///< of maps and pigment patterns in the pigment
-    double entries = 0;  ///< of all maps in it
-    bool uv = false;     ///< it asks for u and v
+    Nesting nesting;  ///< of the pigment
 
     static const ItemInfo vocabulary;
 };
@@ -32,7 +31,7 @@ inline double evaluate(const PigmentGrey& kind, const PatternPoint& at) {
     return kind.grey(at.position, at.scene);
 }
 
-/// 1 inside of an object, 0 outside.
+/// 1 inside an object, 0 outside.
 struct ObjectPattern {
     static constexpr int choices = 2;
     PointFunction inside;
@@ -44,7 +43,7 @@ inline double evaluate(const ObjectPattern& kind, const PatternPoint& at) {
     return kind.inside(at.position, at.scene);
 }
 
-/// Has no value: the entries of its map are all mixed by their weights.
+/// All entries of the map are mixed by their weights; the value is not used.
 struct Average {
     static const ItemInfo vocabulary;
 };

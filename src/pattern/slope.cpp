@@ -39,7 +39,7 @@ double rescaled(double value, double low, double high) {
     return high == low ? value : (value - low) / (high - low);
 }
 
-/// Into 0 to 1, where 1 itself stays just below 1.
+/// Wraps into 0..1, except that 1 itself maps to just below 1.
 double below_one(double value) {
     if (value >= 1 && value < 1 + top_margin) return value - top_margin;
     return value < 0 ? 1 + std::fmod(value, 1) : std::fmod(value, 1);

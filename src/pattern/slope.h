@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns that depend on the direction of the surface: slope, against a fixed direction, and aoi,
-// against the ray. 0 where there is no surface: in functions and for the sky.
+// Patterns that depend on the direction of the surface: slope, relative to a fixed direction, and
+// aoi, relative to the ray. 0 where there is no surface: in functions and for the sky.
 #pragma once
 
 #include "pattern/modifiers.h"

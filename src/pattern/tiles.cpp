@@ -38,7 +38,7 @@ namespace {
 
 constexpr double tile_margin = 1e-10;
 
-/// The remainder of a division downwards: from 0 to below the divisor.
+/// Returns the remainder of a floored division, in [0, divisor).
 double wrapped(double value, double divisor) {
     return value - divisor * std::floor(value / divisor);
 }
@@ -58,7 +58,7 @@ double evaluate(const Brick& brick, const Vec3& point) {
     const Vec3 at = (point + Vec3(mortar + tile_margin)) / brick.brick_size;
     const Vec3 seam = Vec3(mortar) / brick.brick_size;
     if (fraction(at.y) <= seam.y) return 0;
-    // Every other row is shifted by half a brick; along z it is the rows between.
+    // Every other row is shifted by half a brick: one half of the rows along x, the other along z.
     const bool even = fraction(at.y / 2) <= 0.5;
     const double x = even ? at.x : at.x + 0.5;
     const double z = even ? at.z + 0.5 : at.z;
@@ -66,8 +66,8 @@ double evaluate(const Brick& brick, const Vec3& point) {
 }
 
 double evaluate(const Hexagon&, const Vec3& point) {
-    // The plane is cut into rectangles: some belong to one hexagon, the others are cut by the
-    // slanted side between two.
+    // The plane is divided into rectangles: some lie inside one hexagon, the others are split by
+    // the slanted edge between two.
     constexpr auto outer = std::array{0, 1, 1, 2, 2, 0};
     constexpr auto inner = std::array{2, 2, 0, 0, 1, 1};
     constexpr auto below = std::array{0, 2, 1, 0, 2, 1};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Patterns that choose from a list: checker, brick, hexagon, square, triangular, cubic. Their value
-// is the place in the list, from 0 on. `choices` is how long the list is; they do not repeat, so
+// is the index in the list, from 0 on. `choices` is the length of the list. They do not repeat, so
 // their frequency is 0.
 #pragma once
 
@@ -46,8 +46,8 @@ struct CubicPattern {
     static const ItemInfo vocabulary;
 };
 
-/// Points within 1e-10 below a cube's face count as on it, so that a floor at a whole height does
-/// not flicker.
+/// Points within 1e-10 below a cube's face count as on it, so that a floor at an integer height
+/// does not flicker.
 double evaluate(const Checker&, const Vec3& point);
 double evaluate(const Brick&, const Vec3& point);
 double evaluate(const Hexagon&, const Vec3& point);

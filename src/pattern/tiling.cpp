@@ -24,11 +24,11 @@ namespace {
 using std::numbers::sqrt2;
 using std::numbers::sqrt3;
 
-constexpr double h = sqrt3 / 2;      // height of a triangle with sides of 1
-constexpr double steep = 2 * sqrt3;  // falls by 1 from the middle of such a triangle to its border
+constexpr double h = sqrt3 / 2;      // height of an equilateral triangle with side 1
+constexpr double steep = 2 * sqrt3;  // falls by 1 from the centre of such a triangle to a side
 constexpr double none = -1e9;
 
-/// A border of a tile: how far inside a point is, and how fast the value falls towards it.
+/// A border of a tile: its half-plane, and the slope at which the value falls towards it.
 struct Border {
     Vec2 inward;
     double offset;
@@ -37,7 +37,7 @@ struct Border {
     double distance(const Vec2& p) const { return dot(p, inward) - offset; }
 };
 
-/// The value is the greater of `low` and `top` minus what the nearest border takes away.
+/// The value is `top` minus the fall towards the nearest border, but at least `low`.
 struct Values {
     double top;
     double slope;
@@ -66,10 +66,10 @@ Vec2 direction(double degrees) {
     return {std::cos(radians), std::sin(radians)};
 }
 
-/// Distance of the sides of a regular polygon with sides of 1 from its middle.
+/// Apothem of a regular polygon with sides of length 1.
 double apothem(int sides) { return 0.5 / std::tan(std::numbers::pi / sides); }
 
-/// A regular polygon with sides of 1, one of which faces the direction given in degrees.
+/// Returns a regular polygon with sides of length 1, one of which faces the direction in degrees.
 Tile regular(int sides, const Vec2& centre, double facing, Values values) {
     Tile tile{{}, values};
     for (int i = 0; i < sides; ++i) {
@@ -88,8 +88,8 @@ Tile rectangle(const Vec2& corner, const Vec2& size, Values values) {
             values};
 }
 
-/// A rhombus with sides of 1, from the origin along two directions in degrees, the second to the
-/// left of the first.
+/// Returns a rhombus with sides of length 1, from the origin along two directions in degrees; the
+/// second is to the left of the first.
 Tile rhombus(double first, double second, Values values) {
     const Vec2 a = direction(first), b = direction(second);
     const Vec2 left(-a.y, a.x), right(b.y, -b.x);
@@ -103,7 +103,7 @@ Tile rhombus(double first, double second, Values values) {
 Tile up(double x, double z, Values values) { return regular(3, {x, z + h / 3}, 270, values); }
 Tile down(double x, double z, Values values) { return regular(3, {x, z + 2 * h / 3}, 90, values); }
 
-/// Tiles that repeat along two vectors; the values are divided by `parts`.
+/// Tiles that repeat along two vectors. The values are divided by `parts`.
 struct Arrangement {
     Vec2 first, second;
     double parts;
@@ -142,8 +142,9 @@ Arrangement rectangles(double period, double parts, double slope,
     return result;
 }
 
-/// Hexagons at every seventh vertex of the grid of triangles, and the triangles that touch none.
-/// Vertex (i, j) of the grid is counted as i + `count` j modulo 7; `centre` is that of hexagons.
+/// Returns hexagons around every seventh vertex of the triangular grid, and the triangles that
+/// touch none. Vertex (i, j) has number i + `count` j modulo 7; the vertices with number `centre`
+/// are the centres of hexagons.
 Arrangement hexagons_in_triangles(const Vec2& first, const Vec2& second, int centre, int count) {
     Arrangement result{first, second, 3, {}};
     result.tiles.push_back(regular(6, {double(centre), 0}, 30, {3, steep, 2.000001}));
@@ -157,7 +158,7 @@ Arrangement hexagons_in_triangles(const Vec2& first, const Vec2& second, int cen
     return result;
 }
 
-/// What stands on the sides of a polygon: another polygon for each direction.
+/// Adds a polygon on the side of another in each of the directions.
 void add_around(Arrangement& arrangement, const Vec2& centre, int inner_sides, int sides,
                 std::initializer_list<std::pair<double, Values>> around) {
     for (const auto& [facing, values] : around)
@@ -172,7 +173,7 @@ Arrangement hexagons_and_squares(double parts, Values hexagon, std::array<Values
     Arrangement result{{1.5 + h, (1 + sqrt3) / 2}, {0, 1 + sqrt3}, parts, {}};
     result.tiles.push_back(regular(6, centre, 30, hexagon));
     add_around(result, centre, 6, 4, {{90, squares[0]}, {30, squares[1]}, {150, squares[2]}});
-    // Triangles touch the hexagon's corners with theirs.
+    // Triangles share only corners with the hexagon.
     const double away = 1 + 2 * apothem(3);
     result.tiles.push_back(regular(3, centre + away * direction(0), 0, triangles[0]));
     result.tiles.push_back(regular(3, centre + away * direction(60), 60, triangles[1]));
@@ -239,7 +240,7 @@ Arrangement pinwheel() {
         {3, 3, 2, 2, 1});
 }
 
-/// All but 12 to 14, which are folded, by their numbers.
+/// Returns the arrangements by type, except 12 to 14, which are folded.
 std::vector<Arrangement> make_arrangements() {
     const Vec2 centre(0.5, h);
     const Values third{1, steep}, second_third{2, steep};
@@ -312,8 +313,8 @@ double modulo(double value, double divisor) {
     return value - divisor * std::floor(value / divisor);
 }
 
-/// Hexagons that lie in pairs across each other around a square; type 14 tells their directions
-/// apart.
+/// Hexagons in pairs around a square, adjacent pairs at right angles. Type 14 distinguishes their
+/// directions.
 double crossed_hexagons(bool directions, const Vec2& point) {
     const double u = modulo(sqrt2 * point.x, 4) - 2, w = modulo(sqrt2 * point.y, 4) - 2;
     const double x = std::abs(u), z = std::abs(w);

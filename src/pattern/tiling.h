@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tilings of the plane y = 0 by polygons: the value tells kinds of tiles apart and falls towards
+// Tilings of the plane y = 0 by polygons: the value distinguishes kinds of tiles and falls towards
 // their borders.
 #pragma once
 

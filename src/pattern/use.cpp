@@ -13,4 +13,11 @@ double PatternUse::value(const Vec3& place, const PatternScene& scene) const {
     return waved(wave, modifiers, evaluate(pattern, {place, modifiers, scene}));
 }
 
+Nesting nesting(const PatternUse& use) {
+    Nesting result{1, 0};
+    result.by_view = std::holds_alternative<Aoi>(use.pattern);
+    if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern)) result.add(grey->nesting);
+    return result;
+}
+
 }  // namespace candelabra

@@ -89,12 +89,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// Beyond this nothing is told apart.
+/// Precision is lost beyond this distance.
 constexpr double farthest = 1e17;
 
 double limited(double x) { return x > farthest ? farthest : x >= -farthest ? x : -farthest; }
 
-/// u, v, w with the map's plane turned to face the orientation.
+/// Rotates u, v, w so that the map's plane faces the orientation.
 Vec3 oriented(const Vec3& orientation, double u, double v, double w) {
     const Vec3 n = unit(orientation);
     return {n.x * w + n.y * u + n.z * u, n.x * v - n.y * w + n.z * v, -n.x * u + n.y * v + n.z * w};
@@ -140,7 +140,7 @@ Vec3 warped(const BlackHole& hole, const Vec3& p) {
         centre += hole.repeat * block;
     }
     const Vec3 away = p - centre;
-    // Spares most points the root.
+    // Avoids the square root for most points.
     constexpr double surely_outside = 1.0001;
     if (dot(away, away) > surely_outside * hole.radius * hole.radius) return p;
     const double distance = length(away);
@@ -180,7 +180,7 @@ Vec3 warped(const PlanarWarp& warp, const Vec3& p) {
     return oriented(warp.orientation, p.x, p.y, warp.distance);
 }
 
-/// The faces of the cube lie as a cross: +y, +z, -y in the second column, -x, +z, +x, -z in the
+/// The faces of the cube form a cross: +y, +z, -y in the second column, -x, +z, +x, -z in the
 /// middle row.
 Vec3 warped(const CubicWarp&, const Vec3& p) {
     const auto half = [](double t) { return (t + 1) / 2; };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What moves a point before a pattern sees it, beside transformations: warp { ... }. Used by
-// PatternUse; each kind has its vocabulary, as patterns have.
+// Warps, which move a point before a pattern is evaluated there, besides transformations: warp {
+// ... }. Used by PatternUse. Each kind has its vocabulary, as patterns have.
 #pragma once
 
 #include "base/transform.h"
@@ -39,7 +39,8 @@ struct BlackHole {
     static const ItemInfo vocabulary;
 };
 
-/// Where a map of two dimensions is wrapped around something: its axis, and what distance does.
+/// Wraps a two-dimensional map around a shape. `orientation` is the normal of the map's plane,
+/// `dist_exp` the power of the distance by which the map is stretched.
 struct MapWarp {
     Vec3 orientation = Vec3(0, 0, 1);
     double dist_exp = 0;
@@ -73,23 +74,25 @@ struct CubicWarp {
 using Warp = std::variant<TurbulenceWarp, RepeatWarp, BlackHole, CylindricalWarp, SphericalWarp,
                           ToroidalWarp, PlanarWarp, CubicWarp>;
 
-/// The point at which the pattern is asked. Points for which a warp has no answer stay in place.
+/// Returns the point at which the pattern is evaluated. Points where a warp is undefined stay in
+/// place.
 Vec3 warped(const Warp&, const Vec3& point);
 
-/// One step on the way from a pattern's space to the one in which it is used.
+/// A step from a pattern's space towards the space in which it is used.
 using WarpStep = std::variant<Transform, Warp>;
 
-/// Every component within 1e17 of 0, also for points that are none: whole numbers can be made of
-/// them.
+/// Clamps every component to within 1e17 of 0, so that it converts to an integer; NaN, too, becomes
+/// finite.
 Vec3 within_reach(const Vec3& point);
 
-/// Back through one step.
+/// Maps a point back through one step.
 Vec3 undone(const WarpStep&, const Vec3& point);
 
-/// Back through all steps, from the last to the first.
+/// Maps a point back through all steps, from the last to the first.
 Vec3 warped(std::span<const WarpStep>, Vec3 point);
 
-/// Moves the centre of a repeated black hole to where its blocks can hold it, as POV-Ray does.
+/// Moves the centre of a repeated black hole, and enlarges its blocks, so that they contain it, as
+/// POV-Ray does.
 void fit_blocks(BlackHole&);
 
 }  // namespace candelabra

@@ -54,7 +54,7 @@ double cycle(double value) {
 }
 
 double waved(const Waveform& wave, const PatternModifiers& modifiers, double value) {
-    // A hair above 1, so that a whole step stays 1.
+    // Slightly above 1, so that a value of 1 does not wrap.
     constexpr double period = 1.00001;
     const double frequency = single_precision(modifiers.frequency);
     if (frequency != 0)

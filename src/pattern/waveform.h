@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a pattern's value runs through a map: once upwards, up and down, along a sine ... Used by
-// PatternUse as the last step.
+// Mappings of a pattern's value before it enters a map: a ramp, up and down, along a sine ...
+// Applied by PatternUse as the last step.
 #pragma once
 
 #include "pattern/modifiers.h"
@@ -36,12 +36,12 @@ struct PolyWave {
 
 using Waveform = std::variant<RampWave, TriangleWave, SineWave, ScallopWave, CubicWave, PolyWave>;
 
-/// The value after frequency, phase and wave. Values outside 0 to 1 are wrapped.
+/// Returns the value after frequency, phase and wave. Values outside 0..1 are wrapped.
 double waved(const Waveform&, const PatternModifiers&, double value);
 
-/// Up from 0 to 1 and down again in each unit.
+/// Rises from 0 to 1 and falls back in each unit.
 double triangle(double value);
-/// sin(2 pi value), exact for values that are far from 0.
+/// sin(2 pi value), accurate for values far from 0.
 double cycle(double value);
 
 }  // namespace candelabra

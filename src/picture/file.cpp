@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 std::string reason(int number) { return std::strerror(number); }
 
-/// 0, or the error number of what went wrong.
+/// Returns 0, or the error number of the failure.
 int write_all(int file, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -56,12 +56,12 @@ Draft open_draft(const fs::path& folder) {
 
 int replace(const fs::path& path, std::string_view bytes, const struct stat* old) {
     const Draft draft = open_draft(path.has_parent_path() ? path.parent_path() : fs::path("."));
-    // A file may be open to writing in a folder that is not.
+    // The file may be writable even though its folder is not.
     if (draft.file < 0) return old ? write_in_place(path.string(), bytes) : errno;
     int failure = write_all(draft.file, bytes);
     if (old && failure == 0 && ::fchmod(draft.file, old->st_mode & 07777) != 0) failure = errno;
-    // Else a power failure could leave the new name with none of the bytes. Some file systems
-    // cannot.
+    // Without this, a power failure could leave the new name with none of the bytes. Some file
+    // systems do not support it.
     if (failure == 0 && ::fdatasync(draft.file) != 0 && errno != EINVAL) failure = errno;
     if (::close(draft.file) != 0 && failure == 0) failure = errno;
     if (failure == 0 && ::rename(draft.path.c_str(), path.c_str()) != 0) failure = errno;
@@ -69,7 +69,7 @@ int replace(const fs::path& path, std::string_view bytes, const struct stat* old
     return failure;
 }
 
-/// The state of what is at the path, links followed; nothing when there is nothing.
+/// Returns the status of the file at the path, following links; nothing if there is no file.
 std::optional<struct stat> state_of(const std::string& path) {
     struct stat state {};
     if (::stat(path.c_str(), &state) != 0) return std::nullopt;

@@ -22,7 +22,7 @@ void add_colours(FileFacts& facts, const std::string& bytes, std::size_t first, 
         facts.table.push_back({byte(i), byte(i + 1), byte(i + 2), 255});
 }
 
-/// The chunks of a PNG file up to its pixels.
+/// Reads the chunks of a PNG file that precede its pixels.
 void read_png(const std::string& bytes, FileFacts& facts) {
     constexpr std::size_t colour_type = 25, first_chunk = 8, most = 1 << 16;
     constexpr unsigned numbered = 3;
@@ -66,7 +66,7 @@ ColourNumbers::ColourNumbers(const FileFacts& facts) : none_(facts.table.size())
 
 std::size_t ColourNumbers::operator()(std::span<const float> pixel, float alpha) const {
     const auto byte = [](float value) {
-        // What is no number becomes 0.
+        // Not-a-number becomes 0.
         return static_cast<std::uint8_t>(255 * std::fmin(1.0F, std::fmax(0.0F, value)) + 0.5F);
     };
     const std::array<std::uint8_t, 4> colour = {byte(pixel[0]), byte(pixel[pixel.size() / 2]),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture file says of itself that its pixels do not tell: the table of colours that PNG,
-// GIF and Targa files number, and whether a PNG file says how its values are coded. Called by the
-// readers of pictures and of heights.
+// Facts about a picture file that its decoded pixels do not show: the colour table of PNG, GIF and
+// Targa files, and whether a PNG file declares the encoding of its values. Called by the readers of
+// pictures and of heights.
 #pragma once
 
 #include "text/loader.h"
@@ -17,23 +17,23 @@
 namespace candelabra {
 
 struct FileFacts {
-    /// Red, green, blue, alpha, as bytes. Empty: the file has no table.
+    /// Red, green, blue and alpha as bytes. Empty if the file has no table.
     std::vector<std::array<std::uint8_t, 4>> table;
-    /// Of a PNG file, that it says the gamma of its values or that they are sRGB. Nothing for other
-    /// files.
+    /// For a PNG file: whether it declares the gamma of its values or that they are sRGB. Nothing
+    /// for other files.
     std::optional<bool> says_coding;
 };
 
-/// Of a file that is none of these, or damaged: nothing.
+/// Returns empty facts for a file of another format or a damaged one.
 FileFacts file_facts(const Found&);
 
-/// The colours of a table by their bytes, so that each of many pixels is found fast.
+/// Maps the colours of a table to their indices, for fast lookups of many pixels.
 class ColourNumbers {
 public:
     explicit ColourNumbers(const FileFacts&);
 
-    /// The number of the first colour of the table that is the pixel's: one value, or three, from 0
-    /// to 1, with its alpha. The table's size when there is none.
+    /// Returns the index of the first colour in the table that equals the pixel's, or the table's
+    /// size if there is none. The pixel is one value or three, from 0 to 1, with its alpha.
     std::size_t operator()(std::span<const float> pixel, float alpha) const;
 
 private:

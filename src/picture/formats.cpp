@@ -14,7 +14,7 @@ namespace candelabra {
 
 namespace {
 
-/// What keeps the picture from being what its reader should give; empty when nothing does.
+/// Returns the way in which the picture is invalid, as a clause; empty if it is valid.
 std::string problem_of(const StoredPicture& stored) {
     if (stored.width < 1 || stored.height < 1) return "it has no pixels";
     if (std::int64_t{stored.width} * stored.height > max_pixels) return "it is too large";

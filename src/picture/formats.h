@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chooses who reads and writes a picture file: libpng, or the library of all formats, which is
-// opened when it is first needed.
+// Chooses the reader or writer of a picture file: libpng, or the library of all formats, which is
+// loaded when it is first needed.
 #pragma once
 
 #include "oiio/formats.h"
@@ -12,22 +12,23 @@
 
 namespace candelabra {
 
-/// More have only files that are damaged.
+/// Pictures with more pixels are taken to be damaged.
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 
-/// The entry points; null, with a diagnostic at the span, when the library cannot be opened.
+/// Returns the library's entry points; null, with a diagnostic at the span, if it cannot be loaded.
 const Formats* picture_formats(Diagnostics&, Span asked_at = {});
 
-/// The picture as its file has it; a Targa file is known by its name. Nothing, with a diagnostic at
-/// the span, when it cannot be read, or is larger than any picture that is not damaged.
+/// Returns the picture as its file stores it. A Targa file is recognised by its name. Returns
+/// nothing, with a diagnostic at the span, if the file cannot be read or has more than
+/// `max_pixels`.
 std::optional<StoredPicture> read_stored(const Found&, Diagnostics&, Span asked_at);
 
-/// The bytes of a file that holds the picture. Nothing, with a diagnostic, when it cannot be made.
+/// Encodes the picture as a file. Returns nothing, with a diagnostic, if that is impossible.
 std::optional<std::string> write_stored(const RawPicture&, Diagnostics&);
 
-/// Whether POV-Ray keeps the picture's greys in bytes, of a brightness that is not rounded.
+/// Whether POV-Ray stores the picture's greys as bytes of their truncated brightness.
 bool keeps_whole_brightness(const StoredPicture&);
-/// Such a grey.
+/// Returns the brightness of a grey in 0..1, truncated to a multiple of 1/255.
 float whole_brightness(float value);
 
 }  // namespace candelabra

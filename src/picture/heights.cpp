@@ -14,14 +14,14 @@ namespace {
 
 constexpr double most = 65535;
 
-/// Heights do not depend on how clear a colour is.
+/// The colour table with alpha ignored: heights do not depend on it.
 FileFacts facts_without_alpha(const Found& file) {
     FileFacts facts = file_facts(file);
     for (auto& colour : facts.table) colour[3] = 255;
     return facts;
 }
 
-/// The height of a pixel of this number in the picture.
+/// Height of the pixel with this index.
 double height_of(const StoredPicture& picture, const ColourNumbers* number_of, std::size_t pixel) {
     if (!picture.numbers.empty()) return 256.0 * picture.numbers[pixel];
     const auto channels = static_cast<std::size_t>(picture.channels);
@@ -40,10 +40,11 @@ std::optional<Heights> read_heights(const Found& file, double gamma, Diagnostics
     std::optional<StoredPicture> read = read_stored(file, diagnostics, asked_at);
     if (!read) return std::nullopt;
     StoredPicture& stored = *read;
-    if (gamma > 0)
+    const FileFacts facts = facts_without_alpha(file);
+    // Heights by colour numbers have no gamma.
+    if (gamma > 0 && facts.table.empty())
         for (float& value : stored.values)
             value = std::pow(std::max(0.0F, value), static_cast<float>(gamma));
-    const FileFacts facts = facts_without_alpha(file);
     const ColourNumbers number_of(facts);
     Heights result{stored.width, stored.height, {}};
     const auto width = static_cast<std::size_t>(stored.width);
@@ -51,7 +52,7 @@ std::optional<Heights> read_heights(const Found& file, double gamma, Diagnostics
         for (std::size_t x = 0; x < width; ++x) {
             const double height =
                 height_of(stored, facts.table.empty() ? nullptr : &number_of, row * width + x);
-            // 1/255 has no exact float. What is no number becomes 0.
+            // 1/255 has no exact float, hence the 1e-2. Not-a-number becomes 0.
             result.values.push_back(static_cast<std::uint16_t>(
                 std::fmin(most, std::fmax(0, std::floor(height + 1e-2)))));
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures as heights, by POV-Ray's rules: grey by its brightness, colours of 8 bits by red and
-// green as high and low byte, numbered colours by their numbers. Called for height fields.
+// Pictures as heights, by POV-Ray's rules: greys by their brightness, 8-bit colours by red as the
+// high byte and green as the low byte, indexed colours by their indices. Called for height fields.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -18,12 +18,12 @@ struct Heights {
     std::vector<std::uint16_t> values;  ///< row by row from the bottom of the picture
 };
 
-/// The heights, or nothing with a diagnostic at the span. The values are taken as they are stored,
-/// unless there is a gamma (above 0).
+/// Returns the heights, or nothing with a diagnostic at the span. The values are taken as they are
+/// stored, unless `gamma` is above 0: then they are raised to that power first.
 std::optional<Heights> read_heights(const Found&, double gamma, Diagnostics&, Span asked_at = {});
 
-/// The heights of a potential as Fractint writes it: the left half of a picture has their higher
-/// bytes as numbers of colours, the right half their lower ones.
+/// Decodes the heights of a potential as Fractint writes it: colour indices in the left half of the
+/// picture are the high bytes, those in the right half the low bytes.
 Heights of_two_halves(const Heights&);
 
 }  // namespace candelabra

@@ -44,7 +44,7 @@ std::optional<LayeredPicture> read_layers(const std::string& path,
             Fault::io, {}, message("cannot read `", printable(path), "`: ", printable(problem))));
         return std::nullopt;
     };
-    // All is read by one handle, and nothing is looked for by name again.
+    // Read everything through one handle, without looking up the name again.
     const auto bytes = content_of_file(path);
     if (!bytes) return fail("it cannot be opened, or is no regular file");
     LayeredPicture picture;

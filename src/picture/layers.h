@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OpenEXR files with named planes: pictures with more than colours, and the states of pictures that
-// are not finished. The planes' values are kept bit by bit.
+// OpenEXR files with named planes: pictures with more than colour channels, and the states of
+// unfinished pictures. The planes' values are preserved bit by bit.
 #pragma once
 
 #include "oiio/formats.h"
@@ -12,11 +12,11 @@
 
 namespace candelabra {
 
-/// The bytes of the file; nothing, with a diagnostic, when it cannot be made.
+/// Returns the bytes of the file; nothing, with a diagnostic, if it cannot be made.
 std::optional<std::string> encode(const LayeredPicture&, Diagnostics&);
 
-/// All planes, and the texts with these names ("" where the file has none). Nothing, with a
-/// diagnostic, when the file is no OpenEXR file, or damaged.
+/// Reads all planes, and the texts with the given names ("" for those that the file lacks). Returns
+/// nothing, with a diagnostic, if the file is not an OpenEXR file or is damaged.
 std::optional<LayeredPicture> read_layers(const std::string& path,
                                           std::span<const std::string_view> texts, Diagnostics&);
 

@@ -16,20 +16,20 @@ namespace candelabra {
 
 namespace {
 
-/// From a stored value to a linear one, by what the file says about itself.
+/// Converts a stored value to a linear one by the encoding that the file declares.
 double decoded(float stored, const StoredPicture& picture) {
     if (picture.linear) return stored;
     return picture.gamma > 0 ? std::pow(static_cast<double>(stored), picture.gamma)
                              : srgb_decode(stored);
 }
 
-/// From stored values to the scene's.
+/// Converts stored values to the scene's.
 class Decoder {
 public:
     Decoder(const TexelCoding& coding, const StoredPicture& picture, const FileFacts& facts)
         : coding_(coding), picture_(picture) {
         const bool said = facts.says_coding.value_or(false) || picture.linear;
-        // Files that POV-Ray takes as they are.
+        // Formats whose values POV-Ray takes as they are.
         const bool plain = picture.format == "pnm" || (picture.format == "tiff" && !said);
         decodes_ = coding.gamma == 0 && !plain &&
                    (coding.decode == TexelCoding::always ||
@@ -67,14 +67,14 @@ private:
     std::array<float, 256> bytes_{};
 };
 
-/// Colours as they are without their alpha.
+/// Undoes the multiplication of colours by their alpha.
 void divide_by_alpha(StoredPicture& picture) {
     const auto channels = static_cast<std::size_t>(picture.channels);
     for (std::size_t i = 0; i < picture.values.size(); ++i)
         if (const float alpha = picture.alpha[i / channels]; alpha > 0) picture.values[i] /= alpha;
 }
 
-/// The numbers of all pixels' colours; none when a pixel has a colour that the table has not.
+/// Returns the table index of every pixel's colour; empty if a colour is not in the table.
 std::vector<std::uint16_t> numbers_of(const StoredPicture& picture, const FileFacts& facts) {
     if (!picture.numbers.empty()) {
         const std::size_t most = *std::ranges::max_element(picture.numbers);
@@ -119,7 +119,7 @@ std::optional<Texels> read_texels(const Found& file, const TexelCoding& coding,
     }
     if (!opaque && stored.format == "openexr") divide_by_alpha(stored);
     for (float& value : stored.values) value = decode(value);
-    // Other files have values that were coded after they were multiplied.
+    // The values of other files were multiplied first and encoded afterwards.
     if (!opaque && coding.premultiplied && stored.format != "openexr") divide_by_alpha(stored);
     texels.values = std::move(stored.values);
     if (!opaque) texels.alpha = std::move(stored.alpha);

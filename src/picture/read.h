@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files to pictures, in any format that OpenImageIO reads: as linear values, which tests compare,
-// and as texels, which image maps are made of.
+// Reads pictures in any format that OpenImageIO reads: as linear values, for comparisons in tests,
+// and as texels, for image maps.
 #pragma once
 
 #include "base/image.h"
@@ -13,27 +13,27 @@
 
 namespace candelabra {
 
-/// The picture of a file that the user names, or nothing with a diagnostic at the span. Whole
-/// numbers are decoded as sRGB unless the file says otherwise; grey becomes equal red, green and
-/// blue; alpha is left out.
+/// Reads the picture of a file that the user names; returns nothing, with a diagnostic at the span,
+/// on failure. Integer values are decoded as sRGB unless the file declares another encoding. Grey
+/// becomes equal red, green and blue. Alpha is dropped.
 std::optional<Image> read_picture(const std::string& path, Diagnostics&, Span asked_at = {});
 
-/// How the stored values become the scene's, by POV-Ray 3.7's rules.
+/// Conversion of stored values to the scene's, by POV-Ray 3.7's rules.
 struct TexelCoding {
     enum Decode : std::uint8_t {
-        as_stored,   ///< the values are the scene's already
-        where_said,  ///< only files that say how they are coded are decoded
-        always,      ///< whole numbers of other files are sRGB, but for PPM and PGM
+        as_stored,   ///< the stored values are the scene's
+        where_said,  ///< decode only files that declare their encoding
+        always,      ///< also decode integers of other files, as sRGB, except in PPM and PGM
     };
     Decode decode = always;
-    double gamma = 0;            ///< instead of what the file says; 0: none, below 0: sRGB
-    double working_gamma = 1;    ///< of the scene's values
-    bool premultiplied = false;  ///< colours are stored times their alpha
+    double gamma = 0;            ///< overrides the file's; 0: no override, below 0: sRGB
+    double working_gamma = 1;    ///< gamma of the scene's values
+    bool premultiplied = false;  ///< colours are stored multiplied by alpha
 
     friend auto operator<=>(const TexelCoding&, const TexelCoding&) = default;
 };
 
-/// The texels, or nothing with a diagnostic at the span.
+/// Returns the texels, or nothing with a diagnostic at the span.
 std::optional<Texels> read_texels(const Found&, const TexelCoding&, Diagnostics&,
                                   Span asked_at = {});
 

@@ -10,7 +10,7 @@ using Rgba = std::array<std::uint8_t, 4>;
 constexpr std::size_t head = 18;
 constexpr std::uint8_t opaque_byte = 255;
 
-/// The fields of the head that matter here.
+/// The fields of the header that matter here.
 struct Head {
     explicit Head(std::string_view bytes) : bytes_(bytes) {}
 
@@ -30,8 +30,8 @@ struct Head {
     bool from_top() const { return (byte(17) & 0x20) != 0; }
     bool from_right() const { return (byte(17) & 0x10) != 0; }
 
-    /// Five bits are the upper ones of eight; the sixteenth bit says that a colour is opaque,
-    /// whatever the head says of it.
+    /// Reads a colour. Five-bit channels become the upper bits of a byte. The sixteenth bit marks
+    /// the colour as opaque, whatever the header says about it.
     Rgba colour(std::size_t at, unsigned bits) const {
         const auto five = [&](unsigned shift) {
             return static_cast<std::uint8_t>((word(at) >> shift & 31) << 3);
@@ -46,7 +46,7 @@ private:
     std::string_view bytes_;
 };
 
-/// Where in the file the pixels are, one after the other; nothing where it ends too early.
+/// Returns the byte offset of each pixel in file order; empty if the file ends too early.
 std::vector<std::size_t> places(const Head& file, std::size_t count, std::size_t end) {
     std::vector<std::size_t> result;
     constexpr std::size_t max_in_packet = 128;

@@ -22,9 +22,9 @@ namespace {
 struct TypeInfo {
     PictureType type;
     std::string_view extension;
-    std::string_view other;  ///< another extension that is understood
+    std::string_view other;  ///< an alternative extension
     bool linear;
-    bool alpha, grey;  ///< whether they are offered
+    bool alpha, grey;  ///< whether these channels are offered
 };
 
 constexpr auto types = std::array{
@@ -42,21 +42,21 @@ const TypeInfo& info(PictureType type) {
                          [&](const TypeInfo& each) { return each.type == type; });
 }
 
-/// Radiance's shared exponents have no room for negative, infinite or undefined values.
+/// Radiance's shared exponents cannot represent negative, infinite or undefined values.
 float representable(double value, const PictureFormat& format) {
     if (format.encoded) value = to_linear(value, format.gamma);
     if (format.type != PictureType::hdr) return static_cast<float>(value);
     return value > 0 ? static_cast<float>(std::min(value, 1e37)) : 0.0f;
 }
 
-/// Of a pixel in a file of whole numbers, whose colours are not multiplied by alpha. What is
-/// brighter than its alpha allows has more of it, as in POV-Ray 3.7.
+/// Divides a pixel by its alpha, for integer formats, which store unmultiplied colours. The alpha
+/// of a pixel that is brighter than its alpha allows is raised, as in POV-Ray 3.7.
 Vec3 divided(const Vec3& pixel, double& alpha) {
     alpha = std::max(alpha, std::min(grey(pixel), 1.0));
     return alpha > 0 ? pixel / alpha : Vec3(0);
 }
 
-/// All channels side by side.
+/// Returns the interleaved channels.
 template <class Value, class Convert>
 std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
                                std::span<const double> alpha, const Convert& convert) {
@@ -65,7 +65,7 @@ std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
     result.reserve(image.pixels.size() * ((format.grey ? 1 : 3) + (alpha.empty() ? 0 : 1)));
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         double opaque = alpha.empty() ? 1 : alpha[i];
-        // Files may say that a pixel is more than opaque; what is no number becomes 0.
+        // Alpha above 1 may occur in input files. Not-a-number becomes 0.
         if (whole) opaque = std::fmin(1, std::fmax(0, opaque));
         const Vec3 pixel =
             whole && !alpha.empty() ? divided(image.pixels[i], opaque) : image.pixels[i];
@@ -80,7 +80,7 @@ std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
     return result;
 }
 
-/// Bytes of values: in large pictures it is quicker to look them up than to compute powers.
+/// Lookup table from values to bytes; faster than computing powers for large pictures.
 class ByteTable {
 public:
     explicit ByteTable(const PictureFormat& format) {
@@ -102,15 +102,15 @@ public:
     }
 
 private:
-    static constexpr std::size_t parts = 4096;  ///< hardly more than a byte ends in any of them
+    static constexpr std::size_t parts = 4096;  ///< so many that few parts contain two borders
 
     std::uint8_t up_from(std::uint8_t byte, double value) const {
         while (byte < borders_.size() && borders_[byte] <= value) ++byte;
         return byte;
     }
 
-    std::array<double, 255> borders_;             ///< the least values that become 1, 2, ...
-    std::array<std::uint8_t, parts> first_ = {};  ///< bytes of the values where parts begin
+    std::array<double, 255> borders_;             ///< the least values that map to 1, 2, ...
+    std::array<std::uint8_t, parts> first_ = {};  ///< the bytes at the lower ends of the parts
 };
 
 template <class Integer>
@@ -150,8 +150,8 @@ RawPicture raw_picture(const Image& image, const PictureFormat& format,
     return raw;
 }
 
-/// PPM and Radiance files have comments behind their first line, of which the library knows
-/// nothing.
+/// Inserts the description as a comment after the first line of PPM and Radiance files, which the
+/// library does not do.
 void describe(std::string& bytes, const PictureFormat& format) {
     if (format.type != PictureType::ppm && format.type != PictureType::hdr) return;
     const std::size_t end = bytes.find('\n');

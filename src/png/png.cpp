@@ -12,16 +12,16 @@ namespace candelabra {
 
 namespace {
 
-/// What libpng's calls work on. Where one fails, it jumps back to `failed`: functions that set this
-/// jump hold nothing that needs a destructor.
+/// State of the calls of libpng. On an error they jump to `failed`. Functions that set this jump
+/// must not hold objects with destructors.
 struct PngWork {
     png_structp png = nullptr;
     png_infop info = nullptr;
     std::jmp_buf failed;
     std::string problem;
-    std::string_view input;  ///< what is not yet read
+    std::string_view input;  ///< unread bytes
     std::string* output = nullptr;
-    std::size_t file_row = 0;  ///< bytes of a row as the file packs it
+    std::size_t file_row = 0;  ///< packed size of a row in bytes
 };
 
 PngWork& work_of(png_structp png) { return *static_cast<PngWork*>(png_get_error_ptr(png)); }
@@ -51,8 +51,8 @@ bool numbers_colours(const PngWork& work) {
     return png_get_color_type(work.png, work.info) == PNG_COLOR_TYPE_PALETTE;
 }
 
-/// The size, and how the pixels shall come: all channels with 8 or 16 bits, bits of transparency
-/// made to channels, but numbers of colours as they are.
+/// Reads the header and selects the pixel format: channels of 8 or 16 bits, with transparency as an
+/// alpha channel. Palette indices are kept.
 bool read_head(PngWork& work) {
     if (setjmp(work.failed) != 0) return false;
     png_set_read_fn(work.png, &work, take_bytes);
@@ -73,26 +73,27 @@ bool read_rows(PngWork& work, png_bytepp rows) {
     return true;
 }
 
-/// From 0 to 1: numbers of one byte, rounded as OpenImageIO does, or of two, the higher one first,
-/// rounded so that 255 times a value is whole where it should be.
+/// Returns a value from 0 to 1. One byte is rounded as OpenImageIO does. Two bytes are big-endian
+/// and rounded so that 255 times a value is an integer where it should be.
 float value_at(const png_byte* bytes, std::size_t i, bool wide) {
     if (!wide) return static_cast<float>(bytes[i]) * (1.0F / 255);
     return static_cast<float>(bytes[2 * i] << 8 | bytes[2 * i + 1]) / 65535;
 }
 
-/// What the file says about the meaning of its values.
+/// Reads the colour encoding that the file declares.
 void read_coding(PngWork& work, StoredPicture& picture) {
     double exponent = 0;
     int intent = 0;
     if (png_get_sRGB(work.png, work.info, &intent) != 0) return;
     if (png_get_gAMA(work.png, work.info, &exponent) == 0 || exponent <= 0) return;
-    // Files have it with more digits than they mean.
+    // Files store more digits than are meaningful.
     const double gamma = std::round(100 / exponent) / 100;
     picture.linear = gamma == 1;
     picture.gamma = gamma;
 }
 
-/// Colours and alpha of pixels that have numbers. Returns what is wrong with one.
+/// Looks up the colours and alpha of palette indices. Returns an error message for an invalid
+/// index.
 std::string look_up(PngWork& work, std::span<const png_byte> numbers, StoredPicture& picture) {
     png_colorp colours = nullptr;
     png_bytep alphas = nullptr;
@@ -122,7 +123,7 @@ std::string read(PngWork& work, std::int64_t max_pixels, StoredPicture& picture)
     if (width * height > max_pixels)
         return "it says that it has " + std::to_string(width) + " by " + std::to_string(height) +
                " pixels";
-    // Deflate makes 258 bytes of two bits at best.
+    // Deflate expands two bits to at most 258 bytes.
     constexpr std::size_t max_growth = 1032;
     if (work.file_row * static_cast<std::size_t>(height) > max_growth * file_bytes)
         return "it says that it is larger than what its " + std::to_string(file_bytes) +
@@ -157,7 +158,7 @@ std::string read(PngWork& work, std::int64_t max_pixels, StoredPicture& picture)
     return {};
 }
 
-/// Whole numbers, as a file has them: the higher byte first.
+/// Converts integers to big-endian bytes.
 struct RowBytes {
     std::vector<png_byte> operator()(const std::vector<std::uint8_t>& values) const {
         return values;

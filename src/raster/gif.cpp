@@ -10,8 +10,8 @@ namespace candelabra {
 
 namespace {
 
-/// The bytes of a chain of blocks, each with its length before it; moves behind it. Nothing where
-/// the file ends in it.
+/// Removes a chain of length-prefixed blocks and returns its contents. Returns nothing if the file
+/// ends within it.
 std::optional<std::string> take_blocks(std::string_view& rest) {
     std::string content;
     while (!rest.empty()) {
@@ -24,7 +24,7 @@ std::optional<std::string> take_blocks(std::string_view& rest) {
     return std::nullopt;
 }
 
-/// Of a table that begins at the front; moves behind it.
+/// Removes the colour table at the front, if the flags indicate one, and returns it.
 std::string_view take_table(std::string_view& rest, std::uint32_t flags) {
     constexpr std::uint32_t given = 0x80, size_bits = 7;
     if ((flags & given) == 0) return {};
@@ -33,7 +33,7 @@ std::string_view take_table(std::string_view& rest, std::uint32_t flags) {
     return table;
 }
 
-/// Numbers of colours, as many as wanted. Nothing where there are fewer.
+/// Decodes the wanted number of colour indices. Returns nothing if there are fewer.
 std::optional<std::string> numbers_of_codes(std::string_view codes, unsigned bits,
                                             std::size_t wanted) {
     if (bits < 2 || bits > 8) return std::nullopt;
@@ -64,7 +64,8 @@ std::optional<std::string> numbers_of_codes(std::string_view codes, unsigned bit
     return std::nullopt;
 }
 
-/// Where a file's rows are: every eighth, those between them, and so on, or one after another.
+/// Returns the rows in the order of the file: sequential, or every eighth row, those between them,
+/// and so on.
 std::vector<int> row_order(int height, bool interlaced) {
     std::vector<int> order;
     struct Pass {
@@ -79,16 +80,16 @@ std::vector<int> row_order(int height, bool interlaced) {
     return order;
 }
 
-/// A picture on the canvas.
+/// A picture placed on the canvas.
 struct Placed {
     int x, y, width, height;
     bool interlaced;
     std::string_view table;
-    int clear = -1;  ///< number of the colour that is not there
+    int clear = -1;  ///< index of the transparent colour
     std::string numbers;
 };
 
-/// False where a colour is missing.
+/// Paints the picture. Returns false if a colour is missing from the table.
 bool paint(const Placed& placed, StoredPicture& picture) {
     const std::vector<int> order = row_order(placed.height, placed.interlaced);
     std::size_t next = 0;
@@ -108,13 +109,14 @@ bool paint(const Placed& placed, StoredPicture& picture) {
     return true;
 }
 
-/// Whether all pixels of the canvas have a colour of the file's own table.
+/// Whether all pixels of the canvas have a colour of the file's global table.
 bool covers(const Placed& placed, std::string_view table, const StoredPicture& canvas) {
     return placed.table.data() == table.data() && placed.clear < 0 &&
            placed.width == canvas.width && placed.height == canvas.height;
 }
 
-/// Two colours of a table may be the same, so the picture does not tell them.
+/// Records the colour indices, which cannot be recovered from the colours, since two of them may be
+/// equal.
 void note_numbers(const Placed& placed, StoredPicture& canvas) {
     const auto width = static_cast<std::size_t>(canvas.width);
     canvas.numbers.resize(placed.numbers.size());
@@ -125,8 +127,8 @@ void note_numbers(const Placed& placed, StoredPicture& canvas) {
                 static_cast<unsigned char>(placed.numbers[next++]);
 }
 
-/// Where a picture stands and what it is made of, from behind its mark; nothing where it does not
-/// lie on the canvas or is damaged.
+/// Removes a picture, from after its mark. Returns nothing if it does not lie on the canvas or is
+/// damaged.
 std::optional<Placed> take_picture(std::string_view& rest, std::string_view table, int clear,
                                    const StoredPicture& canvas) {
     constexpr std::size_t head = 9;
@@ -151,7 +153,7 @@ std::optional<Placed> take_picture(std::string_view& rest, std::string_view tabl
     return placed;
 }
 
-/// The number of the colour that a control block makes clear; -1: none.
+/// Returns the index of the colour that a control block makes transparent, or -1.
 int clear_colour(const std::string& block) {
     return block.size() >= 4 && (block[0] & 1) != 0 ? static_cast<unsigned char>(block[3]) : -1;
 }
@@ -165,7 +167,7 @@ std::optional<StoredPicture> read_gif(std::string_view bytes, std::int64_t max_p
     canvas.width = static_cast<int>(low_word(bytes, 6));
     canvas.height = static_cast<int>(low_word(bytes, 8));
     canvas.format = "gif";
-    // A byte makes 2560 pixels at most, by full tables of LZW.
+    // With full LZW tables, a byte yields at most 2560 pixels.
     constexpr std::int64_t growth = 2560;
     if (bytes.size() < head || !has_size(canvas.width, canvas.height, max_pixels) ||
         std::int64_t{canvas.width} * canvas.height >

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first picture of a GIF file, on the canvas that the file has (W3C, "GRAPHICS INTERCHANGE
-// FORMAT Version 89a"). Called by
-// read_raster().
+// Reads the first picture of a GIF file on the file's canvas (W3C, "GRAPHICS INTERCHANGE FORMAT
+// Version 89a"). Called by read_raster().
 #pragma once
 
 #include "oiio/formats.h"
@@ -10,7 +9,7 @@
 
 namespace candelabra {
 
-/// Nothing where the file is of another kind, has too many pixels or seems damaged.
+/// Returns nothing if the file is of another kind, has too many pixels or appears damaged.
 std::optional<StoredPicture> read_gif(std::string_view bytes, std::int64_t max_pixels);
 
 }  // namespace candelabra

@@ -14,8 +14,8 @@ namespace candelabra {
 
 namespace {
 
-/// What libjpeg's calls work on. Where one fails, or warns of damage, it jumps back to `failed`:
-/// functions that set this jump hold nothing that needs a destructor.
+/// State of the calls of libjpeg. On an error or a warning of damage, they jump to `failed`.
+/// Functions that set this jump must not hold objects with destructors.
 struct JpegWork {
     jpeg_decompress_struct info{};
     jpeg_error_mgr errors{};
@@ -56,8 +56,8 @@ bool decode_jpeg(JpegWork& work, unsigned char* pixels) {
 
 std::optional<StoredPicture> read_with(JpegWork& work, std::string_view bytes,
                                        std::int64_t max_pixels) {
-    // A bit makes a block of 64 values of a component at most, and a component may have a pixel of
-    // each block only.
+    // A bit encodes at most one block of 64 values of a component, and a component may have only
+    // one pixel of each block.
     constexpr std::size_t growth = 2048;
     if (!begin_jpeg(work, bytes)) return std::nullopt;
     const int components = work.info.num_components;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JPEG files of one or three components, by libjpeg; none where the program is built without it.
-// Called by read_raster().
+// Reads JPEG files of one or three components with libjpeg; reads none if the program is built
+// without it. Called by read_raster().
 #pragma once
 
 #include "oiio/formats.h"
@@ -9,7 +9,7 @@
 
 namespace candelabra {
 
-/// Nothing where the file is of another kind, has too many pixels or seems damaged.
+/// Returns nothing if the file is of another kind, has too many pixels or appears damaged.
 std::optional<StoredPicture> read_jpeg(std::string_view bytes, std::int64_t max_pixels);
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words that LZW makes of codes (T. Welch, "A Technique for High-Performance Data Compression",
-// 1984), as GIF and TIFF files have them: each reads codes in its own order of bits.
+// The dictionary of LZW (T. Welch, "A Technique for High-Performance Data Compression", 1984) for
+// GIF and TIFF files, whose readers extract codes in their own bit order.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@ namespace candelabra {
 
 class LzwWords {
 public:
-    /// Words of one byte for codes below 2^bits; then come the code that begins anew and the one
-    /// that ends all. Precondition: 2 <= bits <= 8.
+    /// Codes below 2^bits stand for single bytes; they are followed by the clear code and the end
+    /// code. Precondition: 2 <= bits <= 8.
     explicit LzwWords(unsigned bits) : clear_(1U << bits) { begin(); }
 
     std::uint32_t clear_code() const { return clear_; }
     std::uint32_t end_code() const { return clear_ + 1; }
-    /// The code that the next word gets.
+    /// The code of the next word to be added.
     std::uint32_t next_code() const { return next_; }
 
     void begin() {
@@ -25,7 +25,7 @@ public:
         last_ = none;
     }
 
-    /// Adds the word of a code to the output. False where there is no such word.
+    /// Appends the word of a code to the output. Returns false if there is no such word.
     bool add(std::uint32_t code, std::string& output) {
         const bool is_known = code < clear_ || (code >= clear_ + 2 && code < next_);
         const bool is_next = code == next_ && last_ != none;
@@ -54,7 +54,7 @@ public:
 
 private:
     static constexpr std::uint32_t max_words = 4096, none = ~0U;
-    /// A shorter word and one byte more.
+    /// A shorter word followed by one byte.
     struct Word {
         std::uint32_t before = 0, length = 0;
         char end = 0;

@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::int64_t pnm_most = 255;
 
-/// Numbers that blanks and comments part.
+/// Parses numbers separated by blanks and comments.
 class PnmText {
 public:
     explicit PnmText(std::string_view rest) : rest_(rest) {}
 
-    /// Nothing where there is no number, or one of more than seven digits.
+    /// Returns nothing if there is no number, or one of more than seven digits.
     std::optional<std::int64_t> number() {
         skip_blanks();
         const std::size_t digits = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
@@ -75,7 +75,7 @@ std::optional<StoredPicture> read_pnm(std::string_view bytes, std::int64_t max_p
     picture.format = "pnm";
     const auto count = static_cast<std::size_t>(*width * *height * picture.channels);
     const bool in_text = kind == '2' || kind == '3';
-    // One blank stands before the bytes.
+    // A single blank precedes the bytes.
     const bool whole =
         in_text ? take_pnm_text(text, count, picture)
                 : !text.rest().empty() && take_pnm_bytes(text.rest().substr(1), count, picture);

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GIF, JPEG, PNM and TIFF files as most programs write them, read without the library of all
-// formats, which takes longer to open than most scenes take. Called by picture/ before that
-// library, with the same results. A file of a rarer kind, and one that seems damaged, is left to
-// the library, which knows more kinds and says what is wrong.
+// Reads the common variants of GIF, JPEG, PNM and TIFF files without OpenImageIO, which takes
+// longer to load than most scenes take to read. Called by picture/ before OpenImageIO, with the
+// same results. Rarer variants and files that appear damaged are left to OpenImageIO, which
+// supports more variants and reports errors.
 //
-// JPEG files are read by libjpeg. GIF and TIFF files have readers of their own here. giflib and
-// libtiff would save some 200 lines of them. But libtiff brings six more libraries (WebP,
-// Zstandard, LZMA, LERC, JBIG, Deflate): they would add 2 ms to each start of the program, and
-// hostile files could choose among their formats. These readers know the size of a picture before
-// they allocate it, and are fuzzed (tests/fuzz/picture_fuzz.cpp).
+// JPEG files are read by libjpeg. GIF and TIFF files have readers here. giflib and libtiff would
+// save some 200 lines of them. But libtiff depends on six more libraries (WebP, Zstandard, LZMA,
+// LERC, JBIG, Deflate): they would add 2 ms to each start of the program, and hostile files could
+// choose among their formats. These readers check the size of a picture before they allocate it,
+// and are fuzzed (tests/fuzz/picture_fuzz.cpp).
 #pragma once
 
 #include "oiio/formats.h"
 
 namespace candelabra {
 
-/// Reads the bytes of a file. False: it is to be left to others, and the picture is as it was.
+/// Decodes the bytes of a file. Returns false if other readers should try; the picture is then
+/// unchanged.
 bool read_raster(std::string_view bytes, std::int64_t max_pixels, StoredPicture&);
 
 }  // namespace candelabra

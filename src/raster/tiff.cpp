@@ -41,7 +41,7 @@ enum TiffPacking : std::uint32_t {
     old_deflate = 32946,
 };
 
-/// Numbers in the file's order of bytes, and the entries of its first directory.
+/// Reads numbers in the file's byte order, and the entries of its first directory.
 class TiffFile {
 public:
     explicit TiffFile(std::string_view bytes)
@@ -57,7 +57,7 @@ public:
         return result;
     }
 
-    /// The numbers of an entry; none where there is no entry, or one that ends beyond the file.
+    /// Returns the numbers of an entry; none if it is missing or extends beyond the file.
     std::vector<std::uint32_t> all(TiffTag tag) const {
         constexpr std::size_t entry_size = 12, in_entry = 4;
         const std::size_t count = number(directory_, 2);
@@ -74,14 +74,14 @@ public:
         }
         return {};
     }
-    /// The first number of an entry.
+    /// Returns the first number of an entry.
     std::uint32_t one(TiffTag tag, std::uint32_t otherwise) const {
         const std::vector<std::uint32_t> numbers = all(tag);
         return numbers.empty() ? otherwise : numbers.front();
     }
 
 private:
-    /// Of bytes, words and longs; others are no numbers that are read here.
+    /// Returns the size of bytes, words and longs; 0 for types that are not read.
     static std::size_t size_of(std::uint32_t type) {
         constexpr std::array<std::size_t, 5> sizes = {0, 1, 0, 2, 4};
         return type < sizes.size() ? sizes[type] : 0;
@@ -110,7 +110,7 @@ std::optional<std::string> without_lzw(std::string_view packed, std::size_t want
         else if (!words.add(code, output))
             return std::nullopt;
         if (output.size() >= wanted) return output;
-        // One earlier than in GIF files.
+        // Code widths grow one code earlier than in GIF files.
         width = first_bits;
         while (width < max_bits && words.next_code() + 1 >= (1U << width)) ++width;
     }
@@ -157,12 +157,12 @@ std::optional<std::string> unpacked_strip(std::string_view packed, std::uint32_t
     }
 }
 
-/// What a file is, as far as it is read here.
+/// The supported properties of a file.
 struct TiffLayout {
-    std::int64_t width, height, rows;  ///< `rows` of a strip
+    std::int64_t width, height, rows;  ///< `rows` per strip
     std::size_t samples, bits;
     std::uint32_t packing;
-    bool differences;  ///< values are stored as what they have more than their left neighbour's
+    bool differences;  ///< values are stored as differences from their left neighbours
     std::vector<std::uint32_t> table;
 
     std::size_t row_bytes() const { return static_cast<std::size_t>(width) * samples * bits / 8; }
@@ -201,7 +201,7 @@ std::optional<TiffLayout> layout_of(const TiffFile& file, std::int64_t max_pixel
                                                         : std::nullopt;
 }
 
-/// Puts what is in a row of values in the place of their differences, and returns the values.
+/// Decodes a row of values, which may be stored as differences.
 std::vector<std::uint32_t> row_values(const TiffLayout& layout, bool low_first,
                                       std::string_view row) {
     const std::size_t size = layout.bits / 8;
@@ -246,7 +246,7 @@ std::optional<StoredPicture> read_tiff(std::string_view bytes, std::int64_t max_
     const auto layout = layout_of(file, max_pixels);
     if (!layout) return std::nullopt;
     const std::vector<std::uint32_t> strips = file.all(strips_tag), lengths = file.all(lengths_tag);
-    // Full tables of LZW make most of a byte.
+    // Full LZW tables expand the most.
     constexpr std::size_t growth = 2560;
     const auto height = static_cast<std::size_t>(layout->height);
     if (strips.size() != lengths.size() || layout->row_bytes() * height > growth * bytes.size())

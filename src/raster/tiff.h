@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TIFF files of whole numbers in strips: grey, colours or a table of colours, bare or packed by
-// LZW, Deflate or PackBits (Adobe, "TIFF Revision 6.0"). Called by
-// read_raster().
+// Reads TIFF files of integers in strips: grey, RGB or palette, uncompressed or compressed by LZW,
+// Deflate or PackBits (Adobe, "TIFF Revision 6.0"). Called by read_raster().
 #pragma once
 
 #include "oiio/formats.h"
@@ -10,7 +9,7 @@
 
 namespace candelabra {
 
-/// Nothing where the file is of another kind, has too many pixels or seems damaged.
+/// Returns nothing if the file is of another kind, has too many pixels or appears damaged.
 std::optional<StoredPicture> read_tiff(std::string_view bytes, std::int64_t max_pixels);
 
 }  // namespace candelabra

@@ -12,12 +12,13 @@ namespace candelabra {
 
 namespace {
 
-/// What a camera ray costs with shading and weighing of luminaires, in shadow rays.
+/// Cost of a camera ray, with shading and the weights of luminaires, in shadow rays.
 constexpr double cost_of_camera_ray = 1.2;
 constexpr int max_pilot_rays = 4;
-/// Of one sample's displayed value (0 to 1): three steps of a picture of 8 bits.
+/// Maximum standard deviation of one sample's display value (0 to 1) in quiet light: three steps of
+/// an 8-bit picture.
 constexpr double quiet_deviation = 3.0 / 255;
-/// Pixels that are tried in each direction at most, and the share of all pixels that they may be.
+/// Maximum number of pixels tried in each direction, and minimum number of pixels for each of them.
 constexpr int max_across = 16;
 constexpr int pixels_for_each = 4;
 
@@ -25,12 +26,12 @@ double squared(double x) { return x * x; }
 
 double displayed(double radiance) { return from_linear(std::fmax(radiance, 0), display_gamma); }
 
-/// Which pixel of a grid that is spread over the picture.
+/// A pixel of a grid that covers the picture.
 struct Trial {
     int column, row, columns, rows;
 };
 
-/// Adds its noise.
+/// Adds the noise of a pixel.
 void try_pixel(Integrator& integrator, const World& world, const RenderSettings& settings,
                const Trial& trial, PilotNoise& noise) {
     const auto number = static_cast<std::uint64_t>(trial.row * trial.columns + trial.column);
@@ -38,7 +39,7 @@ void try_pixel(Integrator& integrator, const World& world, const RenderSettings&
                  y = std::floor((trial.row + 0.5) * settings.height / trial.rows);
     const auto seen = [&](std::uint32_t place, std::uint32_t light) {
         Key key;
-        // Not a pixel of the picture, whose samples must owe nothing to these.
+        // Outside of the picture, whose samples must be independent of these.
         key.pixel = mix(~number) + place;
         key.sample = light;
         const Key where = {key.pixel, 0, 0, 0};
@@ -46,12 +47,12 @@ void try_pixel(Integrator& integrator, const World& world, const RenderSettings&
         const double dx = spread ? uniform(where, Purpose::pixel_x) : 0.5,
                      dy = spread ? uniform(where, Purpose::pixel_y) : 0.5;
         const double u = (x + dx) / settings.width - 0.5, v = 0.5 - (y + dy) / settings.height;
-        // What is brighter than white is cut off in pictures, and its noise with it.
+        // Values above white are clipped in pictures, and so is their noise.
         const double bright = grey(integrator.radiance(camera_ray(world, u, v, where), key));
         return std::fmin(bright * world.view.film.exposure_factor(), 1.0);
     };
-    // Two lights at each of two places: what differs between the places under the one light and
-    // under the other is the camera's, whatever the noise of light.
+    // Two estimates of the light at each of two places. The product of the differences between the
+    // places estimates the variance due to the camera, regardless of the noise of light.
     const double a = seen(0, 0), b = seen(0, 1), c = seen(1, 0), d = seen(1, 1);
     noise.of_light += (squared(a - b) + squared(c - d)) / 4;
     noise.of_camera += (a - c) * (b - d) / 2;

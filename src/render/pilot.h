@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the work of a pixel is divided between camera rays and shadow rays, when the run does not
-// say. Found by tracing some pixels before the picture is made; the same for every part of it.
+// The number of shadow rays at each hit where the settings leave it open. It is found by tracing
+// some pixels before the picture, and is the same for all parts of the picture.
 #pragma once
 
 #include "scene/settings.h"
@@ -10,33 +10,37 @@
 
 namespace candelabra {
 
-/// Variances of one sample of a pixel, over all pixels that were tried.
+/// Variances of one sample of a pixel, summed over all pixels tried.
 struct PilotNoise {
-    double of_light = 0;   ///< by the shadow rays of one hit
-    double of_camera = 0;  ///< by what camera rays of one pixel meet, were its light known
-    double shown = 0;      ///< of_light as it is displayed
-    int places = 0;        ///< on the picture, which these are sums over
-    HitNoise of_hits;      ///< as their cells expect it
+    double of_light = 0;  ///< due to the shadow rays of one hit
+    /// Variance due to the hits of a pixel's camera rays, were their light known exactly.
+    double of_camera = 0;
+    double shown = 0;  ///< of_light in display values
+    int places = 0;    ///< number of places on the picture that were summed
+    HitNoise of_hits;  ///< as expected by their cells
 };
-/// `sent`: light of the world; none: the pilot makes it, where there is some. `cancelled`: asked by
-/// several threads, may be empty; once it is true, the answer means nothing.
+/// Measures the noise of some pixels. `sent`: light of the world; if empty, the pilot computes it
+/// where needed. `cancelled`: called by several threads, may be empty; once it returns true, the
+/// result is meaningless.
 PilotNoise pilot_noise(const World&, const RenderSettings&, const SentLight& sent = {},
                        const std::function<bool()>& cancelled = {});
 
-/// Whether the light is nearly as quiet as if nothing were left to chance, so that pixels need no
-/// more samples than their contrast asks for.
+/// Whether the light is almost free of noise, so that pixels need only the samples that their
+/// contrast requires.
 bool is_quiet(const PilotNoise&);
 
-/// Shadow rays that make the least noise in a given time: the root of (cost of a camera ray over
-/// that of a shadow ray) times (variance by light over variance by the camera), from 1 to 4. More
-/// are hardly better where camera rays make no noise at all.
+/// Returns the number of shadow rays with the least noise for a given time: the square root of
+/// (cost of a camera ray over that of a shadow ray) times (variance due to light over variance due
+/// to the camera), from 1 to 4. Larger numbers hardly help even if camera rays make no noise at
+/// all.
 int best_shadow_rays(const PilotNoise&);
 
-/// What the settings say at each hit, or the best number for hits of usual noise. It does not
-/// depend on the number of samples, so that pictures can be continued.
+/// Results of the pilot. The number of shadow rays at each hit is that of the settings, or else the
+/// best one for hits of usual noise. It does not depend on the number of samples, so that pictures
+/// can be continued.
 struct Pilot {
     ShadowRays shadow_rays;
-    bool quiet = false;  ///< see is_quiet(); false where no pixels were tried
+    bool quiet = false;  ///< see is_quiet(); false if no pixels were tried
 };
 Pilot pilot(const World&, const RenderSettings&, const SentLight& sent = {},
             const std::function<bool()>& cancelled = {});

@@ -32,21 +32,22 @@ void nearest_first(std::vector<Region>& tiles, const Vec2& pixel) {
     std::ranges::stable_sort(tiles, {}, away);
 }
 
-/// Where pixels do not look at each other: more threads find work. A part of a tile.
+/// Tile size where pixels are independent: a fraction of a tile, so that more threads find work.
 constexpr int small_tile = tile_size / 2;
 
-/// Whether to stop is asked so seldom, because to ask takes as long as a short ray.
+/// Number of samples between checks for cancellation, since a check costs as much as a short ray.
 constexpr std::uint64_t samples_between_questions = 16;
 
-/// `quiet`: the light hardly differs from sample to sample.
+/// `quiet`: the light hardly differs between samples.
 SampleRule sample_rule(const World& world, const RenderSettings& settings, bool quiet) {
     if (settings.samples > 0 || settings.noise > 0) return NoiseRule();
     if (world.view.camera.blurs()) return world.view.camera.blur;
-    // As many as a pixel gets for its contrast.
+    // The maximum number that a pixel gets for its contrast.
     const auto depth = static_cast<std::uint32_t>(settings.antialias_depth);
     const std::uint32_t by_contrast = depth * depth + 1;
     if (settings.antialias && world.left_to_chance() && quiet) return NoiseRule{by_contrast};
-    // A filter wider than a pixel needs samples all over its place, not in squares of the pixel.
+    // A filter wider than a pixel needs samples over its whole support, not in squares of the
+    // pixel.
     const FilmSettings& film = world.view.film;
     const bool wide = film.filter() != FilterShape::box;
     if (!settings.antialias || world.left_to_chance() || world.view.camera.mesh || wide)
@@ -56,12 +57,13 @@ SampleRule sample_rule(const World& world, const RenderSettings& settings, bool 
     return contrast_rule(settings, gamma, exposure);
 }
 
-/// Whether the number of samples depends on that of shadow rays.
+/// Whether the number of samples depends on the number of shadow rays.
 bool follows_shadow_rays(const World& world, const RenderSettings& settings) {
     return settings.samples <= 0 && settings.noise <= 0 && !world.view.camera.blurs();
 }
 
-/// `rays`: at each hit, where it matters.
+/// Returns the default number of samples. `rays`: number of shadow rays at each hit, where
+/// relevant.
 int usual_samples(const World& world, const RenderSettings& settings, int rays) {
     constexpr int first_for_noise = 16;
     if (settings.noise > 0)
@@ -69,7 +71,7 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
                                     : first_for_noise;
     if (settings.samples > 0) return settings.samples;
     if (world.view.camera.blurs()) return std::max(2, world.view.camera.blur.least);
-    // With more shadow rays each, fewer samples tell as much.
+    // With more shadow rays per sample, fewer samples suffice.
     constexpr int least = 4, to_middle = 16, min_in_media = 2;
     if (!settings.antialias) {
         if (!world.left_to_chance()) return 1;
@@ -83,7 +85,7 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
 int first_samples(const World& world, const RenderSettings& settings, const SampleRule& rule,
                   int rays) {
     if (std::holds_alternative<CornerRule>(rule)) return 1;
-    // To have one sample more than the first is to be compared, whatever comes of it.
+    // A target above one sample requests the comparison, whatever its result.
     if (std::holds_alternative<ContrastRule>(rule)) return 2;
     const int usual = usual_samples(world, settings, rays);
     constexpr int first_of_quiet = 4;
@@ -110,7 +112,7 @@ public:
                    hooks.aovs.alpha},
           fresh_integrators_(integrators_of_moments()) {}
 
-    /// The rounds up to the end; false when they were stopped.
+    /// Runs all rounds. Returns false if they were stopped.
     bool run() {
         do {
             if (state_.rounds > 0) run_round();
@@ -122,7 +124,7 @@ public:
     const LightLedger& rays() const { return rays_; }
 
 private:
-    /// Brings all pixels to their targets, the whole picture becoming better evenly.
+    /// Brings all pixels to their targets in passes, so that the whole picture converges evenly.
     void run_round() {
         const Wanted all = wanted_samples(state_.film);
         wanted_ = all.samples;
@@ -140,7 +142,7 @@ private:
         }
     }
 
-    /// For samples of each pixel from the number `from` to before `to`, if any are wanted.
+    /// Prepares the integrators for samples `from` to `to` - 1 of each pixel, if any are wanted.
     void prepare(std::uint32_t from, std::uint32_t to) {
         if (!plan_.sent) return;
         const std::uint32_t first = state_.shard.first_sample;
@@ -152,11 +154,11 @@ private:
             each.prepare(first + std::max(from, least), first + to);
     }
 
-    /// On one tile.
+    /// The work on one tile.
     struct Work {
         std::vector<Integrator> integrators;  ///< one for each moment
         std::uint64_t made = 0;               ///< samples
-        std::vector<ExactSum> gathered = {};  ///< room for what a sample has besides its colour
+        std::vector<ExactSum> gathered = {};  ///< buffer for a sample's values besides its colour
     };
 
     void over_tiles(std::uint32_t level, bool ends_round) {
@@ -167,7 +169,7 @@ private:
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             const std::size_t turn = begun++;
             if (turn + 1 == tiles.size() && ends_round) wind_down();
-            // Threads begin anywhere; where it matters, they take tiles in order.
+            // Threads start at arbitrary tiles; if the order matters, they take tiles in sequence.
             if (hooks_.first) i = turn;
             if (stopped_ || !wants(tiles[i], level)) return;
             Work work{fresh_integrators_};
@@ -198,8 +200,8 @@ private:
         return integrators;
     }
 
-    /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
-    /// the noise or a lens takes is not known: each brings half of the rest.
+    /// Returns the completed fraction of all rounds, given that of this round. With a noise bound
+    /// or a lens the number of rounds is unknown, so each is assumed to complete half of the rest.
     double overall(double share_of_round) const {
         if (plan_.is_even() || is_settled_by_tiles(plan_.rule)) return share_of_round;
         const double rounds = state_.rounds - 1 + share_of_round;
@@ -216,7 +218,7 @@ private:
         return false;
     }
 
-    /// Gives the number of samples that it has made, or found not to be wanted.
+    /// Renders a tile. Returns the number of samples made or found unnecessary.
     std::uint64_t make_tile(Work& work, const Region& tile, std::uint32_t level) {
         if (const auto* rule = std::get_if<ContrastRule>(&plan_.rule); rule && level > 1)
             return compare_tile(work, tile, *rule);
@@ -233,8 +235,9 @@ private:
         return work.made;
     }
 
-    /// A pixel that goes into this with more than one sample has them from an earlier run. Those
-    /// of the tile that are not wanted are compared, too: the others look as in the whole picture.
+    /// Refines a tile by contrast. A pixel that already has more than one sample has them from an
+    /// earlier run. Unwanted pixels of the tile are compared as well, so that the others look as in
+    /// the whole picture.
     std::uint64_t compare_tile(Work& work, const Region& tile, const ContrastRule& rule) {
         const Region own = common(tile, state_.shard.region);
         const auto apart = [&](int x, int y, std::uint32_t samples) {
@@ -289,7 +292,7 @@ private:
         }
     }
 
-    /// One sample, of many rays.
+    /// Adds one sample that is made of many rays.
     void add_cell(Work& work, CornerCells& cells, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
         if (pixel.samples >= wanted || stop(work)) return;
@@ -317,11 +320,11 @@ private:
     struct Seen {
         Vec3 colour;
         std::uint32_t shadow_rays;
-        bool negative;  ///< the filter is below 0 where the ray goes
+        bool negative;  ///< the filter is negative at the sample
     };
 
-    /// Follows the ray of a sample, and adds what it shows besides its colour. Samples take turns
-    /// with the moments.
+    /// Follows the ray of a sample, and adds its values besides the colour to `extra`. Samples
+    /// cycle through the moments of the shutter.
     Seen look(Work& work, int x, int y, std::uint32_t sample, std::span<ExactSum> extra) {
         Key key;
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
@@ -343,7 +346,7 @@ private:
         return {colour, rays, in_pixel.negative};
     }
 
-    /// Adds what the sample has besides its colour, or subtracts it by way of `apart`.
+    /// Adds a sample's values besides its colour, or subtracts them via `apart`.
     template <class Add>
     static void gather(std::vector<ExactSum>& apart, bool subtracts, std::span<ExactSum> sums,
                        const Add& add) {
@@ -365,13 +368,13 @@ private:
             sums[hooks_.aovs.first_smooth() + static_cast<std::size_t>(c)].add(light[c]);
     }
 
-    /// In the pixel.
+    /// Returns the place of a sample in its pixel.
     FilteredPlace place(const World& world, const Key& key) const {
         if (const auto* rule = std::get_if<ContrastRule>(&plan_.rule))
             return {place_in_pixel(*rule, key)};
         if (const auto* rule = std::get_if<CornerRule>(&plan_.rule))
             return {place_in_pixel(*rule, key)};
-        // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
+        // A blurred picture's rays are always spread over the pixel, as in POV-Ray.
         if (!settings_.antialias && world.view.camera.lens_radius == 0) return {Vec2(0.5)};
         return filter_.place(key);
     }
@@ -389,16 +392,16 @@ private:
     const RenderHooks& hooks_;
     const FilmSettings& film_;
     const PixelFilter filter_;
-    const double exposure_;  ///< by which light counts as it is shown
+    const double exposure_;  ///< factor on the radiance for display
     Tracing tracing_;
-    /// To be copied: to find out what is around the camera takes a look at every object.
+    /// Prototypes that are copied, since finding the objects around the camera visits every object.
     const std::vector<Integrator> fresh_integrators_;
     std::mutex mutex_;
     LightLedger rays_;
-    std::uint64_t wanted_ = 0;  ///< up to now, altogether
+    std::uint64_t wanted_ = 0;  ///< in total so far
     std::atomic<std::uint64_t> done_ = 0;
     std::atomic<bool> stopped_ = false;
-    bool winds_down_ = false;  ///< written where the last tile of a round begins
+    bool winds_down_ = false;  ///< set when the last tile of a round begins
 };
 
 }  // namespace

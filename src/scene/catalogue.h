@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every item of the language, in groups: what the manual, --help and editors are told. The only
-// file that sees all kinds; it holds no logic. A new kind appears here by itself, a new variant of
-// kinds by one line.
+// All items of the language in groups, for the manual, --help and editors. The only file that sees
+// all kinds; it contains no logic. A new kind appears here automatically, a new variant of kinds
+// needs one line.
 #pragma once
 
 #include "vocabulary/manual.h"

@@ -12,11 +12,12 @@ namespace candelabra {
 
 namespace {
 
-/// Deeper objects are declared apart, so that the text stays readable and writing it needs no deep
-/// stack.
+/// Objects nested more deeply are declared separately, which keeps the text readable and bounds the
+/// recursion.
 constexpr int deepest = 16;
 
-/// Without a `background` all is black there, and clear in a picture with alpha.
+/// Without a `background`, rays to infinity see black, which is transparent in a picture with
+/// alpha.
 const Colour no_background{Vec3(0), 0, 1};
 
 template <class T>
@@ -47,7 +48,7 @@ std::string settings_text(const Scene& scene) {
     if (srgb) settings.assumed_gamma = GlobalSettings().assumed_gamma;
     std::string text = written_fields(GlobalSettings::vocabulary, &settings);
     if (srgb) text += message(text.empty() ? "" : " ", "assumed_gamma srgb");
-    // Before version 3.7 it makes a difference that the default was given.
+    // Before version 3.7, an explicit default has an effect.
     if (scene.gamma_handling && scene.language_version < 3.7 && settings.assumed_gamma == 1 &&
         !srgb)
         text += message(text.empty() ? "" : " ", "assumed_gamma 1");
@@ -59,6 +60,8 @@ std::string settings_text(const Scene& scene) {
         luminaires("none");
     else if (settings.luminaires_above > 0)
         luminaires("above ", settings.luminaires_above);
+    else if (settings.luminaires_said && !settings.ambient_luminaires)
+        luminaires("emission");
     if (settings.subsurface.on) {
         const std::string fields =
             written_fields(SubsurfaceSettings::vocabulary, &settings.subsurface);
@@ -94,10 +97,10 @@ std::string camera_text(const Scene& scene) {
                    scene.film.on ? " " : "", film_text(scene.film), matrix_text(transform), " }\n");
 }
 
-/// The object in one line, with all that is in it.
+/// Writes the object with its contents in one line.
 std::string in_one_line(const Object& object);
 
-/// What the light looks like is an object of its own.
+/// Writes the light without its `looks_like`, which is an object of its own.
 std::string light_text(PlacedLight placed) {
     const ItemInfo& info = *Kinds<Light>::infos[placed.light.index()];
     std::string text =
@@ -158,7 +161,7 @@ std::string clipping_text(std::string_view word, const std::vector<ObjectHandle>
     return text + "}";
 }
 
-/// The textures that faces of a mesh name by number.
+/// Writes the textures that the faces of a mesh refer to by number.
 std::string list_text(const std::vector<Handle<Texture>>& list) {
     std::string text = message("texture_list { ", list.size());
     for (const Handle<Texture>& each : list) text += ", " + dump(*each);
@@ -170,15 +173,16 @@ bool is_mesh(const Object& object) {
     return shape && std::holds_alternative<Shared<Mesh>>(*shape);
 }
 
-/// The texture of a part, which stands in the object's block before what moves the whole.
+/// Writes the texture of a part. The object's transformation follows it and will be applied to it,
+/// so its inverse is applied here.
 std::string part_look(const Object& object, int number) {
     const Texture& texture = *object.part_textures->list[static_cast<std::size_t>(number)];
     return " " +
            dump(object.transform ? transformed(texture, object.transform->inverse()) : texture);
 }
 
-/// What follows an object's own content. The texture comes last: transformations before it do not
-/// move it.
+/// The modifiers that follow an object's own content. The texture comes last, because a
+/// transformation before it does not move it.
 std::vector<std::string> modifiers_of(const Object& object) {
     std::vector<std::string> result;
     if (object.transform && !(*object.transform == Transform()))
@@ -206,7 +210,7 @@ std::span<const ObjectHandle> children(const Object& object) {
                     : std::span<const ObjectHandle>();
 }
 
-/// What is left of a light in a union, whose lights are written by themselves.
+/// Whether only a light is left of the object; lights in unions are written separately.
 bool is_only_light(const Object& object) {
     const auto* together = std::get_if<Union>(&object.form);
     return together && together->lamp && together->children.empty();
@@ -219,8 +223,8 @@ bool is_group(const Object& object) {
     return together && together->light_group;
 }
 
-/// A union of one object that adds nothing is written as that object: a copy of a declared union is
-/// read as a union of this kind.
+/// The object inside unions that only wrap it: a copy of a declared union is read as a union of
+/// this kind.
 const Object& essence(const Object& object) {
     const Object* result = &object;
     while (children(*result).size() == 1 && modifiers_of(*result).empty() && !is_group(*result) &&
@@ -229,8 +233,8 @@ const Object& essence(const Object& object) {
     return *result;
 }
 
-/// Every object below the roots once, children before their parents. Does not recurse: unions may
-/// be nested very deep.
+/// Lists every object below the roots once, children before parents. Iterative, since unions may be
+/// nested very deeply.
 std::vector<const Object*> in_order(std::span<const ObjectHandle> roots,
                                     std::unordered_map<const Object*, int>& references) {
     struct Step {
@@ -315,7 +319,7 @@ private:
         out_ += message("object { ", name->second, " }\n");
     }
 
-    /// A row as so many spheres.
+    /// Writes a row as individual spheres.
     void write(const Object& object, std::size_t depth) {
         if (const auto* shape = std::get_if<Shape>(&object.form))
             return write(*shape, object, depth);

@@ -9,14 +9,14 @@ namespace candelabra {
 
 namespace {
 
-/// What stands in the braces of a picture, up to the textures of a material_map.
+/// The contents of a picture's braces, except the textures of a material_map.
 std::string picture_text(Pattern pattern) {
     PictureMap& picture = *picture_of(pattern);
     std::string text = picture.function ? message(" function ", picture.texels->width, ", ",
                                                   picture.texels->height, " { /* compiled */ }")
                                         : " " + written(picture.file, FieldType::text);
     const ItemInfo& info = *Kinds<Pattern>::infos[pattern.index()];
-    // The function would stand where a file can stand as well.
+    // Otherwise the fields would contain the function in the place of the file.
     picture.function = nullptr;
     const bool srgb = picture.gamma < 0;
     if (srgb) picture.gamma = 0;
@@ -40,7 +40,7 @@ std::string pattern_text(const Pattern& pattern) {
     if (std::holds_alternative<FunctionPattern>(pattern)) return "function { /* compiled */ }";
     if (std::holds_alternative<ObjectPattern>(pattern)) return "object { /* an object */ }";
     if (const auto* grey = std::get_if<PigmentGrey>(&pattern)) {
-        // The only thing that a pigment_pattern borrows from is a pigment.
+        // The data of a pigment_pattern is always a Pigment.
         std::string inner = dump(*static_cast<const Pigment*>(grey->grey.data.get()));
         return message("pigment_pattern", inner.substr(std::string_view("pigment").size()));
     }
@@ -59,7 +59,7 @@ std::string steps_text(const PatternUse& use) {
 
 std::string use_text(const PatternUse& use) {
     std::string text = pattern_text(use.pattern);
-    // What naming the pattern sets by itself is not said again.
+    // Omit values that the name of the pattern implies.
     PatternModifiers modifiers;
     Waveform wave;
     name_pattern(use.pattern, modifiers, wave);
@@ -154,7 +154,7 @@ std::string finish_text(const Finish& finish) {
     return text.empty() ? text : message(" finish { ", text, " }");
 }
 
-/// What stands in the braces of one layer.
+/// The contents of the braces of one layer.
 std::string layer_content(const Texture& texture) {
     if (!texture.choice)
         return message(dump(texture.pigment), dump(texture.normal), finish_text(texture.finish));
@@ -185,18 +185,20 @@ std::string matrix_text(const Transform& transform) {
 std::string colour_text(const Colour& colour) { return written(colour, FieldType::colour); }
 
 std::string dump(const Pigment& pigment) {
-    if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), " }");
+    const std::string quick =
+        pigment.quick ? message(" quick_color ", colour_text(*pigment.quick)) : "";
+    if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), quick, " }");
     const PatternUse& use = pigment.pattern->use;
     return message(
         "pigment { ", pigment.uv ? "uv_mapping " : "", use_text(use),
         std::visit([&](const auto& map) { return map_text(use, map); }, pigment.pattern->map),
-        matrix_text(pigment.transform), " }");
+        quick, matrix_text(pigment.transform), " }");
 }
 
 std::string dump(const Bump& bump) {
     if (!bump.pattern) return {};
     const PatternedBump& normal = *bump.pattern;
-    // The amount stands behind the pattern's values, in front of all words.
+    // The amount stands behind the pattern's values and before all words.
     BumpSettings words = normal.settings;
     words.bump_size = BumpSettings().bump_size;
     const std::string settings = written_fields(BumpSettings::vocabulary, &words);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pigments, normals and their patterns as text that reads back as the same, for dump(Scene).
+// Writes pigments, normals and their patterns as text that reads back the same, for dump(Scene).
 #pragma once
 
 #include "backdrop/rainbow.h"
@@ -16,17 +16,17 @@ namespace candelabra {
 /// "pigment { ... }".
 std::string dump(const Pigment&);
 
-/// " normal { ... }"; nothing for a smooth one.
+/// " normal { ... }"; empty for a smooth surface.
 std::string dump(const Bump&);
 
 /// "texture { ... }", one for each layer, the lowest first.
 std::string dump(const Texture&);
 
-/// A line of its own.
+/// Written as a line.
 std::string dump(const SkySphere&);
 std::string dump(const Rainbow&);
 
-/// The item in an alternative of a variant as "name fields".
+/// Writes the active alternative of a variant as "name fields".
 template <class Variant>
 std::string item_text(Variant alternative) {
     const ItemInfo& info = *Kinds<Variant>::infos[alternative.index()];
@@ -34,7 +34,7 @@ std::string item_text(Variant alternative) {
     return message(info.name, fields.empty() ? "" : " ", fields);
 }
 
-/// " matrix <...>"; nothing for a transformation that changes nothing.
+/// " matrix <...>"; empty for the identity.
 std::string matrix_text(const Transform&);
 
 std::string colour_text(const Colour&);

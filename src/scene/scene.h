@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The description of a scene: plain values, each with the place that made it. What the evaluator
-// returns and the world is compiled from. It holds no acceleration structure and shoots no ray.
+// The description of a scene: plain values with their places in the source. The evaluator returns
+// it, and the world is compiled from it. It holds no acceleration structure and traces no rays.
 #pragma once
 
 #include "backdrop/background.h"
@@ -30,62 +30,62 @@
 namespace candelabra {
 
 struct Object;
-/// Objects are shared, never changed once they are made: a lamp that stands a million times is
+/// Objects are shared and never changed once they are made: a lamp that occurs a million times is
 /// stored once.
 using ObjectHandle = Handle<Object>;
 
-/// A light source of POV-Ray's kind.
+/// A light source as in POV-Ray.
 struct PlacedLight {
     Light light;
     Span span;
-    ObjectHandle looks_like = {};  ///< stands at the light, casts no shadow; null: none
-    /// It lights what is seen through this, which is not there otherwise; null: all.
+    ObjectHandle looks_like = {};  ///< placed at the light, casts no shadow; null: none
+    /// The light reaches only points seen through this object, which is not drawn; null: all
+    /// points.
     ObjectHandle projected_through = {};
     LightPhotons photons = {};
 };
 
-/// How several objects make one.
+/// How several objects are combined.
 enum class Csg : std::uint8_t {
     together,      ///< a union: all of them
-    intersection,  ///< what is inside of all
+    intersection,  ///< the region inside of all
     difference,    ///< the first without the others
     merge,         ///< a union without the surfaces that are inside of others
 };
 
-/// Several objects as one.
 struct Union {
     std::vector<ObjectHandle> children;
-    std::vector<PlacedLight> lights;  ///< all light sources in it and in unions in it, in its own
-                                      ///< space; Scene::lights has them too
-    std::vector<PlacedLight> free_lights;  ///< of a light group: those in unions in it
+    /// All light sources in it and in nested unions, in its own space; Scene::lights has them, too.
+    std::vector<PlacedLight> lights;
+    std::vector<PlacedLight> free_lights;  ///< of a light group: those in nested unions
     Csg csg = Csg::together;
-    bool light_group = false;    ///< its own lights light nothing else; Scene::lights lacks them
+    bool light_group = false;    ///< its lights light only its objects; not in Scene::lights
     bool global_lights = false;  ///< of a light group: other lights light it as well
-    bool lamp = false;           ///< stands for a light source, with what it looks like
-    bool named = false;          ///< made of a declared one, which a group around lights, too
+    bool lamp = false;           ///< stands for a light source and its looks_like
+    bool named = false;          ///< of a declared object: an outer light group lights it, too
 };
 
-/// Spheres that are alike in all but place and size, as one object of a scene or a union: loops
-/// make them by the million. Never empty.
+/// Spheres that differ only in place and size, as one object of a scene or a union: loops make them
+/// by the million. Never empty.
 struct SphereRow {
     std::vector<Sphere> spheres;
-    std::vector<Span> spans;  ///< of each
+    std::vector<Span> spans;  ///< one for each sphere
 };
 
-/// What cuts an object without closing it, and what rays must meet to see it. In the space after
-/// the object's transform.
+/// Objects that cut an object without closing it, and objects that rays must hit to see it. In the
+/// space after the object's transform.
 struct Clipping {
     std::vector<ObjectHandle> clips;
     std::vector<ObjectHandle> bounds;
 };
 
-/// Textures of parts of a shape, which know them by their place in the list, and of its inner side.
+/// Textures of the parts of a shape, which refer to them by index, and of its inner side.
 struct PartTextures {
     std::vector<Handle<Texture>> list;
-    Handle<Texture> interior;  ///< of the side that is seen from inside; null: as outside
+    Handle<Texture> interior;  ///< of the inner side; null: as outside
 };
 
-/// What can be switched on an object.
+/// Modifiers that are switched on or off.
 struct Switches {
     bool no_shadow = false;
     bool no_image = false;
@@ -95,14 +95,14 @@ struct Switches {
     bool hollow = false;
     bool inverse = false;
     bool double_illuminate = false;
-    bool uv_mapping = false;                  ///< textures are on u and v
-    Handle<ObjectPhotons> photons = nullptr;  ///< null: the parent's, or nothing is said
+    bool uv_mapping = false;                  ///< textures are evaluated at u and v
+    Handle<ObjectPhotons> photons = nullptr;  ///< null: those of the parent, or unspecified
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Switches&, const Switches&) = default;
 };
 
-/// One object: a shape, a union or a row, where it stands and how it looks.
+/// A shape, a union or a row with its transform and appearance.
 struct Object : Switches {
     std::variant<Shape, Union, SphereRow> form;
     Handle<Transform> transform;  ///< of the form; null: none
@@ -112,42 +112,42 @@ struct Object : Switches {
     Handle<Clipping> clipping;           ///< null: none
     Handle<PartTextures> part_textures;  ///< in the same space as the texture; null: none
     Span span;
-    std::uint32_t depth = 0;  ///< how many objects lie inside each other in it: it can be recursed
-                              ///< through so deeply
-    std::uint32_t parts = 1;  ///< how many it consists of, itself included; the greatest number
-                              ///< stands for all that are greater
+    /// Depth of the nesting of objects in it, which bounds a recursion through it.
+    std::uint32_t depth = 0;
+    /// Number of objects that it consists of, including itself; saturates at the maximum.
+    std::uint32_t parts = 1;
 
     const Switches& switches() const { return *this; }
     Switches& switches() { return *this; }
 };
 
-/// Notes that an object becomes part of another.
+/// Updates depth and parts of an object to which another one is added.
 inline void nest(Object& outer, const Object& inner) {
     outer.depth = std::max(outer.depth, inner.depth + 1);
     outer.parts += std::min(inner.parts, std::numeric_limits<std::uint32_t>::max() - outer.parts);
 }
 
-/// An object after one more transformation, with its textures and what clips it.
+/// The object after one more transformation, with its textures and its clipping.
 ObjectHandle transformed(ObjectHandle, const Transform&);
-/// A light source after one more transformation, with all that belongs to it.
+/// The light source after one more transformation, with its objects.
 PlacedLight transformed(PlacedLight, const Transform&);
 
 struct Scene {
     std::vector<ObjectHandle> objects;
     std::vector<PlacedLight> lights;
     Camera camera;
-    Bump camera_normal;         ///< disturbs the directions of its rays
+    Bump camera_normal;         ///< perturbs the directions of camera rays
     FilmSettings film;          ///< of the camera
-    bool camera_given = false;  ///< otherwise it is the default
+    bool camera_given = false;  ///< false: the camera is the default
     Background background;
     std::optional<SkySphere> sky;
     std::vector<Fog> fogs;
-    std::vector<Media> media;  ///< fill all that is outside of solids
+    std::vector<Media> media;  ///< fill all space outside of solids
     std::vector<Rainbow> rainbows;
     GlobalSettings settings;
-    double language_version = 3.7;  ///< the last version in force; 3.62 when the scene names none
-    bool gamma_handling = true;     ///< false: colours are written as they are (before version 3.7,
-                                    ///< without assumed_gamma)
+    double language_version = 3.7;  ///< the last version in force; 3.62 if the scene gives none
+    /// False: colours are written unchanged (before version 3.7, without assumed_gamma).
+    bool gamma_handling = true;
 };
 
 }  // namespace candelabra

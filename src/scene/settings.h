@@ -16,7 +16,7 @@
 
 namespace candelabra {
 
-/// What the scene says about itself. Defaults are POV-Ray 3.7's.
+/// Settings in the scene. Defaults are POV-Ray 3.7's.
 struct GlobalSettings {
     Vec3 ambient_light = Vec3(1);
     double assumed_gamma = 1;
@@ -26,10 +26,11 @@ struct GlobalSettings {
     Vec3 irid_wavelength = Vec3(0.7, 0.52, 0.48);
     double adc_bailout = 1.0 / 255;
     bool ambient_luminaires = false;  ///< objects with ambient of 1 or more are luminaires
-    /// Luminaires have a greater radiance somewhere, in some channel. Infinite: nothing is one.
+    /// Objects with a greater radiance at some point in some channel are luminaires. Infinite: none
+    /// are.
     double luminaires_above = 0;
-    bool luminaires_said = false;   ///< the scene says what is one
-    double mm_per_unit = 10;        ///< millimetres; for translucency
+    bool luminaires_said = false;   ///< the scene defines luminaires
+    double mm_per_unit = 10;        ///< millimetres per scene unit, for translucency
     SubsurfaceSettings subsurface;  ///< from the block of that name
     Radiosity radiosity;            ///< the same
     PhotonSettings photons;         ///< the same
@@ -41,8 +42,8 @@ struct GlobalSettings {
     static const ItemInfo vocabulary;
 };
 
-/// What the run says: how large, how fine, with how much work. Set by the command line; help and
-/// manual read it from here.
+/// Settings of the run: size, quality and effort. Set by the command line; help and manual are made
+/// from them.
 struct RenderSettings {
     int width = 640;
     int height = 480;
@@ -50,12 +51,12 @@ struct RenderSettings {
     int sampling_method = 1;  ///< of antialiasing; see the vocabulary
     double antialias_threshold = 0.3;  ///< see the vocabulary
     int antialias_depth = 3;
-    double antialias_gamma = 2.5;  ///< of the values whose differences the threshold is for
-    bool jitter = true;            ///< false: rays of one pixel are in rows
+    double antialias_gamma = 2.5;  ///< gamma of the values that the threshold compares
+    bool jitter = true;            ///< false: the rays of a pixel form a grid
     double jitter_amount = 1;
     int samples = 0;      ///< camera rays for each pixel; 0: as many as each needs
-    double noise = 0;     ///< standard error that ends the work, see the vocabulary; 0: no such end
-    int shadow_rays = 1;  ///< choices of luminaires at each hit; 0: as many as pay
+    double noise = 0;     ///< standard error at which to stop, see the vocabulary; 0: none
+    int shadow_rays = 1;  ///< choices of luminaires at each hit; 0: as many as pay off
     int quality = 9;      ///< POV-Ray's: see surface/quality.h
     bool ambient_luminaires = false;  ///< as the global setting of that name
     int seed = 0;
@@ -64,15 +65,15 @@ struct RenderSettings {
     std::optional<RayIndex> index;                 ///< the same
     std::optional<IntegratorSettings> integrator;  ///< the same
     std::optional<double> luminaires_above;        ///< the same
-    std::vector<FilmChange> film;                  ///< changes of the camera's
+    std::vector<FilmChange> film;                  ///< changes to the camera's film
 
     static const ItemInfo vocabulary;
 };
 
-/// Gives the scene what the run says instead: its rule of what is a luminaire, and its integrator.
+/// Overrides the scene's rule for luminaires and its integrator by those of the run, if given.
 void settle_settings(GlobalSettings&, const RenderSettings&);
 
-/// The film with the run's changes; an error as a sentence, empty when there is none.
+/// Applies the run's changes to the film. Returns an error as a sentence, or an empty string.
 std::string settle_film(FilmSettings&, const RenderSettings&);
 
 }  // namespace candelabra

@@ -39,7 +39,7 @@ private:
         return settings;
     }
 
-    /// Tells what is new.
+    /// Reports new diagnostics. Returns whether to continue.
     bool goes_on() {
         const auto& all = diagnostics_.all();
         for (; told_ < all.size(); ++told_)

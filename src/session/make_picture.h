@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the text of a scene to a picture in memory, in one call. For programs that use the renderer
-// as a library, and for tests. Nothing is global: several may be made at once.
+// Renders the text of a scene to a picture in memory, in one call, for programs that use the
+// renderer as a library, and for tests. There is no global state, so several pictures may be made
+// at once.
 #pragma once
 
 #include "base/image.h"
@@ -14,26 +15,26 @@
 
 namespace candelabra {
 
-/// Who is told while a picture is made. All may be empty.
+/// Callbacks while a picture is made. All may be empty.
 struct Listener {
-    /// What is wrong, in the order in which it is found. Without an error there is a picture.
+    /// Receives each diagnostic when it is found. Without an error there is a picture.
     std::function<void(const Diagnostic&, const SourceStore&)> diagnostic = {};
-    std::function<void(std::string_view)> print = {};  ///< what #debug and its relatives say
-    /// The share of the rendering that is done, 0 to 1. Called by several threads.
+    std::function<void(std::string_view)> print = {};  ///< output of #debug and its relatives
+    /// Receives the completed fraction of the rendering, 0 to 1. Called by several threads.
     std::function<void(double done)> progress = {};
-    /// True: no picture is wanted any more. Called by several threads.
+    /// Returns true if the picture is no longer wanted. Called by several threads.
     std::function<bool()> cancelled = {};
 };
 
 struct Picture {
     Image image;
-    double gamma = 1;     ///< see PictureFormat: a file of the picture is to have the same
-    bool encoded = true;  ///< the same
+    double gamma = 1;     ///< for a file of the picture; see PictureFormat
+    bool encoded = true;  ///< likewise
     LightLedger rays;
-    std::vector<ReadFile> files;  ///< that it was made from
+    std::vector<ReadFile> files;  ///< files that it was made from
 };
 
-/// Nothing when there was an error, or when the listener has cancelled it.
+/// Renders a scene. Returns nothing after an error, or if the listener has cancelled it.
 std::optional<Picture> make_picture(const SessionSettings&, const Listener& = {});
 
 }  // namespace candelabra

@@ -16,8 +16,8 @@ struct ReadFile {
     friend bool operator==(const ReadFile&, const ReadFile&) = default;
 };
 
-/// A reader that notes what it has read, each file once as long as it stays the same. The list
-/// outlives it.
+/// Returns a reader that records the files it has read. Each file is listed once as long as it
+/// stays the same. The list must outlive the reader.
 Reader noting(Reader, std::vector<ReadFile>&);
 
 }  // namespace candelabra

@@ -43,7 +43,7 @@ bool Session::read() {
     return true;
 }
 
-/// The files that the scene may touch: its own, and those that the run allows besides.
+/// Returns access to the scene's own files and those that the run also permits.
 FileAccess Session::file_access() const {
     const SceneSource& source = settings_.source;
     std::vector<std::string> readable = {folder_, ""};
@@ -62,7 +62,7 @@ Scene Session::evaluate(double clock_ahead, Diagnostics& diagnostics) {
     Loader loader(noted(scene_reader(scene_access)), folder_, source.library, scene_access,
                   disk_lister());
     loader.set_standard_library(source.standard_library);
-    // Files are written once, not for each sample of an open shutter.
+    // Files are written once, not again for each sample of an open shutter.
     if (!source.writes_files || clock_ahead > 0) loader.keep_off_disk();
     EvaluateOptions options = settings_.evaluation;
     options.facts.clock += clock_ahead;
@@ -77,7 +77,8 @@ Scene Session::evaluate(double clock_ahead, Diagnostics& diagnostics) {
     return scene;
 }
 
-/// Of later samples only errors are reported: the first one has made all warnings.
+/// Evaluates the scene at a later sample of the shutter. Reports only errors, since the first
+/// sample has produced all warnings.
 std::optional<Scene> Session::scene_at(double clock_ahead) {
     Diagnostics problems;
     Scene scene = evaluate(clock_ahead, problems);

@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Chooses one of the parts in proportion to its area, and stretches x over that part, so that x
-/// can be used again.
+/// Chooses one of the parts in proportion to its area, and rescales x over that part so that it can
+/// be used again.
 template <std::size_t N>
 std::size_t choose_part(const std::array<double, N>& areas, double& x) {
     double total = 0;
@@ -29,18 +29,18 @@ std::size_t choose_part(const std::array<double, N>& areas, double& x) {
     return last;
 }
 
-/// Direction across the unit vector up, the fraction u of the way round.
+/// Direction perpendicular to the unit vector `up`, at the fraction u of a full turn.
 Vec3 around(const Vec3& up, double u) {
     const auto [first, second] = perpendiculars(up);
     return std::cos(2 * pi * u) * first + std::sin(2 * pi * u) * second;
 }
 
-/// Point of a ring about up, even in area, from its centre.
+/// Point of a ring around `up`, uniform by area, relative to the ring's centre.
 Vec3 on_ring(const Vec3& up, double hole, double radius, const Vec2& u) {
     return std::sqrt(hole * hole + u.x * (radius * radius - hole * hole)) * around(up, u.y);
 }
 
-/// Areas of side, base and cap.
+/// Areas of the side, the base and the cap.
 std::array<double, 3> part_areas(const Cone& c) {
     const double slant = std::hypot(length(c.cap - c.base), c.cap_radius - c.base_radius);
     const double ends = c.open ? 0 : pi;
@@ -48,9 +48,8 @@ std::array<double, 3> part_areas(const Cone& c) {
             ends * c.cap_radius * c.cap_radius};
 }
 
-/// The area up to a height grows with the square of the distance from the apex, so of the radius;
-/// solved for the height in a form that also holds when the radii are equal and the apex is
-/// nowhere.
+/// The area up to a height grows with the square of the distance from the apex, and so of the
+/// radius. The solution for the height also holds for equal radii, where there is no apex.
 SurfacePoint on_side(const Cone& c, const Vec2& u) {
     const double r0 = c.base_radius, r1 = c.cap_radius;
     const double radius = std::sqrt(r0 * r0 + u.x * (r1 * r1 - r0 * r0));

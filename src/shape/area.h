@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points spread evenly over the surface of a shape: what every luminaire can fall back on.
+// Points distributed uniformly over the surface of a shape, which every luminaire can fall back on.
 // Called by the luminaires. The points are on the surface to within rounding; smooth triangles give
 // their flat normal.
 #pragma once
@@ -8,13 +8,13 @@
 
 namespace candelabra {
 
-/// A point of a surface with the outward unit normal there.
+/// A point of a surface, with the outward unit normal there.
 struct SurfacePoint {
     Vec3 position = Vec3(0);
     Vec3 normal = Vec3(0);
 };
 
-/// Area of the surface; 0 for shapes whose surface cannot be sampled, as planes, which have no end.
+/// Area of the surface; 0 for shapes whose surface cannot be sampled, such as unbounded planes.
 double surface_area(const Sphere&);
 double surface_area(const Cuboid&);
 double surface_area(const Disc&);
@@ -28,7 +28,7 @@ double surface_area(const T&) {
     return 0;
 }
 
-/// The point for u, which is uniform in [0, 1)^2: uniform over the area. Precondition: the area is
+/// Maps u, uniform in [0, 1)^2, to a point that is uniform over the area. Precondition: the area is
 /// above 0.
 SurfacePoint sample_area(const Sphere&, const Vec2& u);
 SurfacePoint sample_area(const Cuboid&, const Vec2& u);

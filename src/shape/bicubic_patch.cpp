@@ -27,14 +27,14 @@ const ItemInfo BicubicPatch::vocabulary = described<BicubicPatch>([] {
 
 namespace {
 
-/// So many facets, which lie side by side as the patch is divided, are found together: to sort
-/// single ones takes longer than small pictures do.
+/// Number of facets, adjacent in the patch's subdivision, that the index treats as one part:
+/// sorting single facets takes longer than rendering a small picture.
 constexpr std::uint32_t facets_of_part = 8;
 
 /// points[row][column].
 using Points = std::array<std::array<Vec3, 4>, 4>;
 
-/// Both halves of a Bezier curve (de Casteljau).
+/// Splits a Bezier curve in the middle (de Casteljau).
 void halve(const std::array<Vec3, 4>& p, std::array<Vec3, 4>& first, std::array<Vec3, 4>& last) {
     const Vec3 a = 0.5 * (p[0] + p[1]), b = 0.5 * (p[1] + p[2]), c = 0.5 * (p[2] + p[3]);
     const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), middle = 0.5 * (ab + bc);
@@ -49,14 +49,15 @@ Points transposed(const Points& p) {
     return result;
 }
 
-/// Halves along the rows.
+/// Both halves along the rows.
 std::pair<Points, Points> halves(const Points& p) {
     std::pair<Points, Points> result;
     for (std::size_t row = 0; row < 4; ++row) halve(p[row], result.first[row], result.second[row]);
     return result;
 }
 
-/// From the plane through the first three corners that are not in one line, as in POV-Ray.
+/// Maximum distance of a point from the plane through the first three corners that are not
+/// collinear, as in POV-Ray.
 double farthest_from_plane(const Points& p) {
     Vec3 normal = triangle_normal(p[0][0], p[0][3], p[3][0]);
     if (normal == Vec3(0)) normal = triangle_normal(p[0][0], p[0][3], p[3][3]);
@@ -69,7 +70,7 @@ double farthest_from_plane(const Points& p) {
     return most;
 }
 
-/// The normal at a corner: across the first points that differ from it, along row and column.
+/// The normal at a corner, from the first points along its row and its column that differ from it.
 Vec3 corner_normal(const Points& p, std::size_t row, std::size_t column) {
     const Vec3& corner = p[row][column];
     Vec3 along(0), across(0);
@@ -86,7 +87,7 @@ public:
     explicit Divider(const BicubicPatch& patch, BuiltBicubicPatch& result)
         : patch_(patch), result_(result) {}
 
-    /// A part of the patch, and which one: u and v of its first and its last corner.
+    /// A part of the patch, with u and v of its first and its last corner.
     struct Piece {
         Points points;
         Vec2 low = Vec2(0), high = Vec2(1);
@@ -115,7 +116,7 @@ private:
         divide({transposed(last), {middle, piece.low.y}, piece.high}, u_step + 1, v_step);
     }
 
-    /// Between the corners' u and v.
+    /// Interpolates u and v of the corners.
     Vec2 uv(double across_rows, double along_row) const {
         const Vec2 first = patch_.uv1 + along_row * (patch_.uv2 - patch_.uv1);
         const Vec2 last = patch_.uv4 + along_row * (patch_.uv3 - patch_.uv4);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A curved sheet between 16 control points, taken apart into smooth triangles. Rays ask the
-// BuiltBicubicPatch.
+// A curved sheet defined by 16 control points, subdivided into smooth triangles. Rays are tested
+// against the BuiltBicubicPatch.
 #pragma once
 
 #include "base/ray.h"
@@ -9,8 +9,7 @@
 
 namespace candelabra {
 
-/// A Bezier patch of degree 3 by 3. Its points come row by row; u goes across the rows, v along
-/// them.
+/// A bicubic Bezier patch. Its points are stored row by row; u runs across the rows, v along them.
 struct BicubicPatch {
     std::vector<Vec3> points;
     int type = -1;
@@ -18,7 +17,8 @@ struct BicubicPatch {
     int u_steps = 0;
     int v_steps = 0;
     double accuracy = 0.01;
-    /// Of the corners: first row's ends, then last row's end and beginning.
+    /// Texture coordinates of the corners: both ends of the first row, then the end and the
+    /// beginning of the last row.
     Vec2 uv1 = Vec2(0, 0), uv2 = Vec2(1, 0), uv3 = Vec2(1, 1), uv4 = Vec2(0, 1);
 
     static const ItemInfo vocabulary;
@@ -33,11 +33,11 @@ struct BuiltBicubicPatch {
     PartIndex index;
 };
 
-/// What is wrong beyond the ranges of single fields (no type), as a sentence; empty when nothing
-/// is.
+/// Error that the ranges of single fields do not exclude (no type), as a sentence; empty when there
+/// is none.
 std::string problem(const BicubicPatch&);
-/// Halves the patch in each direction as often as its steps say, or until its points lie so flat as
-/// its flatness says.
+/// Halves the patch in each direction as many times as its steps say, or until its control points
+/// are as flat as its flatness asks.
 BuiltBicubicPatch build(const BicubicPatch&, const RayIndex& = {});
 
 Box bounds(const BuiltBicubicPatch&);

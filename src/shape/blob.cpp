@@ -74,7 +74,7 @@ Box bounds(const Source& f) {
 struct Quadratic {
     double a, b, c;
 
-    /// The same as a function of s - place.
+    /// The same polynomial as a function of s - place.
     Quadratic from(double place) const {
         return {a + place * (b + place * c), b + 2 * place * c, c};
     }
@@ -99,7 +99,7 @@ Interval between(const Source& f, const Ray& ray, double low, double high, Inter
     return {std::fmax(range.min, first), std::fmin(range.max, last)};
 }
 
-/// Where the ray is in the field.
+/// The interval of the ray in which the field is not 0.
 Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
     Interval range = whole_line;
     if (q.c < 0) {
@@ -119,14 +119,14 @@ Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
 
 using FieldQuartic = std::array<double, 5>;
 
-/// A stretch of the ray on which a field is a polynomial: strength times the square of a nearness,
-/// which is told from a place that is near to the field's middle.
+/// A stretch of the ray on which a field is a polynomial: strength times the square of `nearness`,
+/// whose origin is a place near the middle of the field.
 struct FieldStretch {
     Interval range;
     double place;
     Quadratic nearness;  ///< of s - place
     double strength;
-    double greatest;          ///< what the field adds at most
+    double greatest;          ///< maximum contribution of the field
     FieldQuartic field = {};  ///< of s - Passage::origin()
 
     void tell_from(double origin) {
@@ -154,8 +154,8 @@ std::optional<FieldStretch> stretch(const Source& f, const Ray& ray) {
                         std::fmax(0, f.strength * nearest * nearest)};
 }
 
-/// A point as a source sees it: where it is from the centre or axis, and 1 - d^2 / radius^2;
-/// nothing outside of the field.
+/// A point relative to a source: its offset from the centre or axis, and 1 - d^2 / radius^2. Points
+/// outside of the field have none.
 struct Seen {
     Vec3 off;
     double nearness;
@@ -172,7 +172,7 @@ std::optional<Seen> seen(const Source& f, const Vec3& point) {
     return nearness > 0 ? std::optional(Seen{off, nearness}) : std::nullopt;
 }
 
-/// The gradient of the sum of all fields.
+/// Gradient of the sum of all fields.
 Vec3 gradient(const BuiltBlob& blob, const Vec3& point) {
     Vec3 sum(0);
     blob.index.around(point, [&](std::uint32_t i) {
@@ -185,13 +185,13 @@ Vec3 gradient(const BuiltBlob& blob, const Vec3& point) {
     return sum;
 }
 
-/// The fields that a ray passes, and those of them that reach over a place which moves along it.
+/// The fields that a ray passes, and those of them that cover a place which moves along it.
 class Passage {
 public:
     void add(const FieldStretch& stretch) { stretches_.push_back(stretch); }
 
-    /// Where stretches begin and end, in order; what is so near to each other as `same` is the same
-    /// but for rounding: a rod's end and the ball there.
+    /// Ends of the stretches, in order. Ends that differ by at most `same` differ only by rounding,
+    /// such as the end of a rod and of the ball there.
     ShortList<double, 64> ends(double same) const {
         ShortList<double, 64> ends;
         for (const FieldStretch& each : stretches_)
@@ -203,7 +203,7 @@ public:
         return ends;
     }
 
-    /// To be called before the place moves.
+    /// Called before the place moves.
     void begin() {
         const auto by_start = [](const FieldStretch& a, const FieldStretch& b) {
             return a.range.min < b.range.min;
@@ -211,8 +211,8 @@ public:
         std::sort(stretches_.begin(), stretches_.end(), by_start);
     }
 
-    /// Never back. Fields are told from one place for as long as it is near: fourth powers of far
-    /// places would leave no digits.
+    /// Moves the place forwards, never back. The origin of the polynomials is kept while it is
+    /// near: fourth powers of distant places would leave no digits.
     void move_to(double place) {
         const auto passed = [&](std::uint32_t i) { return stretches_[i].range.max < place; };
         here_.erase(std::remove_if(here_.begin(), here_.end(), passed), here_.end());
@@ -231,14 +231,14 @@ public:
     }
     double origin() const { return origin_; }
 
-    /// What the fields here add at most.
+    /// Upper bound of the sum of the fields at the place.
     double greatest() const {
         double sum = 0;
         for (const std::uint32_t i : here_) sum += stretches_[i].greatest;
         return sum;
     }
 
-    /// Their sum, less the threshold, as a function of s - origin().
+    /// The sum of the fields at the place minus the threshold, as a function of s - origin().
     FieldQuartic sum(double threshold) const {
         FieldQuartic sum{-threshold, 0, 0, 0, 0};
         for (const std::uint32_t each : here_)
@@ -249,18 +249,18 @@ public:
 private:
     ShortList<FieldStretch, 32> stretches_;
     ShortList<std::uint32_t, 32> here_;
-    std::uint32_t next_ = 0;  ///< the first that the place has not come to
+    std::uint32_t next_ = 0;  ///< the first stretch that the place has not reached
     double origin_ = 0;
 };
 
 enum class ComponentsWanted { all, nearest };
 
-/// The crossings in the range, or the nearest of them, and maybe others.
+/// Finds the crossings in the range, or the nearest of them, and possibly others.
 void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, ComponentsWanted how,
             Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0) || blob.sources.empty()) return;
-    // From the point nearest to the middle, where a far origin costs no digits.
+    // Computed from the point nearest to the middle, so that a distant origin loses no digits.
     const Vec3 u = ray.direction / speed;
     const double start = dot(blob.index.bounds().centre() - ray.origin, u);
     const Ray near{ray.origin + start * u, u};
@@ -271,7 +271,8 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Compo
     });
     passage.begin();
     const auto ends = passage.ends(1e-12 * length(blob.index.bounds().size()));
-    // The sum is continuous: what it is at one end, it is at the start of the next stretch.
+    // The sum is continuous: its value at the end of a stretch is that at the start of the next
+    // one.
     std::optional<double> before;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const Interval range{ends[i], ends[i + 1]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface where the sum of some fields reaches a threshold: balls and rods that flow into each
-// other. Rays ask the BuiltBlob.
+// The surface where the sum of several fields reaches a threshold: balls and rods that flow into
+// each other. Rays are tested against the BuiltBlob.
 #pragma once
 
 #include "base/handle.h"
@@ -22,7 +22,7 @@ struct BlobSphere {
     static const ItemInfo vocabulary;
 };
 
-/// The same around a line, with round ends.
+/// The same field around a line segment, with round ends.
 struct BlobCylinder {
     Vec3 base = Vec3(0);
     Vec3 cap = Vec3(0, 1, 0);
@@ -34,7 +34,7 @@ struct BlobCylinder {
     static const ItemInfo vocabulary;
 };
 
-/// A sphere as old scenes write it.
+/// A sphere in the syntax of old scenes.
 struct BlobComponent {
     double strength = 1;
     double radius = 1;
@@ -55,13 +55,13 @@ struct Blob {
 struct BuiltBlob {
     enum class Kind : std::uint8_t { ball, hemisphere, rod };
     /// strength (1 - d^2 / radius^2)^2 where the distance d from the centre, or from the axis of a
-    /// rod, is below the radius. Of a hemisphere only what is beyond the centre along the axis
-    /// counts, of a rod what is from 0 to length along it.
+    /// rod, is below the radius. A hemisphere has a field only beyond the centre along the axis, a
+    /// rod only from 0 to length along it.
     struct Source {
         Kind kind = Kind::ball;
         Vec3 centre = Vec3(0), axis = Vec3(0);
         double length = 0, radius2 = 1, strength = 1;
-        Handle<Transform> transform;  ///< null: none
+        Handle<Transform> transform;  ///< null: identity
         int look = -1;
     };
     double threshold = 1;
@@ -70,8 +70,8 @@ struct BuiltBlob {
 };
 
 BuiltBlob build(const Blob&, const RayIndex& = {});
-/// What is wrong beyond the ranges of single fields (no component), as a sentence; empty when
-/// nothing is.
+/// Error that the ranges of single fields do not exclude (no component), as a sentence; empty when
+/// there is none.
 std::string problem(const Blob&);
 /// See shape.h.
 std::string vanishes(const Blob&);
@@ -82,7 +82,7 @@ void crossings_between(const BuiltBlob&, const Ray&, const Interval& range, Cros
 void nearest_crossings(const BuiltBlob&, const Ray&, const Interval& range, Crossings&);
 bool inside(const BuiltBlob&, const Vec3&);
 
-/// What the field of one source is at a point.
+/// Value of the field of one source at a point.
 double strength_at(const BuiltBlob::Source&, const Vec3&);
 
 }  // namespace candelabra

@@ -32,8 +32,8 @@ void crossings(const Cuboid& cuboid, const Ray& ray, Crossings& found) {
         if (near > within.min) within.min = near, first = axis;
         if (far < within.max) within.max = far, last = axis;
     }
-    // A box without thickness is entered and left at once; a ray through an edge of any other only
-    // touches it.
+    // A box without thickness is entered and left at the same t; a ray through an edge of any other
+    // box only touches it.
     if (first < 0 || last < 0 || within.min > within.max ||
         (within.min == within.max && first != last))
         return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box along the axes. (The class is Cuboid because base/box.h has Box for bounds.)
+// An axis-aligned box. (The class is Cuboid because base/box.h has Box for bounds.)
 #pragma once
 
 #include "base/ray.h"
@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-/// A solid between two corners, its faces along the axes.
+/// The axis-aligned solid between two opposite corners.
 struct Cuboid {
     Vec3 corner1 = Vec3(0);
     Vec3 corner2 = Vec3(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes as rays ask them: what the tracer, composites and luminaires hold. The list of kinds is
-// that of Shape; what takes work to make ready is built once and shared by its copies.
+// Shapes in the form that rays are tested against, held by the tracer, composites and luminaires.
+// The kinds are those of Shape; a form that is costly to build is built once and shared by copies.
 #pragma once
 
 #include "index/settings.h"
@@ -10,13 +10,13 @@
 
 namespace candelabra {
 
-/// A kind of shape that is made ready for rays: build() gives what they ask instead of it.
+/// A kind of shape that build() converts to another form for ray tests.
 template <class T>
 concept Prepared = requires(const T& shape) {
     build(shape);
 };
 
-/// The shape as rays ask it: what build() makes of it, or the shape itself.
+/// The form of the shape for ray tests: the result of build(), or the shape itself.
 template <class T>
 decltype(auto) ready(const T& shape) {
     if constexpr (Prepared<T>)
@@ -25,8 +25,8 @@ decltype(auto) ready(const T& shape) {
         return (shape);
 }
 
-/// What every shape can do once it is ready: bound itself, find all its crossings with a ray, tell
-/// inside from outside.
+/// The operations that every shape supports once it is ready: its bounds, all its crossings with a
+/// ray, and the test whether a point is inside.
 template <class T>
 concept ShapeKind = requires(const T& shape, const Ray& ray, Crossings& found, const Vec3& point) {
     { bounds(shape) } -> std::same_as<Box>;
@@ -39,7 +39,7 @@ namespace shape_detail {
 template <class Stored>
 using Ready = std::remove_cvref_t<decltype(ready(std::declval<const ContentOf<Stored>&>()))>;
 
-/// An alternative of BuiltShape: the one of Shape, or a handle of what is built from it.
+/// An alternative of BuiltShape: the one of Shape, or a handle to the form built from it.
 template <class Stored>
 using Built = std::conditional_t<Prepared<ContentOf<Stored>>, Shared<Ready<Stored>>, Stored>;
 
@@ -66,27 +66,27 @@ struct BuiltOf<std::variant<T...>> {
 
 }  // namespace shape_detail
 
-/// Shapes as rays ask them: computed from Shape.
+/// Shapes in the form for ray tests, computed from Shape.
 using BuiltShape = typename shape_detail::BuiltOf<Shape>::type;
 
-/// The shape made ready, its parts found by an index. Precondition: problem() is empty.
+/// Builds the shape; `index` configures the index of its parts. Precondition: problem() is empty.
 BuiltShape built(const Shape& shape, const RayIndex& = {});
 
-/// Smallest known box around the shape; infinite for planes.
+/// Smallest known bounding box of the shape; infinite for planes.
 Box bounds(const BuiltShape& shape);
-/// All crossings of the whole line, also behind its origin (t < 0), in any order; normals point
-/// outward. A solid is entered before it is left, and a line that only touches it does not cross
-/// it.
+/// Finds all crossings of the whole line, including those behind its origin (t < 0), in any order;
+/// normals point outward. A solid is entered before it is left. A line that only touches a solid
+/// does not cross it.
 void crossings(const BuiltShape& shape, const Ray& ray, Crossings& found);
-/// Some of the crossings: the nearest one in the range is among them, if there is one.
+/// Finds some of the crossings; if any are in the range, the nearest one there is among them.
 void crossings_in(const BuiltShape& shape, const Ray& ray, const Interval& range, Crossings& found);
-/// All crossings in the range, and maybe others.
+/// Finds all crossings in the range, and possibly others.
 void all_crossings_in(const BuiltShape& shape, const Ray& ray, const Interval& range,
                       Crossings& found);
 /// Whether the point is in the solid; always false for shapes without an inside.
 bool inside(const BuiltShape& shape, const Vec3& point);
-/// A box outside of which no point is inside; for half spaces it is infinite in some directions.
-/// This is the answer for shapes that have none of their own.
+/// A box that contains every point inside; infinite in some directions for half spaces. This is the
+/// default for shapes without an overload of their own.
 template <ShapeKind T>
 Box inside_bounds(const T& shape) {
     return bounds(shape);

@@ -14,13 +14,14 @@ namespace candelabra {
 
 namespace {
 
-/// Bounds of what the leaf has in a cell; `own` is around all of that, in its own coordinates.
+/// Bounds of the part of the leaf in a cell; `own` bounds all of it in its own coordinates.
 Box part_in(const CompositeLeaf& leaf, const Box& own, const Box& cell) {
     if (!finite(own)) return cell;
     return clipped_bounds(stick_around(leaf.shape, own, leaf.transform.get()), cell);
 }
 
-/// The half space that a leaf is, its normal unit; empty when it is none.
+/// The half space of a leaf that is an untransformed plane, with a unit normal; empty for other
+/// leaves.
 std::optional<Plane> half_space(const CompositeLeaf& leaf) {
     const Plane* plane = std::get_if<Plane>(&leaf.shape);
     if (!plane || leaf.transform) return std::nullopt;
@@ -34,8 +35,8 @@ Interval common(const Interval& a, const Interval& b) {
     return {std::max(a.min, b.min), std::min(a.max, b.max)};
 }
 
-/// The part of the line in the half spaces, and a little more for rounding errors. Those that it
-/// runs along, nearly, do not count.
+/// The part of the line in the half spaces, slightly enlarged against rounding errors. Half spaces
+/// almost parallel to the line are ignored.
 Interval within(std::span<const Plane> half_spaces, const Ray& ray) {
     constexpr double slack = 1e-9, min_rise = 1e-5;
     const double size = l1_norm(ray.origin), least = min_rise * l1_norm(ray.direction);
@@ -54,7 +55,7 @@ Interval within(std::span<const Plane> half_spaces, const Ray& ray) {
     return left;
 }
 
-/// Around what can be inside of the leaf in a box, which may be infinite.
+/// Bounds of the leaf's inside in a box, which may be infinite.
 Box within(const CompositeLeaf& leaf, const Box& box) {
     const auto* quadric = std::get_if<Shared<Quadric>>(&leaf.shape);
     if (!quadric || leaf.inverse) return box;
@@ -70,7 +71,7 @@ Box within(const CompositeLeaf& leaf, const Box& box) {
 PartRef CompositeBuilder::add(CompositeLeaf leaf) {
     const Transform* transform = leaf.transform.get();
     const Plane* plane = std::get_if<Plane>(&leaf.shape);
-    // A turned plane may be level again, and is then known to end in one direction.
+    // A transformed plane may be axis-aligned, and its half space is then bounded on one side.
     if (plane && transform) {
         leaf.shape = transformed(*plane, *transform);
         leaf.transform = nullptr;
@@ -96,7 +97,7 @@ PartRef CompositeBuilder::add(Combination how, std::vector<PartRef> parts,
         else
             flat.push_back(part);
     }
-    // Outside of the box all parts are what they are outside of theirs, or those that decide are.
+    // Outside the box, either all parts have their outside values, or the deciding ones do.
     const bool decisive = how != Combination::common;
     Box joined, shared = everywhere();
     bool decided = false;
@@ -124,7 +125,7 @@ PartRef CompositeBuilder::add(Combination how, std::vector<PartRef> parts,
     return {static_cast<std::uint32_t>(made_.nodes_.size() - 1), false};
 }
 
-/// Of what is asked one by one.
+/// Builds a tree whose items are tested one by one.
 WideTree CompositeBuilder::tree_of(std::span<const Box> boxes, const ItemPart& part) const {
     return build_tree(
         static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; }, part,
@@ -162,7 +163,7 @@ void CompositeBuilder::settle(std::uint32_t index) {
     });
 }
 
-/// Notes where surface can be seen, from the root down.
+/// Records the bounds of visible surface, from the root down.
 void CompositeBuilder::show(const PartRef& part, const Box& within) {
     if (part.leaf) {
         const CompositeLeaf& leaf = made_.leaves_[part.index];
@@ -246,7 +247,7 @@ bool Composite::inside_node(const Node& node, const Vec3& point, const PartRef* 
             if (contains(part.region.box, point) && decides(part)) return decisive;
         return !decisive;
     }
-    // A ray without length visits the leaves around its origin.
+    // A ray of length 0 visits the leaves around its origin.
     const bool found = node.index.traverse(
         Ray{point, Vec3(1)}, {0, 0}, [&](std::span<const std::uint32_t> items, Interval&) {
             return std::ranges::any_of(items, [&](std::uint32_t i) {
@@ -296,7 +297,8 @@ const Interval& Composite::cut(std::uint32_t leaf, const Ray& ray, Cut& last) co
     return last.left;
 }
 
-/// In the range; `seen` is the part of the ray where there can be any.
+/// Finds the points of the leaf's surface in the range; `seen` is the part of the ray that can
+/// contain any.
 template <class Take>
 void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& range,
                           const Interval& seen, Take take) const {
@@ -305,8 +307,8 @@ void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& r
     Crossings found;
     all_crossings_in(leaf.shape, transform ? transform->inverse_ray(ray) : ray, seen, found);
     bool limits_asked = !limited_;
-    // Faces of two parts in one place hide each other by rounding alone, here one and there the
-    // other: what is not seen may be so right before or behind. So a skin stays, as in POV-Ray.
+    // Rounding alone decides which of two coincident faces hides the other, and differs from point
+    // to point. So points right before and behind are tested as well: a skin stays, as in POV-Ray.
     const auto seen_near = [&](double t) {
         constexpr double rounding = 1e-13;
         const Vec3 point = ray.at(t);
@@ -329,13 +331,13 @@ void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& r
 std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interval& range,
                                                    Wanted wanted) const {
     const Slabs slabs(ray);
-    // A lone leaf has the same bounds.
+    // A single leaf has the same bounds.
     if (leaves_.size() > 1 && slabs.miss(bounds_, range)) return std::nullopt;
     std::optional<Meeting> nearest;
     Interval left = range;
     Cut last;
-    // Of surfaces in one place that of the last leaf counts, as in POV-Ray, whatever the order of
-    // asking.
+    // Of coincident surfaces, that of the last leaf counts, as in POV-Ray, independent of the order
+    // of the tests.
     const auto ask = [&](std::uint32_t leaf) {
         const bool may_share = nearest && leaf > nearest->leaf;
         const Interval there{left.min, may_share ? std::nextafter(left.max, infinity) : left.max};

@@ -37,8 +37,8 @@ struct Axis {
     double slope;  ///< growth of the radius along the axis
 };
 
-/// A ray as the cone sees it: distances from the axis, and the radius of the cone at the same
-/// height, at t = 0 and per t.
+/// A ray relative to the cone: its offset from the axis, and the cone's radius at the same height,
+/// at t = 0 and per t.
 struct Line {
     Vec3 radial, radial_step;
     double radius, radius_step;
@@ -55,8 +55,8 @@ struct Line {
     }
 };
 
-/// Where the line is inside the cone, as if it had no ends. When it meets both nappes, the one with
-/// the positive radius counts; when it meets one twice, the ends tell later which it is.
+/// The interval of the line inside the infinite cone. If it hits both nappes, the one with the
+/// positive radius counts; if it hits one nappe twice, the ends decide later which one it is.
 Interval within_side(const Line& line) {
     const double a = line.a(), b = line.b(), c = line.c();
     if (a == 0 && b == 0) return c < 0 ? whole_line : nowhere;
@@ -71,11 +71,11 @@ Interval within_side(const Line& line) {
     return line.radius_step > 0 ? Interval{roots.max, infinity} : Interval{-infinity, roots.min};
 }
 
-/// Polishing moves a root by no more than this share of it.
+/// Maximum relative change of a root by polishing.
 constexpr double polish = 1e-9;
 
-/// A root with the digits back that a flat parabola has cost: one step of Newton's method on the
-/// distance from the side. Grazing lines stay as they are.
+/// Restores the digits of a root that a flat parabola has cost, by one step of Newton's method on
+/// the distance from the side. Roots of grazing lines are returned unchanged.
 double polished(const Line& line, double t) {
     if (!std::isfinite(t)) return t;
     const Vec3 radial = line.radial + t * line.radial_step;
@@ -85,8 +85,8 @@ double polished(const Line& line, double t) {
     return std::abs(step) <= polish * std::abs(t) ? t - step : t;
 }
 
-/// The same, computed from the point where the line is deepest: there b vanishes, and a grazing
-/// line loses no digits.
+/// Result of within_side(), computed from the deepest point of the line: b vanishes there, so a
+/// grazing line loses no digits.
 Interval within_side_centred(const Line& line) {
     const double a = line.a();
     const double scale =
@@ -108,8 +108,8 @@ Box bounds(const Cone& cone) {
 
 void crossings(const Cone& cone, const Ray& ray, Crossings& found) {
     const Vec3& direction = ray.direction;
-    // All is computed from the point of the ray nearest to the cone, so that a far origin costs no
-    // digits twice.
+    // Computed from the point of the ray nearest to the cone, so that a distant origin loses no
+    // digits.
     const Vec3 middle = 0.5 * (cone.base + cone.cap);
     const double start = dot(middle - ray.origin, direction) / dot(direction, direction);
     const Vec3 near = ray.at(start);
@@ -126,7 +126,7 @@ void crossings(const Cone& cone, const Ray& ray, Crossings& found) {
     const Interval slab = between_ends(below, above, rise);
     if (!(slab.min < slab.max)) return;
     Interval side = within_side_centred(line);
-    // A root that polishing cannot bring to where it counts stays as it is.
+    // Roots that polishing cannot move into the slab are left unchanged.
     const auto far_below = [](double t, double limit) {
         return t + 2 * polish * std::abs(t) < limit;
     };
@@ -151,7 +151,7 @@ void crossings(const Cone& cone, const Ray& ray, Crossings& found) {
                          dot(direction, last.normal) <= 0;
     if (touches) return;
 
-    // The tip is part of the side, also when rounding calls it an end.
+    // The tip is part of the side, even when rounding makes it an end.
     const double first_radius = rise > 0 ? cone.base_radius : cone.cap_radius;
     const double last_radius = rise > 0 ? cone.cap_radius : cone.base_radius;
     if (!(cone.open && first_at_end && first_radius > 0)) found.add(first);

@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-/// A cone: its radius goes linearly from one end to the other.
+/// A cone whose radius varies linearly from one end to the other.
 struct Cone {
     Vec3 base = Vec3(0);
     double base_radius = 1;
@@ -21,8 +21,8 @@ struct Cone {
 Box bounds(const Cone&);
 void crossings(const Cone&, const Ray&, Crossings&);
 bool inside(const Cone&, const Vec3&);
-/// What is wrong beyond the ranges of single fields (ends that coincide), as a sentence; empty when
-/// nothing is.
+/// Error that the ranges of single fields do not exclude (ends that coincide), as a sentence; empty
+/// when there is none.
 std::string problem(const Cone&);
 /// See shape.h.
 std::string vanishes(const Cone&);

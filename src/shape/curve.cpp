@@ -5,7 +5,7 @@ namespace candelabra {
 
 namespace {
 
-/// Points so near to each other are the same to loops.
+/// Distance below which loops treat points as equal.
 constexpr double same = 1e-10;
 
 bool equal(const Vec2& a, const Vec2& b) {
@@ -42,7 +42,7 @@ CurvePiece piece(CurveKind kind, std::span<const Vec2> p, std::size_t i) {
     return bezier_piece(p[i], p[i + 1], p[i + 2], p[i + 3]);
 }
 
-/// How many control points a piece uses, and from which to which the next one moves on.
+/// Number of control points of a piece, and the number that the next piece advances by.
 std::size_t used(CurveKind kind) {
     return kind == linear_curve ? 2 : kind == quadratic_curve ? 3 : 4;
 }
@@ -105,7 +105,7 @@ Loops closed_curves(CurveKind kind, std::span<const Vec2> points) {
         last.end = loop.front().start;
         result.loops.push_back(std::move(loop));
         loop.clear();
-        // The control points that are left belong to this loop.
+        // The remaining control points belong to this loop.
         if (kind != bezier_curve) i += used(kind) - 1;
     }
     if (loop.empty()) return result;

@@ -18,13 +18,11 @@ const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
                             F{"open", &Cylinder::open, flag, "leaves the ends out"});
 });
 
-namespace {}  // namespace
-
 Box bounds(const Cylinder& c) { return bounds(Cone{c.base, c.radius, c.cap, c.radius, c.open}); }
 
 void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
-    // All is computed from the point of the ray nearest to the middle, so that a far origin costs
-    // no digits.
+    // Computed from the point of the ray nearest to the middle, so that a distant origin loses no
+    // digits.
     const Vec3& direction = ray.direction;
     const double radius2 = cylinder.radius * cylinder.radius, speed2 = dot(direction, direction);
     const Vec3 middle = 0.5 * (cylinder.base + cylinder.cap), half = cylinder.cap - middle;
@@ -32,13 +30,13 @@ void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
     const Vec3 near = ray.at(start), off = near - middle;
     if (!(dot(off, off) <= (radius2 + dot(half, half)) * (1 + 1e-9))) return;
 
-    // Along the axis in its lengths, and away from it: each at t = 0 and per t.
+    // Position along the axis, in units of its length, and offset from it: each at t = 0 and per t.
     const Vec3 axis = cylinder.cap - cylinder.base, from = near - cylinder.base;
     const double per_length2 = 1 / dot(axis, axis);
     const double height = dot(from, axis) * per_length2, rise = dot(direction, axis) * per_length2;
     const Vec3 away = from - height * axis, step = direction - rise * axis;
     const Interval ends = between_ends(height, 1 - height, rise);
-    // Around where the ray is deepest.
+    // Interval around the deepest point of the ray.
     const double step2 = dot(step, step);
     Interval side{-infinity, infinity};
     if (step2 > 1e-30 * speed2) {
@@ -61,7 +59,7 @@ void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
         const Vec3& end = at_base ? cylinder.base : cylinder.cap;
         return {meeting_with_end(ray, end, up, start + t), at_base ? -up : up, entering};
     };
-    // The ray only touches a side that it does not pass.
+    // A ray that does not pass through the side only touches it.
     const auto passes = [&](double t, bool at_end, bool entering) {
         const double along = dot(step, away + t * step);
         return at_end || (entering ? along < 0 : along > 0);

@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-/// A cylinder with flat ends, or a tube without them.
+/// A cylinder with flat ends, or an open tube.
 struct Cylinder {
     Vec3 base = Vec3(0);
     Vec3 cap = Vec3(0, 1, 0);
@@ -20,8 +20,8 @@ struct Cylinder {
 Box bounds(const Cylinder&);
 void crossings(const Cylinder&, const Ray&, Crossings&);
 bool inside(const Cylinder&, const Vec3&);
-/// What is wrong beyond the ranges of single fields (ends that coincide), as a sentence; empty when
-/// nothing is.
+/// Error that the ranges of single fields do not exclude (ends that coincide), as a sentence; empty
+/// when there is none.
 std::string problem(const Cylinder&);
 /// See shape.h.
 std::string vanishes(const Cylinder&);

@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-/// A flat ring or full disc. Its inside is the half space behind it, as in POV-Ray 3.7.
+/// A full disc or a flat ring. Its inside is the half space behind it, as in POV-Ray 3.7.
 struct Disc {
     Vec3 centre = Vec3(0);
     Vec3 normal = Vec3(0, 1, 0);
@@ -20,10 +20,10 @@ struct Disc {
 Box bounds(const Disc&);
 void crossings(const Disc&, const Ray&, Crossings&);
 bool inside(const Disc&, const Vec3&);
-/// The half space behind it has no end.
+/// Infinite, as is the half space behind the disc.
 Box inside_bounds(const Disc&);
-/// What is wrong beyond the ranges of single fields (normal without a direction), as a sentence;
-/// empty when nothing is.
+/// Error that the ranges of single fields do not exclude (a normal without a direction), as a
+/// sentence; empty when there is none.
 std::string problem(const Disc&);
 /// See shape.h.
 std::string vanishes(const Disc&);

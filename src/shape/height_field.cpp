@@ -39,17 +39,17 @@ const ItemInfo HeightField::vocabulary = described<HeightField>([] {
 
 namespace {
 
-/// What 1 is in units of height.
+/// Units of height in a height of 1.
 constexpr double highest = 65536;
 
-/// Normal of the plane through three heights of neighbours, x and z pointing along the square.
+/// Normal of the plane through three neighbouring heights, x and z pointing along the square.
 Vec3 slope_normal(const HeightGrid& grid, double rise_x, double rise_z) {
     return unit(Vec3(-rise_x * (grid.width - 1), highest, -rise_z * (grid.height - 1)));
 }
 
-/// The normal of a pixel, of no particular length: the mean of those to its neighbours. As in
-/// POV-Ray, all are unit vectors where pixels are units and heights go to 65536, so that the flat
-/// ones count most, and the mean's parts are whole numbers up to 32767.
+/// Unit normal of a pixel: the mean of the normals towards its neighbours. As in POV-Ray, these
+/// have length 1 in a space where pixels are units and heights go to 65536, so that the flat ones
+/// count most, and the components of the mean are whole numbers up to 32767.
 Vec3 pixel_normal(const HeightGrid& grid, int x, int z) {
     constexpr double longest = 32767;
     Vec3 sum(0);
@@ -63,14 +63,14 @@ Vec3 pixel_normal(const HeightGrid& grid, int x, int z) {
     return unit(glm::trunc(longest * unit(sum)) * Vec3(grid.width - 1, highest, grid.height - 1));
 }
 
-/// The plane of one half of a cell, in cells and units of height: height(x, z) =
-/// base + rise . (x, z).
+/// The plane of one half of a cell, in cells and units of height:
+/// height(x, z) = base + rise . (x, z).
 struct Half {
     double base, rise_x, rise_z;
     double height(double x, double z) const { return base + rise_x * x + rise_z * z; }
 };
 
-/// The heights at the corners of a cell: at (0, 0), (1, 0), (0, 1) and (1, 1).
+/// The heights at the corners (0, 0), (1, 0), (0, 1) and (1, 1) of a cell.
 struct Cell {
     std::uint16_t origin, right, far, corner;
 
@@ -85,7 +85,7 @@ struct Cell {
                 std::max(std::max(origin, right), std::max(far, corner))};
     }
 
-    /// The half below the diagonal from (1, 0) to (0, 1), or that above it.
+    /// The half above or below the diagonal from (1, 0) to (0, 1).
     Half half(bool upper) const {
         const double at_right = right, at_far = far;
         if (!upper) return {static_cast<double>(origin), at_right - origin, at_far - origin};
@@ -126,13 +126,13 @@ public:
 private:
     static int cell(double at, int count) { return std::clamp(static_cast<int>(at), 0, count - 2); }
 
-    /// Over the blocks of a level, and within those that it does not pass over the smaller ones; at
-    /// level 0 over the cells themselves.
+    /// Follows the ray over the blocks of a level, and over the smaller blocks in those that it may
+    /// hit; at level 0 over the cells.
     void over_blocks(std::size_t level, const Interval& range, const Interval& wanted) {
         const HeightBlocks* const blocks = level > 0 ? &field_.levels[level - 1] : nullptr;
         const int size = blocks ? blocks->size : 1;
         for (double t = range.min; t < range.max && t <= wanted.max && !met(wanted);) {
-            // The cell in which the ray is right behind t.
+            // The cell that the ray is in right behind t.
             const double probe = t + 1e-9 * end_;
             const int x = cell(ray_.origin.x + probe * ray_.direction.x, grid_.width);
             const int z = cell(ray_.origin.z + probe * ray_.direction.z, grid_.height);
@@ -150,7 +150,7 @@ private:
         return found_.size() > 0 && found_[found_.size() - 1].t > wanted.min;
     }
 
-    /// Whether the ray stays on its side of all that the block has.
+    /// Whether the ray stays on its side of the whole block.
     bool passes_over(const HeightBlock& block, const Interval& range) {
         const double a = ray_.origin.y + range.min * ray_.direction.y;
         const double b = ray_.origin.y + range.max * ray_.direction.y;
@@ -161,10 +161,10 @@ private:
         return above_ ? above : below;
     }
 
-    /// Where the ray leaves a square of cells.
+    /// Parameter at which the ray leaves a square of cells.
     double leaves(int x, int z, double after, int size) const {
         double t = std::numeric_limits<double>::infinity();
-        // Along the other axis this is infinite, or no number: it bounds nothing.
+        // For an axis that the ray is parallel to, this is infinite or NaN and bounds nothing.
         const auto bound = [&](double origin, double step, int low) {
             const double at = (low + (step > 0 ? size : 0) - origin) * step;
             if (at > after) t = std::min(t, at);
@@ -216,15 +216,15 @@ private:
     const BuiltHeightField& field_;
     const HeightGrid& grid_;
     const Ray& ray_;
-    const Vec3 steps_;       ///< of t from one pixel to the next
+    const Vec3 steps_;       ///< in t from one pixel to the next
     const Vec3& direction_;  ///< in the unit square
     const double end_;       ///< of the ray
     Crossings& found_;
-    bool first_ = true;  ///< nothing is known of the side yet
+    bool first_ = true;  ///< the side of the ray is not known yet
     bool above_ = true;
 };
 
-/// Of so many cells each way.
+/// Heights of a block of size by size cells.
 HeightBlock block_of(const HeightGrid& grid, int x, int z, int size) {
     HeightBlock block{grid.at(x, z), grid.at(x, z)};
     for (int v = z; v <= std::min(z + size, grid.height - 1); ++v)
@@ -282,7 +282,7 @@ void nearest_crossings(const BuiltHeightField& field, const Ray& ray, const Inte
              {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()});
     if (!(range.min < range.max)) return;
     const Vec3 cells(field.grid->width - 1, highest, field.grid->height - 1);
-    // From where it comes in, so that a far origin costs no digits.
+    // Computed from the entry point, so that a distant origin loses no digits.
     const Vec3 start = ray.at(range.min);
     const Ray over{cells * start, cells * ray.direction};
     Crossings met;

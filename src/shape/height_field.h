@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A landscape over the unit square: the heights of a picture's pixels, or of a function. The reader
-// of the language puts in the heights; rays ask the BuiltHeightField.
+// A landscape over the unit square: the heights of a picture's pixels or of a function. The reader
+// of the language fills in the heights; rays are tested against the BuiltHeightField.
 #pragma once
 
 #include "base/handle.h"
@@ -12,7 +12,7 @@
 
 namespace candelabra {
 
-/// Heights in units of 1/65536, row by row from z = 0, x along the rows.
+/// Heights in units of 1/65536, row by row from z = 0, with x along the rows.
 struct HeightGrid {
     int width = 0, height = 0;
     std::vector<std::uint16_t> values;
@@ -35,18 +35,18 @@ struct HeightField {
     static const ItemInfo vocabulary;
 };
 
-/// The lowest and the highest height of some cells, in units of 1/65536.
+/// Minimum and maximum height of a block of cells, in units of 1/65536.
 struct HeightBlock {
     std::uint16_t low, high;
 };
 
-/// All cells of a grid in squares of so many cells each way.
+/// The cells of a grid, grouped in square blocks of size by size cells.
 struct HeightBlocks {
     int size = 0;
     int columns = 0;
     std::vector<HeightBlock> blocks;  ///< row by row
 
-    /// That of a cell.
+    /// The block that contains a cell.
     const HeightBlock& at(int x, int z) const {
         return blocks[static_cast<std::size_t>(z / size * columns + x / size)];
     }
@@ -56,19 +56,20 @@ struct BuiltHeightField {
     Handle<HeightGrid> grid;
     double water_level = 0;
     bool smooth = false;
-    double low = 0, high = 0;               ///< of all heights, up to 1
-    std::vector<HeightBlocks> levels = {};  ///< from the smallest blocks on
-    /// The place of a smooth one that is stretched there: as in POV-Ray, the normals of pixels are
-    /// of length 1 there when they are mixed, not in the unit square. Null: none.
+    double low = 0, high = 0;               ///< minimum and maximum height, up to 1
+    std::vector<HeightBlocks> levels = {};  ///< from the smallest blocks to the largest
+    /// Transform of a smooth height field that it stretches. As in POV-Ray, the pixels' normals
+    /// have length 1 in the space after the transform when they are interpolated, not in the unit
+    /// square. Null: none.
     Handle<Transform> stretched = nullptr;
 };
 
-/// What is wrong beyond the ranges of single fields (no heights), as a sentence; empty when nothing
-/// is.
+/// Error that the ranges of single fields do not exclude (no heights), as a sentence; empty when
+/// there is none.
 std::string problem(const HeightField&);
 BuiltHeightField build(const HeightField&);
 
-/// Only the landscape is a surface; below it everything is inside.
+/// The surface is the landscape only; everything below it is inside.
 Box bounds(const BuiltHeightField&);
 /// See crossings_in() of BuiltShape.
 void nearest_crossings(const BuiltHeightField&, const Ray&, const Interval& range, Crossings&);

@@ -39,7 +39,7 @@ double value_at(const BuiltIsosurface& surface, const Vec3& p) {
     return surface.function->value(std::span(&p.x, 3)) - surface.threshold;
 }
 
-/// Values along a ray whose direction has length 1.
+/// Bounds of values and slopes along a ray whose direction has length 1.
 Enclosure within(const BuiltIsosurface& surface, const Ray& ray, const Interval& range) {
     const Bounds promised{-surface.max_gradient, surface.max_gradient};
     if (!surface.function->written()) return {all_numbers, promised};
@@ -52,12 +52,12 @@ Enclosure within(const BuiltIsosurface& surface, const Ray& ray, const Interval&
     Enclosure result;
     if (!surface.function->enclose(arguments.data(), &result)) return {all_numbers, promised};
     result.value = result.value - Bounds{surface.threshold, surface.threshold};
-    // Near a pole, or where there is no value, the scene knows more.
+    // Near a pole, or where the function has no value, the scene's bounds are better.
     if (result == Enclosure::unknown()) result.slope = promised;
     return result;
 }
 
-/// The unit normal at a place where the ray goes in or out: up the slope of the function.
+/// Unit normal where the ray enters or leaves, from the gradient of the function.
 Vec3 normal_at(const BuiltIsosurface& surface, const Vec3& p, const Vec3& direction,
                bool entering) {
     const double step = 1e-6 * length(bounds(surface).size());
@@ -70,8 +70,8 @@ Vec3 normal_at(const BuiltIsosurface& surface, const Vec3& p, const Vec3& direct
     return normal_against(slope, direction, entering);
 }
 
-/// Where the ray is in the container, with the normals of its surface there. As in POV-Ray, nothing
-/// is in one without a size in all directions.
+/// Where the ray enters and leaves the container, with its normals there. As in POV-Ray, a
+/// container without a size in all directions is empty.
 std::optional<std::array<Crossing, 2>> stay(const BuiltIsosurface& surface, const Ray& ray) {
     Crossings walls;
     std::visit([&](const auto& shape) { crossings(shape, ray, walls); }, surface.container);
@@ -84,12 +84,12 @@ std::optional<std::array<Crossing, 2>> stay(const BuiltIsosurface& surface, cons
 
 enum class RootsWanted { all, nearest };
 
-/// The crossings in the range, or the nearest of them, and maybe others.
+/// Finds the crossings in the range, or the nearest of them, and possibly others.
 void search(const BuiltIsosurface& surface, const Ray& ray, const Interval& range, RootsWanted how,
             Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
-    // From the point nearest to the middle, where a far origin costs no digits.
+    // Computed from the point nearest to the middle, so that a distant origin loses no digits.
     const Vec3 u = ray.direction / speed;
     const double start = dot(bounds(surface).centre() - ray.origin, u);
     const Ray near{ray.origin + start * u, u};

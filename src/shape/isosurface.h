@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a function of x, y, z has a value, within a box or a sphere. Written functions are searched
-// by interval arithmetic, which misses nothing; for others the scene's max_gradient counts. Rays
-// ask the BuiltIsosurface.
+// The surface where a function of x, y, z has a given value, within a box or a sphere. Functions
+// written in the scene are searched by interval arithmetic, which misses no crossing; for others
+// the scene's max_gradient is trusted. Rays are tested against the BuiltIsosurface.
 #pragma once
 
 #include "formula/formula.h"
@@ -10,7 +10,7 @@
 
 namespace candelabra {
 
-/// What an isosurface, or a parametric surface, is cut off by.
+/// The box or sphere that cuts off an isosurface or a parametric surface.
 struct Container {
     std::vector<Cuboid> boxes;
     std::vector<Sphere> spheres;
@@ -18,9 +18,8 @@ struct Container {
     static const ItemInfo vocabulary;
 };
 
-/// The box or sphere itself.
 using ContainerShape = std::variant<Cuboid, Sphere>;
-/// The last one that is given; a box from -1 to 1 when none is.
+/// Returns the last container given; a box from -1 to 1 when there is none.
 ContainerShape container_shape(const std::vector<Container>&);
 
 struct Isosurface {
@@ -44,8 +43,8 @@ struct BuiltIsosurface {
     bool open = false;
 };
 
-/// What is wrong beyond the ranges of single fields (no function, or one of other arguments), as a
-/// sentence; empty when nothing is.
+/// Error that the ranges of single fields do not exclude (no function, or one with other
+/// parameters), as a sentence; empty when there is none.
 std::string problem(const Isosurface&);
 BuiltIsosurface build(const Isosurface&);
 

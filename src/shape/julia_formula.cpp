@@ -13,8 +13,8 @@ constexpr Complex i(0, 1);
 
 Complex logarithm(const Complex& a) { return std::log(a); }
 
-/// F of complex numbers, by the formulas of the behaviour that is reproduced. Where there is no
-/// value (a division by 0), it is not a number.
+/// F of complex numbers, by the formulas of the reproduced behaviour; NaN where it has no value (a
+/// division by 0).
 Complex value(const JuliaFractal& julia, const Complex& a) {
     const Complex one = 1;
     switch (function_of(julia)) {
@@ -56,7 +56,7 @@ Complex value(const JuliaFractal& julia, const Complex& a) {
     return power.real() < -690 ? 0 : std::exp(power);
 }
 
-/// A hypercomplex number is two complex ones.
+/// A hypercomplex number as two complex ones.
 struct Halves {
     Complex a, b;
 

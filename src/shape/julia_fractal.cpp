@@ -46,7 +46,7 @@ const ItemInfo JuliaFractal::vocabulary = described<JuliaFractal>([] {
 
 namespace {
 
-/// Steps along one ray.
+/// Maximum number of steps along one ray.
 constexpr int max_steps = 100'000;
 
 Vec3 normal_at(const JuliaSet& julia, const Vec3& p, const Vec3& direction, bool entering) {
@@ -66,7 +66,7 @@ Vec3 normal_at(const JuliaSet& julia, const Vec3& p, const Vec3& direction, bool
     return normal_against(slope, direction, entering);
 }
 
-/// Where between two places of a ray the set begins or ends.
+/// Bisects for the boundary of the set between two places of a ray.
 double border(const JuliaSet& julia, const Ray& ray, double first, double last, bool stays) {
     constexpr int enough = 32;
     for (int i = 0; i < enough; ++i) {
@@ -76,8 +76,8 @@ double border(const JuliaSet& julia, const Ray& ray, double first, double last, 
     return 0.5 * (first + last);
 }
 
-/// Moves `t` on in steps of that size, as long as the set is there and before the end, as far as it
-/// is quickly known; gives the number of steps.
+/// Advances `t` in steps of the given size while the quick test finds the set there, up to the end.
+/// Returns the number of steps.
 int pass_inside(const JuliaSet& julia, const Ray& ray, double step, double end, double& t) {
     int steps = 0;
     for (int stays = 4; stays == 4 && steps < max_steps; steps += stays) {
@@ -92,7 +92,7 @@ int pass_inside(const JuliaSet& julia, const Ray& ray, double step, double end, 
 
 enum class Start { anywhere, surface };
 
-/// Calls take(crossing) for the crossings in the range, in their order, as long as it is true.
+/// Calls take(crossing) for the crossings in the range, in ascending order, until it returns false.
 template <class Take>
 void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, Start begins,
           Take take) {
@@ -109,12 +109,12 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
     const double least = 1 / fractal.precision;
     const double until = std::fmin(last, range.max * speed - start);
     double t = std::fmax(first, range.min * speed - start);
-    // At the sphere nothing stays, whatever rounding says. But as in POV-Ray, a set of a formula,
-    // which may fill space, has no surface there.
+    // The sphere is outside of the set, whatever rounding says. But as in POV-Ray, the set of a
+    // formula, which may fill space, has no surface there.
     const bool goes_on = julia.by_formula;
     JuliaOrbit here = julia_orbit(julia, near.at(goes_on ? t + 1e-7 : t));
     here.stays = here.stays && (goes_on || t > first);
-    // A ray that leaves the surface may begin in a part of it that is smaller than what is seen.
+    // A ray that leaves the surface may start in a part of the set smaller than a step.
     if (here.stays && begins == Start::surface)
         here = julia_orbit(julia, near.at(t = std::fmin(t + least, until)));
     for (int n = 0; n < max_steps && t < until; ++n) {
@@ -130,7 +130,7 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
         here = there;
         t = next;
     }
-    // Out of steps within the set: it ends at the sphere.
+    // The steps ran out within the set: it ends at the sphere.
     if (here.stays && !goes_on && t < until) take({(start + last) / speed, u, false});
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slice of a Julia set of numbers with four components: the points whose orbit stays small. Rays
-// walk through it in steps that the escape of the orbits allows.
+// A 3D slice of a Julia set of four-component numbers: the points whose orbits stay bounded. Rays
+// march through it in steps that the escape of the orbits allows.
 #pragma once
 
 #include "base/ray.h"
@@ -44,7 +44,7 @@ struct JuliaFractal {
     static const ItemInfo vocabulary;
 };
 
-/// What is wrong beyond the ranges of single fields, as a sentence; empty when nothing is.
+/// Error that the ranges of single fields do not exclude, as a sentence; empty when there is none.
 std::string problem(const JuliaFractal&);
 
 Box bounds(const JuliaFractal&);

@@ -12,7 +12,7 @@ namespace {
 
 double size2(const Vec4& q) { return glm::dot(q, q); }
 
-// The polynomials, for numbers or several numbers at once.
+// The polynomials, for single numbers or vectors of numbers.
 
 template <class Quaternion>
 Quaternion hypercomplex_square(const Quaternion& q) {
@@ -32,7 +32,7 @@ Quaternion cube(const Quaternion& q) {
     return {q.x * (q.x * q.x - 3 * d), q.y * sum, q.z * sum, q.w * sum};
 }
 
-/// Calls use(F), where F gives the image of a point: it is chosen once for a whole orbit.
+/// Calls use(F), where F maps a point to its image: it is chosen once for a whole orbit.
 template <class Use>
 auto with_function(const JuliaFractal& julia, Use use) {
     if (is_by_formula(julia)) return use([&](const Vec4& q) { return formula_image(julia, q); });
@@ -42,14 +42,14 @@ auto with_function(const JuliaFractal& julia, Use use) {
     return use([](const Vec4& q) { return cube(q); });
 }
 
-/// Bounds the distance to the set from below, from an orbit that escapes. Quaternions have one
-/// size; a hypercomplex number is two complex ones, of which each has its own set: the point is as
-/// far away as from the further one.
+/// Lower bound of the distance to the set, from an orbit that escapes. Quaternions have one size. A
+/// hypercomplex number is two complex ones with a set each; its distance is that from the further
+/// set.
 class DistanceBound {
 public:
     DistanceBound(bool two_numbers, bool cubic) : two_(two_numbers), cubic_(cubic) {}
 
-    /// The function's derivative is 2 q or 3 q^2.
+    /// Multiplies by the function's derivative, 2 q or 3 q^2.
     void follow(const Vec4& q) {
         const Vec2 sizes = sizes2(q);
         product2_ *= cubic_ ? sizes * sizes : sizes;
@@ -60,7 +60,7 @@ public:
         const Vec2 sizes = sizes2(q);
         const double first = bound(sizes.x, product2_.x);
         if (!two_) return first;
-        // Distances in the plane of both numbers are larger by the root of 2.
+        // Distances in the plane of both numbers are larger by a factor of sqrt(2).
         return std::max(first, bound(sizes.y, product2_.y)) / std::sqrt(2.0);
     }
 
@@ -81,14 +81,14 @@ private:
     Vec2 product2_ = Vec2(1);
 };
 
-/// Numbers that are computed with at once.
+/// Numbers processed at once.
 using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
 
 struct FourPoints {
     Four x, y, z, w;
 };
 
-/// How many of the first of four orbits stay; each of them is computed as julia_orbit() does.
+/// Number of leading orbits, of four, that stay; each is computed as in julia_orbit().
 template <class Image>
 [[gnu::always_inline]] inline int staying(const JuliaSet& set, const Ray& ray,
                                           const std::array<double, 4>& places, Image image) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The orbit of a point under q -> F(q) + c: what a Julia fractal is made of. The rules are those
-// that POV-Ray 3.7 computes, with its mistakes.
+// The orbit of a point under q -> F(q) + c, which defines a Julia fractal. The rules are those that
+// POV-Ray 3.7 computes, including its errors.
 #pragma once
 
 #include "shape/julia_fractal.h"
@@ -10,38 +10,37 @@
 namespace candelabra {
 
 struct JuliaOrbit {
-    bool stays = false;    ///< within max_iteration steps the orbit does not get far
-    double distance2 = 0;  ///< from 0, of the last point
-    double step = 0;       ///< how far the set is at least, where that is known (0 where it is not)
+    bool stays = false;    ///< the orbit stays within the escape radius for max_iteration steps
+    double distance2 = 0;  ///< squared distance of the last point from 0
+    double step = 0;       ///< lower bound of the distance to the set; 0 where unknown
 };
 
-/// A Julia fractal with what all of its orbits have in common.
+/// A Julia fractal, with the data that all of its orbits share.
 struct JuliaSet {
     JuliaSet(const JuliaFractal& fractal);
 
-    /// A point of space as a number.
+    /// Maps a point of space to a number.
     Vec4 place(const Vec3&) const;
 
     const JuliaFractal& julia;
-    bool by_formula;  ///< of complex numbers
+    bool by_formula;  ///< its function is a formula of complex numbers
     Vec4 slice;       ///< unit normal
-    double limit2;    ///< the square of a distance from which no orbit comes back
+    double limit2;    ///< squared escape radius: no orbit returns from beyond
 };
 
 JuliaOrbit julia_orbit(const JuliaSet&, const Vec3&);
 
-/// Whether the point counts as in the set: for functions by formula not what its orbit says.
+/// Whether the point is in the set; for functions by formula its own orbit does not decide this.
 bool julia_contains(const JuliaSet&, const Vec3&);
 
-/// How many of the first of four points of a ray are known to stay in the set: a quick look ahead,
-/// which need not see any.
+/// Number of leading points, of four on a ray, that are known to stay in the set. A quick look
+/// ahead, which may return fewer than there are.
 int julia_stays(const JuliaSet&, const Ray&, const std::array<double, 4>& places);
 
-/// The square of the distance from 0 after all steps, also behind the escape: what normals are the
-/// slope of.
+/// Squared distance from 0 after all steps, continued past the escape; normals are its gradient.
 double julia_size(const JuliaSet&, const Vec3&);
 
-/// No point outside of the sphere with this radius is in the set.
+/// Radius of a sphere around 0 that contains the set.
 double julia_radius(const JuliaFractal&);
 
 }  // namespace candelabra

@@ -23,8 +23,8 @@ const ItemInfo Lathe::vocabulary = described<Lathe>([] {
 
 namespace {
 
-/// A ray of unit length from its point nearest to the axis: there its square distance from the axis
-/// is nearest2 + across2 s^2.
+/// A ray of unit length that starts at its point nearest to the axis: its squared distance from the
+/// axis is nearest2 + across2 s^2.
 struct LatheRay {
     double nearest2, across2;
     double height, rise;
@@ -35,7 +35,8 @@ struct LatheRay {
           height(origin.y),
           rise(direction.y) {}
 
-    /// Whether the ray may meet a part: at its heights it is as far from the axis.
+    /// Whether the ray may hit a part: its distance from the axis at the part's heights is in
+    /// range.
     bool comes_near(const BuiltLathe::Part& part) const {
         Interval way = whole_line;
         if (rise != 0) {
@@ -50,14 +51,14 @@ struct LatheRay {
                nearest2 + across2 * farthest * farthest >= part.radii.min * part.radii.min;
     }
 
-    /// 0 where the point of the curve lies on the ray (times rise^2).
+    /// 0 where the point of the curve lies on the ray (scaled by rise^2).
     double miss(const Vec2& point) const {
         const double w = point.y - height;
         return across2 * w * w + rise * rise * (nearest2 - point.x * point.x);
     }
 };
 
-/// The factors of LatheRay::miss() along a piece that has so many of its own.
+/// Coefficients of LatheRay::miss() along a piece with `count` coefficients.
 std::array<double, 7> miss_along(const LatheRay& ray, const CurvePiece& piece, std::size_t count) {
     std::array<double, 7> result{};
     result[0] = ray.rise * ray.rise * ray.nearest2;
@@ -71,13 +72,13 @@ std::array<double, 7> miss_along(const LatheRay& ray, const CurvePiece& piece, s
     return result;
 }
 
-/// A meeting of ray and curve: the ray's parameter and the curve's.
+/// An intersection of ray and curve, with the parameters of both.
 struct Meeting {
     double s, u;
 };
 
-/// Newton's method for both equations: at the ray's distance from the axis, at its height. Nearly
-/// level rays need it, which meet the curve in two places close together.
+/// Newton's method for both equations, the distance from the axis and the height. Nearly level rays
+/// need it, since they hit the curve in two places close together.
 Meeting polished(const LatheRay& ray, const CurvePiece& piece, Meeting m) {
     for (int step = 0; step < 3; ++step) {
         const Vec2 p = piece.at(m.u), slope = piece.slope(m.u);
@@ -93,7 +94,7 @@ Meeting polished(const LatheRay& ray, const CurvePiece& piece, Meeting m) {
     return m;
 }
 
-/// Rays that rise less than this are met as if they were level, and then corrected.
+/// Rays that rise less than this are intersected as level ones and then corrected.
 constexpr double level = 1e-6;
 
 template <class Take>
@@ -136,7 +137,7 @@ BuiltLathe::Part part_of(const CurvePiece& piece, const Rectangle& box) {
     return {piece, factors, {hollow, reach + pad}, {box.low.y - pad, box.high.y + pad}};
 }
 
-/// Twice the signed area between curve and axis; the pieces' integrals of r dy.
+/// Signed area between the piece and the axis: the integral of r dy.
 double area(const CurvePiece& piece) {
     double sum = 0;
     for (std::size_t i = 0; i < 4; ++i)
@@ -184,7 +185,8 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
     const Vec3 d = ray.direction / speed;
     const double across2 = d.x * d.x + d.z * d.z;
     const Vec3 centre = lathe.bounds.centre();
-    // From the point nearest to the axis, or to the middle for rays along it.
+    // Starts at the point nearest to the axis; for rays along the axis, at the point nearest to the
+    // middle.
     const double start = across2 > 1e-12 ? -(ray.origin.x * d.x + ray.origin.z * d.z) / across2
                                          : dot(centre - ray.origin, d);
     const Ray near{ray.origin + start * d, d};
@@ -194,7 +196,7 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
         meet(seen, part, [&](const Meeting& m) {
             const Vec3 p = near.at(m.s);
             Vec2 slope = part.piece.slope(m.u);
-            // Beyond the axis the curve is seen in a mirror.
+            // Beyond the axis the curve is mirrored.
             if (part.piece.at(m.u).x < 0) slope.x = -slope.x;
             const double radius = std::hypot(p.x, p.z), side = lathe.outside_right ? 1 : -1;
             const Vec3 out = radius > 0 ? Vec3(p.x, 0, p.z) / radius : Vec3(0);

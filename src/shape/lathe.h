@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A curve turned around the y axis. Rays ask the BuiltLathe.
+// A curve turned around the y axis. Rays are tested against the BuiltLathe.
 #pragma once
 
 #include "base/ray.h"
@@ -8,8 +8,8 @@
 
 namespace candelabra {
 
-/// A curve of points <radius, height>, turned around the y axis. It need not be closed: what lies
-/// on the axis' side of it is inside.
+/// A curve of points <radius, height>, turned around the y axis. It need not be closed: the inside
+/// lies between the curve and the axis.
 struct Lathe {
     int spline = linear_curve;
     std::vector<Vec2> points;
@@ -20,8 +20,8 @@ struct Lathe {
 struct BuiltLathe {
     struct Part {
         CurvePiece piece;
-        std::size_t factors;      ///< of the piece, without zeros at the end
-        Interval radii, heights;  ///< of its points, and a little more
+        std::size_t factors;      ///< of the piece, without trailing zeros
+        Interval radii, heights;  ///< ranges over the piece, slightly enlarged
     };
     std::vector<Part> parts;
     Box bounds;
@@ -29,8 +29,8 @@ struct BuiltLathe {
 };
 
 BuiltLathe build(const Lathe&);
-/// What is wrong beyond the ranges of single fields (too few points), as a sentence; empty when
-/// nothing is.
+/// Error that the ranges of single fields do not exclude (too few points), as a sentence; empty
+/// when there is none.
 std::string problem(const Lathe&);
 
 Box bounds(const BuiltLathe&);

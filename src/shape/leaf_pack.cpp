@@ -11,19 +11,19 @@ namespace candelabra {
 
 namespace {
 
-// Bounds of rounding errors, as shares of the numbers that they come from. They are generous: a
-// lane too many costs an exact test, one too few a hole.
+// Relative bounds of rounding errors. They are generous: a false candidate costs an exact test, a
+// missed one leaves a hole.
 constexpr double float_error = 0x1p-19;
-// A leaf's entry is known in single precision, so the point there may be further from the leaf than
-// the leaf is large.
+// The entry point of a leaf is known in single precision, so its distance from the leaf may exceed
+// the leaf's size.
 constexpr double double_error = 0x1p-43;
-/// Below this, products lose their digits.
+/// Products below this lose their digits.
 constexpr float tiny = 1e-36f;
 
-/// The first bits.
+/// Mask of the first `count` bits.
 std::uint32_t bits(std::uint32_t count) { return (1u << count) - 1; }
 
-/// How many items of a leaf there are of each kind.
+/// Numbers of the items of each kind in a leaf.
 struct Counts {
     std::uint32_t spheres, triangles, others;
 
@@ -101,13 +101,13 @@ void PackRay::prepare() {
     const Vec3 &origin = ray_.origin, &direction = ray_.direction;
     const double length2 = dot(direction, direction);
     origin_size_ = std::abs(origin.x) + std::abs(origin.y) + std::abs(origin.z);
-    // What nearly all rays have, and need not wait for a root then.
+    // Nearly all directions have this length, and need not wait for a square root.
     constexpr double nearly = 0x1p-30;
     length_ = 1;
     double shorter = 1;
     if (!(std::abs(length2 - 1) < nearly)) {
         length_ = std::sqrt(length2);
-        // Directions that have no length in numbers rule out nothing: comparisons with NaN fail.
+        // Directions without a finite length rule out nothing: comparisons with NaN fail.
         if (!(length_ > 1e-150 && length_ < 1e150))
             length_ = std::numeric_limits<double>::quiet_NaN();
         shorter = 1 / length_;
@@ -128,13 +128,13 @@ void PackRay::prepare_for_triangles() {
               static_cast<float>(direction[static_cast<int>(y_)] * upright)};
 }
 
-/// The ray at one leaf, in units of length.
+/// A ray at one leaf, in units of length.
 struct PackRay::Here {
     using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
 
-    Four point;         ///< where it enters the leaf
-    float least, most;  ///< the range, from that point on
-    float slack;        ///< of points along the ray, by the rounding of doubles
+    Four point;         ///< entry point into the leaf
+    float least, most;  ///< the range, relative to the entry point
+    float slack;        ///< rounding error of points along the ray in doubles
     float reach;        ///< largest coordinate in the leaf
 
     [[gnu::always_inline]] Here(const PackRay& ray, const TreeLeaf& leaf, const Interval& range) {
@@ -153,8 +153,8 @@ struct PackRay::Here {
     }
 };
 
-/// By the distance of the closest approach, and by where the ray enters and leaves the sphere: half
-/// a chord before that and behind. What is half a chord or more away is compared by squares.
+/// Tests the distance of the closest approach, and the points where the ray enters and leaves the
+/// sphere, half a chord before and behind it. Distances are compared with half a chord by squares.
 template <bool sure>
 [[gnu::always_inline]] inline PackRay::Answer PackRay::look_at_spheres(const Here& here,
                                                                        const std::uint32_t* rows,
@@ -177,8 +177,8 @@ template <bool sure>
         bits(count) & marked(~((half2 < 0) | shorter_than(along - here.most - pad) |
                                shorter_than(here.least - pad - along)));
     if (!sure || near == 0) return {near, 0};
-    // The radius as much less as it had been made more. A chord that the range begins or ends in
-    // beyond its middle is left in doubt.
+    // Shrinks the radius by as much as it was enlarged. A hit stays in doubt if the range begins
+    // behind the middle of the chord or ends before it.
     const Lanes inner = radius - 4 * pad;
     const Marks from = along > here.least + pad, to = along < here.most - pad;
     const Marks enters = to & shorter_than(along - here.least - pad);
@@ -186,7 +186,7 @@ template <bool sure>
     return {near, near & marked((inner > 0) & (off2 < inner * inner) & (enters | leaves))};
 }
 
-/// As ShearedRay does.
+/// Same method as ShearedRay.
 [[gnu::always_inline]] inline PackRay::Answer PackRay::look_at_triangles(
     const Here& here, const std::uint32_t* rows, std::uint32_t count) const {
     const float margin =
@@ -209,8 +209,8 @@ template <bool sure>
     const std::uint32_t near = bits(count) & marked(~((least < -margin) & (most > margin)));
     if (near == 0) return {0, 0};
     const Marks within = (least > margin) | (most < -margin);
-    // The crossing lies between the corners as the edges weigh them; what these may be wrong by
-    // moves it the more, the more the triangle is seen edge-on.
+    // The hit is the average of the corners, weighted by the edges' values. Errors of the weights
+    // move it the more, the more the triangle is seen edge-on.
     const Lanes sum = u + v + w;
     const Lanes along = (u * z[0] + v * z[1] + w * z[2]) / (sum * along_[z_]);
     const Lanes rise = z[1] - z[0], fall = z[2] - z[1];
@@ -222,8 +222,8 @@ template <bool sure>
             near & marked(within & (along > here.least + pad) & (along < here.most - pad))};
 }
 
-/// By where the ray enters and leaves the slabs between opposite faces. For a ray that runs along a
-/// face these are at infinity, or NaN, which rules out nothing.
+/// Tests where the ray enters and leaves the slabs between opposite faces. For a ray parallel to a
+/// face these parameters are infinite or NaN, and rule out nothing.
 [[gnu::always_inline]] inline std::uint32_t PackRay::look_at_boxes(const Here& here,
                                                                    const std::uint32_t* rows,
                                                                    std::uint32_t count) const {

@@ -12,24 +12,24 @@ namespace candelabra {
 
 namespace {
 
-/// Stretches that are looked at along one line.
+/// Maximum number of stretches examined along one line.
 constexpr int max_stretches = 10'000;
 
-/// Of stretches without values, in parts of the whole line, that are looked into.
+/// Minimum length of stretches without values that are examined, as a fraction of the whole line.
 constexpr double smallest_gap = 0.01;
 
 struct Place {
     double t, value;
 };
 
-/// Whether values of one sign at both ends of a stretch of this length stay away from 0, because
-/// the slopes in between are too small to get there.
+/// Whether the function cannot reach 0 in a stretch of this length with values of one sign at both
+/// ends, because its slopes are too small.
 bool stays_away(double first, double last, Bounds slope, double length) {
     if (first < 0) {
         first = -first, last = -last;
         slope = {-slope.high, -slope.low};
     }
-    // The least that lines of the steepest slopes from both ends reach.
+    // Minimum of the lines with the steepest slopes from both ends.
     const double least = (first * slope.high - last * slope.low + slope.low * slope.high * length) /
                          (slope.high - slope.low);
     return least > 0;
@@ -40,7 +40,7 @@ public:
     Search(const LineFunction& f, double detail, double precision)
         : f_(f), detail_(detail), precision_(precision) {}
 
-    /// Only crossings within this are of interest, or the first of them.
+    /// Restricts the search to crossings in `wanted`, or to the first of them.
     void want(const Interval& wanted, bool first) {
         wanted_ = wanted;
         first_ = first;
@@ -50,7 +50,7 @@ public:
         if (done_ || last.t < wanted_.min || first.t > wanted_.max) return;
         const bool crosses = is_below(first.value) != is_below(last.value);
         const double length = last.t - first.t;
-        // Between two places without a value that are near each other there is none.
+        // A short stretch without a value at either end is taken to have none in between.
         if (std::isnan(first.value) && std::isnan(last.value) && length < gap_) return;
         const Enclosure known = f_.within({first.t, last.t});
         if (!crosses && (known.value.low > 0 || known.value.high < 0 ||
@@ -80,7 +80,7 @@ private:
         done_ = first_ && change.t > wanted_.min;
     }
 
-    /// The change between two places of different signs.
+    /// The sign change between two places with different signs.
     double solve(const Place& first, const Place& last) const {
         const auto known = [](double value) {
             return std::isnan(value) ? 1 : std::clamp(value, -1e200, 1e200);
@@ -95,7 +95,7 @@ private:
 
     const LineFunction& f_;
     double detail_, precision_;
-    double gap_ = 0;  ///< between stretches that have values
+    double gap_ = 0;  ///< below this, no values are searched for between places without any
     Interval wanted_{-std::numeric_limits<double>::infinity()};
     bool first_ = false, done_ = false;
     int stretches_ = 0;

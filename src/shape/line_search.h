@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds where a function of one number changes its sign, from what is known of its values and
-// slopes: where a ray meets an isosurface. Pairs of sign changes are never torn apart: there is an
-// odd number between two places exactly when the signs there differ.
+// Finds the sign changes of a function of one variable from bounds of its values and slopes, where
+// a ray meets an isosurface. Pairs of sign changes are never split: between two places there is an
+// odd number of them exactly when the signs there differ.
 #pragma once
 
 #include "base/function_ref.h"
@@ -14,34 +14,33 @@ namespace candelabra {
 
 struct LineFunction {
     FunctionRef<double(double)> at;
-    /// Between which numbers its values and slopes lie in a range.
+    /// Bounds of the function's values and slopes over a range.
     FunctionRef<Enclosure(const Interval&)> within;
 };
 
-/// Whether a value belongs to the side below 0; what is no number does not.
+/// Whether a value counts as below 0; NaN does not.
 inline bool is_below(double value) { return value <= 0; }
 
-/// The unit normal of a surface that a ray enters or leaves, from the slope of the function that
-/// grows outwards. Where the ray grazes the surface, or the function has an edge, the slope may say
-/// otherwise than the ray; then it is mended.
+/// Unit normal of a surface that a ray enters or leaves, from the gradient of the function, which
+/// grows outwards. Where the ray grazes the surface, or the function has an edge, the gradient may
+/// disagree with the ray; then the normal is corrected.
 Vec3 normal_against(const Vec3& slope, const Vec3& direction, bool entering);
 
-/// The places in the range where is_below() changes, in ascending order. Changes that come back
-/// within `detail` may be passed over. The work is bounded: a function that stays at 0, or changes
-/// its sign very often, is not looked at more closely than that.
+/// The places in the range where is_below() changes, in ascending order. Two changes less than
+/// `detail` apart may be missed. The work is bounded: a function that stays at 0, or changes its
+/// sign very often, is not resolved further.
 std::vector<double> sign_changes(const LineFunction&, const Interval& range, double detail);
 
 struct SignChange {
     double t;
-    bool below;  ///< behind it
+    bool below;  ///< after the change
 };
 
-/// Those of them that are in `wanted`, and maybe others.
+/// Finds the sign changes in `wanted`, and possibly others.
 std::vector<SignChange> changes_between(const LineFunction&, const Interval& range, double detail,
                                         const Interval& wanted);
 
-/// Those of them that lie about the beginning of `wanted`, up to the first one in it, if there is
-/// one.
+/// Finds sign changes near the beginning of `wanted`, up to the first one in it, if there is one.
 std::vector<SignChange> nearest_changes(const LineFunction&, const Interval& range, double detail,
                                         const Interval& wanted);
 

@@ -38,7 +38,7 @@ std::string number_of(std::size_t n, const Noun& noun) {
     return (n == 0 ? "no" : std::to_string(n)) + " " + (n == 1 ? noun.one : noun.many);
 }
 
-/// The first entry of a list that names something beyond its count, as a sentence.
+/// Describes the first entry of a list that is not a valid index, as a sentence.
 std::string wrong_index(const std::vector<Face>& list, const std::string& list_name,
                         std::size_t count, const Noun& noun) {
     for (std::size_t i = 0; i < list.size(); ++i)
@@ -50,7 +50,7 @@ std::string wrong_index(const std::vector<Face>& list, const std::string& list_n
     return {};
 }
 
-/// Places of the normals of a face; none when it is flat.
+/// Indices of the normals of a face; null when it is flat.
 const Face* normals_of(const Mesh& mesh, std::size_t i) {
     if (!mesh.normal_faces.empty())
         return i < mesh.normal_faces.size() ? &mesh.normal_faces[i] : nullptr;
@@ -68,7 +68,7 @@ Vec3 normal_at(const MeshTriangle& face, const Vec3& own, const TriangleHit& hit
     return smooth == Vec3(0) ? own : smooth;
 }
 
-/// A ray through a mesh.
+/// A ray prepared for the faces of a mesh.
 class MeshRay {
 public:
     MeshRay(const Mesh& mesh, const Ray& ray)
@@ -169,8 +169,8 @@ void nearest_crossings(const BuiltMesh& built, const Ray& ray, const Interval& r
                        Crossings& found) {
     if (ray.direction == Vec3(0)) return;
     const MeshRay along(*built.mesh, ray);
-    // Of faces that are met in one place, as at their edges, the first one counts, whatever the
-    // order of asking.
+    // Of faces that are hit at the same t, as at their edges, the first one counts, independent of
+    // the order of the tests.
     std::optional<Crossing> nearest;
     std::uint32_t face = 0;
     built.index.nearest(ray, range, [&](std::uint32_t i, Interval& left) {

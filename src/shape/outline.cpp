@@ -22,8 +22,8 @@ Vec2 Outline::Edge::normal(double u) const {
 
 Outline::Outline(const std::vector<std::vector<CurvePiece>>& loops) {
     for (const auto& loop : loops) add(loop);
-    // Curves that do not cross themselves have the outside on one side all the way: it is tested
-    // beside the longest piece of each.
+    // A curve that does not cross itself has the outside on one side all along. It is determined
+    // beside the longest piece of each curve.
     auto first = edges_.begin();
     for (const auto& loop : loops) {
         const auto last = first + static_cast<std::ptrdiff_t>(loop.size());
@@ -91,7 +91,8 @@ bool Outline::right_of(const Strand& strand, const Vec2& p) const {
 bool Outline::contains(const Vec2& p) const {
     bool result = false;
     for (const Loop& loop : loops_) {
-        // From beside a closed curve any way crosses it an even number of times.
+        // From a point beside a closed curve, any path to the outside crosses it an even number of
+        // times.
         const Rectangle& around = loop.bounds;
         if (!(p.x >= around.low.x && p.x <= around.high.x && p.y >= around.low.y &&
               p.y <= around.high.y))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An area of the plane between closed curves: what prism, text and polygon are swept from or cut
-// out of. A point belongs to it when a way to the outside crosses the curves an odd number of
-// times.
+// A plane area bounded by closed curves, which prism and text sweep and polygon cuts out. By the
+// even-odd rule, a point belongs to it when a path to the outside crosses the curves an odd number
+// of times.
 #pragma once
 
 #include "shape/curve.h"
@@ -16,17 +16,17 @@ public:
     bool contains(const Vec2&) const;
     const Rectangle& bounds() const { return bounds_; }
 
-    /// A piece with the side on which the outside is.
+    /// A piece with the side on which the outside lies.
     struct Edge {
         CurvePiece piece;
         Rectangle bounds;
-        bool outside_right = true;  ///< of the direction in which u grows
+        bool outside_right = true;  ///< of the direction of increasing u
 
-        /// Unit vector to the outside.
+        /// Outward unit normal.
         Vec2 normal(double u) const;
     };
-    /// Calls use(edge) for the edges whose bounds beside(Rectangle) is false for; it is asked about
-    /// groups of them first.
+    /// Calls use(edge) for the edges for whose bounds beside(Rectangle) returns false. It is called
+    /// for the bounds of groups of edges first.
     template <class Beside, class Use>
     void for_edges(Beside beside, Use use) const {
         for (const Loop& loop : loops_) {
@@ -41,21 +41,20 @@ public:
     }
 
 private:
-    /// A part of an edge along which y only grows or only falls.
+    /// A part of an edge along which y is monotonic.
     struct Strand {
         std::uint32_t edge;
         Interval u;
         double y_first, y_last, x_low, x_high;
     };
     struct Range {
-        std::uint32_t first, last;  ///< the last one does not belong to it
+        std::uint32_t first, last;  ///< half-open: `last` is excluded
     };
-    /// Neighbours in a curve.
+    /// Neighbouring edges of a curve.
     struct Group {
         Rectangle bounds;
         Range edges, strands;
     };
-    /// A closed curve.
     struct Loop {
         Rectangle bounds;
         Range groups;

@@ -20,8 +20,8 @@ const ItemInfo Ovus::vocabulary = described<Ovus>([] {
 
 namespace {
 
-/// The arc of radius `radius` around <-offset, height> in the plane of the axis, which touches both
-/// circles from outside; it belongs to the surface between two heights.
+/// The arc of radius `radius` around <-offset, height> in the plane of the axis, tangent to both
+/// circles from outside; it is part of the surface between two heights.
 struct Arc {
     double radius, offset, height;
     double low, high;
@@ -29,7 +29,8 @@ struct Arc {
     explicit Arc(const Ovus& ovus) {
         const double bottom = ovus.bottom_radius, top = ovus.top_radius;
         radius = 2 * std::fmax(bottom, top);
-        // The centre is radius - bottom away from the one circle's, radius - top from the other's.
+        // Its centre is at distance radius - bottom from one circle's centre, radius - top from the
+        // other's.
         height = ((top - bottom) * (2 * radius - bottom - top) + bottom * bottom) / (2 * bottom);
         const double to_bottom = radius - bottom;
         offset = std::sqrt(std::fmax(0, (to_bottom - height) * (to_bottom + height)));

@@ -8,8 +8,8 @@
 namespace candelabra {
 
 /// A sphere around the origin, one around a point above it at the distance of the first one's
-/// radius, and the smooth solid of revolution between them. With a top of twice the bottom's radius
-/// or more, only the sphere at the top is left, as in POV-Ray.
+/// radius, and the smooth solid of revolution between them. If the top radius is at least twice the
+/// bottom radius, only the top sphere is left, as in POV-Ray.
 struct Ovus {
     double bottom_radius = 1;
     double top_radius = 0.5;
@@ -21,7 +21,7 @@ Box bounds(const Ovus&);
 void crossings(const Ovus&, const Ray&, Crossings&);
 bool inside(const Ovus&, const Vec3&);
 
-/// Why there is nothing of it; empty otherwise.
+/// See shape.h.
 std::string vanishes(const Ovus&);
 
 }  // namespace candelabra

@@ -30,7 +30,7 @@ const ItemInfo Parametric::vocabulary = described<Parametric>([] {
 
 namespace {
 
-/// Facets in each direction.
+/// Number of facets in each direction.
 constexpr int fineness = 128;
 constexpr std::size_t row = fineness + 1;
 
@@ -38,7 +38,7 @@ bool finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// How often a mesh is divided.
+/// Maximum number of divisions of a cell of the net.
 constexpr int max_divisions = 12;
 
 bool contains(const ContainerShape& container, const Vec3& p) {
@@ -56,7 +56,7 @@ Slopes slopes(const BuiltParametric& surface, const Vec2& uv) {
             (surface.at(uv + v) - surface.at(uv - v)) / (2 * h.y)};
 }
 
-/// Where the ray meets the surface itself, by Newton's method from a place on a facet.
+/// A place on a facet, the start of Newton's method, or on the surface itself.
 struct FacetPlace {
     Vec2 uv;
     double t;
@@ -91,7 +91,7 @@ Box box_of(const ParametricPiece& piece) {
     return box;
 }
 
-/// Both parts of a piece, across the direction in which it reaches further.
+/// Both halves of a piece, split across its longer direction.
 std::array<ParametricPiece, 2> halves(const BuiltParametric& surface, const ParametricPiece& piece,
                                       int divisions) {
     const auto& [a, b, c, d] = piece.corners;
@@ -110,8 +110,8 @@ std::array<ParametricPiece, 2> halves(const BuiltParametric& surface, const Para
             {piece.first + beyond, half, {near, far, c, d}}};
 }
 
-/// Adds what of a piece is not far from the container. One that is larger than that is divided;
-/// what is still as large then has a pole in it, and no surface.
+/// Adds the parts of a piece that are not far from the container. A piece larger than the container
+/// is divided; if its parts are still too large, there is a pole and no surface.
 void add(BuiltParametric& surface, const ParametricPiece& piece, int divisions) {
     const Box room = bounds(surface), box = box_of(piece);
     const bool whole =
@@ -129,7 +129,7 @@ void add(BuiltParametric& surface, const ParametricPiece& piece, int divisions) 
 }  // namespace
 
 Vec3 BuiltParametric::at(const Vec2& uv) const {
-    // Functions without names of their own have a third parameter; see problem().
+    // Functions without named parameters have a third one; see problem().
     const std::array arguments = {uv.x, uv.y, 0.0};
     return {functions[0]->value(arguments), functions[1]->value(arguments),
             functions[2]->value(arguments)};
@@ -138,7 +138,7 @@ Vec3 BuiltParametric::at(const Vec2& uv) const {
 std::string problem(const Parametric& surface) {
     for (const auto& function : {surface.x, surface.y, surface.z}) {
         if (!function) return "a `parametric` needs three functions";
-        // Without names of its own, a function has x, y, z, of which u, v are the first.
+        // A function without named parameters has x, y, z, the first two of which are u, v.
         if (function->parameters() != 2 && function->parameters() != 3)
             return "the functions of a `parametric` have the parameters u, v";
     }
@@ -182,7 +182,7 @@ void crossings(const BuiltParametric& surface, const Ray& ray, Crossings& found)
         const auto& [a, b, c, d] = surface.pieces[part].corners;
         const TriangleHit hit = sheared.meet(a, upper ? c : b, upper ? d : c, whole_line);
         if (!(hit.t < whole_line.max)) return;
-        // Of the piece.
+        // Position within the piece.
         const Vec2 at = upper ? Vec2(hit.weight2, hit.weight2 + hit.weight3)
                               : Vec2(hit.weight2 + hit.weight3, hit.weight3);
         const FacetPlace facet{surface.pieces[part].first + surface.pieces[part].step * at, hit.t};

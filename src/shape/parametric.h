@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface whose points are functions of u and v, within a box or a sphere. It is taken apart into
-// facets, and where a ray meets one, the point of the surface itself is found. Rays ask the
-// BuiltParametric.
+// A surface whose points are functions of u and v, within a box or a sphere. It is divided into
+// facets; where a ray hits a facet, the point of the surface itself is found. Rays are tested
+// against the BuiltParametric.
 #pragma once
 
 #include "shape/isosurface.h"
@@ -10,9 +10,9 @@
 namespace candelabra {
 
 struct Parametric {
-    Handle<Formula> x, y, z;  ///< of u, v
-    Vec2 first = Vec2(0);     ///< u and v from here
-    Vec2 last = Vec2(0);      ///< to here
+    Handle<Formula> x, y, z;  ///< functions of u, v
+    Vec2 first = Vec2(0);     ///< lower bounds of u and v
+    Vec2 last = Vec2(0);      ///< upper bounds
     std::vector<Container> containers;
     double accuracy = 0.001;
     double max_gradient = 1;
@@ -22,11 +22,11 @@ struct Parametric {
     static const ItemInfo vocabulary;
 };
 
-/// A mesh of the net of facets, or a part of one where the surface leaves the container for far
-/// away: at a pole of its functions.
+/// A cell of the net of facets, or a part of one where the surface leaves the container for distant
+/// points, at a pole of its functions.
 struct ParametricPiece {
     Vec2 first, step;             ///< in u and v
-    std::array<Vec3, 4> corners;  ///< around it; at the first u and v, the last u, both, the last v
+    std::array<Vec3, 4> corners;  ///< first u and v; last u; both last; last v
 
     Vec2 middle() const { return first + 0.5 * step; }
 };
@@ -37,13 +37,13 @@ struct BuiltParametric {
     std::vector<Vec3> net;                 ///< row by row, u along the rows
     ContainerShape container;
     std::vector<ParametricPiece> pieces;
-    PartIndex index;  ///< of the pieces
+    PartIndex index;  ///< over the pieces
 
     Vec3 at(const Vec2& uv) const;
 };
 
-/// What is wrong beyond the ranges of single fields (functions of other arguments), as a sentence;
-/// empty when nothing is.
+/// Error that the ranges of single fields do not exclude (functions of other arguments), as a
+/// sentence; empty when there is none.
 std::string problem(const Parametric&);
 BuiltParametric build(const Parametric&, const RayIndex& = {});
 
@@ -51,7 +51,7 @@ Box bounds(const BuiltParametric&);
 void crossings(const BuiltParametric&, const Ray&, Crossings&);
 bool inside(const BuiltParametric&, const Vec3&);
 
-/// u and v of a point of the surface; the mesh of the net, when it is known.
+/// u and v of a point of the surface; `part` is the piece that contains it, if known.
 Vec2 parameters_at(const BuiltParametric&, const Vec3& point, std::optional<std::uint32_t> part);
 
 }  // namespace candelabra

@@ -11,8 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// One bit for each part: of a few thousand parts this puts them in order sooner than sorting
-/// does.
+/// One bit for each part: for up to a few thousand parts this sorts them faster than std::sort.
 class PartMarks {
 public:
     static constexpr std::size_t most = 4096;
@@ -42,7 +41,7 @@ PartIndex::PartIndex(std::vector<Box> boxes, const RayIndex& index) : boxes_(std
                                                     max_abs_component(bounds_.high));
     for (Box& box : boxes_)
         if (!box.empty()) box = {box.low - 1e-12 * size, box.high + 1e-12 * size};
-    // Parts are asked one by one.
+    // Parts are tested one by one.
     if (boxes_.size() > few_parts)
         tree_ = build_tree(boxes_, tree_settings(index, 1), boxes_.size() > many_parts ? 0 : 1);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Finds the parts of a shape (pieces of a sweep, components of a blob, faces of a mesh) that a ray
-// may meet or that a point may be in, by their boxes. Each part is named once, in the order of its
-// number.
+// may hit or that may contain a point, by their boxes. along() and around() report each part once,
+// in ascending order.
 #pragma once
 
 #include "base/short_list.h"
@@ -11,10 +11,10 @@
 
 namespace candelabra {
 
-/// So many parts are asked one by one; more are found through an index.
+/// Up to this number, parts are tested one by one; above it, an index is used.
 inline constexpr std::size_t few_parts = 8;
 
-/// Above this number of parts an index is built by several threads.
+/// Above this number of parts, several threads build the index.
 inline constexpr std::size_t many_parts = 20'000;
 
 class PartIndex {
@@ -23,10 +23,10 @@ public:
     /// Parts whose boxes are not finite() are near every ray.
     explicit PartIndex(std::vector<Box> boxes, const RayIndex& = {});
 
-    /// Around all parts.
+    /// Bounds of all parts.
     const Box& bounds() const { return bounds_; }
 
-    /// Calls take(part) for each part whose box the ray meets in the range.
+    /// Calls take(part) for each part whose box the ray hits in the range.
     template <class Take>
     void along(const Ray& ray, const Interval& range, Take take) const {
         const Vec3 inverse = Vec3(1) / ray.direction;
@@ -39,9 +39,9 @@ public:
             if (meets(ray, inverse, boxes_[i], range)) take(i);
     }
 
-    /// Calls take(part, range) for parts whose box the ray meets in the range, those in front
-    /// first where they are apart. It may lower the end of the range to where it has met the
-    /// part: what is behind that is left out.
+    /// Calls take(part, range) for parts whose box the ray hits in the range, from front to back
+    /// where they are apart. It may lower the end of the range to its hit; parts behind that are
+    /// skipped.
     template <class Take>
     void nearest(const Ray& ray, Interval range, Take take) const {
         const Vec3 inverse = Vec3(1) / ray.direction;
@@ -65,16 +65,16 @@ public:
                 if (contains(boxes_[i], point)) take(i);
             return;
         }
-        // A ray without length visits the leaves around its origin.
+        // A ray of length 0 visits the leaves around its origin.
         for (const std::uint32_t i : near(Ray{point, Vec3(1)}, {0, 0}))
             if (contains(boxes_[i], point)) take(i);
     }
 
 private:
-    /// The parts in the leaves that the ray passes, in order.
+    /// The parts in the leaves that the ray passes, in ascending order.
     ShortList<std::uint32_t, 512> near(const Ray&, const Interval&) const;
 
-    /// clip(ray, box, range) leaves something; `inverse` is 1 / the ray's direction.
+    /// Whether clip(ray, box, range) is not empty; `inverse` is 1 / the ray's direction.
     static bool meets(const Ray& ray, const Vec3& inverse, const Box& box, Interval range) {
         for (int axis = 0; axis < 3; ++axis) {
             const bool back = std::signbit(inverse[axis]);
@@ -87,8 +87,8 @@ private:
         return range.min <= range.max;
     }
 
-    std::vector<Box> boxes_;  ///< a little larger than given, so that rounding loses nothing
-    WideTree tree_;           ///< empty when the parts are few
+    std::vector<Box> boxes_;  ///< slightly enlarged against rounding
+    WideTree tree_;           ///< empty when there are few parts
     Box bounds_;
 };
 

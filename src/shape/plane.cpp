@@ -16,7 +16,7 @@ const ItemInfo Plane::vocabulary = described<Plane>([] {
 
 namespace {
 
-/// Most normals are unit, and stay as they are.
+/// Normals that have length 1 already, as most do, are returned unchanged.
 Vec3 unit_normal(const Plane& plane) {
     constexpr double rounding = 1e-15;
     const double size2 = dot(plane.normal, plane.normal);

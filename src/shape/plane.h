@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An unbounded plane with a half space behind it.
+// An unbounded plane; the half space behind it is inside.
 #pragma once
 
 #include "base/ray.h"
@@ -18,10 +18,10 @@ struct Plane {
 Box bounds(const Plane&);
 void crossings(const Plane&, const Ray&, Crossings&);
 bool inside(const Plane&, const Vec3&);
-/// Where a half space along an axis ends.
+/// Finite on one side for half spaces along an axis.
 Box inside_bounds(const Plane&);
-/// What is wrong beyond the ranges of single fields (normal without a direction), as a sentence;
-/// empty when nothing is.
+/// Error that the ranges of single fields do not exclude (a normal without a direction), as a
+/// sentence; empty when there is none.
 std::string problem(const Plane&);
 
 }  // namespace candelabra

@@ -22,7 +22,8 @@ Box box_of(const Polygon& polygon) {
     return box;
 }
 
-/// The plane's unit normal, by the first edge and the first corner beside it; 0 when there is none.
+/// Unit normal of the plane, from the first edge and the first corner not collinear with it; 0 when
+/// there is none.
 Vec3 plane_normal(const Polygon& polygon) {
     const auto& p = polygon.points;
     const double size = length(box_of(polygon).size());

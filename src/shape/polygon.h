@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A flat polygon with holes. It has no inside. Rays ask the BuiltPolygon.
+// A flat polygon with holes. It has no inside. Rays are tested against the BuiltPolygon.
 #pragma once
 
 #include "base/ray.h"
@@ -8,8 +8,8 @@
 
 namespace candelabra {
 
-/// Loops of corners in one plane: a loop ends where it comes back to its first corner. Points
-/// within an even number of loops are holes.
+/// Loops of corners in one plane: a loop ends where it returns to its first corner. By the even-odd
+/// rule, points within an even number of loops are in holes.
 struct Polygon {
     std::vector<Vec3> points;
 
@@ -24,8 +24,8 @@ struct BuiltPolygon {
 };
 
 BuiltPolygon build(const Polygon&);
-/// What is wrong beyond the ranges of single fields (too few corners, corners not in one plane), as
-/// a sentence; empty when nothing is.
+/// Error that the ranges of single fields do not exclude (too few corners, corners not in one
+/// plane), as a sentence; empty when there is none.
 std::string problem(const Polygon&);
 
 Box bounds(const BuiltPolygon&);

@@ -54,7 +54,7 @@ const ItemInfo Polynomial::vocabulary = described<Polynomial>([] {
 
 namespace {
 
-/// A number, as horner() computes with it.
+/// Arithmetic of horner() for plain numbers.
 struct Plain {
     Vec3 point;
 
@@ -63,7 +63,7 @@ struct Plain {
     void add(double& sum, double other) const { sum += other; }
 };
 
-/// A number with its derivatives by x, y and z.
+/// Arithmetic of horner() for numbers with their derivatives by x, y and z.
 struct WithSlope {
     struct Sum {
         double value = 0;
@@ -84,10 +84,10 @@ struct WithSlope {
     void add(Sum& sum, double other) const { sum.value += other; }
 };
 
-/// A polynomial of the ray's parameter.
+/// Arithmetic of horner() for polynomials of the ray's parameter.
 struct AlongRay {
     struct Sum {
-        std::array<double, greatest_degree + 2> at;  ///< beyond the count, they have no value
+        std::array<double, greatest_degree + 2> at;  ///< uninitialized from `count` on
         std::size_t count = 1;
 
         Sum() { at[0] = 0; }
@@ -97,7 +97,7 @@ struct AlongRay {
 
     Sum start() const { return {}; }
     void times(Sum& sum, int axis) const {
-        // Most factors are 0.
+        // Most coefficients are 0.
         if (sum.zero()) return;
         const double here = ray.origin[axis], step = ray.direction[axis];
         sum.at[sum.count] = sum.at[sum.count - 1] * step;
@@ -114,7 +114,7 @@ struct AlongRay {
     void add(Sum& sum, double other) const { sum.at[0] += other; }
 };
 
-/// The polynomial by Horner's rule, of x over y over z, in any arithmetic.
+/// Evaluates the polynomial by Horner's rule, of x over y over z, in any arithmetic.
 template <class Arithmetic>
 auto horner(const AlgebraicSurface& surface, const Arithmetic& with) {
     const double* factor = surface.factors.data();
@@ -145,7 +145,7 @@ std::string wrong_count(const std::string& name, int degree, const std::vector<d
     return "a `" + name + "` needs a factor that is not 0 besides the constant";
 }
 
-/// The place of a term among the factors: behind those of more x, then of more y, then of more z.
+/// Index of a term in the coefficients, which are ordered by falling powers of x, then y, then z.
 std::size_t place(int degree, const PolynomialTerm& term) {
     const int without_x = degree - term.x, without_xy = without_x - term.y;
     return factor_count(without_x - 1) +
@@ -190,7 +190,7 @@ void crossings_between(const AlgebraicSurface& surface, const Ray& ray, const In
                        Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
-    // From the point nearest to the origin, where such surfaces are.
+    // Computed from the point nearest to the origin, where such surfaces lie.
     const Vec3 u = ray.direction / speed;
     const double start = -dot(ray.origin, u);
     const Ray near{ray.origin + start * u, u};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces where a polynomial of x, y and z is 0: cubic, quartic, and poly and polynomial, which is
-// written term by term, of any degree up to 35.
-// Rays ask the AlgebraicSurface that is built from each of them.
+// Zero sets of polynomials of x, y and z: cubic, quartic and poly, and polynomial, which is written
+// term by term, of any degree up to 35.
+// Rays are tested against the AlgebraicSurface built from each of them.
 #pragma once
 
 #include "base/ray.h"
@@ -9,15 +9,15 @@
 
 namespace candelabra {
 
-/// The points where a polynomial is not above 0. The factors come in this order: powers of x fall
-/// from the degree to 0; for each, powers of y fall from what is left; for each, powers of z. The
-/// constant is last.
+/// The points where a polynomial is at most 0. Coefficients are ordered by decreasing powers of x;
+/// for each, by decreasing powers of y up to the remaining degree; for each, by decreasing powers
+/// of z. The constant is last.
 struct AlgebraicSurface {
     int degree = 0;
-    std::vector<double> factors;  ///< as many as factor_count(degree)
+    std::vector<double> factors;  ///< factor_count(degree) of them
 };
 
-/// How many terms there are of a degree and those below.
+/// Number of terms up to a degree.
 constexpr std::size_t factor_count(int degree) {
     const auto n = static_cast<std::size_t>(degree);
     return (n + 1) * (n + 2) * (n + 3) / 6;
@@ -53,7 +53,7 @@ struct PolynomialTerm {
     static const ItemInfo vocabulary;
 };
 
-/// A surface of any degree. Terms that are not there are 0; of the same ones the last counts.
+/// A surface of any degree. Missing terms are 0; of repeated ones the last counts.
 struct Polynomial {
     int degree = 2;
     std::vector<PolynomialTerm> terms;
@@ -65,14 +65,14 @@ AlgebraicSurface build(const Cubic&);
 AlgebraicSurface build(const Quartic&);
 AlgebraicSurface build(const Poly&);
 AlgebraicSurface build(const Polynomial&);
-/// What is wrong beyond the ranges of single fields (number of factors), as a sentence; empty when
-/// nothing is.
+/// Error that the ranges of single fields do not exclude (number of factors), as a sentence; empty
+/// when there is none.
 std::string problem(const Cubic&);
 std::string problem(const Quartic&);
 std::string problem(const Poly&);
 std::string problem(const Polynomial&);
 
-/// Infinite: where the surface ends, if it does, is not known.
+/// Infinite, because the extent of the surface is not known.
 Box bounds(const AlgebraicSurface&);
 void crossings(const AlgebraicSurface&, const Ray&, Crossings&);
 void crossings_between(const AlgebraicSurface&, const Ray&, const Interval&, Crossings&);

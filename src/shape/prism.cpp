@@ -29,13 +29,13 @@ namespace {
 
 Vec2 flat(const Vec3& v) { return {v.x, v.z}; }
 
-/// Whether the point above the place of the xz plane belongs to the section at height y.
+/// Whether the section at height y contains the point p of the xz plane.
 bool in_section(const BuiltPrism& prism, const Vec2& p, double y) {
     return prism.outline.contains(prism.conic ? p / y : p);
 }
 
-/// Where the ray, seen along y (or from the apex of a cone), crosses the curves: a plane through
-/// the ray is the line of all points q with dot(weights, q) + constant = 0.
+/// Projection of the ray along y (or from the apex of a cone) onto the plane of the curves: the
+/// line of all points q with dot(weights, q) + constant = 0.
 struct Trace {
     Vec2 weights;
     double constant;
@@ -56,8 +56,7 @@ bool misses(const Trace& line, const Rectangle& box) {
            reach + 1e-12 * (reach + glm::dot(size, glm::abs(middle)));
 }
 
-/// Where the ray, seen so, is between the ends: its shadow on the outline's plane. Everywhere when
-/// that has no end.
+/// Bounds of the projection of the ray between the ends; infinite where it is unbounded.
 Rectangle shadow(const BuiltPrism& prism, const Ray& ray) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Rectangle everywhere{Vec2(-infinity), Vec2(infinity)};
@@ -73,7 +72,7 @@ Rectangle shadow(const BuiltPrism& prism, const Ray& ray) {
     return {seen.low - rounding, seen.high + rounding};
 }
 
-/// The ray parameter at which the ray is above the point of the outline.
+/// The ray parameter at which the ray projects to the point of the outline.
 double parameter(const BuiltPrism& prism, const Ray& ray, const Vec2& q) {
     const Vec3 &o = ray.origin, &d = ray.direction;
     const Vec2 across = flat(d) - (prism.conic ? d.y * q : Vec2(0));
@@ -88,7 +87,7 @@ Vec3 side_normal(const BuiltPrism& prism, const Outline::Edge& edge, double u, d
     return unit(y < 0 ? -up : up);
 }
 
-/// Calls use(edge, u, t) for the points of the sides that the ray meets.
+/// Calls use(edge, u, t) for the points of the sides that the ray hits.
 template <class Use>
 void meet_sides(const BuiltPrism& prism, const Ray& ray, Use use) {
     const Trace line = trace(prism, ray);
@@ -120,7 +119,7 @@ void cross_sides(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
 
 void cross_ends(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
     if (prism.open || ray.direction.y == 0) return;
-    // The nearer one first: without a thickness both are in one place.
+    // The nearer one first: without a thickness both are at the same t.
     const bool down = ray.direction.y < 0;
     for (const bool entering : {true, false}) {
         const bool top = down == entering;
@@ -135,7 +134,7 @@ void cross_ends(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
 
 BuiltPrism build(const Prism& prism) {
     const auto kind = static_cast<CurveKind>(prism.spline);
-    // POV-Ray draws these backwards.
+    // POV-Ray draws Bezier curves backwards.
     std::vector<Vec2> points = prism.points;
     if (kind == bezier_curve) std::ranges::reverse(points);
     return {Outline(closed_curves(kind, points).loops), std::fmin(prism.height1, prism.height2),

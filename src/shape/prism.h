@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An outline in the xz plane, swept along y. Rays ask the BuiltPrism; text is made of prisms, too.
+// An outline in the xz plane, swept along y. Rays are tested against the BuiltPrism; text is made
+// of prisms, too.
 #pragma once
 
 #include "base/ray.h"
@@ -10,7 +11,7 @@ namespace candelabra {
 
 enum SweepKind : int {
     linear_sweep,  ///< the same outline at all heights
-    conic_sweep,   ///< the outline grows with y: a point at 0, its own size at 1
+    conic_sweep,   ///< the outline scales with y: a point at 0, full size at 1
 };
 
 /// An outline swept from one height to another.
@@ -26,14 +27,14 @@ struct Prism {
 };
 
 struct BuiltPrism {
-    Outline outline;  ///< z as y
+    Outline outline;  ///< in the xz plane, with z as y
     double bottom = 0, top = 1;
     bool conic = false, open = false;
 };
 
 BuiltPrism build(const Prism&);
-/// What is wrong beyond the ranges of single fields (too few points, a loop that stays open ...),
-/// as a sentence; empty when nothing is.
+/// Error that the ranges of single fields do not exclude (too few points, an open loop ...), as a
+/// sentence; empty when there is none.
 std::string problem(const Prism&);
 
 Box bounds(const BuiltPrism&);

@@ -20,7 +20,7 @@ const ItemInfo Quadric::vocabulary = described<Quadric>([] {
 
 namespace {
 
-/// The symmetric bilinear form of the second degree's part.
+/// The symmetric bilinear form of the quadratic terms.
 double product(const Quadric& q, const Vec3& a, const Vec3& b) {
     const Vec3 mixed(a.x * b.y + a.y * b.x, a.x * b.z + a.z * b.x, a.y * b.z + a.z * b.y);
     return dot(q.squares, a * b) + 0.5 * dot(q.products, mixed);
@@ -36,9 +36,9 @@ Vec3 gradient(const Quadric& q, const Vec3& p) {
            Vec3(m.x * p.y + m.y * p.z, m.x * p.x + m.z * p.z, m.y * p.x + m.z * p.y);
 }
 
-/// The part of the solid's extent along the given axes, when its section with them is an ellipsoid
-/// (an ellipse, a pair of points): from the inverse of its matrix. Other axes stay infinite.
-/// `uses` tells which axes the quadric has terms with.
+/// Bounds along the axes in `uses`, those that the quadric has terms with, if the section along
+/// them is an ellipsoid (an ellipse, a pair of points): from the inverse of its matrix. Other axes
+/// stay infinite.
 Box ellipsoid_bounds(const Quadric& q, const std::array<bool, 3>& uses) {
     std::array<Vec3, 3> m = {Vec3(q.squares.x, q.products.x / 2, q.products.y / 2),
                              Vec3(q.products.x / 2, q.squares.y, q.products.z / 2),
@@ -67,7 +67,7 @@ Box ellipsoid_bounds(const Quadric& q, const std::array<bool, 3>& uses) {
     return box;
 }
 
-/// The least value of c t^2 + l t for t from low to high.
+/// Minimum of c t^2 + l t for t from low to high.
 double min_square(double c, double l, double low, double high) {
     const auto at = [&](double t) {
         if (c == 0 && l == 0) return 0.0;
@@ -79,14 +79,14 @@ double min_square(double c, double l, double low, double high) {
     return bottom > low && bottom < high ? std::min(least, at(bottom)) : least;
 }
 
-/// From the least to the greatest value of a factor times a coordinate in a range.
+/// Range of a factor times a coordinate that lies between low and high.
 Interval times(double factor, double low, double high) {
     if (factor == 0) return {0, 0};
     return factor > 0 ? Interval{factor * low, factor * high}
                       : Interval{factor * high, factor * low};
 }
 
-/// The greatest t with c t^2 + l t + rest <= 0; nothing when there is no greatest.
+/// The maximum t with c t^2 + l t + rest <= 0; empty when there is none.
 std::optional<double> last_below(double c, double l, double rest) {
     if (!std::isfinite(l) || !std::isfinite(rest)) return std::nullopt;
     if (c == 0) return l > 0 ? std::optional(-rest / l) : std::nullopt;
@@ -94,7 +94,7 @@ std::optional<double> last_below(double c, double l, double rest) {
     return c > 0 && inner >= 0 ? std::optional((std::sqrt(inner) - l) / (2 * c)) : std::nullopt;
 }
 
-/// The range of one coordinate, from those of the others.
+/// The range of one coordinate, from the ranges of the others.
 Interval range_within(const Quadric& q, int axis, const Box& box) {
     const int b = (axis + 1) % 3, c = (axis + 2) % 3;
     const auto product = [&](int i, int j) { return q.products[i + j - 1]; };
@@ -107,7 +107,7 @@ Interval range_within(const Quadric& q, int axis, const Box& box) {
     const double flattest = q.linear[axis] + slope_b.min + slope_c.min,
                  steepest = q.linear[axis] + slope_b.max + slope_c.max;
     Interval range{box.low[axis], box.high[axis]};
-    // Of slopes in a range, only one counts on each side of 0. And a little more, for rounding.
+    // An extreme slope bounds the term on one side of 0 only. Enlarged against rounding.
     const auto widened = [&](double t) {
         const double end = flattest == steepest ? t : std::max(t, 0.0);
         return end + 1e-9 * (1 + std::abs(end));
@@ -160,7 +160,7 @@ void crossings_between(const Quadric& q, const Ray& ray, const Interval& range, 
         if (b != 0) add(-0.5 * value(q, ray.origin) / b);
         return;
     }
-    // From the middle between the roots, where a far origin costs no digits.
+    // Computed from the middle between the roots, so that a distant origin loses no digits.
     double middle = -b / a;
     middle -= 0.5 * dot(gradient(q, ray.at(middle)), d) / a;
     const double half2 = -value(q, ray.at(middle)) / a;

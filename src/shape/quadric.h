@@ -19,15 +19,15 @@ struct Quadric {
     static const ItemInfo vocabulary;
 };
 
-/// Infinite along the axes in which the solid has no end or none that is known.
+/// Infinite along axes on which the solid is unbounded or has no known bound.
 Box bounds(const Quadric&);
 void crossings(const Quadric&, const Ray&, Crossings&);
 void crossings_between(const Quadric&, const Ray&, const Interval& range, Crossings&);
 bool inside(const Quadric&, const Vec3&);
-/// Around the part of the solid that is in a box, which may be infinite, as far as that is known.
+/// Bounds of the part of the solid in a box, as far as known. The box may be infinite.
 Box bounds_within(const Quadric&, const Box&);
-/// What is wrong beyond the ranges of single fields (no factor but the constant), as a sentence;
-/// empty when nothing is.
+/// Error that the ranges of single fields do not exclude (no coefficient but the constant), as a
+/// sentence; empty when there is none.
 std::string problem(const Quadric&);
 
 }  // namespace candelabra

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 
-/// How far a disc around a line reaches.
+/// A segment with a disc of the given radius around each of its points.
 Stick round(const Vec3& from, const Vec3& to, double radius) {
     const Vec3 u = unit(to - from), u2 = u * u;
     return {from, to, std::abs(radius) * glm::sqrt(Vec3(u2.y + u2.z, u2.z + u2.x, u2.x + u2.y))};
 }
 
-/// The image of the line, and of what is around it.
+/// The image of the segment and of the reach around it.
 Stick transformed(const Stick& stick, const Transform& map) {
     Vec3 reach(0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -31,7 +31,7 @@ Stick transformed(const Stick& stick, const Transform& map) {
     return {map.point(stick.from), map.point(stick.to), reach};
 }
 
-/// Along one of the box's sides.
+/// The box as a segment along one of its sides.
 Stick along(const Box& box, int axis) {
     Stick stick{box.centre(), box.centre(), 0.5 * box.size()};
     stick.from[axis] = box.low[axis];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A shape as something that follows a straight line: tells more than a box of long shapes that lie
-// aslant. Called where the parts of shapes in cells need bounds, by the indices of the world and of
-// composites.
+// Bounds a shape by a thickened line segment, which is tighter than a box for long, slanted shapes.
+// Called where the indices of the world and of composites need bounds of the part of a shape in a
+// cell.
 #pragma once
 
 #include "base/transform.h"
@@ -9,13 +9,13 @@
 
 namespace candelabra {
 
-/// Each point of the shape is no further from a point of the line than `reach`, on each axis.
+/// Every point of the shape is within `reach` of some point of the segment, on each axis.
 struct Stick {
     Vec3 from, to;
     Vec3 reach;
 };
 
-/// Around what a shape has in a box, in its own coordinates, under a map if there is one.
+/// Bounds the part of a shape in a box, given in the shape's coordinates, under an optional map.
 Stick stick_around(const BuiltShape&, const Box&, const Transform*);
 
 /// Bounds of the part of the shape in the cell; empty when it does not pass through it.

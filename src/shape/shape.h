@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every shape there is. The variant's list is the registry: a shape added here is known to the
-// language, the manual, the conformance tests and the tracer.
+// All shapes. The variant's list is the registry: a shape added here is known to the language, the
+// manual, the conformance tests and the tracer.
 #pragma once
 
 #include "shape/bicubic_patch.h"
@@ -35,7 +35,7 @@
 
 namespace candelabra {
 
-/// Shapes as they are written. Those that take much room are shared by their copies.
+/// Shapes as scenes define them. Large ones are shared by their copies.
 using Shape =
     std::variant<Sphere, Cuboid, Plane, Disc, Cylinder, Cone, Shared<Triangle>,
                  Shared<SmoothTriangle>, Shared<Mesh>, Torus, Shared<Quadric>, Shared<Cubic>,
@@ -57,7 +57,7 @@ const T& content(const Shared<T>& shape) {
 
 }  // namespace shape_detail
 
-/// Calls f with the shape itself, whatever it is and however it is stored.
+/// Calls f with the shape itself, independent of its kind and storage.
 template <class F, class... T>
 decltype(auto) visit_shape(F&& f, const std::variant<T...>& shape) {
     return std::visit(
@@ -65,26 +65,26 @@ decltype(auto) visit_shape(F&& f, const std::variant<T...>& shape) {
         shape);
 }
 
-/// What is wrong with a shape beyond the ranges of its fields, as a sentence; empty when nothing
-/// is. This is the answer for shapes that have no problem() of their own.
+/// Error in a shape that the ranges of its fields do not exclude, as a sentence; empty when there
+/// is none. This is the default for shapes without an overload of their own.
 template <class T>
 std::string problem(const T&) {
     return {};
 }
 
-/// What is wrong with the shape, as a sentence; empty when nothing is, and only then may it be
-/// built.
+/// Error in the shape, as a sentence; empty when there is none. Precondition of built() is that it
+/// is empty.
 std::string problem(const Shape& shape);
 
-/// Why no point of a shape can be seen, though all is right with it: "its radius is 0". Such shapes
-/// come from loops and animations, and are left out. Empty when some point can. This is the answer
-/// for shapes that have no vanishes() of their own.
+/// Reason why no point of a valid shape is visible: "its radius is 0". Such shapes come from loops
+/// and animations, and are left out. Empty when some point is visible. This is the default for
+/// shapes without an overload of their own.
 template <class T>
 std::string vanishes(const T&) {
     return {};
 }
 
-/// The same for any shape.
+/// The same for any kind of shape.
 std::string vanishes(const Shape& shape);
 
 }  // namespace candelabra

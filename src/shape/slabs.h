@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells which of many boxes one ray passes by. Called by composites and the world before they ask a
-// shape; nothing that a ray meets in a box is lost to rounding.
+// Tests many boxes against one ray. Called by composites and the world before they test a shape; no
+// hit in a box is lost to rounding.
 #pragma once
 
 #include "base/ray.h"
@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-/// One ray and its boxes. As in clip(), what is no number does not count.
+/// One ray for tests against boxes. As in clip(), NaN bounds nothing.
 class Slabs {
 public:
     explicit Slabs(const Ray& ray)
@@ -25,8 +25,8 @@ public:
         return left.min > left.max;
     }
 
-    /// The part of the range in the box and a little more, for rounding errors; when there is none,
-    /// it ends before it begins.
+    /// The part of the range in the box, slightly enlarged against rounding errors; if there is
+    /// none, it ends before it begins.
     Interval within(const Box& box, const Interval& range) const {
         double near = range.min, far = range.max;
         for (int axis = 0; axis < 3; ++axis) {

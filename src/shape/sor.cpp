@@ -25,7 +25,7 @@ double slope_at(std::span<const Vec2> points, std::size_t i) {
     return 2 * points[i].x * (after.x - before.x) / (after.y - before.y);
 }
 
-/// Hermite's cubic between the points i and i + 1.
+/// Cubic Hermite interpolation between the points i and i + 1.
 BuiltSor::Part part(std::span<const Vec2> points, std::size_t i) {
     const double h = points[i + 1].y - points[i].y;
     const double r0 = points[i].x * points[i].x, r1 = points[i + 1].x * points[i + 1].x;
@@ -40,17 +40,17 @@ BuiltSor::Part part(std::span<const Vec2> points, std::size_t i) {
     return {points[i].y, points[i + 1].y, factors, r0, r1, reach2};
 }
 
-/// A ray of unit length from its point nearest to the axis.
+/// A ray of unit length that starts at its point nearest to the axis.
 struct AxisRay {
     Ray ray;
-    double start;  ///< of the original ray, in its own lengths times speed
+    double start;  ///< of the original ray, in its parameter times its speed
     double nearest2, across2;
 
-    /// Above 0 where the ray is within the squared radius.
+    /// Positive where the ray is within the squared radius.
     double depth(double radius2, double s) const { return radius2 - nearest2 - across2 * s * s; }
 };
 
-/// Factors of the depth by s along the ray, in one part.
+/// Coefficients of the depth by s along the ray, in one part.
 std::array<double, 4> depth_along(const AxisRay& seen, const BuiltSor::Part& p) {
     const double h = seen.ray.origin.y - p.low, rise = seen.ray.direction.y;
     const auto& f = p.factors;
@@ -58,19 +58,19 @@ std::array<double, 4> depth_along(const AxisRay& seen, const BuiltSor::Part& p) 
             rise * rise * (f[2] + 3 * h * f[3]) - seen.across2, rise * rise * rise * f[3]};
 }
 
-/// A piece of the ray with the depths at its ends.
+/// A stretch of the ray, with the depths at its ends.
 struct Stretch {
     Interval range;
     double at_min = -1, at_max = -1;
 };
 
-/// How far from its middle the ray may be within the greatest radius.
+/// Maximum distance along the ray from its middle to a point within the largest radius.
 double reach_along(const AxisRay& seen, double reach2) {
     const double limit2 = std::fmax(0, reach2 - seen.nearest2) / seen.across2;
     return seen.across2 > 1e-18 ? std::sqrt(limit2) * (1 + 1e-9) : 1e30;
 }
 
-/// The piece between the heights of a part, as far as the greatest radius goes.
+/// The stretch between the heights of a part, limited by the largest radius.
 Stretch stretch(const AxisRay& seen, const BuiltSor::Part& p, double limit) {
     Stretch result{{-limit, limit}};
     const double rise = seen.ray.direction.y, y = seen.ray.origin.y;
@@ -124,7 +124,7 @@ std::string problem(const Sor& sor) {
         if (i == 0 || p.y > sor.points[i - 1].y) continue;
         const bool outer = i == 1 || i + 1 == sor.points.size();
         if (!outer) return "a `sor` needs heights that rise from point to point";
-        // The outer points may lie anywhere but at the height of the next but one.
+        // An outer point may have any height but that of the point two places away.
         const Vec2& other = i == 1 ? sor.points[2] : sor.points[i - 2];
         if ((i == 1 ? sor.points[0] : p).y == other.y)
             return "a `sor` needs heights that rise from point to point";

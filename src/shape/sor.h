@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface of revolution whose squared radius is a smooth function of the height. Rays ask the
-// BuiltSor.
+// A surface of revolution whose squared radius is a smooth function of the height. Rays are tested
+// against the BuiltSor.
 #pragma once
 
 #include "base/ray.h"
@@ -23,18 +23,18 @@ struct BuiltSor {
         double low, high;
         std::array<double, 4> factors;
         double low2, high2;  ///< squared radii at both ends
-        double reach2;       ///< the greatest squared radius
+        double reach2;       ///< maximum squared radius
     };
     std::vector<Part> parts;
     Box bounds;
     bool open = false;
 };
 
-/// The squared radius has the given values at the points; its slope at a point is that which the
-/// line between the neighbours' radii has there.
+/// The squared radius r^2 interpolates the points. Its slope at a point is 2 r r', where r' is the
+/// slope of the line between the neighbours' radii.
 BuiltSor build(const Sor&);
-/// What is wrong beyond the ranges of single fields (too few points, heights out of order ...), as
-/// a sentence; empty when nothing is.
+/// Error that the ranges of single fields do not exclude (too few points, heights out of order
+/// ...), as a sentence; empty when there is none.
 std::string problem(const Sor&);
 
 Box bounds(const BuiltSor&);

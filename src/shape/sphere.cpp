@@ -22,7 +22,7 @@ void crossings(const Sphere& sphere, const Ray& ray, Crossings& found) {
     const Vec3 offset = ray.origin - sphere.centre;
     double middle = -dot(offset, direction) / a;
     Vec3 closest = offset + middle * direction;
-    // Far from the origin of the ray the first projection leaves a remainder along it.
+    // For a distant ray origin, the first projection leaves a remainder along the ray.
     const double rest = -dot(closest, direction) / a;
     middle += rest;
     closest += rest * direction;
@@ -43,7 +43,7 @@ std::string vanishes(const Sphere& sphere) { return sphere.radius == 0 ? "its ra
 Box clipped_bounds(const Sphere& sphere, const Box& cell) {
     const double radius = std::abs(sphere.radius), radius2 = radius * radius;
     const Vec3 low = cell.low - sphere.centre, high = cell.high - sphere.centre;
-    // Squares of the distances from the centre, along each axis.
+    // Distances from the centre along each axis.
     const Vec3 gap = glm::max(glm::max(low, -high), Vec3(0)), far = glm::max(-low, high);
     const Vec3 near2 = gap * gap, far2 = far * far;
     const double slack = 0x1p-48 * radius * (radius + max_abs_component(sphere.centre));
@@ -51,7 +51,7 @@ Box clipped_bounds(const Sphere& sphere, const Box& cell) {
     if (nearest > radius2 + slack || farthest < radius2 - slack) return {};
     Box part = cell;
     for (int axis = 0; axis < 3; ++axis) {
-        // How far from the centre the surface may be at most, and must be at least.
+        // Maximum and minimum distance of the surface from the centre along the axis.
         const double most2 = radius2 - (nearest - near2[axis]) + slack;
         const double least2 = radius2 - (farthest - far2[axis]) - slack;
         const double most = most2 > 0 ? std::sqrt(most2) : 0;

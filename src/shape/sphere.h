@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sphere: the shape of most luminaires, so also the one that the tracer keeps in a form of its
-// own.
+// A sphere: the shape of most luminaires, so the tracer also stores it in a dedicated form.
 #pragma once
 
 #include "base/ray.h"

@@ -27,7 +27,7 @@ namespace {
 
 using Piece = BuiltSphereSweep::Piece;
 
-/// The factors of a polynomial of u from those of its four control values.
+/// Coefficients of a polynomial of u, from its four control values.
 struct Basis {
     std::array<std::array<double, 4>, 4> rows;  ///< by power of u, then control value
 };
@@ -57,7 +57,7 @@ Piece piece(const Basis& basis, std::span<const Ball> controls) {
     return result;
 }
 
-/// Exact: where one coordinate of the sphere's side turns.
+/// Exact bounds, from the extremes of each coordinate of the sphere's side.
 Box bounds(const Piece& p) {
     Box box;
     for (const double u : {0.0, 1.0}) {
@@ -78,7 +78,7 @@ Box bounds(const Piece& p) {
     return box;
 }
 
-/// A ray of unit length meets the sphere at u between along(u) - sqrt(spare(u)) and along(u) +
+/// A ray of unit length is inside the sphere at u between along(u) - sqrt(spare(u)) and along(u) +
 /// sqrt(spare(u)), where spare(u) is not below 0.
 struct SweepProfile {
     std::array<double, 4> along{};
@@ -96,15 +96,15 @@ struct SweepProfile {
                 spare[i + j] += p.radii[i] * p.radii[j] - dot(across[i], across[j]);
     }
 
-    /// spare'.
+    /// The derivative of `spare`.
     std::array<double, 6> growth() const {
         std::array<double, 6> result{};
         for (std::size_t i = 1; i < 7; ++i) result[i - 1] = static_cast<double>(i) * spare[i];
         return result;
     }
 
-    /// Zero where the first or the last point of the sphere's part of the ray is extreme: there
-    /// along' = +- spare' / (2 sqrt(spare)).
+    /// Zero where the first or the last point of the ray in the sphere is extreme: there along' =
+    /// +- spare' / (2 sqrt(spare)).
     std::array<double, 11> extremes() const {
         std::array<double, 11> result{};
         std::array<double, 3> slope{};
@@ -120,13 +120,13 @@ struct SweepProfile {
     }
 };
 
-/// A part of the ray inside the solid, with the spheres that begin and end it.
+/// A part of the ray inside the solid, with the spheres at both ends.
 struct SweepStretch {
     double first, last;
     Vec3 first_centre, last_centre;
 };
 
-/// The spheres of a range of u, each of which the ray meets, cover one part of the ray.
+/// The part of the ray covered by the spheres of a range of u, all of which it hits.
 SweepStretch covered(const Piece& p, const SweepProfile& profile, const Interval& range) {
     SweepStretch result{std::numeric_limits<double>::infinity(),
                         -std::numeric_limits<double>::infinity(), Vec3(0), Vec3(0)};
@@ -196,7 +196,7 @@ Box bounds(const BuiltSphereSweep& sweep) { return sweep.index.bounds(); }
 void crossings(const BuiltSphereSweep& sweep, const Ray& ray, Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
-    // From the point nearest to the middle, where a far origin costs no digits.
+    // Computed from the point nearest to the middle, so that a distant origin loses no digits.
     const Vec3 u = ray.direction / speed;
     const double start = dot(sweep.index.bounds().centre() - ray.origin, u);
     const Ray near{ray.origin + start * u, u};
@@ -212,7 +212,7 @@ void crossings(const BuiltSphereSweep& sweep, const Ray& ray, Crossings& found) 
                 whole.last = stretches[i].last, whole.last_centre = stretches[i].last_centre;
         const auto normal = [&](double s, const Vec3& centre, double side) {
             const Vec3 n = unit(near.at(s) - centre);
-            // Of a sphere without radius there is only a point.
+            // A sphere of radius 0 is only a point.
             return dot(n, u) * side > 0 ? n : side * u;
         };
         if (!(whole.first < whole.last)) continue;

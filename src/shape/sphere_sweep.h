@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solid that a sphere fills while it moves along a curve and changes its size. Rays ask the
-// BuiltSphereSweep.
+// The solid swept by a sphere that moves along a curve and changes its radius. Rays are tested
+// against the BuiltSphereSweep.
 #pragma once
 
 #include "base/ray.h"
@@ -13,10 +13,9 @@ enum SweepWay : int {
     no_way = -1,
     linear_way,  ///< straight from sphere to sphere
     cubic_way,   ///< through all spheres but the first and the last (Catmull and Rom)
-    b_way,       ///< near the spheres, smoother than the others
+    b_way,       ///< near the spheres, smoother than the other ways
 };
 
-/// Spheres, and all between them.
 struct SphereSweep {
     int spline = no_way;
     std::vector<Ball> spheres;
@@ -43,8 +42,8 @@ struct BuiltSphereSweep {
 };
 
 BuiltSphereSweep build(const SphereSweep&, const RayIndex& = {});
-/// What is wrong beyond the ranges of single fields (no kind of spline, too few spheres), as a
-/// sentence; empty when nothing is.
+/// Error that the ranges of single fields do not exclude (no kind of spline, too few spheres), as a
+/// sentence; empty when there is none.
 std::string problem(const SphereSweep&);
 /// See shape.h.
 std::string vanishes(const SphereSweep&);

@@ -18,7 +18,7 @@ const ItemInfo Superellipsoid::vocabulary = described<Superellipsoid>([] {
 
 namespace {
 
-/// A power whose exponent may be known to be easy.
+/// A power with a shortcut for simple exponents.
 class Power {
 public:
     explicit Power(double exponent)
@@ -42,8 +42,8 @@ private:
     int doublings_;
 };
 
-/// The distance function: 0 on the surface, -1 in the middle; it grows in proportion along rays
-/// from there.
+/// Implicit function of the solid: 0 on the surface, -1 in the centre; it grows linearly along rays
+/// from the centre.
 class Depth {
 public:
     explicit Depth(const Superellipsoid& s)
@@ -62,7 +62,7 @@ public:
         const Powers here(*this, v);
         if (here.size == 0) return {-1, Vec3(0)};
         const Vec3& part = here.part;
-        // Of a power, the derivative is the power again over its base.
+        // The derivative of a power is proportional to the power divided by its base.
         const auto slope = [](double raised, double part, double sign) {
             return part == 0 ? 0.0 : std::copysign(raised / part, sign);
         };
@@ -76,11 +76,11 @@ public:
         const Powers here(*this, v);
         return here.size == 0 ? -1 : here.size * size_.of(here.sum) - 1;
     }
-    /// Then it is a norm, and convex along every line.
+    /// Whether the function is a norm minus 1, and so convex along every line.
     bool convex() const { return p_ >= 1 && q_ >= 1; }
 
 private:
-    /// Of the distances from the middle, in parts of the greatest of them: so none is too large.
+    /// Powers of the coordinates relative to the largest of them, so that none overflows.
     struct Powers {
         Powers(const Depth& depth, const Vec3& v)
             : size(max_abs_component(v)),
@@ -140,15 +140,15 @@ Foot foot(const Profile& profile, double t) {
     return {t, here.value, here.slope};
 }
 
-/// Some place where a convex profile is below 0, with the nearest known places on both sides where
-/// it is above.
+/// A place where a convex profile is below 0, with the nearest known places on both sides where it
+/// is above.
 struct Below {
     Foot low, high;
     double within;
 };
 
-/// The tangents at two places bound the profile from below, and where they meet is the next place
-/// to look at. Nothing when the profile is nowhere below 0.
+/// Follows the tangents at two places, which bound the profile from below, to their intersection,
+/// the next place to evaluate. Returns nothing when the profile is nowhere below 0.
 std::optional<Below> place_below(const Profile& profile, const Interval& range) {
     Foot low = foot(profile, range.min), high = foot(profile, range.max);
     for (int step = 0; step < 60 && low.slope < 0 && high.slope > 0; ++step) {
@@ -163,8 +163,8 @@ std::optional<Below> place_below(const Profile& profile, const Interval& range) 
     return std::nullopt;
 }
 
-/// The root of a convex profile between a place above 0 and one below: from above, Newton's method
-/// comes nearer from one side only, with twice as many digits at each step.
+/// The root of a convex profile between a place above 0 and one below. From above, Newton's method
+/// approaches it from one side only, and doubles the digits at each step.
 double root_from(const Profile& profile, Foot at, double within) {
     for (int step = 0; step < 100; ++step) {
         const double next = at.t - at.value / at.slope, moved = std::abs(next - at.t);
@@ -176,7 +176,7 @@ double root_from(const Profile& profile, Foot at, double within) {
     return at.t;
 }
 
-/// An end of a part of the ray.
+/// An end of a stretch of the ray.
 struct End {
     double t;
     bool is_inside;
@@ -186,8 +186,8 @@ End end_at(const Profile& profile, double t) {
     return {t, profile.depth.value(profile.ray.at(t)) < 0};
 }
 
-/// Roots within a part of one octant, where the distances from all three planes change steadily:
-/// their least and greatest values bound the depth.
+/// Finds roots within one octant, where the distances from all three planes are monotonic: their
+/// minima and maxima bound the depth.
 template <class Take>
 void bisect(const Profile& profile, const End& first, const End& last, int level, Take take) {
     const Vec3 a = glm::abs(profile.ray.at(first.t)), b = glm::abs(profile.ray.at(last.t));
@@ -200,7 +200,7 @@ void bisect(const Profile& profile, const End& first, const End& last, int level
     bisect(profile, middle, last, level + 1, take);
 }
 
-/// The range, divided where the ray passes the planes between the octants.
+/// Ends of the parts of the range between the planes that separate the octants.
 std::vector<double> octants(const Ray& ray, const Interval& range) {
     std::vector<double> ends = {range.min, range.max};
     for (int axis = 0; axis < 3; ++axis) {
@@ -222,11 +222,11 @@ void crossings(const Superellipsoid& s, const Ray& ray, Crossings& found) {
 void nearest_crossings(const Superellipsoid& s, const Ray& ray, const Interval& wanted,
                        Crossings& found) {
     if (ray.direction == Vec3(0)) return;
-    // A little larger than the solid, so that the ends of the range are outside.
+    // Slightly larger than the solid, so that the ends of the range are outside.
     const Interval range = clip(ray, {Vec3(-1.001), Vec3(1.001)}, {-infinity});
     if (!(range.min < range.max)) return;
     const Depth depth(s);
-    // From the middle of the range, where a far origin costs no digits.
+    // Computed from the middle of the range, so that a distant origin loses no digits.
     const double start = 0.5 * (range.min + range.max), half = 0.5 * (range.max - range.min);
     const Ray near{ray.at(start), ray.direction};
     const Profile profile{depth, near};

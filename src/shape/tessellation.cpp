@@ -14,13 +14,14 @@ using std::numbers::pi;
 
 // ---- marching
 
-/// Corners are this share of an edge away from its ends, so that no two of them are one.
+/// Minimum distance of vertices from the ends of an edge, as a fraction of its length, so that no
+/// two of them coincide.
 constexpr double apart = 0.03;
-/// How often an edge is halved to find the surface.
+/// Number of bisections of an edge to find the surface.
 constexpr int halvings = 18;
 
-/// A cube is six tetrahedra around its diagonal, each a way from corner 0 to corner 7 along three
-/// edges: corners differ in one bit (x 1, y 2, z 4) from one to the next.
+/// A cube is split into six tetrahedra around its diagonal. Each is a path from corner 0 to corner
+/// 7 along three edges: successive corners differ in one bit (x 1, y 2, z 4).
 constexpr auto tetrahedra = std::array<std::array<int, 4>, 6>{
     {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}};
 
@@ -29,8 +30,8 @@ public:
     Marcher(const Box& box, FunctionRef<bool(const Vec3&)> inside, int cells) : inside_(inside) {
         cell_ = max_component(box.size()) / cells;
         if (!(cell_ > 0)) return;
-        // A layer of cells more on all sides, and not in step with the box: surfaces that are
-        // level would otherwise pass through the corners of cells.
+        // One more layer of cells on all sides, offset against the box: axis-aligned surfaces would
+        // otherwise pass through the corners of cells.
         low_ = box.low - 1.37 * Vec3(cell_);
         for (int axis = 0; axis < 3; ++axis)
             size_[axis] = static_cast<std::int64_t>(std::ceil(box.size()[axis] / cell_)) + 4;
@@ -98,7 +99,7 @@ private:
         mesh_.faces.push_back(face);
     }
 
-    /// The vertex where the surface passes between two corners of cells.
+    /// The vertex where the surface crosses the edge between two corners of cells.
     int corner(std::int64_t in, std::int64_t out) {
         const std::int64_t low = std::min(in, out), high = std::max(in, out);
         const auto key = static_cast<std::uint64_t>(low) << 32 ^ static_cast<std::uint64_t>(high);
@@ -119,20 +120,20 @@ private:
     FunctionRef<bool(const Vec3&)> inside_;
     double cell_ = 0;
     Vec3 low_ = Vec3(0);
-    std::array<std::int64_t, 3> size_{};  ///< corners of cells
+    std::array<std::int64_t, 3> size_{};  ///< numbers of corners of cells
     std::vector<char> within_;
     std::unordered_map<std::uint64_t, int> known_;
     Mesh mesh_;
 };
 
-// ---- shapes with triangles of their own
+// ---- shapes with dedicated triangulations
 
 struct Axes {
     Vec3 origin, out, up, side;
 };
 
-/// A line of points <radius, height> turned about the axis `up`; it runs with the outside on its
-/// right when up is up. Points of radius 0 are one.
+/// A line of points <radius, height> turned about the axis `up`; seen with `up` upwards, the
+/// outside is on its right. A point of radius 0 becomes a single vertex.
 Mesh revolved(const std::vector<Vec2>& line, const Axes& axes, int around) {
     Mesh mesh;
     std::vector<int> starts;
@@ -161,7 +162,7 @@ Mesh revolved(const std::vector<Vec2>& line, const Axes& axes, int around) {
 
 Axes axes_about(const Vec3& origin, const Vec3& up) {
     const auto [x, y] = perpendiculars(up);
-    // Turned so that (out, side, up) is right-handed, as perpendiculars() gives it.
+    // (out, side, up) is right-handed, as perpendiculars() returns it.
     return {origin, x, up, y};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Letters of a font with a thickness. The reader of the language puts in the outlines, which come
-// from the font's file; rays ask the BuiltText.
+// Extruded letters of a font. The reader of the language fills in the outlines, which come from the
+// font's file; rays are tested against the BuiltText.
 #pragma once
 
 #include "base/handle.h"
@@ -10,12 +10,12 @@
 
 namespace candelabra {
 
-/// The outlines of a text's letters, as closed curves.
+/// Outlines of the letters of a text, as closed curves.
 struct Letters {
     std::vector<std::vector<CurvePiece>> loops;
 };
 
-/// Letters from z = 0 to the thickness, on the x axis.
+/// Letters from z = 0 to the thickness, along the x axis.
 struct Text {
     std::string font;  ///< name of the font's file
     int internal = 0;  ///< number of one of POV-Ray's own fonts; 0: none
@@ -31,8 +31,8 @@ struct BuiltText {
     BuiltPrism prism;  ///< with y and z exchanged
 };
 
-/// What is wrong beyond the ranges of single fields (no font, no thickness), as a sentence; empty
-/// when nothing is.
+/// Error that the ranges of single fields do not exclude (no font, no thickness), as a sentence;
+/// empty when there is none.
 std::string problem(const Text&);
 /// See shape.h.
 std::string vanishes(const Text&);

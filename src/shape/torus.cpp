@@ -20,8 +20,8 @@ namespace {
 
 double from_axis(const Vec3& p) { return std::hypot(p.x, p.z); }
 
-/// Outward unit normal. Of a torus that passes through itself, the inner sheet is the one whose
-/// tube lies on the other side of the axis.
+/// Outward unit normal. The inner sheet of a torus that intersects itself is the one whose tube
+/// lies on the other side of the axis.
 Vec3 normal_at(const Torus& torus, const Vec3& p) {
     const double ring = from_axis(p);
     const double minor2 = torus.minor * torus.minor;
@@ -32,8 +32,8 @@ Vec3 normal_at(const Torus& torus, const Vec3& p) {
     return unit(Vec3(p.x * scale, p.y, p.z * scale));
 }
 
-/// The part of the range where the ray is between the planes that touch the tube from above and
-/// below, and a little more.
+/// The part of the range where the ray is between the planes tangent to the tube from above and
+/// below, slightly enlarged.
 Interval between_planes(double minor, const Ray& ray, Interval range) {
     const double height = minor * (1 + 1e-9), y = ray.origin.y, rise = ray.direction.y;
     if (rise == 0) return std::abs(y) > height ? Interval{1, 0} : range;
@@ -52,10 +52,10 @@ Box bounds(const Torus& torus) {
 void crossings(const Torus& torus, const Ray& ray, Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
-    // A sphere that is covered twice has only double roots.
+    // A sphere covered twice has only double roots.
     if (torus.major == 0) return crossings(Sphere{Vec3(0), torus.minor}, ray, found);
-    // From the point nearest to the centre the quartic has no cubic term, and far origins cost no
-    // digits.
+    // Starting from the point nearest to the centre, the quartic has no cubic term, and distant
+    // origins lose no digits.
     const Vec3 u = ray.direction / speed;
     double start = -dot(ray.origin, u);
     Vec3 near = ray.origin + start * u;

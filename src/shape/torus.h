@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A torus: the surface of a tube that is bent to a ring around the y axis.
+// A torus: a tube bent to a ring around the y axis.
 #pragma once
 
 #include "base/ray.h"
@@ -7,8 +7,8 @@
 
 namespace candelabra {
 
-/// A ring around the y axis. A tube wider than the ring passes through itself: all of its surface
-/// is met, also the part within.
+/// A ring around the y axis. A tube wider than the ring intersects itself: all of its surface is
+/// hit, including the inner part.
 struct Torus {
     double major = 1;
     double minor = 0.25;

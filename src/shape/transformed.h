@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes under a map that stay shapes of their kind. Called where objects are put together.
+// Transforms shapes that stay shapes of their kind. Called where objects are put together.
 #pragma once
 
 #include "base/transform.h"
@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-/// The plane under a map; its normal is a unit vector.
+/// The plane under a map, with a unit normal.
 Plane transformed(const Plane&, const Transform&);
 
 }  // namespace candelabra

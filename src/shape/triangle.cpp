@@ -29,7 +29,7 @@ namespace {
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
 
-/// A convex polygon: a triangle that at most six planes have cut, each of which adds at most one
+/// A convex polygon: a triangle clipped by at most six planes, each of which adds at most one
 /// corner.
 struct ClippedPolygon {
     std::array<Vec3, 9> corners;
@@ -38,8 +38,8 @@ struct ClippedPolygon {
     void add(const Vec3& corner) { corners[count++] = corner; }
 };
 
-/// The part on one side of a plane across an axis (Sutherland and Hodgman): above it for sign 1,
-/// below for sign -1.
+/// Clips to one side of a plane across an axis (Sutherland and Hodgman): above it for sign 1, below
+/// it for sign -1.
 void cut(const ClippedPolygon& polygon, int axis, double plane, double sign,
          ClippedPolygon& result) {
     result.count = 0;
@@ -68,7 +68,7 @@ double extent(const Vec3& a, const Vec3& b, const Vec3& c) {
     return std::fmax(max_abs_component(a), std::fmax(max_abs_component(b), max_abs_component(c)));
 }
 
-/// On one line as far as their coordinates can tell.
+/// Whether the points are collinear within the precision of their coordinates.
 bool on_one_line(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double longest = std::fmax(length(a - b), std::fmax(length(b - c), length(c - a)));
     return !(length(cross(a - b, c - b)) > 4 * ulp * extent(a, b, c) * longest);
@@ -115,7 +115,7 @@ Box clipped_bounds(const Triangle& t, const Box& cell) {
         cut(*now, axis, plane, sign, *next);
         std::swap(now, next);
     };
-    // Most planes of a cell pass a triangle by.
+    // Most planes of a cell do not cut the triangle.
     for (int axis = 0; axis < 3; ++axis) {
         const bool low = part.low[axis]<around.low[axis], high = part.high[axis]> around.high[axis];
         if (low) keep(axis, around.low[axis], 1);

@@ -16,7 +16,7 @@ struct Triangle {
     static const ItemInfo vocabulary;
 };
 
-/// A triangle that is shaded as if it were curved: its normal is interpolated between the corners'.
+/// A triangle shaded as if it were curved: its normal is interpolated between those of the corners.
 struct SmoothTriangle {
     Vec3 corner1 = Vec3(0), normal1 = Vec3(0, 0, 1);
     Vec3 corner2 = Vec3(1, 0, 0), normal2 = Vec3(0, 0, 1);
@@ -35,35 +35,35 @@ Box bounds(const SmoothTriangle&);
 void crossings(const SmoothTriangle&, const Ray&, Crossings&);
 bool inside(const SmoothTriangle&, const Vec3&);
 
-/// What is wrong beyond the ranges of single fields (a normal of length 0), as a sentence; empty
-/// when nothing is.
+/// Error that the ranges of single fields do not exclude (a normal of length 0), as a sentence;
+/// empty when there is none.
 std::string problem(const SmoothTriangle&);
 /// See shape.h.
 std::string vanishes(const Triangle&);
 std::string vanishes(const SmoothTriangle&);
 
-/// Unit normal of a flat triangle, on the side that POV-Ray 3.7 gives it; 0 when the corners are on
-/// one line.
+/// Unit normal of a flat triangle, on the same side as in POV-Ray 3.7; 0 when the corners are
+/// collinear.
 inline Vec3 triangle_normal(const Vec3& corner1, const Vec3& corner2, const Vec3& corner3) {
     return unit(cross(corner1 - corner2, corner3 - corner2));
 }
 
-/// Weights of the three corners that give a point of the triangle's plane; they add up to 1.
+/// Barycentric weights of a point of the triangle's plane; they add up to 1.
 Vec3 corner_weights(const std::array<Vec3, 3>& corners, const Vec3& point);
 
-/// Where a ray meets the plane of a triangle: parameter and barycentric weights of corners 2 and 3.
+/// Hit of a ray in a triangle's plane: parameter and barycentric weights of corners 2 and 3.
 struct TriangleHit {
     double t, weight2, weight3;
 };
 
-/// Who meets a ray that runs exactly through an edge which two triangles share.
+/// Which of two triangles that share an edge a ray hits when it runs exactly through the edge.
 enum class Edges {
-    both,  ///< either: nothing is lost, also at the rim of a surface
-    one,   ///< exactly one of them, so that crossings of a closed surface can be counted
+    both,  ///< both: nothing is lost, even at the rim of a surface
+    one,   ///< exactly one, so that crossings of a closed surface can be counted
 };
 
-/// A ray made ready to meet many triangles. Watertight: neighbours that share an edge leave no gap
-/// between them (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013),
+/// A ray prepared for tests against many triangles. Watertight: triangles that share an edge leave
+/// no gap between them (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013),
 /// because the sign of an edge is computed from the same two products in both of them.
 class ShearedRay {
 public:
@@ -78,8 +78,8 @@ public:
         length2_ = dot(ray.direction, ray.direction);
     }
 
-    /// The crossing in the range, or t = range.max. Triangles seen edge-on, or without area, are
-    /// not met.
+    /// Returns the hit in the range, or t = range.max. Triangles seen edge-on, or without area, are
+    /// not hit.
     TriangleHit meet(const Vec3& corner1, const Vec3& corner2, const Vec3& corner3,
                      const Interval& range) const {
         const TriangleHit miss{range.max, 0, 0};
@@ -94,8 +94,9 @@ public:
         const Vec3 normal = cross(corner1 - corner2, corner3 - corner2);
         const double sum = u + v + w, approach = dot(normal, ray_.direction);
         if (sum == 0 || approach == 0) return miss;
-        // From the plane, because the weights of slivers have few digits; but never beyond the
-        // bounds where the triangle is seen edge-on: its plane is almost along the ray then.
+        // Computed from the plane, because the weights of slivers have few digits. Where the
+        // triangle is seen edge-on, its plane is almost parallel to the ray, so t is clamped to the
+        // bounds.
         double t = dot(normal, b) / approach;
         if (approach * approach < edge_on2 * dot(normal, normal) * length2_) {
             const Interval part = within(join(join(Box{corner1, corner1}, corner2), corner3));
@@ -105,10 +106,10 @@ public:
     }
 
 private:
-    /// Square of the sine of the angle between ray and plane from which on t has nearly all digits.
+    /// Squared sine of the angle between ray and plane above which t has nearly all digits.
     static constexpr double edge_on2 = 0.01;
 
-    /// As clip() of the whole line.
+    /// Same as clip() of the whole line.
     Interval within(const Box& box) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         Interval part{-infinity, infinity};
@@ -123,15 +124,15 @@ private:
         }
         return part;
     }
-    /// In the plane across the ray, which is its origin.
+    /// Projects along the ray onto a plane, with the ray at its origin.
     Vec2 project(const Vec3& p) const {
         return {p[x_] - shear_.x * p[z_], p[y_] - shear_.y * p[z_]};
     }
     /// Positive when the ray is on the right of the edge from p to q, and exactly the negative for
     /// the edge from q to p.
     static double edge(const Vec2& p, const Vec2& q) { return q.x * p.y - q.y * p.x; }
-    /// The sign without rounding; a ray exactly on the edge is taken to be a little aside, the same
-    /// way for all edges.
+    /// The sign of edge() without rounding; a ray exactly on the edge is treated as slightly to one
+    /// side, consistently for all edges.
     static int exact_side(const Vec2& p, const Vec2& q);
 
     Ray ray_;
@@ -142,7 +143,7 @@ private:
     Edges edges_;
 };
 
-/// The same for one triangle.
+/// Tests a ray against a single triangle.
 TriangleHit first_crossing(const Vec3& corner1, const Vec3& corner2, const Vec3& corner3,
                            const Ray&, const Interval& range);
 

@@ -58,7 +58,7 @@ const ItemInfo TriangleMesh::vocabulary = described<TriangleMesh>([] {
 
 namespace {
 
-/// Adds the triangle and what all kinds of them have; false when it has no area.
+/// Adds the fields that all kinds of triangles share; returns false for triangles without area.
 template <class Facet>
 bool add(Mesh& mesh, const Facet& facet) {
     const Vec3 across = cross(facet.corner1 - facet.corner2, facet.corner3 - facet.corner2);
@@ -83,7 +83,7 @@ BuiltMesh build(const TriangleMesh& mesh) { return build(as_mesh(mesh)); }
 Mesh as_mesh(const TriangleMesh& mesh) {
     Mesh result;
     result.inside_vector = mesh.inside_vector;
-    // The first faces are the smooth ones.
+    // The smooth faces come first.
     for (const SmoothFacet& facet : mesh.smooth_triangles) {
         if (!add(result, facet)) continue;
         const int first = static_cast<int>(result.normals.size());

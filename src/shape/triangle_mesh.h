@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh whose triangles are written one by one, each with its corners: POV-Ray's `mesh`. It is
-// built as the Mesh that `mesh2` describes. What is made of a file or an object is not built here:
-// whoever reads the scene does that, and puts a Mesh in its place.
+// built as the Mesh that `mesh2` describes. Meshes that come from a file or an object are not built
+// here: the reader of the scene does that, and replaces this shape by a Mesh.
 #pragma once
 
 #include "shape/mesh.h"
@@ -17,7 +17,7 @@ struct FlatFacet {
     static const ItemInfo vocabulary;
 };
 
-/// The same with normals of its corners.
+/// A triangle of a mesh, with normals at its corners.
 struct SmoothFacet {
     Vec3 corner1 = Vec3(0), normal1 = Vec3(0, 0, 1);
     Vec3 corner2 = Vec3(1, 0, 0), normal2 = Vec3(0, 0, 1);
@@ -32,7 +32,7 @@ struct TriangleMesh {
     std::vector<FlatFacet> triangles;
     std::vector<SmoothFacet> smooth_triangles;
     std::optional<Vec3> inside_vector;
-    // Of what is made in the place of triangles.
+    // Fields of meshes that are not given as triangles.
     std::string file;
     int resolution = 64;
     int subdivide = 0;
@@ -41,8 +41,8 @@ struct TriangleMesh {
     static const ItemInfo vocabulary;
 };
 
-/// What is wrong beyond the ranges of single fields (no triangle), as a sentence; empty when
-/// nothing is.
+/// Error that the ranges of single fields do not exclude (no triangle), as a sentence; empty when
+/// there is none.
 std::string problem(const TriangleMesh&);
 Mesh as_mesh(const TriangleMesh&);
 BuiltMesh build(const TriangleMesh&);

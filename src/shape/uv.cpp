@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A plane that is wrapped around a ball; `p` is seen from the ball's middle.
+/// Spherical mapping; `p` is relative to the centre of the ball.
 Vec2 around_ball(const Vec3& p) {
     const Vec3 n = unit(p);
     const bool pole = n.x * n.x + n.z * n.z < 1e-10;
@@ -21,13 +21,13 @@ Vec2 around_ball(const Vec3& p) {
 
 double turn_around_axis(const Vec3& p) { return p.x == 0 && p.z == 0 ? 0 : turn(p.x, p.z); }
 
-/// How far a point is from a place on a curve, and which place it is.
+/// A place on a curve, with its distance from a point.
 struct CurvePlace {
     double distance = std::numeric_limits<double>::infinity();
     double at = 0;
 };
 
-/// The place on a piece that is nearest to a point which lies on it but for rounding.
+/// The place on a piece nearest to a point, which lies on the piece up to rounding.
 CurvePlace nearest_on(const CurvePiece& piece, const Vec2& point) {
     CurvePlace best;
     const auto consider = [&](double at) {
@@ -46,7 +46,7 @@ CurvePlace nearest_on(const CurvePiece& piece, const Vec2& point) {
     return best;
 }
 
-/// The facet of a surface that a point lies on; corners_of(i) are its corners.
+/// The facet of a surface that contains a point; corners_of(i) returns its corners.
 template <class CornersOf>
 std::uint32_t facet_at(const PartIndex& index, const Vec3& point, CornersOf corners_of) {
     std::uint32_t best = 0;
@@ -76,7 +76,7 @@ std::optional<Vec2> uv(const Ovus& ovus, const Vec3& point, std::uint32_t) {
     return around_ball(point - bounds(ovus).centre());
 }
 
-/// The faces lie as a cross of four by three: -x, +z, +x, -z in a row, +y above +z, -y below it.
+/// The faces form a cross of four by three: -x, +z, +x, -z in a row, +y above +z, -y below it.
 std::optional<Vec2> uv(const Cuboid& cuboid, const Vec3& point, std::uint32_t) {
     const Box box = bounds(cuboid);
     const Vec3 p = (point - box.low) / box.size();
@@ -122,11 +122,11 @@ std::optional<Vec2> uv(const BuiltSor& sor, const Vec3& point, std::uint32_t) {
     for (const bool top : {false, true}) {
         const double rim = std::sqrt(top ? sor.parts.back().high2 : sor.parts.front().low2);
         const bool on_end = !sor.open && std::abs(share - (top ? 1 : 0)) < 1e-9;
-        // As in POV-Ray, v goes on beyond 0 and 1 towards the middle of an end.
+        // As in POV-Ray, v continues beyond 0 and 1 towards the middle of an end.
         if (on_end && radius < rim * (1 - 1e-9))
             return Vec2(turn_around_axis(point), top ? 2 - radius / rim : radius / rim - 1);
     }
-    // All pieces of the curve have the same part of v, as in POV-Ray.
+    // All pieces of the curve have an equal part of v, as in POV-Ray.
     const auto above = std::ranges::find_if(
         sor.parts, [&](const BuiltSor::Part& part) { return point.y < part.high; });
     const auto& part = above == sor.parts.end() ? sor.parts.back() : *above;

@@ -172,11 +172,10 @@ Vec3 changed(const Bump& bump, const Vec3& normal, const Vec3& point, const Patt
 
 PatternedBump::PatternedBump(PatternUse the_use, const BumpSettings& the_settings, Map the_map)
     : use(std::move(the_use)), settings(the_settings), map(std::move(the_map)) {
-    nesting = {1, 1};
+    nesting = candelabra::nesting(use);
+    ++nesting.entries;
     if (const auto* normals = std::get_if<NormalMap>(&map))
         for (const NormalStop& stop : *normals) nesting.add(candelabra::nesting(stop.bump));
-    if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
-        nesting.add({grey->depth, grey->entries, grey->uv});
 }
 
 Nesting nesting(const Bump& bump) {

@@ -5,7 +5,7 @@
 #include "base/handle.h"
 #include "base/transform.h"
 #include "pattern/modifiers.h"
-#include "surface/nesting.h"
+#include "pattern/nesting.h"
 
 namespace candelabra {
 

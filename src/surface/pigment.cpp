@@ -78,7 +78,7 @@ Colour evaluate(const Pigment& pigment, const Vec3& point, const PatternScene& s
 PatternedPigment::PatternedPigment(PatternUse the_use, Map the_map)
     : use(std::move(the_use)), map(std::move(the_map)) {
     brightest = Vec3(-std::numeric_limits<double>::infinity());
-    nesting = {1, 0};
+    nesting = candelabra::nesting(use);
     const auto add = [&](const Vec3& greatest, bool passes, const Nesting& inner) {
         brightest = glm::max(brightest, greatest);
         clear |= passes;
@@ -93,8 +93,6 @@ PatternedPigment::PatternedPigment(PatternUse the_use, Map the_map)
         for (const PigmentStop& stop : std::get<PigmentMap>(map))
             add(candelabra::brightest(stop.pigment), transparent(stop.pigment),
                 candelabra::nesting(stop.pigment));
-    if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
-        nesting.add({grey->depth, grey->entries, grey->uv});
 }
 
 Nesting nesting(const Pigment& pigment) {
@@ -118,10 +116,7 @@ PigmentGrey grey_of(Pigment pigment) {
         const auto& inner = *static_cast<const Pigment*>(data);
         return misses(inner, point, scene) ? 0 : grey(evaluate(inner, point, scene).rgb);
     };
-    return {{std::make_shared<const Pigment>(std::move(pigment)), code},
-            inner.depth,
-            inner.entries,
-            inner.uv};
+    return {{std::make_shared<const Pigment>(std::move(pigment)), code}, inner};
 }
 
 }  // namespace candelabra

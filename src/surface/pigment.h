@@ -5,8 +5,8 @@
 #include "base/handle.h"
 #include "base/transform.h"
 #include "pattern/modifiers.h"
+#include "pattern/nesting.h"
 #include "surface/colour_map.h"
-#include "surface/nesting.h"
 
 namespace candelabra {
 

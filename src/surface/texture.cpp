@@ -104,10 +104,11 @@ bool any_finish(const Texture& texture, const Test& test) {
 }  // namespace
 
 PatternedTexture::PatternedTexture(PatternUse the_use, const Transform& outside, TextureMap the_map)
-    : use(std::move(the_use)), transform(outside), map(std::move(the_map)), nesting{1, 0} {
+    : use(std::move(the_use)),
+      transform(outside),
+      map(std::move(the_map)),
+      nesting(candelabra::nesting(use)) {
     for (const TextureStop& stop : map) nesting.add(candelabra::nesting(*stop.texture));
-    if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
-        nesting.add({grey->depth, grey->entries, grey->uv});
 }
 
 Nesting nesting(const Texture& texture) {
@@ -117,6 +118,7 @@ Nesting nesting(const Texture& texture) {
         all.depth = std::max(all.depth, other.depth);
         all.entries += other.entries;
         all.uv |= other.uv;
+        all.by_view |= other.by_view;
     };
     include(nesting(texture.normal));
     if (texture.below) include(nesting(*texture.below));

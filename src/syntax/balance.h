@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many braces a run of tokens opens or closes.
+// The number of braces that a run of tokens leaves open.
 #pragma once
 
 #include "syntax/token_classes.h"
@@ -9,7 +9,7 @@
 
 namespace candelabra {
 
-/// How many braces are open, where each directive that is closed counts as its first part does.
+/// Counts open braces. A directive that has ended counts as its first part does.
 class Balance {
 public:
     int braces = 0;
@@ -31,7 +31,7 @@ public:
 private:
     struct Directive {
         int before;
-        std::optional<int> behind;  ///< the first part
+        std::optional<int> behind;  ///< braces after its first part, once that has ended
     };
 
     void end_part() {

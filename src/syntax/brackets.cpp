@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Which tokens open and close nothing: nearly all.
+/// Kinds of tokens that need no matching: nearly all.
 constexpr auto plain = [] {
     std::array<bool, 256> result{};
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -23,7 +23,7 @@ constexpr auto plain = [] {
     return result;
 }();
 
-/// Which tokens one may have to be put in front of: few.
+/// Kinds of tokens that may need a marker token in front of them: few.
 constexpr auto may_be_marked = [] {
     std::array<bool, 256> result{};
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -48,19 +48,19 @@ Token Brackets::next() {
         }
     }
     member_ = last_.kind == TokenKind::dot;
-    // Not `return last_ = token`: reading back what has just been written in parts is slow.
+    // Not `return last_ = token`: reading back a value just written in parts is slow.
     last_ = token;
     return token;
 }
 
-/// What tells the parser how a sign or a directive belongs to what is before it.
+/// The marker that tells the parser how a sign or a directive relates to the tokens before it.
 std::optional<TokenKind> Brackets::mark_before(const Token& token) {
     using enum TokenKind;
     if (std::exchange(hangs_, false)) return continues;
     if (ends_part(token.kind)) return mark_before_end(token);
     if (is_sign(token.kind)) {
-        // Nothing is subtracted from a string: it is the sign of the next value. So it was from
-        // any value before there were expressions: <0 -1 2>.
+        // Nothing can be subtracted from a string, so a `-` after it is the sign of the next value.
+        // Before the language had expressions, this held after any value: <0 -1 2>.
         const bool old = tokens_.version() < 1.5 && ends_operand() && in_elements();
         const bool begins_value = last_.kind == text || is_signed_word(last_);
         if (token.kind == minus && (old || (begins_value && in_braces()))) return comma;
@@ -88,8 +88,8 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
     return wants_operand(last_.kind) ? std::optional(between) : std::nullopt;
 }
 
-/// Whether the token is a word that is not reserved and takes a number that may be below 0, in its
-/// own block: `film { exposure -1 }`.
+/// Whether the token is an unreserved word that takes a possibly negative number, in its own block:
+/// `film { exposure -1 }`.
 bool Brackets::is_signed_word(const Token& token) const {
     if (token.kind != TokenKind::name || !in_braces() || spelling(token) != "exposure")
         return false;
@@ -99,7 +99,7 @@ bool Brackets::is_signed_word(const Token& token) const {
     return before.ends_with("film");
 }
 
-/// Whether the directive that has just begun is the left side of an operator, as in
+/// Whether the directive that has just begun is the left operand of an operator, as in
 /// `(#if (A) 1 #else 2 #end * 3)`.
 bool Brackets::gives_value() {
     using enum TokenKind;
@@ -116,7 +116,8 @@ bool Brackets::gives_value() {
            (compares && !outside && around->token.kind == open_parenthesis);
 }
 
-/// The same for a loop that is the last operand: `2 * #switch (A) #case (1) 5 #break #else 7 #end`.
+/// Whether a loop or #switch is the last operand:
+/// `2 * #switch (A) #case (1) 5 #break #else 7 #end`.
 bool Brackets::ends_expression(TokenKind loop) {
     using enum TokenKind;
     if (is_condition(loop) || !wants_operand(last_.kind)) return false;
@@ -124,7 +125,7 @@ bool Brackets::ends_expression(TokenKind loop) {
     return closes(kind) || kind == semicolon || kind == comma || kind == greater;
 }
 
-/// The same for what ends a part of a condition; it has had its effect.
+/// The marker before a token that ends a part of a condition. open_ is up to date for the token.
 std::optional<TokenKind> Brackets::mark_before_end(const Token& token) {
     const bool whole = token.kind == TokenKind::hash_end;
     Open& directive = whole ? closed_ : open_.back();
@@ -140,7 +141,7 @@ std::optional<TokenKind> Brackets::mark_before_end(const Token& token) {
     return std::nullopt;
 }
 
-/// Only `#ifndef (A)` or the #else of `#ifdef (A)`, with which files begin, may be around it.
+/// Whether only include guards, `#ifndef (A)` or the #else of `#ifdef (A)`, are around the macro.
 bool Brackets::may_define_open_macro() const {
     return std::ranges::none_of(open_, [](const Open& o) {
         const bool guard = o.token.kind == TokenKind::hash_ifdef &&
@@ -149,7 +150,7 @@ bool Brackets::may_define_open_macro() const {
     });
 }
 
-/// Whether a parenthesis that comes now belongs to the beginning of a directive or of a case.
+/// Whether a parenthesis here belongs to the head of a directive or of a case.
 bool Brackets::begins_head() {
     using enum TokenKind;
     const TokenKind kind = last_.kind;
@@ -158,7 +159,7 @@ bool Brackets::begins_head() {
     return has_parts(kind) || kind == hash_elseif || kind == hash_case || kind == hash_range;
 }
 
-/// Whether a directive that comes now may go on with an expression.
+/// Whether the last token ends an operand, so that a directive here may continue an expression.
 bool Brackets::ends_operand() const {
     using enum TokenKind;
     const TokenKind kind = last_.kind;
@@ -167,8 +168,8 @@ bool Brackets::ends_operand() const {
     return (may_end_value(kind) && kind != channel) || (kind == hash_end && closed_.goes_on);
 }
 
-/// Whether what comes now begins a part of a directive that goes on with an expression, or stands
-/// there behind another directive.
+/// Whether the next token begins a part of a directive that continues an expression, or follows
+/// another directive there.
 bool Brackets::begins_part(const Open& directive) const {
     using enum TokenKind;
     const TokenKind kind = last_.kind;
@@ -183,8 +184,8 @@ Token Brackets::take() {
     return first;
 }
 
-/// The next token of the text, after its effect on what is open. Tokens that have to come before it
-/// are in pending_ with it.
+/// Returns the next token of the text, with open_ brought up to date for it. Tokens that must
+/// precede it are put into pending_ with it.
 Token Brackets::match() {
     for (;;) {
         const Token token = tokens_.next();
@@ -197,7 +198,7 @@ Token Brackets::match() {
             const bool head = token.kind == TokenKind::open_parenthesis && begins_head();
             open_.push_back({token});
             open_.back().head = head;
-            // The lexer has spoken of a directive without #, and what it opens is not meant so.
+            // The lexer has reported a directive without #, which may not be meant as one.
             open_.back().blamed = opens_directive(token.kind) && text_[token.first] != '#';
         } else if (closes(token.kind)) {
             fits = accept_closer(token);
@@ -212,13 +213,12 @@ Token Brackets::match() {
 
 bool Brackets::accept_closer(const Token& closer) {
     std::size_t depth = open_.size();
-    // Parentheses and square brackets do not reach beyond the braces or the directive that they are
-    // in.
+    // Parentheses and square brackets do not match across the braces or the directive around them.
     const bool local =
         closer.kind == TokenKind::close_parenthesis || closer.kind == TokenKind::close_bracket;
     while (depth > 0 && closer_of(open_[depth - 1].token.kind) != closer.kind) {
         const TokenKind between = open_[depth - 1].token.kind;
-        // Nor do braces beyond a directive when one that a branch opened was closed there already.
+        // Nor do braces across a directive, if a brace from a branch was already closed there.
         const bool paid =
             closer.kind == TokenKind::close_brace && opens_directive(between) && spare_braces_ > 0;
         if (paid || (local && (between == TokenKind::open_brace || opens_directive(between)))) {
@@ -274,15 +274,16 @@ bool Brackets::accept_else(const Token& divider) {
     return true;
 }
 
-/// Whether everything that is open above the given depth is a brace that nothing is said about yet.
+/// Whether only braces are open above the given depth, with no error reported in any of them.
 bool Brackets::only_braces_above(std::size_t depth) const {
     return std::all_of(
         open_.begin() + static_cast<std::ptrdiff_t>(depth), open_.end(),
         [](const Open& o) { return o.token.kind == TokenKind::open_brace && !o.blamed; });
 }
 
-/// Where the first branch of a condition leaves braces open that are closed behind its #end, or
-/// ends in the word of a block that stands there.
+/// Whether the first branch of a condition leaves braces open that are closed after its #end, or
+/// ends in the word of a block whose braces follow there. If so, each branch gets a copy of the
+/// rest.
 bool Brackets::continue_in_branches(std::size_t depth, const Token& divider) {
     Open& opener = open_[depth - 1];
     const std::size_t above = open_.size() - depth;
@@ -293,7 +294,7 @@ bool Brackets::continue_in_branches(std::size_t depth, const Token& divider) {
     return tokens_.copy_rest_into_branches(divider, static_cast<int>(above));
 }
 
-/// Where a condition without #else leaves braces open that another one like it closes.
+/// Whether a condition without #else leaves braces open that another condition like it closes.
 bool Brackets::goes_on_unbraced(std::size_t depth, const Token& end) {
     const Open& opener = open_[depth - 1];
     const std::size_t above = open_.size() - depth;
@@ -303,7 +304,7 @@ bool Brackets::goes_on_unbraced(std::size_t depth, const Token& end) {
     return tokens_.repeat_without_braces(opener.token, end, text_, static_cast<int>(above));
 }
 
-/// Closes what is open above the given depth, in front of the closer.
+/// Closes the brackets open above the given depth, before the closer. False if there are none.
 bool Brackets::close_until(std::size_t depth, const Token& closer) {
     if (depth == open_.size()) return false;
     report_unclosed(closer, depth);
@@ -379,7 +380,7 @@ void Brackets::end_of_file(const Token& end) {
     std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(first), pending_.end());
 }
 
-/// Whether an error inside `depth` brackets ends at this token, which has had its effect.
+/// Whether an error inside `depth` brackets ends at this token, for which open_ is up to date.
 bool Brackets::boundary(const Token& token, std::size_t depth) const {
     if (token.kind == TokenKind::end_of_file) return true;
     const bool in_elements = depth == 0 || open_.size() < depth ||
@@ -399,12 +400,12 @@ void Brackets::recover(bool closer_missing) {
         return;
     skipped_ = true;
     if (depth > 0) open_[depth - 1].blamed = true;
-    // Then its closer will be taken for that of what is around it.
+    // Then its closer will be taken for that of the bracket around it.
     if (closer_missing && depth > 1) open_[depth - 2].blamed = true;
     Token token = take();
     while (!boundary(token, depth)) token = take();
     pending_.push_back(token);
-    // What was skipped is over: a directive after it does not stand where a value is wanted.
+    // The skipped text has ended: a directive after it does not stand where a value is expected.
     last_ = {TokenKind::semicolon, 0, token.first, token.first, 0};
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands between lexer and parser and sees to it that brackets and the words of directives match:
-// `{ }`, `( )`, `[ ]`, and #if, #while, #for, #switch, #macro with #end. What does not match is
-// reported once, with both places, and mended by closing what is open or by dropping what closes
-// nothing; the parser never sees it. Only where each branch of a condition opens the same number of
-// braces, or ends in a word whose braces follow, what comes behind its #end is part of every
-// branch, up to where these are closed; and macros may open braces for each other.
+// A filter between the lexer and the parser that makes brackets and directives match: `{ }`, `( )`,
+// `[ ]`, and #if, #while, #for, #switch, #macro with #end. A mismatch is reported once, with both
+// places. It is repaired by closing the open bracket or by dropping the unmatched closer, so the
+// parser never sees it. There are two exceptions. If each branch of a condition opens the same
+// number of braces, or ends in a word whose braces follow, the tokens after its #end up to the
+// closing braces become part of every branch. And macros may open braces for each other.
 #pragma once
 
 #include "syntax/token_stream.h"
@@ -17,7 +17,7 @@ namespace candelabra {
 
 class Brackets {
 public:
-    /// `version`: of the language, until the text names one.
+    /// `version`: language version until the text sets one.
     Brackets(Lexer& lexer, OpenMacros& macros, double version, SourceId source,
              std::string_view text, Diagnostics& diagnostics)
         : macros_(macros),
@@ -27,32 +27,32 @@ public:
           diagnostics_(diagnostics) {}
 
     Token next();
-    /// Whether the next token comes behind a comma, right inside of braces.
+    /// Whether the next token follows a comma directly inside braces.
     bool begins_item() const { return last_.kind == TokenKind::comma && in_braces(); }
-    /// Gives a token back that next() gave last; `before` is the one before it.
+    /// Puts back the token that next() returned last. `before` is the token before it.
     void put_back(const Token& token, const Token& before) {
         pending_.push_back(token);
         last_ = before;
     }
 
-    /// After a syntax error at the token that next() gave last: goes on at the end of the innermost
-    /// bracket or, in a list of elements, at the next directive. `closer_missing`: the bracket
-    /// should have been closed before the error.
+    /// Recovers from a syntax error at the token that next() returned last: skips to the end of the
+    /// innermost bracket or, in a list of elements, to the next directive. `closer_missing`: the
+    /// bracket should have been closed before the error.
     void recover(bool closer_missing = false);
-    /// Whether recover() left the token of the error behind.
+    /// Whether recover() skipped the token of the error.
     bool skipped() const { return skipped_; }
 
-    /// The innermost bracket that is open, for messages.
+    /// The innermost open bracket, for messages.
     std::optional<Span> innermost() const;
 
 private:
     struct Open {
         Token token;
-        bool divided = false;         ///< its first part is over
-        bool closed_to_else = false;  ///< an #else was there
-        bool blamed = false;          ///< something in it has been reported
-        bool head = false;            ///< a parenthesis with which a directive begins
-        bool goes_on = false;         ///< a directive whose parts go on with an expression
+        bool divided = false;         ///< its first part has ended
+        bool closed_to_else = false;  ///< it has had an #else
+        bool blamed = false;          ///< an error in it has been reported
+        bool head = false;            ///< a parenthesis at the start of a directive
+        bool goes_on = false;         ///< a directive whose parts continue an expression
         bool hangs = false;           ///< one of its parts ends in an operator
     };
 
@@ -96,14 +96,14 @@ private:
     std::string_view text_;
     Diagnostics& diagnostics_;
     std::vector<Open> open_;
-    std::vector<Token> pending_;  ///< the next one last
+    std::vector<Token> pending_;  ///< in reverse: the next token is the last
     Token last_;
-    bool member_ = false;  ///< the last token comes behind a dot
-    /// How many `}` without partner are no news, because their `{` was closed in a branch.
+    bool member_ = false;  ///< the last token follows a dot
+    /// Number of unmatched `}` not to report, because their `{` was closed in a branch.
     int spare_braces_ = 0;
     int spare_ends_ = 0;
-    Open closed_;         ///< what was closed last
-    bool hangs_ = false;  ///< what the last token closed
+    Open closed_;         ///< the bracket or directive closed last
+    bool hangs_ = false;  ///< the last token closed a directive that hangs
     bool skipped_ = false;
 };
 

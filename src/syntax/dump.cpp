@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// A node for dump(): what it is, and the lists below it.
+/// A node for dump(): its description, and the lists below it.
 struct Description {
     std::string text;
     std::vector<std::pair<std::string_view, NodeId>> lists;
@@ -153,7 +153,7 @@ struct Describe {
     Description operator()(const node::Write& n) const { return {"#write", {{"", n.content}}}; }
 };
 
-/// Blanks for the depth. Deeper lines than anybody reads tell it as a number: blanks would take
+/// Blanks for the depth. Depths beyond any reader's use are written as a number: blanks would take
 /// more room than a disk has.
 std::string indentation(std::size_t depth) {
     constexpr std::size_t deepest = 100;
@@ -198,9 +198,9 @@ std::string dump_tokens(SourceId source, const SourceStore& sources, Names& name
     std::string result;
     const std::string_view text = sources.text(source);
     Place place;
-    std::uint32_t at = 0;  // whose place that is; nothing at first
+    std::uint32_t at = 0;  // offset of `place`; 0 at first
     for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
-        // A line may be as long as the file: its characters are counted once.
+        // A line may be as long as the file, so its characters are counted only once.
         const std::string_view between = text.substr(at, token.first - at);
         if (at == 0 || between.find_first_of("\r\n") != between.npos)
             place = sources.place(source, token.first);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tokens and trees as they are, one or a node a line, for `--dump` and for comparing trees, whose
-// places are left out. Does not recurse, so trees of any depth can be written.
+// Dumps of tokens and trees, one token or node a line, for `--dump` and for comparing trees. A
+// tree's dump omits places. Does not recurse, so trees of any depth can be written.
 #pragma once
 
 #include "syntax/tree.h"

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// The character behind `\` and this letter, or 0.
+/// The character that `\` and this letter stand for, or 0.
 char escape(char letter) {
     constexpr std::string_view letters = "abfnrtv'\"\\";
     constexpr std::string_view meanings = "\a\b\f\n\r\t\v'\"\\";
@@ -15,7 +15,7 @@ char escape(char letter) {
     return i == std::string_view::npos ? '\0' : meanings[i];
 }
 
-/// Four hexadecimal digits as a number, or nothing.
+/// Reads a number of four hexadecimal digits. False if the text is not one.
 bool read_hex(std::string_view digits, unsigned& code) {
     const auto [end, problem] =
         std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);

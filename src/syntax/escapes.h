@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is between the quotes of a string, as the string that it means.
+// The value of a string, from the text between its quotes.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -9,8 +9,8 @@
 
 namespace candelabra {
 
-/// Escapes replaced, line ends made one LF. `offset`: of the first byte in its source. An unknown
-/// escape is reported and stays as it is.
+/// Returns the text with escapes replaced and each line end made one LF. `offset`: of its first
+/// byte in the source. An unknown escape is reported and kept unchanged.
 std::string unescaped(std::string_view raw, SourceId source, std::uint32_t offset, Diagnostics&);
 
 }  // namespace candelabra

@@ -127,7 +127,7 @@ constexpr auto signs = std::array{
     ForeignSign{"\uFEFF", "a byte order mark", " "},
 };
 
-/// Red, green and blue of six hexadecimal digits, up to 255; nothing for other words.
+/// Red, green and blue, 0 to 255, from six hexadecimal digits; nothing for other words.
 std::optional<std::array<unsigned, 3>> hexadecimal_channels(std::string_view word) {
     constexpr std::size_t digits = 6;
     unsigned value = 0;
@@ -197,7 +197,7 @@ std::string_view foreign_colon(std::string_view before) {
     return before.ends_with("\"]") ? "dictionaries are not available in this version" : "";
 }
 
-// ---- what the lexer does with them
+// ---- how the lexer handles them
 
 void Lexer::report_missing_hash(const char* first, std::string_view word) {
     report(warning(Fault::deprecated, span(first, cursor_),
@@ -205,7 +205,7 @@ void Lexer::report_missing_hash(const char* first, std::string_view word) {
                .with_help(message("write `#", word, "`")));
 }
 
-/// `#else if`, as other languages write it.
+/// Consumes and reports the `if` of `#else if`, as other languages write it. False if none follows.
 bool Lexer::takes_if(const char* hash) {
     const char* p = cursor_;
     while (p < limit_ && (*p == ' ' || *p == '\t')) ++p;
@@ -216,7 +216,8 @@ bool Lexer::takes_if(const char* hash) {
     return true;
 }
 
-/// `#end if`, as other languages end one; `#end if (A)` may begin another.
+/// Whether the word belongs to `#end`, as in `#end if` of other languages; if so, it is reported.
+/// `#end if (A)` may begin another directive.
 bool Lexer::stands_behind_end(const char* first, std::string_view word) {
     const char* p = first;
     while (p > begin_ && (p[-1] == ' ' || p[-1] == '\t')) --p;
@@ -229,8 +230,8 @@ bool Lexer::stands_behind_end(const char* first, std::string_view word) {
     return true;
 }
 
-/// `# words of a comment`, as other languages begin one: more words follow on the line. The first
-/// may have an apostrophe, letters beyond ASCII or a comma.
+/// Skips `# words of a comment`, as other languages write it: more than one word must be on the
+/// line. The first may contain an apostrophe, letters beyond ASCII or a comma.
 bool Lexer::takes_comment() {
     const auto goes_on = [](char c) {
         return is_letter(c) || (static_cast<unsigned char>(c) & 0x80) ||
@@ -252,7 +253,7 @@ void Lexer::second_point(const char* first) {
     report(problem);
 }
 
-/// A colour as web pages have it, with the numbers that it says where a colour is wanted.
+/// Reads a colour as web pages write it: as a vector where a colour is expected, else as nothing.
 Token Lexer::read_hexadecimal_colour(const char* hash, std::string_view word) {
     const auto channels = hexadecimal_channels(word);
     const bool wanted = previous_ == TokenKind::colour || previous_ == TokenKind::colour_prefix;
@@ -301,10 +302,10 @@ std::optional<Token> Lexer::read_foreign_sign(const char* first, const ForeignSi
         if (sign.meant == meant) return token(kind, first);
     if (sign.meant == "pi")
         return token(constant, first, static_cast<std::uint32_t>(names_.intern("pi")));
-    // What is passed over has apostrophes, too.
+    // Text that is passed over may contain apostrophes.
     if (sign.meant.empty() || sign.meant == " " || quiet_) return std::nullopt;
-    // A string goes on to the other quote, if that is on the same line.
-    for (const char* p = cursor_; p < limit_ && *p != '\n'; ++p) {
+    // The string ends at the next quote, if that is on the same line.
+    for (const char* p = cursor_; p < limit_ && *p != '\n' && *p != '\r'; ++p) {
         const ForeignSign* end = foreign_sign({p, static_cast<std::size_t>(limit_ - p)});
         if (*p != '"' && !(end && end->meant == "\"")) continue;
         tree_.texts.emplace_back(cursor_, p);
@@ -319,7 +320,7 @@ bool Lexer::foreign_letter() const {
            !foreign_sign(rest());
 }
 
-/// A name with letters that names cannot have.
+/// Reads and reports a name with letters that names cannot have.
 Token Lexer::read_foreign_word(const char* first) {
     while (cursor_ < limit_ && (in_name(*cursor_) || foreign_letter())) ++cursor_;
     report(error(Fault::unknown_character, span(first, cursor_),

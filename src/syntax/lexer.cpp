@@ -3,6 +3,7 @@
 
 #include "syntax/escapes.h"
 #include "text/ascii.h"
+#include "text/decimal.h"
 #include "text/message.h"
 #include "text/nearest.h"
 #include "vocabulary/reserved.h"
@@ -114,7 +115,7 @@ constexpr auto directive_words = std::array{
     DirectiveWord{"write", TokenKind::hash_write},
 };
 
-/// The directive of a word that has no meaning without #; null for others.
+/// The directive of a word that means nothing without #; null for other words.
 const DirectiveWord* without_hash(std::string_view spelling) {
     constexpr auto words = std::array<std::string_view, 13>{
         "local", "if",  "end",    "else", "elseif", "ifdef", "ifndef",
@@ -123,8 +124,8 @@ const DirectiveWord* without_hash(std::string_view spelling) {
     return std::ranges::find(directive_words, spelling, &DirectiveWord::spelling);
 }
 
-/// A number of few digits without an exponent, as nearly all are. Both integers are exact as
-/// doubles, so their quotient is rounded as it has to be.
+/// Converts a number of at most 15 digits without an exponent, as nearly all are. Both integers are
+/// exact as doubles, so their quotient is correctly rounded.
 std::optional<double> convert_short(const char*& p, const char* end) {
     constexpr int max_digits = 15;
     constexpr auto powers = std::array{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -148,14 +149,10 @@ double convert(const char*& p, const char* end) {
     if (*p == '-' || *p == '+') ++p;
     if (const auto value = convert_short(p, end)) return negative ? -*value : *value;
     double value = 0;
-    // What the scanner takes and from_chars does not, an exponent without digits, counts as no
-    // exponent.
+    // An exponent without digits, which the scanner accepts and from_chars does not, is ignored.
     auto [rest, problem] = std::from_chars(p, end, value);
-    if (problem == std::errc::result_out_of_range) {
-        const std::string_view digits(p, static_cast<std::size_t>(rest - p));
-        const std::size_t e = digits.find_first_of("eE");
-        value = e != std::string_view::npos && digits[e + 1] == '-' ? 0 : HUGE_VAL;
-    }
+    if (problem == std::errc::result_out_of_range)
+        value = underflows({p, static_cast<std::size_t>(rest - p)}) ? 0 : HUGE_VAL;
     p = rest;
     return negative ? -value : value;
 }
@@ -200,15 +197,15 @@ Token Lexer::read_word(const char* first) {
     return token(kind, first, value);
 }
 
-/// Whether a word stands in `defined(` or `#ifdef (`, and does nothing.
+/// Whether a word has no effect, because it stands in `defined(` or `#ifdef (`.
 bool Lexer::is_asked_about() const {
     return previous_ == TokenKind::open_parenthesis &&
            (before_previous_ == TokenKind::hash_ifdef ||
             (before_previous_ == TokenKind::function && last_word_ == "defined"_word));
 }
 
-/// Whether a word that has just been read is meant as `#version`: a number is behind it, and no
-/// value can be in front of that.
+/// Whether the word just read is meant as `#version`: a number follows it, and it stands where no
+/// value can precede that number.
 bool Lexer::begins_version() const {
     using enum TokenKind;
     constexpr auto before =
@@ -233,8 +230,8 @@ Token Lexer::read_directive(const char* hash) {
                        "this `#` has no effect, for no word follows it"));
         return scan();
     }
-    // As in POV-Ray, for `#global_settings` is what some programs write, and the oldest scenes
-    // write a setting so. Names that were met before may be declared ones: `object { #Tower }`.
+    // The `#` is ignored, as in POV-Ray: some programs write `#global_settings`, and the oldest
+    // scenes write a setting this way. A name met before may be declared: `object { #Tower }`.
     if (names_.find(spelling) != no_name) {
         if (spelling != "max_trace_level")
             report(
@@ -315,8 +312,10 @@ Token Lexer::read_number(const char* first) {
     const bool hexadecimal = cursor_ == first + 1 && *first == '0' && cursor_ + 1 < limit_ &&
                              (*cursor_ | 0x20) == 'x' && std::isxdigit(cursor_[1]);
     if (hexadecimal) {
-        unsigned long value = 0;
-        cursor_ = std::from_chars(first + 2, limit_, value, 16).ptr;
+        double value = 0;
+        for (++cursor_; cursor_ < limit_ && std::isxdigit(*cursor_); ++cursor_)
+            value =
+                16 * value + (is_digit(*cursor_) ? *cursor_ - '0' : (*cursor_ | 0x20) - 'a' + 10);
         report(error(Fault::syntax, span(first, cursor_), "numbers are written in decimal digits")
                    .with_help(message("write ", value)));
     }
@@ -359,7 +358,7 @@ Token Lexer::read_text(const char* first) {
         report(problem.with_help("a string ends at the next `\"`"));
     } else {
         ++cursor_;
-        if (!long_string_ && raw.find('\n') != std::string_view::npos)
+        if (!long_string_ && raw.find_first_of("\r\n") != std::string_view::npos)
             long_string_ = span(first, first + 1);
     }
     // Names of files keep their backslashes, as in POV-Ray.
@@ -374,7 +373,7 @@ Token Lexer::read_text(const char* first) {
     return token(TokenKind::text, first, index);
 }
 
-/// Text that cannot begin a token. Where its meaning is clear, the meant token is returned.
+/// Reports text that cannot begin a token. Returns the intended token where it is clear.
 std::optional<Token> Lexer::stray(const char* first) {
     cursor_ = first;
     if (const ForeignSign* sign = foreign_sign(rest())) return read_foreign_sign(first, *sign);
@@ -387,7 +386,7 @@ std::optional<Token> Lexer::stray(const char* first) {
     if (*first == '^') problem.with_help("a power is pow(base, exponent)");
     if (*first == '\'') problem.with_help("strings are written in double quotes");
     report(problem);
-    // Between two values it goes on as a sign that there is.
+    // Between two values, an operator that exists takes its place.
     if ((*first == '^' || *first == '%') && between_values()) return token(TokenKind::times, first);
     return std::nullopt;
 }

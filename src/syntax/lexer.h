@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text to tokens, by the rules of grammar/tokens.re. Never fails: what cannot be a token is
-// reported and left out. After the end of the text it gives end_of_file for ever.
+// Splits text into tokens, by the rules of grammar/tokens.re. It never fails: text that cannot be a
+// token is reported and skipped. After the end of the text, all tokens are end_of_file.
 #pragma once
 
 #include "syntax/foreign.h"
@@ -17,13 +17,13 @@ namespace candelabra {
 
 class Lexer {
 public:
-    /// Numbers and strings are put into the tree, new names into names.
+    /// Numbers and strings are added to the tree, new names to `names`.
     Lexer(SourceId, const SourceStore&, Names&, Tree&, Diagnostics&);
 
     Token next();
-    /// Whether nothing is reported: for text that is passed over.
+    /// Suppresses all reports while on: for text that is passed over.
     void be_quiet(bool on) { quiet_ = on; }
-    /// What a token of a number says.
+    /// The value of a number token.
     double number(const Token& token) const { return tree_.numbers[token.value]; }
 
 private:
@@ -54,7 +54,7 @@ private:
     std::optional<Token> read_foreign_sign(const char* first, const ForeignSign&);
     Token read_foreign_word(const char* first);
     bool foreign_letter() const;
-    /// Whether a value is before the cursor and one can begin behind it.
+    /// Whether a value precedes the cursor and another can begin at it.
     bool between_values() const;
     void second_point(const char* first);
     void double_sign(const char* first, std::string_view instead);
@@ -75,7 +75,7 @@ private:
     Diagnostics& diagnostics_;
     bool quiet_ = false;
     NameId last_word_ = no_name;
-    std::optional<Span> long_string_;  ///< the first string that has a line end in it
+    std::optional<Span> long_string_;  ///< the first string that contains a line end
     TokenKind previous_ = TokenKind::end_of_file;
     TokenKind before_previous_ = TokenKind::end_of_file;
 };

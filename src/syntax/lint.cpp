@@ -33,11 +33,11 @@ bool is_used(const Tree& tree, NodeId first, std::size_t end, NameId parameter) 
 void lint(const Tree& tree, const Names& names, Diagnostics& diagnostics) {
     for (std::size_t end = 0; end < tree.nodes.size(); ++end) {
         const auto* macro = std::get_if<node::Macro>(&tree.nodes[end].content);
-        // One without a body stands for something that is to come.
+        // A macro without a body is a placeholder.
         if (!macro || macro->body == no_node) continue;
         for (NodeId id = macro->parameters; id != no_node; id = tree[id].next) {
             const NameId name = tree.get<node::Parameter>(id).name;
-            // A node lies behind those that it consists of: the body is between the two.
+            // A node follows its children in the array, so the body is between the two.
             if (is_used(tree, id, end, name)) continue;
             diagnostics.add(
                 warning(Fault::unused_parameter, tree.span(id),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is legal in a file and yet likely a mistake, as far as its text alone can tell. Called for
+// Warnings of legal text that is likely a mistake, as far as the text alone can tell. They are for
 // the scene's own file, not for libraries.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace candelabra {
 
 /// Warns of parameters that a macro with a body does not name. Scoping is dynamic, so a macro that
-/// is called may use them nevertheless; then the warning can be switched off.
+/// it calls may still use them; then the warning can be switched off.
 void lint(const Tree&, const Names&, Diagnostics&);
 
 }  // namespace candelabra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an end is missing, by how the text is indented.
+// Finds the place of a missing closer by the indentation of the text.
 #pragma once
 
 #include "syntax/token.h"
@@ -13,8 +13,8 @@ struct Misindented {
     Token opener, closer;
 };
 
-/// The first `}` or `#end` at the start of a line that stands further left than the line of what it
-/// closes: one before it is missing. `directives`: look at these, not at braces.
+/// The first `}` or `#end` at the start of a line that is indented less than the line of its
+/// opener: a closer before it is missing. `directives`: examine directives, not braces.
 std::optional<Misindented> misindented(std::string_view text, bool directives);
 
 }  // namespace candelabra

@@ -13,8 +13,8 @@ namespace {
 
 using Tokens = OpenMacros::Tokens;
 
-/// Names between a pair of parentheses, divided by commas; nothing when there is more, such as
-/// `optional A`, which a call may leave out.
+/// Names between a pair of parentheses, separated by commas. Nothing if there are other tokens, as
+/// in `optional A`, which a call may omit.
 std::optional<std::vector<NameId>> parameters(std::span<const Token> tokens) {
     std::vector<NameId> result;
     bool comma = true;
@@ -28,7 +28,7 @@ std::optional<std::vector<NameId>> parameters(std::span<const Token> tokens) {
     return result;
 }
 
-/// What is between a pair of parentheses, divided at the commas that are in no other brackets.
+/// Arguments between a pair of parentheses, split at the commas outside of other brackets.
 std::vector<std::span<const Token>> arguments(std::span<const Token> tokens) {
     using enum TokenKind;
     std::vector<std::span<const Token>> result;
@@ -55,12 +55,12 @@ Token odd_brace(const Tokens& body) {
         if (open.empty()) return token;
         open.pop_back();
     }
-    // What branches leave open and close again may look like nothing.
+    // Braces that branches open and close again may all seem to match.
     return open.empty() ? body.front() : open.back();
 }
 
-/// The first parenthesis of a text that closes nothing, or the last that is not closed, where
-/// nothing else is wrong with its brackets.
+/// The first parenthesis that closes nothing, or else the last that is not closed. Nothing if other
+/// brackets of the text do not match.
 std::optional<Token> odd_parenthesis(std::span<const Token> body) {
     using enum TokenKind;
     std::vector<Token> open;
@@ -83,15 +83,15 @@ std::optional<Token> odd_parenthesis(std::span<const Token> body) {
     return first || open.empty() ? first : open.back();
 }
 
-/// `1, 2>` or `<1, 2,`: the end of a vector that begins elsewhere, or the beginning of one.
-/// `A < 2` is a comparison.
+/// The unmatched sign of `1, 2>` or `<1, 2,`, the end of a vector that begins elsewhere or the
+/// beginning of one that ends elsewhere. `A < 2` is a comparison.
 std::optional<Token> odd_angle(std::span<const Token> body) {
     using enum TokenKind;
     struct Begun {
         Token token;
-        bool behind_value;  // so it may compare
+        bool behind_value;  // then it may be a comparison
     };
-    std::vector<Begun> begun;  // by `<`, or by another bracket
+    std::vector<Begun> begun;  // open `<` and other brackets
     const auto in_angle = [&] { return !begun.empty() && begun.back().token.kind == less; };
     for (std::size_t i = 0; i < body.size(); ++i) {
         const TokenKind kind = body[i].kind;
@@ -111,7 +111,7 @@ std::optional<Token> odd_angle(std::span<const Token> body) {
                                                     : std::nullopt;
 }
 
-/// `* 2`, `2 +`, `#if (A) - #end`: an operator whose other operand is elsewhere.
+/// Whether an operator lacks an operand, as in `* 2`, `2 +`, `#if (A) - #end`.
 bool lacks_operand(const Tokens& body) {
     if (body.empty()) return false;
     const TokenKind first = body.front().kind;
@@ -123,7 +123,7 @@ bool lacks_operand(const Tokens& body) {
     return std::ranges::adjacent_find(body, hangs) != body.end();
 }
 
-/// How the value of TokenKind::hash_declare says which of the two it is.
+/// Values of the token hash_declare.
 enum class Declares : std::uint32_t { globals = 0, locals = 1 };
 
 /// The names that a text declares by #declare or by #local.
@@ -140,7 +140,7 @@ bool contains(const std::vector<NameId>& names, NameId name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-/// Copies the numbers and strings of tokens into the tree that they are for.
+/// Copies the numbers and strings of tokens from one tree to another, and updates the tokens.
 void move_values(Tokens& tokens, const Tree& from, Tree& to) {
     for (Token& token : tokens) {
         const std::uint32_t old = token.value;
@@ -156,7 +156,7 @@ void move_values(Tokens& tokens, const Tree& from, Tree& to) {
     }
 }
 
-/// Of a token of the macro's text.
+/// The place of a token of the macro's text.
 Span place(const OpenMacro& macro, const Token& token) {
     return {macro.values.source, token.first, token.last};
 }
@@ -248,7 +248,7 @@ Tokens OpenMacros::expand(Macro& called, const Token& call, std::span<const Toke
     Tokens result;
     const Instead instead = bind(macro, call, values, result);
     for (Token token : called.body) {
-        // Places are those of one file.
+        // A token's place must be in this file.
         if (!is_own(macro)) token.first = call.first, token.last = call.last;
         const auto other =
             token.kind == TokenKind::name ? instead.find(NameId(token.value)) : instead.end();
@@ -303,7 +303,8 @@ OpenMacros::Instead OpenMacros::bind(const OpenMacro& macro, const Token& call,
     return instead;
 }
 
-/// Behind a value a declaration would end it: 2 #local A = 3; - A.
+/// Whether an argument may replace its parameter in parentheses. A declaration in front would end
+/// the value before it: 2 #local A = 3; - A.
 bool OpenMacros::may_stand_in_parentheses(std::span<const Token> value, const OpenMacro& macro,
                                           NameId parameter) const {
     const auto is_parameter = [&](const Token& t) {
@@ -354,7 +355,7 @@ bool OpenMacros::called_too_early() const {
 }
 
 void OpenMacros::report_idle() {
-    // A macro of the last time the file was parsed may have been called in front of its definition.
+    // A macro known from the previous parse may have been called before its definition.
     const auto is_called = [&](NameId name) {
         return std::ranges::any_of(macros_, [&](const Macro& each) {
             return each.shared->name == name && (each.shared->called || !each.calls.empty());

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Macros that open braces for another one to close, or close what they have not opened:
+// Open macros: they open braces for another macro to close, or close braces opened elsewhere:
 //
 //     #macro Begin(R) union { sphere { 0, R } #end
 //     #macro End() } #end
 //     Begin(2) box { -1, 1 } End()
 //
-// and those that hold operators without their operands, `#macro Half() / 2 #end`, or half a pair of
-// parentheses. They are no lists of elements, so they have no place in the tree: their text stands
-// where they are called; that of `#macro More() + 2 #end` only behind a value: (1 More()). An
-// argument of one token stands where its parameter does, and so does one of numbers behind a value,
-// in parentheses; any other is declared in front, by a name of its own (R_of_Begin), which #locals
-// get as well. Files that include one another share them.
+// or hold operators that lack an operand, `#macro Half() / 2 #end`, or half a pair of parentheses.
+// Their bodies are not lists of elements, so they have no place in the tree: their text replaces
+// each call. The text of `#macro More() + 2 #end` does so only after a value: (1 More()). An
+// argument of one token replaces its parameter. So does an argument of numbers after a value, in
+// parentheses. Any other argument is declared in front, under a name of its own (R_of_Begin);
+// #locals get such names as well. Files that include one another share open macros.
 #pragma once
 
 #include "syntax/token.h"
@@ -26,34 +26,34 @@
 
 namespace candelabra {
 
-/// What any file of a scene has to know of an open macro.
+/// An open macro, as all files of a scene share it.
 struct OpenMacro {
     NameId name;
     Token opener;  ///< #macro
     Token end;     ///< #end
-    int braces;    ///< how many it leaves open
+    int braces;    ///< number of braces that it leaves open
     std::vector<NameId> parameters;
     std::vector<Token> body;
-    Tree values = {};  ///< where the numbers and strings of the body lie; its source is the file's
-    std::vector<NameId> declared = {}, locals = {};  ///< by #declare and by #local
-    /// The last brace that it leaves open, or the first that it did not open; or nothing.
+    Tree values = {};  ///< numbers and strings of the body; its source is the macro's file
+    std::vector<NameId> declared = {}, locals = {};  ///< names by #declare, by #local
+    /// The last bracket that it leaves open, or the first that it did not open. end_of_file: none.
     Token odd = {};
-    bool continues = false;  ///< a whole value with a sign: open only behind another value
+    bool continues = false;  ///< a whole value with a sign: open only after another value
     bool called = false;     ///< in another file
 };
 
-/// In the order in which they were defined.
+/// Open macros in the order of their definitions.
 using OpenMacroList = std::vector<std::shared_ptr<OpenMacro>>;
 
-/// Parses what `#include "name"` names, for a language of that version, and adds the open macros
-/// that it defines; a file that cannot be read has none.
+/// Parses the file that `#include "name"` names, for this language version, and adds the open
+/// macros that it defines. A file that cannot be read has none.
 using IncludeReader =
     std::function<void(const std::string& name, Span, double version, OpenMacroList&)>;
 
 class OpenMacros {
 public:
-    /// `known`: by this file, from its beginning and, in the end, behind it. No reader: only its
-    /// own.
+    /// `known`: open macros known at the start of this file and, in the end, after it. Without a
+    /// reader, included files add none.
     OpenMacros(Names& names, Tree& tree, Diagnostics& diagnostics, OpenMacroList& known,
                IncludeReader reader)
         : names_(names),
@@ -66,7 +66,7 @@ public:
 
     using Tokens = std::vector<Token>;
 
-    /// For messages: the way out for a brace of a macro that does not match.
+    /// Help messages for an unmatched brace of a macro.
     static constexpr const char* unclosed =
         "add the missing `}`; or let another macro, defined outside of directives as this one is, "
         "close it: #macro End() } #end";
@@ -77,34 +77,34 @@ public:
     struct Macro {
         std::shared_ptr<OpenMacro> shared;
         Tokens body;                            ///< with this file's numbers and strings
-        std::vector<std::uint32_t> calls = {};  ///< where it is called in this file
+        std::vector<std::uint32_t> calls = {};  ///< offsets of its calls in this file
     };
 
     bool empty() const { return macros_.empty(); }
-    /// From #macro to its #end. False when it is a list of elements, or not written as a macro is:
-    /// then it is none of these, or only where it is called behind a value.
+    /// Takes the tokens from #macro to #end. Returns false if the body is a list of elements or
+    /// they are not a macro: then it is not open, or open only where it is called after a value.
     bool define(const Tokens& macro);
-    /// At #include and this string.
+    /// Learns the open macros of a file, at #include and this string.
     void include(const Token& file, double version);
-    /// The macro that a call is replaced for, which comes behind a token of this kind.
+    /// The open macro that a call expands after a token of kind `before`, or null.
     Macro* find(NameId name, TokenKind before);
-    /// What stands for a call; `arguments` with their parentheses. A wrong number of them is
-    /// reported.
+    /// Returns the tokens that replace a call. `arguments` include their parentheses. A wrong
+    /// number of arguments is reported.
     Tokens expand(Macro&, const Token& call, std::span<const Token> arguments);
 
-    /// Whether a brace that does not match is one of a macro's; then that is reported, once.
+    /// Whether an unmatched brace belongs to a macro. If so, the macro is reported, once.
     bool blame(const Token& brace);
-    /// Whether the calls up to here have opened more braces than they closed, by macros that are
-    /// reported here for the first time.
+    /// If the calls so far have opened more braces than they closed, reports the macros at fault.
+    /// Returns whether any of them had not been reported before.
     bool blame_all();
-    /// Whether a macro of this file was called before it was known to be one of these.
+    /// Whether a macro of this file was called before it was known to be open.
     bool called_too_early() const;
-    /// Reports the macros of this file that were never called: what they leave open may be an
-    /// oversight.
+    /// Reports the macros of this file that were never called: the bracket that they leave open may
+    /// be an oversight.
     void report_idle();
 
 private:
-    /// False: it has been reported.
+    /// Returns false if the macro has been reported before.
     bool report(const OpenMacro&);
     using Instead = std::unordered_map<NameId, Tokens>;
 
@@ -113,7 +113,8 @@ private:
     void forget(NameId);
     bool is_own(const OpenMacro& macro) const { return macro.values.source == tree_.source; }
     bool may_stand_in_parentheses(std::span<const Token> value, const OpenMacro&, NameId) const;
-    /// What stands for the names of a body; what has to be declared for it goes to the result.
+    /// Returns the tokens that replace names of a body, and adds declarations that they need to
+    /// `result`.
     Instead bind(const OpenMacro&, const Token& call,
                  const std::vector<std::span<const Token>>& values, Tokens& result);
     Span span(const Token& token) const { return {tree_.source, token.first, token.last}; }
@@ -124,10 +125,10 @@ private:
     OpenMacroList& known_;
     IncludeReader reader_;
     std::vector<Macro> macros_;                        ///< all that were ever known
-    std::unordered_map<NameId, std::size_t> by_name_;  ///< the last of each name
-    /// Where each name was first given to a list of elements outside of directives.
+    std::unordered_map<NameId, std::size_t> by_name_;  ///< index of the last macro of each name
+    /// Where each name was first defined as a list of elements outside of directives.
     std::unordered_map<NameId, std::uint32_t> closed_;
-    /// What has been reported: the same macro may be known from the last time the file was parsed.
+    /// Reported places: the same macro may be known from the previous parse of the file.
     std::vector<Span> told_;
 };
 

@@ -40,7 +40,7 @@ NodeId ParseState::negative(NodeId operand, Stretch place) {
     const auto* number = tree.get_if<node::Number>(operand);
     if (!number || text[tree[operand].first] == '-')
         return add(place, node::Unary{Operator::minus, operand});
-    // Not in its place: the same token may stand in several branches, or in each call of a macro.
+    // Not negated in place: the token may stand in several branches, or in each call of a macro.
     tree.numbers.push_back(-tree.numbers[number->number]);
     tree[operand].content = node::Number{static_cast<std::uint32_t>(tree.numbers.size() - 1)};
     tree[operand].first = place.first;
@@ -109,7 +109,7 @@ NodeId ParseState::group(List directives, List values, Stretch place) {
 }
 
 NodeId ParseState::vector(List components, Stretch place) {
-    // Numbers only: the same as the token that the lexer makes of the plainest form.
+    // Numbers only: gives the same node as the token that the lexer makes of the simplest form.
     std::array<double, 5> numbers{};
     std::uint32_t count = 0;
     for (NodeId id = components.first(); id != no_node; id = tree[id].next, ++count) {
@@ -193,8 +193,7 @@ List ParseState::without_commas(List values, List names) {
 }
 
 List ParseState::parameter(List list, NameId name, Stretch place) {
-    // `optional` is no reserved word: a parameter of that name that another follows without a comma
-    // was the word.
+    // `optional` is not reserved. It is the keyword if another name follows it without a comma.
     if (!list.empty() && !list.comma()) {
         auto* before = std::get_if<node::Parameter>(&tree[list.last()].content);
         if (!before->optional && names.spelling(before->name) == "optional") {
@@ -222,7 +221,7 @@ NodeId ParseState::array_in_parentheses(Stretch place) {
 
 namespace {
 
-/// The number with a comma for its point that the text ends in, as in `= 1,5`; or nothing.
+/// The number with a decimal comma at the end of the text, as in `= 1,5`; empty if none.
 std::string_view number_with_comma(std::string_view text) {
     constexpr std::string_view digits = "0123456789";
     const std::size_t comma = text.find_last_not_of(digits);
@@ -235,8 +234,8 @@ std::string_view number_with_comma(std::string_view text) {
     return wants ? text.substr(sign + 1) : std::string_view();
 }
 
-/// Whether a semicolon that comes now is meant to end a declaration of a number; then there will be
-/// a report of what is between the number and it.
+/// Whether a semicolon here is meant to end a declaration of a number. Then the tokens between the
+/// number and the semicolon will be reported.
 bool ends_declaration(std::string_view text) {
     const std::string_view line = text.substr(text.find_last_of("\r\n") + 1);
     const std::size_t hash = line.rfind('#');
@@ -249,7 +248,7 @@ bool ends_declaration(std::string_view text) {
 }  // namespace
 
 NodeId ParseState::stray_semicolon(Stretch place) {
-    // After an error it may be the end of something that was left out.
+    // After an error it may be the end of text that was skipped.
     if (diagnostics.failed()) return no_node;
     if (const auto number = number_with_comma(text.substr(0, place.first)); !number.empty()) {
         const auto first = place.first - static_cast<std::uint32_t>(number.size());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the actions of grammar/scene.yy work with: the tree that grows, and the joining of nodes to
-// lists.
+// Support for the actions of grammar/scene.yy: the tree under construction, and lists of nodes.
 #pragma once
 
 #include "syntax/brackets.h"
@@ -12,14 +11,14 @@
 
 namespace candelabra {
 
-/// A stretch of the text that is parsed: its place.
+/// A range of the parsed text, in bytes.
 struct Stretch {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
 
     Stretch() = default;
     constexpr Stretch(std::uint32_t first, std::uint32_t last) : first(first), last(last) {}
-    /// Bison's parsers begin at a place of lines and columns.
+    /// For Bison's parser, whose initial location has lines and columns.
     constexpr Stretch(int, int, int, int) {}
 };
 
@@ -30,16 +29,16 @@ constexpr Stretch join(Stretch a, Stretch b) {
 
 using TokenKinds = std::bitset<128>;
 
-/// The numbers of the grammar's symbols are those of TokenKind, behind the end, the error token and
-/// the undefined token.
+/// The token kind of a grammar symbol. Symbols are numbered as TokenKind, after the end, the error
+/// token and the undefined token.
 constexpr TokenKind token_kind(int symbol) {
     return symbol == 0 ? TokenKind::end_of_file : static_cast<TokenKind>(symbol - 2);
 }
 
-// What the parser copies from place to place, millions of times, is one word of 64 bits each: a
-// word that is read back right after a part of it has been written makes the processor wait.
+// Values that the parser copies millions of times are one word of 64 bits each: reading back a word
+// right after writing a part of it stalls the processor.
 
-/// A list of nodes that is being made.
+/// A list of nodes under construction.
 class List {
 public:
     List() = default;
@@ -47,7 +46,7 @@ public:
         : bits_(static_cast<std::uint64_t>(last) << 33 | std::uint64_t{comma} << 32 |
                 static_cast<std::uint64_t>(first)) {}
 
-    /// no_node when it is empty.
+    /// no_node if empty.
     NodeId first() const { return NodeId{static_cast<std::uint32_t>(bits_)}; }
     /// Precondition: not empty.
     NodeId last() const { return NodeId{static_cast<std::uint32_t>(bits_ >> 33)}; }
@@ -74,7 +73,7 @@ private:
     std::uint64_t bits_;
 };
 
-/// The numbers of a vector in the tree.
+/// A node::Literal in one word.
 class WideLiteral {
 public:
     WideLiteral& operator=(const node::Literal& literal) {
@@ -89,7 +88,7 @@ private:
     std::uint64_t bits_;
 };
 
-/// What a symbol of the grammar stands for, which of them the grammar says.
+/// The value of a grammar symbol. The grammar declares which member it uses.
 union SemanticValue {
     SemanticValue() : list() {}
 
@@ -108,57 +107,57 @@ struct ParseState {
     Brackets& brackets;
     Diagnostics& diagnostics;
     std::string_view text;
-    bool postpones;  ///< errors in branches of conditions and in macros
+    bool postpones;  ///< keeps errors in branches of conditions and in macros for later
 
     Span span(Stretch place) const { return {tree.source, place.first, place.last}; }
     NodeId add(Stretch place, NodeContent content) { return tree.add(span(place), content); }
 
     List append(List list, NodeId node);
     List joined(List, List);
-    /// A comma between elements; only two in a row are wrong.
+    /// Adds a comma between elements. Two in a row are reported.
     List comma(List list, Stretch);
-    /// Puts a node behind the others of a short list.
+    /// Appends a node to a short list. Returns the list's first node.
     NodeId chain(NodeId first, NodeId node);
 
     NodeId negative(NodeId operand, Stretch);
-    /// Whether its text may have operators that belong to the expression around it.
+    /// Whether the operand may expand to text with operators of the expression around it.
     bool may_be_text(NodeId operand) const;
-    /// `a + b`; part of the chain when one of them is one.
+    /// `a + b`; a chain if an operand is one.
     NodeId binary(Operator, NodeId left, NodeId right, Stretch);
-    /// An expression that a directive goes on with.
+    /// An expression that a directive continues.
     NodeId goes_on(NodeId expression, NodeId directive, Stretch);
-    /// What comes behind a directive of which a part ends in an operator.
+    /// The operands and the expression after a directive with a part that ends in an operator.
     NodeId continued(List operands, NodeId expression, Stretch);
-    /// What the directive goes on with.
+    /// The operator and expression that begin a part of a directive that continues an expression.
     NodeId joining(Operator, NodeId expression, Stretch);
     NodeId group(List directives, List values, Stretch);
     NodeId vector(List components, Stretch);
     NodeId layered(List blocks, Stretch);
     NodeId declared(NodeId declare, bool local, Stretch);
-    /// The part of a condition that ends before `end`; no condition: #else.
+    /// A part of a condition, up to `end`; without a condition, #else.
     NodeId branch(NodeId condition, List body, Stretch, std::uint32_t end);
-    /// The body, which is that part of the text, or what stands for it if there are errors in it.
-    /// `alone`: only if they point at nothing outside of it.
+    /// Returns the body, whose text is `part`, or a node::Postponed if there are errors in it.
+    /// `alone`: counts only errors that point at nothing outside of the part.
     NodeId unless_wrong(List body, Stretch part, bool alone = false);
-    /// What stands for a part with errors in it: they are taken away from the diagnostics. no_node:
-    /// there are none.
+    /// Moves the errors in a part of the text from the diagnostics to a node::Postponed. Returns
+    /// no_node if there are none.
     NodeId postponed(Stretch part, bool alone);
     /// A colour with one more channel.
     NodeId with_channel(NodeId colour, NodeId channel, Stretch);
     /// The body of a function that begins with a word: `pattern { ... }`, `internal(4)`.
     List word_first(NameId word, Stretch, List rest);
-    /// `a, b` and `c d` of a function's parameters.
+    /// Joins the parameters of a function with commas, `a, b`, and without, `c d`.
     List without_commas(List values, List names);
     List parameter(List list, NameId name, Stretch);
-    /// `array(3)`
+    /// Reports `array(3)`.
     NodeId array_in_parentheses(Stretch);
     NodeId stray_semicolon(Stretch);
-    /// `#version unofficial megapov 1.0`: the language of another program.
+    /// Reports `#version unofficial megapov 1.0`, the version of another program.
     NodeId patched_version(NameId program, Stretch);
-    /// What an expression without parentheses around it consists of, as in a chain.
+    /// The operands of an expression without parentheses, in the form that a chain has them.
     List operands(NodeId expression);
     List with_operands(List, Operator, NodeId expression);
-    /// Says that a token does not fit, and what could stand there.
+    /// Reports an unexpected token, and the tokens that could stand there.
     void report_unexpected(TokenKind found, Stretch, const TokenKinds& expected) const;
 };
 

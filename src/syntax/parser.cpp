@@ -17,7 +17,7 @@ namespace candelabra {
 
 namespace {
 
-/// What could stand where an error is.
+/// The tokens that could stand in place of an error.
 class Expected {
 public:
     explicit Expected(const TokenKinds& kinds) : kinds_(kinds) {}
@@ -29,11 +29,11 @@ public:
     }
     bool value() const { return has(TokenKind::number); }
     bool comparison() const { return has(TokenKind::equal) && has(TokenKind::greater); }
-    /// Behind a `.`.
+    /// A member, after a `.`.
     bool member() const { return has(TokenKind::channel) && !value() && !element(); }
     bool name() const { return has(TokenKind::name) && !value() && !member(); }
 
-    /// "`)` or a value"
+    /// The expected tokens in words: "`)` or a value".
     std::string list() const;
 
 private:
@@ -110,7 +110,7 @@ std::string_view advice(TokenKind found, const Expected& expected) {
     }
 }
 
-/// How a directive is written whose word is the last of the text, and that needs a parenthesis.
+/// Help for a directive that lacks a parenthesis after its word, at the end of the text.
 std::string_view in_parentheses(std::string_view before) {
     const std::string_view word = before.substr(std::min(before.rfind('#'), before.size()));
     if (word.starts_with("#ifdef") || word.starts_with("#ifndef"))
@@ -130,7 +130,7 @@ std::string_view without_blanks(std::string_view before) {
     return before.substr(0, before.find_last_not_of(" \t\r\n") + 1);
 }
 
-/// The word that the text ends in.
+/// The word at the end of the text.
 std::string_view last_word(std::string_view text) {
     std::size_t first = text.size();
     while (first > 0 && in_name(text[first - 1])) --first;
@@ -141,7 +141,7 @@ bool reserved_word(TokenKind kind) {
     return kind >= TokenKind::word && kind <= TokenKind::channel && kind != TokenKind::name;
 }
 
-/// What is wrong in a directive that is read so far.
+/// Help for a mistake in the directive read so far.
 std::string_view directive_habit(TokenKind found, const Expected& expected,
                                  std::string_view directive) {
     if (directive == "#fclose") return "the name that #fopen gave the file: #fclose File";
@@ -159,8 +159,7 @@ std::string_view directive_habit(TokenKind found, const Expected& expected,
     return {};
 }
 
-/// Phrases of other languages; `before` and `after` are the text around the
-/// place.
+/// Help for phrases of other languages; `before` and `after` are the text around the place.
 std::string habit(TokenKind found, const Expected& expected, std::string_view before,
                   std::string_view after) {
     constexpr std::string_view change = "a value is changed by `#declare I = I + 1;`";
@@ -224,7 +223,7 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     return hyphen ? "a name cannot have a `-`, but it can have a `_`" : "";
 }
 
-/// `&&` and its like, of which the lexer has spoken.
+/// Whether the token is `&&`, `||` or `==`, which the lexer has reported.
 bool doubled(TokenKind kind, Stretch place) {
     using enum TokenKind;
     return (kind == both || kind == either || kind == equal) && place.last - place.first == 2;
@@ -239,10 +238,10 @@ std::string capitalised(std::string_view word) {
 }  // namespace
 
 void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKinds& kinds) const {
-    // A token without text was put in by Brackets, which has reported what is missing.
+    // A token without text was inserted by Brackets, which has reported the missing one.
     const bool mended = place.first == place.last && found != TokenKind::end_of_file;
     const Expected expected(kinds);
-    // The braces of a function hold an expression, which something follows.
+    // The braces of a function hold one expression, so a word after it means that `}` is missing.
     const bool closer_missing = expected.has(TokenKind::close_brace) && !expected.element() &&
                                 !expected.value() && reserved_word(found);
     if (!mended && !doubled(found, place)) {
@@ -282,8 +281,9 @@ void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKi
     brackets.recover(closer_missing);
 }
 
-/// Data files consist of plain vectors with commas between them: to the grammar, those that end in
-/// a comma are one token. Its last comma, or nothing when there is not even one of them.
+/// Data files consist of plain vectors with commas between them. A run of vectors that each end in
+/// a comma is one token to the grammar. Appends them to `row` and returns the last comma, or
+/// nothing if there is no such vector.
 static std::optional<Token> take_row(Token vector, ParseState& state, List& row) {
     std::optional<Token> end;
     for (;;) {
@@ -344,11 +344,11 @@ static_assert(TOKEN_SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
 
 namespace {
 
-/// What parsing a text once gives.
+/// The result of parsing a text once.
 struct Pass {
     Tree tree;
     Diagnostics found;
-    bool early = false;  ///< open macros are called that were not known in front of the call
+    bool early = false;  ///< an open macro was called before it was known
 };
 
 Pass parse_once(SourceId source, const SourceStore& sources, Names& names,
@@ -357,7 +357,7 @@ Pass parse_once(SourceId source, const SourceStore& sources, Names& names,
     Tree& tree = pass.tree;
     tree.source = source;
     const std::string_view text = sources.text(source);
-    // So many nodes or fewer are in most texts; very long ones are numbers, one in twenty bytes.
+    // Enough nodes for most texts; very long texts are numbers, one in twenty bytes.
     constexpr std::size_t long_text = 4'000'000;
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
     Lexer lexer(source, sources, names, tree, pass.found);
@@ -389,8 +389,8 @@ Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostic
     learns();
     Pass best = once();
     bool early = best.early;
-    // Each time macros are known that call what was found to be open the time before; where none
-    // is new, once more would give the same.
+    // Each pass finds macros open that call macros found open in the pass before. If none of them
+    // is new, another pass would give the same tree.
     constexpr int most = 100;
     for (int times = 1; early && times < most && learns(); ++times) {
         Pass pass = once();

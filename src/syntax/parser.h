@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file's text to its tree. A pure function of its arguments; whatever the text, it returns a
-// tree: where something could not be read the tree has a node::Broken or lacks an element, and the
-// diagnostics say why.
+// Parses a file's text into its tree. parse() is a pure function of its arguments and returns a
+// tree for any text. Where text could not be read, the tree has a node::Broken or lacks an element,
+// and the diagnostics say why.
 #pragma once
 
 #include "syntax/open_macros.h"
@@ -12,16 +12,16 @@
 namespace candelabra {
 
 struct ParseOptions {
-    /// Of the language, until the text names one; it decides conditions about the version whose
-    /// branches are no whole elements.
+    /// Language version until the text sets one. It decides conditions on the version whose
+    /// branches are not whole elements.
     double version = 3.7;
-    /// What is wrong in a branch of a condition is not reported but kept in the tree, for nobody
-    /// may ever come there.
+    /// Errors in a branch of a condition are kept in the tree instead of reported, because the
+    /// branch may never be walked.
     bool postpones = false;
-    /// Others include it: they may call the open macros that nobody calls here.
+    /// Other files include this one: they may call open macros that it does not call itself.
     bool included = false;
-    OpenMacroList* macros = nullptr;  ///< open macros that are known before the file, then behind
-    IncludeReader reader = {};        ///< for those of the files that it includes
+    OpenMacroList* macros = nullptr;  ///< open macros known before the file; on return, after it
+    IncludeReader reader = {};        ///< for the open macros of included files
 };
 
 Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&, const ParseOptions& = {});

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// What is still to be written: text, a node, a list of nodes, or the end of an indentation.
+/// A piece still to be written: text, a node, a list of nodes, or the end of an indentation.
 struct Piece {
     enum class Kind { text, node, elements, commas, blanks, joined, leave };
 
@@ -32,12 +32,12 @@ Piece blanks(NodeId first) { return {Piece::Kind::blanks, {}, first}; }
 /// `[1][2]`
 Piece joined(NodeId first) { return {Piece::Kind::joined, {}, first}; }
 
-/// The name of a file, as it stands: only right behind the word that it follows.
+/// Whether a string is a file name without escapes. It must directly follow the word before it.
 bool is_verbatim(const Tree& tree, const node::Text& text) {
     return std::ranges::binary_search(tree.verbatim, text.text);
 }
 
-/// A word that would take a value behind it for its own, as in `green A`.
+/// Whether a node is a word that would take a value after it as its own, as in `green A`.
 bool takes_value(const Tree& tree, const Names& names, NodeId id) {
     const auto* word = tree.get_if<node::Word>(id);
     if (!word) return false;
@@ -45,7 +45,7 @@ bool takes_value(const Tree& tree, const Names& names, NodeId id) {
     return word_class == WordClass::channel || word_class == WordClass::colour_prefix;
 }
 
-/// Begins with something that could continue a value before it.
+/// Whether a node begins with a token that could continue the value before it.
 bool needs_comma(const Tree& tree, const Names& names, NodeId before, NodeId id) {
     if (const auto* text = tree.get_if<node::Text>(id); text && is_verbatim(tree, *text))
         return false;
@@ -62,7 +62,7 @@ bool needs_comma(const Tree& tree, const Names& names, NodeId before, NodeId id)
     return !(word && !channel_word);
 }
 
-/// Whether `( ... )` can hold these: directives, then perhaps a value.
+/// Whether `( ... )` can hold these nodes: directives, then perhaps a value.
 bool fits_parentheses(const Tree& tree, NodeId first) {
     NodeId last = first;
     while (last != no_node && tree[last].next != no_node) last = tree[last].next;
@@ -104,7 +104,7 @@ struct Print {
         return {say(spell(n.name)), joined(n.indices)};
     }
     Pieces operator()(const node::Member& n) const {
-        // A number would take the point for its own.
+        // A number would take the point as its own.
         const bool number = tree.get_if<node::Number>(n.operand);
         return {one(n.operand), say(message(number ? " ." : ".", spell(n.member)))};
     }
@@ -254,7 +254,7 @@ struct Print {
     }
 };
 
-/// Brings a list into pieces. Numbers in brackets are all that joined lists hold.
+/// Splits a list into pieces. Joined lists hold only numbers in brackets.
 Pieces list_pieces(const Tree& tree, const Names& names, const Piece& piece, std::size_t depth) {
     using Kind = Piece::Kind;
     const std::string line = message("\n", std::string(4 * depth, ' '));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A string as the language writes it.
+// Strings as literals of the language.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tokens that grammar/tokens.re makes of a text and grammar/scene.yy reads. `#` and its word
-// are one token. A token is its kind, its place, and a number whose meaning depends on the kind;
-// numbers and strings lie in the tree that is being made.
+// are one token. A token has a kind, a place, and a number whose meaning depends on the kind.
+// Numbers and strings are stored in the tree under construction.
 #pragma once
 
 #include "vocabulary/words.h"
@@ -22,7 +22,7 @@ enum class TokenKind : std::uint8_t {
     unary_function,
     function,
     colour_prefix,
-    channel,  // NameId
+    channel,  // all up to here: NameId
     number,   // index in Tree::numbers
     literal,  // `<1, 2, 3>`: index of the first number; count is the number of components
     text,     // index in Tree::texts
@@ -81,14 +81,14 @@ enum class TokenKind : std::uint8_t {
     dot,
     comma,
     semicolon,
-    // put in by Brackets, behind all others
+    // inserted by Brackets, after all others
     between,    // before a directive that follows an operator
-    goes_on,    // before a directive that goes on with the expression in front of it
+    goes_on,    // before a directive that continues the expression before it
     joins,      // before an operator at the beginning of a part of such a directive
-    nothing,    // behind an operator at the end of a part of a condition
-    continues,  // behind a condition with such a part: the other operand follows
-    gives,      // before a directive that gives a value for the operator behind it
-    leads,      // before declarations in front of what is declared
+    nothing,    // after an operator at the end of a part of a condition
+    continues,  // after a condition with such a part: the other operand follows
+    gives,      // before a directive that is the left operand of the operator after it
+    leads,      // before declarations that precede a declared value
 };
 
 struct Token {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What kinds of tokens have in common, for readers of tokens that come before the parser.
+// Classes of token kinds, for code that reads tokens before the parser.
 #pragma once
 
 #include "syntax/token.h"
 
 namespace candelabra {
 
-/// What a block may begin with, in front of its brace.
+/// Whether a block may begin with this kind, before its brace.
 constexpr bool is_block_word(TokenKind kind) {
     return kind == TokenKind::word || kind == TokenKind::layer;
 }
@@ -21,7 +21,7 @@ constexpr bool is_condition(TokenKind kind) {
     return kind == TokenKind::hash_if || kind == TokenKind::hash_ifdef;
 }
 
-/// Splits an open directive into parts: #else, #elseif, #case, #range.
+/// Whether the kind splits an open directive into parts: #else, #elseif, #case, #range.
 constexpr bool divides_directive(TokenKind kind) {
     using enum TokenKind;
     return kind == hash_else || kind == hash_elseif || kind == hash_case || kind == hash_range;
@@ -48,12 +48,12 @@ constexpr bool begins_directive(TokenKind kind) {
     return is_directive(kind) && kind != hash_end && kind != hash_macro && !divides_directive(kind);
 }
 
-/// A directive whose parts are elements.
+/// Whether the kind opens a directive whose parts are elements.
 constexpr bool has_parts(TokenKind kind) {
     return opens_directive(kind) && kind != TokenKind::hash_macro;
 }
 
-/// Ends a part of a condition.
+/// Whether the kind ends a part of a condition.
 constexpr bool ends_part(TokenKind kind) {
     using enum TokenKind;
     return kind == hash_else || kind == hash_elseif || kind == hash_end;
@@ -64,7 +64,7 @@ constexpr bool is_sign(TokenKind kind) {
     return kind == plus || kind == minus || kind == times || kind == divide;
 }
 
-/// Whether a directive behind it stands where a value is wanted.
+/// Whether a directive after this kind stands where a value is expected.
 constexpr bool wants_operand(TokenKind before) {
     using enum TokenKind;
     return is_sign(before) || before == both || before == either || before == question ||
@@ -72,14 +72,14 @@ constexpr bool wants_operand(TokenKind before) {
            before == continues;
 }
 
-/// What may be the last token of a value.
+/// Whether a value may end with this kind.
 constexpr bool may_end_value(TokenKind kind) {
     using enum TokenKind;
     return kind == number || kind == literal || kind == name || kind == constant ||
            kind == close_parenthesis || kind == close_bracket || kind == greater || kind == channel;
 }
 
-/// What may be the first token of a value; a `+` there joins it with what is before.
+/// Whether a value may begin with this kind. A `+` would join the value with the one before.
 constexpr bool may_begin_value(TokenKind kind) {
     using enum TokenKind;
     return (kind >= name && kind <= text) || kind == open_parenthesis || kind == less ||

@@ -11,13 +11,13 @@ namespace candelabra {
 
 namespace {
 
-/// Copies double with each condition of this kind behind another; what needs more is not copied.
+/// Limit of copied tokens. Copies double with each condition of this kind after another.
 constexpr std::size_t max_ahead = 100'000;
 
-/// Directives of more tokens are no operands.
+/// Maximum number of tokens in a directive that is an operand.
 constexpr std::size_t longest_value = 500;
 
-/// The text from one pair of parentheses to its end, without blanks.
+/// The pair of parentheses at the start of the text, without blanks.
 std::string parenthesised(std::string_view text) {
     std::string result;
     int open = 0;
@@ -36,7 +36,8 @@ Token TokenStream::next() {
     for (;;) {
         const Token token = fetch();
         if (names_version_ && token.kind == TokenKind::number) version_ = lexer_.number(token);
-        names_version_ = token.kind == TokenKind::hash_version;
+        names_version_ = token.kind == TokenKind::hash_version ||
+                         (names_version_ && token.kind == TokenKind::unofficial);
         dropped_sign_ = false;
         if (token.kind != TokenKind::hash_if) return token;
         if (drop_false_branch() ? !keep_else() : !choose_branch()) return token;
@@ -104,7 +105,7 @@ bool TokenStream::drop_false_branch() {
     passing_over_ = true;
     Token token = fetch();
     dropped_sign_ = is_sign(token.kind);
-    bool sign = false, lone_sign = false;  // what the last token was
+    bool sign = false, lone_sign = false;  // of the last token
     for (std::size_t open = 0; token.kind != TokenKind::end_of_file; token = fetch()) {
         const bool ends = token.kind == TokenKind::hash_end;
         if (open == 0 && (ends || divides_directive(token.kind))) break;
@@ -140,7 +141,7 @@ bool TokenStream::keep_else() {
     return balance.braces != 0;
 }
 
-/// `(version >= 3.1)`
+/// The value of `(version >= 3.1)` and other comparisons; nothing for other conditions.
 std::optional<bool> TokenStream::version_condition(Tokens& taken) {
     if (take(taken).kind != TokenKind::open_parenthesis) return std::nullopt;
     const Token word = take(taken);
@@ -195,7 +196,7 @@ bool TokenStream::choose_branch() {
     if (!condition || !plain) return give_back(taken), false;
     const Token behind = take(taken);
     if (whole && behind.kind != TokenKind::open_brace) return give_back(taken), false;
-    // The last list is what follows #end, which is empty.
+    // The last list, for the tokens after #end, is empty.
     Tokens kept = branches[*condition ? 0 : 1];
     kept.push_back(behind);
     give_back(kept);
@@ -362,7 +363,7 @@ bool TokenStream::repeat_without_braces(const Token& opener, const Token& end,
                 give_back(result);
                 return true;
             }
-            // It is a part of what is between them.
+            // It is a part of the tokens between the two conditions.
             for (std::size_t i = here; i < taken.size(); ++i) balance.add(taken[i].kind);
         } else {
             balance.add(token.kind);

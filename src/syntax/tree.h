@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file as a tree: what the parser makes and the evaluator walks. All nodes of a file lie in one
-// array and refer to each other by index, so a tree of any depth or size is copied to, freed and
-// kept without recursion. Every node has its place.
+// The syntax tree of a file, which the parser builds and the evaluator walks. All nodes of a file
+// are in one array and refer to each other by index, so a tree of any depth or size is copied,
+// freed and kept without recursion. Every node has its place in the source.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -42,13 +42,13 @@ enum class Operator : std::uint8_t {
 /// The sign of an operator as it is written.
 std::string_view spelling(Operator);
 
-/// How a file speaks to people.
+/// The directives that print a message.
 enum class MessageKind : std::uint8_t { debug, warning, error, render, statistics };
 
-/// The nodes. A member that is a list names the first node of it; the others follow by Node::next.
+/// The nodes. A member that is a list refers to its first node; the others follow by Node::next.
 namespace node {
 
-/// Where something could not be read; it has been reported.
+/// Text that could not be read and has been reported.
 struct Broken {};
 
 // Values
@@ -81,7 +81,7 @@ struct Member {
 struct Call {
     NameId name;
     NodeId arguments;
-};  ///< a function's (a reserved word) or a macro's
+};  ///< of a function (a reserved word) or a macro
 struct Apply {
     NodeId function, arguments;
 };  ///< `A[i](x, y, z)`; function: an Index
@@ -92,7 +92,7 @@ struct Unary {
 struct Binary {
     NodeId left, right;
     Operator sign;
-    bool open = false;  ///< an operand may be text with operators in it: a macro's, a directive's
+    bool open = false;  ///< an operand, a macro or directive, may be text with operators
 };
 struct Choice {
     NodeId condition, yes, no;
@@ -103,9 +103,9 @@ struct Joined {
 };  ///< `+ b`, in a chain
 struct Chain {
     NodeId first, last;
-};  ///< `a #if (c) + b #end`: an operand, then Joined and directives, in which are chains of these;
-    ///< or `#if (c) a * #end b`: a directive, then the other operand
-struct Nothing {};  ///< behind an operator whose operand follows the directive around it
+};  ///< `a #if (c) + b #end`: an operand, then Joined and directives, whose bodies are chains of
+    ///< these; or `#if (c) a * #end b`: a directive, then the other operand
+struct Nothing {};  ///< the operand after an operator, which follows the directive around it
 struct Group {
     NodeId content;
 };  ///< `( ... )`: directives, then one value
@@ -240,7 +240,7 @@ using NodeContent =
                  node::Message, node::Version, node::Open, node::Close, node::Read, node::Write>;
 
 struct Node {
-    std::uint32_t first = 0;  ///< bytes of the tree's source
+    std::uint32_t first = 0;  ///< offset in bytes in the tree's source
     std::uint32_t last = 0;
     NodeId next = no_node;  ///< the following node of the same list
     NodeContent content;
@@ -261,13 +261,13 @@ inline constexpr std::size_t kind =
 
 struct Tree {
     SourceId source = no_source;
-    NodeId first = no_node;  ///< of the list of elements that is the file
+    NodeId first = no_node;  ///< of the list of the file's elements
     std::vector<Node> nodes;
     std::vector<double> numbers;
     std::vector<std::string> texts;  ///< strings with their escapes replaced
-    /// Indices, ascending, of the strings that have no escapes: names of files.
+    /// Indices, ascending, of the strings without escapes: names of files.
     std::vector<std::uint32_t> verbatim;
-    std::vector<std::vector<Diagnostic>> postponed;  ///< what to report where the walk comes to it
+    std::vector<std::vector<Diagnostic>> postponed;  ///< reported when the walk reaches them
 
     const Node& operator[](NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
     Node& operator[](NodeId id) { return nodes[static_cast<std::size_t>(id)]; }
@@ -279,7 +279,7 @@ struct Tree {
     const T* get_if(NodeId id) const {
         return id == no_node ? nullptr : std::get_if<T>(&(*this)[id].content);
     }
-    /// A directive with parts.
+    /// Whether the node is a directive with parts.
     bool gives_elements(NodeId id) const {
         return get_if<node::If>(id) || get_if<node::While>(id) || get_if<node::For>(id) ||
                get_if<node::Switch>(id);

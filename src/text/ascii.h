@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Letters of ASCII only: their case, in options, file endings and names that were perhaps meant,
-// and the words that they make. Other letters are as different as they look, and belong to no word.
+// ASCII letters only: case-insensitive comparison for options, file extensions and suggestions, and
+// word boundaries. Other characters compare by their bytes and belong to no word.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,16 @@ inline std::string lower_case(std::string_view text) {
     return result;
 }
 
-/// What names begin with.
+/// Whether the character may begin a name.
 constexpr bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-/// What names consist of.
+/// Whether the character may occur in a name.
 constexpr bool in_name(char c) { return is_letter(c) || is_digit(c); }
 
-/// Takes the part before the first of the signs off the text, and that sign; all of it when there
-/// is none.
+/// Removes and returns the part of the text before the first of the separators, and removes that
+/// separator. Returns all of the text if there is none.
 constexpr std::string_view take_until(std::string_view& text, std::string_view signs) {
     const std::size_t end = std::min(text.find_first_of(signs), text.size());
     const std::string_view part = text.substr(0, end);
@@ -36,18 +36,18 @@ constexpr std::string_view take_until(std::string_view& text, std::string_view s
     return part;
 }
 
-/// Whether the text begins with that word, and no longer one.
+/// Whether the text begins with that word, rather than with a longer one.
 constexpr bool begins_with_word(std::string_view text, std::string_view word) {
     return text.starts_with(word) && (text.size() == word.size() || !in_name(text[word.size()]));
 }
 
-/// Whether the text ends in that word, and in no longer one.
+/// Whether the text ends in that word, rather than in a longer one.
 constexpr bool ends_in_word(std::string_view text, std::string_view word) {
     return text.ends_with(word) &&
            (text.size() == word.size() || !in_name(text[text.size() - word.size() - 1]));
 }
 
-/// Whether the texts are the same but for the case of letters.
+/// Whether the texts are equal, ignoring ASCII case.
 inline bool same_letters(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, [](char x, char y) { return lower_case(x) == lower_case(y); });
 }

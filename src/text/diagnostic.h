@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What there is to say about an input, as data: severity, kind of fault, message, places, help.
-// Every stage is handed a Diagnostics to add to and goes on where it can; only the application
-// prints (text/excerpt.h). Messages are kept in the order in which they came, each only once.
+// Diagnostics of an input as data: severity, kind of fault, message, places, help. Every stage adds
+// to a Diagnostics and continues where it can; only the application prints them (text/excerpt.h).
+// Messages are kept in the order of their arrival, each only once.
 
 #include "text/span.h"
 
@@ -61,25 +61,25 @@ enum class Fault {
     user_warning,
 };
 
-/// A kind of problem as people know it: `division-by-zero`.
+/// The name of a kind of problem for users, such as `division-by-zero`.
 struct FaultInfo {
     Fault fault;
     std::string_view name;
-    std::string_view warns_of = {};  ///< empty: always an error
+    std::string_view warns_of = {};  ///< the subject of its warnings; empty: always an error
 };
 
-/// All of them, in the order of the enumerators.
+/// Returns all kinds, in the order of the enumerators.
 std::span<const FaultInfo> all_faults();
 
 std::string_view name(Fault fault);
 
-/// A second place worth showing, and what is there.
+/// A further place worth showing, and a text about it.
 struct Label {
     Span span;
     std::string text;
 };
 
-/// One step of how the evaluation came to the place of a diagnostic.
+/// One step on the path by which the evaluation reached the place of a diagnostic.
 struct Frame {
     enum Kind { macro, include, loop };
 
@@ -93,11 +93,11 @@ struct Diagnostic {
     Fault fault = Fault::syntax;
     std::string message;
     Span span;
-    std::string label;  ///< the text behind the carets
+    std::string label;  ///< the text after the carets
     std::vector<Label> labels;
     std::vector<std::string> notes;
     std::string help;
-    std::vector<Frame> frames;  ///< the innermost first
+    std::vector<Frame> frames;  ///< innermost first
 
     Diagnostic& with_label(std::string text);
     Diagnostic& with_help(std::string text);
@@ -115,21 +115,22 @@ public:
     using Settle = std::function<void(Diagnostic&)>;
 
     static constexpr std::size_t max_errors = 20;
-    static constexpr std::size_t max_warnings = 20;  ///< of a kind
+    static constexpr std::size_t max_warnings = 20;  ///< per kind
 
-    /// Keeps the diagnostic unless the same message was given for the same span, or it is a warning
-    /// that is switched off, or an error and the collector is full. One without frames gets those
-    /// of the provider. Of warnings of a kind beyond the twentieth one tells how many there are.
+    /// Keeps the diagnostic unless the same message was given for the same span, it is a warning
+    /// that is switched off, or it is an error and the collector is full. A diagnostic without
+    /// frames gets those of the provider. Warnings of a kind beyond the twentieth are replaced by
+    /// one that counts them.
     void add(Diagnostic diagnostic);
-    /// Adds all that another one has.
+    /// Adds all diagnostics of another collector.
     void add_all(const Diagnostics& other);
 
-    /// Whether warnings of a kind are kept; at first all are.
+    /// Sets whether warnings of a kind are kept. Initially all are.
     void set_warning(Fault fault, bool kept) { muted_[static_cast<std::size_t>(fault)] = !kept; }
-    /// From now on warnings count as errors.
+    /// Makes subsequent warnings count as errors.
     void make_warnings_errors() { warnings_are_errors_ = true; }
 
-    /// An empty collector with the same settings.
+    /// Returns an empty collector with the same settings.
     Diagnostics fresh() const {
         Diagnostics result;
         result.muted_ = muted_;
@@ -140,18 +141,19 @@ public:
     bool failed() const { return errors_ > 0; }
     std::size_t error_count() const { return errors_; }
 
-    /// So many errors that whoever works on the input should stop.
+    /// Whether there are so many errors that processing of the input should stop.
     bool full() const { return errors_ >= max_errors; }
 
     const std::vector<Diagnostic>& all() const { return all_; }
-    /// How many were new, whether they were kept or only counted.
+    /// Number of distinct diagnostics that were added, whether kept or only counted.
     std::size_t count() const { return seen_.size(); }
-    /// The kind and the place of the last of these. Precondition: count() > 0.
+    /// Kind and place of the last of these. Precondition: count() > 0.
     std::pair<Fault, Span> last() const { return last_; }
 
-    /// Called for each kept diagnostic to learn how its place was reached, innermost first; and to
-    /// point it, before it is compared with others, at a better place. Whoever sets them takes them
-    /// away again, with {}, before what they look at goes out of life.
+    /// Sets two callbacks: `frames` returns the path to the place of a kept diagnostic, innermost
+    /// frame first; `settle` may move a diagnostic to a better place before it is compared with
+    /// others. The caller resets them, with {}, before the objects that they refer to are
+    /// destroyed.
     void set_frames(Frames frames, Settle settle = {}) {
         frames_ = std::move(frames);
         settle_ = std::move(settle);
@@ -170,12 +172,13 @@ private:
 
     static constexpr std::size_t kinds = static_cast<std::size_t>(Fault::user_warning) + 1;
 
-    /// Warnings of a kind, and where it is told how many were too many.
+    /// The number of warnings of a kind, and the index of the one that counts those beyond the
+    /// limit.
     struct Warnings {
         std::size_t count = 0, rest_at = 0;
     };
 
-    /// Whether a warning is one of the first of its kind; counts it in any case.
+    /// Counts a warning; returns whether it is within the limit of its kind.
     bool among_first(Fault);
 
     std::vector<Diagnostic> all_;

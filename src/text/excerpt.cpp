@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t frames_at_each_end = 5;
 
-/// A mark and the line that it stands on.
+/// A mark and the line that it is on.
 struct Spot {
     Span span;
     int line = 1;
@@ -36,7 +36,8 @@ bool can_show(Span span, const SourceStore& sources) {
     return span.known() && span.source < sources.count();
 }
 
-/// At the end of a text that ends in empty lines, what is missing is missing after its last word.
+/// Moves a span at the end of a text back over trailing blank lines: a missing token is reported
+/// after the last word.
 Span pull_back(Span span, const SourceStore& sources) {
     const std::string_view text = sources.text(span.source);
     const auto size = static_cast<std::uint32_t>(text.size());
@@ -55,7 +56,7 @@ Spot find_spot(Span span, const SourceStore& sources) {
     spot.line = sources.place(source, first).line;
     const std::string_view line = sources.line(source, spot.line);
     const auto start = static_cast<std::size_t>(line.data() - sources.text(source).data());
-    // An offset inside a byte order mark or a line end lies on no character of the line.
+    // An offset inside a byte order mark or a line end is not on a character of the line.
     const std::size_t from = first - std::min<std::size_t>(first, start);
     const std::size_t to = last - std::min<std::size_t>(last, start);
     spot.mark.first = std::min(from, line.size());
@@ -63,7 +64,8 @@ Spot find_spot(Span span, const SourceStore& sources) {
     return spot;
 }
 
-/// Only the first line of a longer span is shown; the text says how far it goes.
+/// Shortens a span of several lines to its first one, and adds the number of its last line to the
+/// text.
 void mark_further_lines(Spot& spot, const SourceStore& sources) {
     const auto [source, first, last] = spot.span;
     if (last <= first) return;
@@ -120,7 +122,7 @@ private:
         return message(name, ":", place.line, ":", place.column);
     }
 
-    /// Text of several lines, the further ones indented to stand below the first.
+    /// Prints a text of several lines, the further ones indented to align with the first.
     void print_lines(std::string_view text, std::size_t indent, std::string_view ink) {
         while (text.ends_with('\n')) text.remove_suffix(1);
         for (bool more = true; more;) {
@@ -135,7 +137,7 @@ private:
 
     void print_head() {
         const Severity severity = diagnostic_.severity;
-        // The name is what switches a warning off.
+        // Users need the name of the fault to switch a warning off.
         const std::string title = severity == Severity::error ? "error"
                                   : severity == Severity::warning
                                       ? message("warning[", name(diagnostic_.fault), "]")
@@ -189,12 +191,13 @@ private:
         return message("`", name, "` is included at ", place);
     }
 
-    /// How the source of a place came to be read, the innermost file first.
+    /// Describes the includes that led to the source of a place, innermost file first.
     std::vector<std::string> include_chain(Span place) const {
         std::vector<std::string> chain;
         while (can_show(place, sources_)) {
             const Span at = sources_.included_at(place.source);
-            // A file is included from one that was read before; anything else would be a circle.
+            // A file is included from one that was read before it; any other order would be a
+            // cycle.
             if (!at.known() || at.source >= place.source) break;
             chain.push_back(describe({Frame::include, sources_.name(place.source), at}));
             place = at;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A diagnostic as text for people: message, place, the lines concerned with carets below them, how
-// the place was reached, help. Called by the application and by tests; computes lines and columns,
-// and shows any bytes harmlessly. The text ends in a newline.
+// Formats a diagnostic for display: message, place, the source lines with carets below them, the
+// path to the place, help. Called by the application and by tests. Computes lines and columns, and
+// makes any bytes safe to print. The text ends in a newline.
 
 #include "text/diagnostic.h"
 #include "text/source.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which files a scene may touch. The run names folders; a scene reads and writes below them and
-// nowhere else. Links are followed before a path is judged, so that none leads outside. The loader
-// asks for reading, the evaluator for writing; pictures of the run itself do not come through here.
+// Rules on the files that a scene may access. The run names folders; a scene reads and writes below
+// them and nowhere else. Links are resolved before a path is judged, so none leads outside. The
+// loader asks about reading, the evaluator about writing. The run's own pictures are exempt.
 
 #include "text/made_files.h"
 
@@ -16,53 +16,55 @@ namespace candelabra {
 
 class FileAccess {
 public:
-    /// Everything may be read and nothing written: for readers that know no disk.
+    /// Permits all reading and no writing; for readers that do not access the disk.
     FileAccess() = default;
 
-    /// Reading below all of these folders, writing below the writable ones; relative names are
-    /// written below the first of them, where files of others stay as they are. "" or "." is the
-    /// current directory.
+    /// Permits reading below all of these folders and writing below the writable ones. Relative
+    /// names are written below the first writable folder, where files made by others are not
+    /// overwritten. "" or "." is the current directory.
     FileAccess(const std::vector<std::string>& readable, std::vector<std::string> writable);
 
-    /// The files that the scene has made in this run and before; without it only files that are
-    /// not there are written.
+    /// Sets the record of files that the scene has made in this run and before. Without it, only
+    /// new files are written.
     void remembers(std::shared_ptr<MadeFiles> made) { made_ = std::move(made); }
 
     bool may_read(const std::string& path) const { return admitted(path).has_value(); }
-    /// Where a path that may be read leads, with all links followed; nothing if it may not. Looks
-    /// at nothing but links.
+    /// Resolves the links in a path that may be read; returns nothing if it may not. Accesses
+    /// nothing but links.
     std::optional<std::string> admitted(const std::string& path) const;
-    /// The same, also where no folders are named.
+    /// Like admitted(), but resolves links even if no folders are named.
     std::optional<std::string> place(const std::string& path) const;
     /// Whether a path that may be read leads to a special file, neither a regular file nor a
-    /// folder: a pipe, a device.
+    /// folder: a pipe or a device.
     bool is_special(const std::string& path) const;
 
-    /// Where a name that a scene writes to leads, with all links followed; nothing if it may not be
-    /// written, whatever is there. Names that begin with a point are never written: they belong to
-    /// other programs; neither are settings and states, which other runs believe.
+    /// Resolves the links in a name that a scene writes to; returns nothing if it must not be
+    /// written, whether or not the file exists. Names that begin with a point are never written,
+    /// because they belong to other programs; neither are settings and states, which other runs
+    /// trust.
     std::optional<std::string> destination(const std::string& name) const;
-    /// The rule, or none, that keeps what is at a destination from being written to.
+    /// Returns the rule that forbids writing to an existing file at the destination; empty if none
+    /// does.
     std::string rule_of_file(const std::string& destination) const;
     /// Opens a destination.
     OpenedFile open(const std::string& destination, bool append) const;
 
-    /// The rule in one line, and how to allow more, for messages about this path.
+    /// These return the rule in one line, and the way to allow more, for messages about this path.
     std::string reading_rule() const;
     std::string writing_rule(const std::string& name) const;
     static std::string reading_help(const std::string& path);
-    /// Empty: nothing would allow it.
+    /// Empty if nothing would allow it.
     std::string writing_help(const std::string& name) const;
 
 private:
-    /// The writable folder that a path lies below.
+    /// Returns the index of the writable folder that contains the path.
     std::optional<std::size_t> writable_folder(const std::string& real) const;
-    /// Whether files of others may be overwritten there, too.
+    /// Whether files made by others may be overwritten there, too.
     bool overwrites(const std::string& destination) const;
 
     std::vector<std::string> readable_;  ///< absolute, without links
     std::vector<std::string> writable_;
-    std::string write_folder_;  ///< as it was given
+    std::string write_folder_;  ///< as the constructor was given it
     std::shared_ptr<MadeFiles> made_ = std::make_shared<MadeFiles>(std::string());
     bool locked_ = false;
 };

@@ -16,12 +16,13 @@ namespace candelabra {
 
 namespace {
 
-// Places in a text are 32 bit offsets (text/span.h).
+// Spans hold 32-bit offsets (text/span.h).
 constexpr std::size_t longest_text = std::numeric_limits<std::uint32_t>::max() - 1;
 
 bool is_absolute(const std::string& name) { return name.starts_with('/'); }
 
-/// One spelling for each folder, so that none is searched twice: "" is the current directory.
+/// Returns a canonical spelling of the folder, so that none is searched twice: "" is the current
+/// directory.
 std::string plain_directory(std::string directory) {
     while (directory.size() > 1 && directory.ends_with('/')) directory.pop_back();
     while (directory.starts_with("./")) directory.erase(0, 2);
@@ -33,7 +34,7 @@ std::string inside(const std::string& directory, const std::string& name) {
     return directory.ends_with('/') ? directory + name : directory + '/' + name;
 }
 
-/// An unknown extension is more likely part of a name whose .inc was left out.
+/// An unknown extension is more likely part of a name whose .inc was omitted.
 std::vector<std::string> candidates(const std::string& name, FileKind kind) {
     if (name.empty() || name.ends_with('/')) return {};
     if (kind == FileKind::data) return {name};
@@ -56,7 +57,8 @@ Reader disk_reader() {
 Reader scene_reader(const FileAccess& access) {
     const auto read = [access](const std::string& path) -> std::optional<std::string> {
         const auto real = path.empty() ? std::nullopt : access.place(path);
-        // Only regular files are opened; a file that becomes another kind is not read.
+        // Only regular files are opened; a file that becomes another kind in the meantime is not
+        // read.
         if (!real || !is_regular_file(*real)) return {};
         return content_of(open_without_links(*real, O_RDONLY), longest_text);
     };
@@ -85,8 +87,8 @@ std::vector<std::string> Loader::places(const std::string& name,
                                         const std::string& including_directory) const {
     if (is_absolute(name)) return {""};
     std::vector<std::string> places;
-    // Files of a library take what they include from the libraries in their order, too: those that
-    // come with POV-Ray from the standard library.
+    // Files of a library, too, find their includes in the libraries in their order: files that come
+    // with POV-Ray find those of the standard library.
     const std::string including = plain_directory(including_directory);
     const bool in_library =
         !including.empty() && std::ranges::any_of(library_paths_, [&](const std::string& path) {
@@ -139,7 +141,7 @@ std::optional<std::string> Loader::closed_path(const std::string& name,
                                                const std::string& including_directory,
                                                FileKind kind) const {
     for (const std::string& folder : places(name, including_directory)) {
-        // Where a scene reads nothing it is not looked for.
+        // The loader does not search folders that the scene may not read.
         if (!is_absolute(name) && !access_.may_read(folder)) continue;
         for (const std::string& candidate : candidates(name, kind))
             if (std::string path = inside(folder, candidate); !access_.may_read(path)) return path;
@@ -207,7 +209,7 @@ Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
 
 namespace {
 
-/// Whether a `#declare` or `#macro` of the text makes the name.
+/// Whether a `#declare` or `#macro` in the text declares the name.
 bool declares(std::string_view text, std::string_view name) {
     for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
         const std::size_t end = at + name.size();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Finds and reads the files that a scene names. The evaluator asks; how a path is read is an
+// Finds and reads the files that a scene names, for the evaluator. The reader of paths is an
 // argument, so that tests need no disk. A relative name is looked for in the folder of the
-// including file, the folder of the scene, the current directory, and the library paths in order;
-// a file that the scene itself has written comes first. What FileAccess does not permit is not
-// opened, and whether there is such a file is asked without reading it.
+// including file, the folder of the scene, the current directory, and the library paths in order; a
+// file that the scene itself has written comes first. Files that FileAccess does not permit are not
+// opened. Existence is tested without reading.
 
 #include "text/diagnostic.h"
 #include "text/file_access.h"
@@ -23,8 +23,8 @@
 
 namespace candelabra {
 
-/// How texts come from paths: the text, or nothing if there is none that can be read; and whether
-/// there is one, without reading it.
+/// Reads the text at a path, or returns nothing if it cannot be read; and tests whether there is
+/// one, without reading it.
 class Reader {
 public:
     using Read = std::function<std::optional<std::string>(const std::string& path)>;
@@ -32,7 +32,7 @@ public:
     using Within = std::function<Reader(const FileAccess&)>;
 
     Reader() = default;
-    /// For texts in memory, which cost nothing: there is what can be read.
+    /// For texts in memory, which are cheap to read: existence is tested by reading.
     template <class F>
     requires(std::is_invocable_r_v<std::optional<std::string>, const F&, const std::string&> &&
              !std::is_same_v<F, Reader>) Reader(F read)
@@ -45,7 +45,8 @@ public:
     explicit operator bool() const { return bool(read_); }
     std::optional<std::string> operator()(const std::string& path) const { return read_(path); }
     bool holds(const std::string& path) const { return holds_(path); }
-    /// The same for the files that may be read; texts in memory are not restricted.
+    /// Returns this reader restricted to files that may be read; texts in memory are not
+    /// restricted.
     Reader within(const FileAccess& access) const { return within_ ? within_(access) : *this; }
 
 private:
@@ -54,18 +55,19 @@ private:
     Within within_;
 };
 
-/// For files that the user names: regular ones and pipes; folders, devices and whatever cannot be
-/// read give nothing.
+/// Returns a reader of files that the user names: regular files and pipes. It returns nothing for
+/// folders, devices and unreadable files.
 Reader disk_reader();
 
-/// For files that a scene names: regular ones that may be read, judged and opened in one.
+/// Returns a reader of files that a scene names: regular files that may be read. The file that it
+/// checks is the one that it opens.
 Reader scene_reader(const FileAccess&);
 
-/// The folder part of a path: "." for a bare name, "/" for what is in the root.
+/// Returns the folder part of a path: "." for a bare name, "/" for an entry of the root.
 std::string directory_of(const std::string& path);
 
-/// What a name is asked for as. An include file may leave out its .inc or .INC; a data file is
-/// found under its exact name only.
+/// The kind of file that a name refers to. The name of an include file may omit .inc or .INC; a
+/// data file is found under its exact name only.
 enum class FileKind { include, data };
 
 struct Found {
@@ -73,10 +75,10 @@ struct Found {
     std::string text;
 };
 
-/// Folders are given as directory_of() writes them; "" stands for none.
+/// Folders are spelt as directory_of() returns them; "" stands for none.
 class Loader {
 public:
-    /// The lister serves messages only.
+    /// The lister is used for messages only.
     explicit Loader(Reader reader, std::string scene_directory = {},
                     std::vector<std::string> library_paths = {}, FileAccess access = {},
                     Lister lister = {});
@@ -84,35 +86,35 @@ public:
     std::optional<Found> load(const std::string& name, const std::string& including_directory = {},
                               FileKind kind = FileKind::include) const;
 
-    /// The path of the file that load() would give. Reads nothing.
+    /// Returns the path of the file that load() would read. Reads nothing.
     std::optional<std::string> located(const std::string& name,
                                        const std::string& including_directory = {},
                                        FileKind kind = FileKind::include) const;
 
-    /// Whether load() would find one. Reads nothing.
+    /// Whether load() would find a file. Reads nothing.
     bool finds(const std::string& name, const std::string& including_directory = {},
                FileKind kind = FileKind::include) const;
 
-    /// Every path that load() tries, in order, each once.
+    /// Returns every path that load() tries, in order and without duplicates.
     std::vector<std::string> searched(const std::string& name,
                                       const std::string& including_directory = {},
                                       FileKind kind = FileKind::include) const;
 
-    /// Why load() gave nothing: places that were searched and the name that was perhaps meant, or
-    /// the rule that forbids it.
+    /// Explains why load() found nothing: the places searched and a similar name, or the rule that
+    /// forbids it.
     Diagnostic problem(const std::string& name, Span, FileKind kind = FileKind::include,
                        const std::string& including_directory = {}) const;
 
-    /// Whether it is looked for where the scene may not read, and not found elsewhere. What is
-    /// there is not looked at.
+    /// Whether the name leads to a path that the scene may not read, and to no file elsewhere. Does
+    /// not look at that path.
     bool refused(const std::string& name, const std::string& including_directory = {},
                  FileKind kind = FileKind::include) const;
 
-    /// The first file of the library that declares the name, or "". For messages.
+    /// Returns the first file of the library that declares the name, or "". For messages.
     std::string library_file_declaring(std::string_view name) const;
 
-    /// The folder of the standard library. Errors in files below it are reported where the scene
-    /// calls them.
+    /// Sets the folder of the standard library. Errors in files below it are reported at the place
+    /// where the scene calls them.
     void set_standard_library(std::string folder) { standard_ = std::move(folder); }
     bool in_standard_library(std::string_view path) const {
         return !standard_.empty() && path.size() > standard_.size() &&
@@ -120,22 +122,24 @@ public:
     }
 
     const FileAccess& file_access() const { return access_; }
-    /// The scene has written the file at this destination: its text is found under this
-    /// name from now on; `text`: it is there and not on the disk, and may still grow.
+    /// Records that the scene has written the file at this destination, whose text is found under
+    /// this name from now on. If `text` is given, the content is there and not on the disk, and may
+    /// still grow.
     void written(const std::string& destination, std::shared_ptr<const std::string> text = {}) {
         written_[destination] = std::move(text);
     }
-    /// From now on what the scene writes goes to no disk: this run is to change nothing.
+    /// Keeps all files that the scene writes from now on in memory: this run must not change the
+    /// disk.
     void keep_off_disk() { off_disk_ = true; }
     bool keeps_off_disk() const { return off_disk_; }
-    /// Whether the scene has written to this destination, and the text is not on the disk.
+    /// Whether the scene has written to this destination and the text is kept in memory.
     bool keeps(const std::string& destination) const {
         const auto own = written_.find(destination);
         return own != written_.end() && own->second;
     }
 
 private:
-    /// The first pipe or device among the paths that may be read.
+    /// Returns the first pipe or device among the paths that may be read.
     std::optional<std::string> odd_path(const std::string& name,
                                         const std::string& including_directory,
                                         FileKind kind) const;
@@ -145,7 +149,7 @@ private:
                                     const std::string& including_directory) const;
     std::string searched_note(const std::string& name,
                               const std::string& including_directory) const;
-    /// The first path that may not be read.
+    /// Returns the first path that may not be read.
     std::optional<std::string> closed_path(const std::string& name,
                                            const std::string& including_directory,
                                            FileKind kind) const;

@@ -21,8 +21,8 @@ namespace {
 constexpr auto mark_name = "user.candelabra.scene";
 constexpr auto no_scene = "-";
 
-/// A regular file that has no other name. What shares its content with a file elsewhere is not
-/// written to.
+/// Whether the file is regular and has no other hard link. A file that shares its content with
+/// another name is not written to.
 bool is_single(const struct stat& state) { return S_ISREG(state.st_mode) && state.st_nlink == 1; }
 
 bool is_single(const OpenedFile& file) {
@@ -40,7 +40,7 @@ MadeFiles::MadeFiles(const std::string& scene) {
 }
 
 bool MadeFiles::has(const OpenedFile& file, const std::string& path) const {
-    // By its entry in /proc, since a handle that opens nothing has no attributes of its own.
+    // Read the attribute through /proc, since it cannot be read from an O_PATH handle.
     const std::string link = "/proc/self/fd/" + std::to_string(file.descriptor());
     std::array<char, 128> mark;
     const ssize_t size = ::getxattr(link.c_str(), mark_name, mark.data(), mark.size());

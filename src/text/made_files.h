@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which files a scene has made: it may write to them again, and to no others that are there. A file
-// bears a mark of the scene that has made it, so that the next run knows it, too; where the file
-// system keeps no marks, the files of this run are known. What ends in .tmp is for the moment, and
-// belongs to all scenes: several parse strings by one such file. One for all pictures of a run;
-// safe for several threads.
+// The files that a scene has made: of existing files, it may write only to these. Each bears a mark
+// of its scene, so that the next run recognises it, too; on file systems without such attributes,
+// only the files of this run are known. Files whose names end in .tmp are temporary and shared by
+// all scenes: several scenes parse strings through one such file. One object serves all pictures of
+// a run; it is thread-safe.
 
 #include "text/opened_file.h"
 
@@ -19,16 +19,16 @@ namespace candelabra {
 
 class MadeFiles {
 public:
-    /// `scene`: the path of the scene that the run is of, perhaps without its .pov; where there is
-    /// no such file, its next run does not know what it has made.
+    /// `scene`: the path of the run's scene, with or without .pov. If there is no such file, its
+    /// next run does not recognise the files that it made.
     explicit MadeFiles(const std::string& scene);
 
-    /// Opens a file that the scene writes: one that was not there, or one that is there and may be
-    /// written to; it is emptied unless the scene appends. `any`: also one that others have made.
-    /// Not open when it must not be, or cannot be, written.
+    /// Opens a file that the scene writes: a new one, or an existing one that may be written to,
+    /// which is emptied unless the scene appends. `any` also permits files that others have made.
+    /// The result is not open if the file must not be, or cannot be, written.
     OpenedFile open(const std::string& path, bool append, bool any);
 
-    /// Whether open() would not refuse what is there. Opens nothing that others have made.
+    /// Whether open() would accept the existing file, if any. Never opens files made by others.
     bool may_write(const std::string& path, bool any) const;
 
 private:
@@ -37,7 +37,7 @@ private:
 
     std::string mark_;
     mutable std::mutex mutex_;
-    std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  ///< by device and number
+    std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  ///< by device and inode number
 };
 
 }  // namespace candelabra

@@ -10,11 +10,11 @@ namespace candelabra {
 
 namespace {
 
-// How far around the main mark a line is looked at, in bytes: enough for any cut, and little enough
-// for a file that is one long line.
+// Number of bytes around the main mark that are processed: enough for any cut, and few enough for a
+// file that is one long line.
 constexpr std::size_t reach = 1000;
 
-/// The columns [first, last) below which a mark is drawn.
+/// The columns [first, last) that a mark underlines.
 struct Stroke {
     std::size_t first;
     std::size_t last;
@@ -27,7 +27,7 @@ const Mark& main_mark(const std::vector<Mark>& marks) {
     return found == marks.end() ? marks.front() : *found;
 }
 
-/// Moves an offset on to the beginning of a character.
+/// Advances an offset to the beginning of a character.
 std::size_t character_start(std::string_view line, std::size_t offset) {
     for (int skipped = 0; skipped < 3 && offset < line.size(); ++skipped, ++offset) {
         if ((static_cast<unsigned char>(line[offset]) & 0xC0) != 0x80) break;
@@ -35,7 +35,7 @@ std::size_t character_start(std::string_view line, std::size_t offset) {
     return std::min(offset, line.size());
 }
 
-/// The part of a line that is looked at, as one printable string per column.
+/// The processed part of a line, as one printable string per column.
 class Columns {
 public:
     Columns(std::string_view line, std::size_t centre) {
@@ -73,7 +73,7 @@ private:
     std::vector<std::size_t> column_of_byte_;
 };
 
-/// The first column to show of a line that is too long.
+/// Returns the first column to show of a line that is too long.
 std::size_t window_start(const std::vector<Stroke>& strokes, const Stroke& main,
                          std::size_t columns) {
     constexpr std::size_t room = max_columns - 20;
@@ -91,7 +91,8 @@ std::size_t window_start(const std::vector<Stroke>& strokes, const Stroke& main,
     return std::min(first - std::min(first, margin), columns - max_columns);
 }
 
-/// Cuts the row to a window and moves the strokes with it; those outside stay at its edges.
+/// Cuts the row to a window and moves the strokes with it; strokes outside are clamped to its
+/// edges.
 std::vector<std::string> cut(const std::vector<std::string>& shown, std::vector<Stroke>& strokes,
                              const Stroke& main) {
     if (shown.size() <= max_columns) return shown;
@@ -103,7 +104,7 @@ std::vector<std::string> cut(const std::vector<std::string>& shown, std::vector<
     std::vector<std::string> row(at(start), at(end));
     if (start > 0) row.front() = "…";
     if (end < shown.size()) row.back() = "…";
-    // One past the end of the line is a place, too, when the end is shown.
+    // If the end of the line is shown, the column after it can be marked, too.
     const std::size_t rightmost = end < shown.size() ? max_columns - 1 : max_columns;
     for (Stroke& stroke : strokes) {
         stroke.first = std::clamp(stroke.first, start, start + rightmost) - start;
@@ -122,7 +123,7 @@ std::string_view colour(const Palette& palette, const Mark& mark) {
     return mark.primary ? palette.primary : palette.frame;
 }
 
-/// The carets and dashes, the main mark on top.
+/// Returns the row of carets and dashes, the main mark on top.
 std::string underline(const std::vector<Stroke>& strokes, const Palette& palette) {
     std::size_t width = 0;
     for (const Stroke& stroke : strokes) width = std::max(width, stroke.last);
@@ -145,7 +146,7 @@ std::string underline(const std::vector<Stroke>& strokes, const Palette& palette
     return painted;
 }
 
-/// The stroke whose text stands beside the marks: the one that ends last.
+/// Returns the stroke whose text is placed beside the marks: the one that ends last.
 const Stroke* beside(const std::vector<Stroke>& strokes) {
     const Stroke* last = &strokes.front();
     for (const Stroke& stroke : strokes) {
@@ -156,7 +157,7 @@ const Stroke* beside(const std::vector<Stroke>& strokes) {
     return last;
 }
 
-/// A row with a bar below each stroke from `from` on, followed by a text at a column.
+/// Returns a row with a bar below each stroke from index `from` on, to be followed by a text.
 std::string bars(const std::vector<Stroke>& hanging, std::size_t from, const Palette& palette) {
     std::string row;
     std::size_t width = 0;
@@ -169,7 +170,7 @@ std::string bars(const std::vector<Stroke>& hanging, std::size_t from, const Pal
     return row;
 }
 
-/// The texts that do not fit beside the marks, each below its own, from right to left.
+/// Appends the texts that do not fit beside the marks, each below its own mark, from right to left.
 void hang(std::vector<Stroke> hanging, const Palette& palette, std::vector<std::string>& rows) {
     if (hanging.empty()) return;
     std::stable_sort(hanging.begin(), hanging.end(),

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One line of a source text as it is printed with marks below it: tabs widened, control characters
-// replaced, a long line cut to what the marks are about. Called by excerpt.cpp, which adds the
-// gutter. No row ends in white space or a newline.
+// Formats one source line with marks below it: expands tabs, replaces control characters, and cuts
+// a long line to the part around the marks. Called by excerpt.cpp, which adds the gutter. No row
+// ends in white space or a newline.
 
 #include "text/palette.h"
 
@@ -27,7 +27,7 @@ struct MarkedLine {
     std::vector<std::string> below;
 };
 
-/// The longest line that is shown whole, and the tab stops, in characters.
+/// The length up to which a line is shown whole, and the distance of tab stops, in characters.
 inline constexpr std::size_t max_columns = 100;
 inline constexpr std::size_t tab_width = 4;
 

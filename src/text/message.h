@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// message("`", word, "` needs ", n, " numbers"): text from parts, typed, for diagnostics and any
-// other words to people. Strings go in as they are, integers in decimal, floating point numbers in
-// the fewest digits that read back as the same number. Independent of the locale. Truth values and
+// message("`", word, "` needs ", n, " numbers"): concatenates typed parts, for diagnostics and
+// other texts for users. Strings are appended as they are, integers in decimal, and floating-point
+// numbers with the fewest digits that read back as the same number. Independent of the locale.
+// Booleans and enumerators do not compile, as they have no text of their own.
 // enumerators have no text of their own and do not compile.
 
 #include <array>
@@ -31,7 +32,7 @@ requires(!std::same_as<T, bool> && !std::same_as<T, char>) void append_part(std:
     text.append(buffer.data(), end);
 }
 
-/// Numbers of everyday size are written without an exponent, and zero without a sign.
+/// Numbers of everyday magnitude are written without an exponent, and zero without a sign.
 template <std::floating_point T>
 void append_part(std::string& text, T part) {
     const T size = std::abs(part);

@@ -12,12 +12,12 @@ namespace candelabra {
 
 namespace {
 
-// A slip is a letter left out, added, changed or swapped; all the differences in case that a word
-// can have weigh less than one.
+// Cost of a letter omitted, added, changed or swapped. All the case differences that a word can
+// have together cost less than one slip.
 constexpr int slip = 100;
 constexpr int other_case = 1;
 
-// Longer words are not names anyone mistyped, and comparing them would take too long.
+// Longer words are unlikely to be misspelt names, and comparing them would take too long.
 constexpr std::size_t longest = 64;
 
 int change(char a, char b) {
@@ -30,7 +30,8 @@ bool swapped(std::string_view a, std::size_t i, std::string_view b, std::size_t 
            lower_case(a[i - 2]) == lower_case(b[j - 1]);
 }
 
-/// Damerau-Levenshtein distance in which no part is edited twice.
+/// Damerau-Levenshtein distance, restricted to edits that do not overlap (optimal string
+/// alignment).
 int distance(std::string_view a, std::string_view b) {
     std::array<std::array<int, longest + 1>, 3> rows;
     auto *before = &rows[0], *above = &rows[1], *row = &rows[2];
@@ -49,7 +50,7 @@ int distance(std::string_view a, std::string_view b) {
     return (*row)[b.size()];
 }
 
-/// The distance, if it is small enough for the one to be meant by the other.
+/// Returns the distance if it is small enough for a misspelling.
 std::optional<int> near(std::string_view word, std::string_view name) {
     const std::size_t length = std::max(word.size(), name.size());
     const std::size_t shorter = std::min(word.size(), name.size());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Guesses which name was meant by a misspelt one, for "did you mean". Letters left out, added,
-// changed or swapped count; a difference in case hardly does. About one slip in three letters is
-// forgiven, so that short words do not attract anything; nothing near is answered with nothing.
+// Finds names similar to a misspelt one, for "did you mean". Counts letters that are omitted,
+// added, changed or swapped; a difference in case counts little. Tolerates about one slip in three
+// letters, so that short words do not match arbitrary names.
 
 #include <cstddef>
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace candelabra {
 
-/// The nearest of the names, or "" if none is near. Of equally near names the first is taken.
+/// Returns the nearest of the names, or "" if none is near; the first of equally near names.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& names);
 
-/// Up to `most` near names, each once, the nearest first.
+/// Returns up to `most` near names, nearest first, without duplicates.
 std::vector<std::string> nearest_few(std::string_view word,
                                      const std::vector<std::string_view>& names,
                                      std::size_t most = 3);

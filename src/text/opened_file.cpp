@@ -13,12 +13,13 @@ namespace candelabra {
 
 namespace {
 
-/// What is left to read, perhaps so many bytes.
+/// Returns the rest of the file, which is expected to have `expected` bytes; nothing if it is
+/// longer than `most` or cannot be read.
 std::optional<std::string> all_of(const OpenedFile& file, std::size_t expected, std::size_t most) {
     std::string text(expected, '\0');
     std::size_t filled = 0;
     for (;;) {
-        // A file may have grown, and those of /proc say that they are empty.
+        // The file may have grown, and files of /proc report a size of 0.
         if (filled == text.size()) text.resize(std::max<std::size_t>(4096, filled + filled / 2));
         const ssize_t part = ::read(file.descriptor(), text.data() + filled, text.size() - filled);
         if (part < 0 && errno == EINTR) continue;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Files that a scene names, opened so that nobody can put another one in their place meanwhile: the
-// path is one that links have been taken out of, none is followed any more, and the handle is what
-// gets checked and used. FileAccess decides which paths these are.
+// Files that a scene names, opened so that they cannot be replaced between check and use: links
+// have been resolved in the path beforehand, none is followed any more, and all checks apply to the
+// open handle. FileAccess decides which paths may be opened.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-/// A file descriptor of one's own; closed at the end.
+/// Owns a file descriptor and closes it on destruction.
 class OpenedFile {
 public:
     OpenedFile() = default;
@@ -25,28 +25,27 @@ public:
 
     explicit operator bool() const { return descriptor_ >= 0; }
     int descriptor() const { return descriptor_; }
-    /// Whoever takes it closes it.
+    /// Releases the descriptor, which the caller must close.
     int release() { return std::exchange(descriptor_, -1); }
 
 private:
     int descriptor_ = -1;
 };
 
-/// Opens an absolute path with these flags of open(2); no part of it may be a link. Waits for no
-/// pipe. Not open, with errno as open(2) leaves it, when that fails.
+/// Opens an absolute path with these flags of open(2), without waiting for a pipe. No part of the
+/// path may be a link. On failure, the result is not open and errno is set as by open(2).
 OpenedFile open_without_links(const std::string& path, int flags);
 
-/// Whether there is a regular file at the path, links followed. Asks stat(2) only.
+/// Whether the path leads to a regular file, following links. Calls only stat(2).
 bool is_regular_file(const std::string& path);
 
-/// Whether the handle is that of a regular file.
 bool is_regular_file(const OpenedFile&);
 
-/// All that is in a regular file of up to `most` bytes; nothing for others.
+/// Returns the content of a regular file of up to `most` bytes; nothing for other files.
 std::optional<std::string> content_of(const OpenedFile&, std::size_t most);
 
-/// All that is in a regular file or a pipe that the user names, links followed; nothing for others,
-/// which are not opened, or are left alone if they come into the file's place meanwhile.
+/// Returns the content of a regular file or a pipe that the user names, following links; nothing
+/// for other files. Those are not opened, or not read if one replaces the file in the meantime.
 std::optional<std::string> content_of_file(const std::string& path,
                                            std::size_t most = std::string::npos);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The terminal colours of a printed diagnostic, as strings to put around its parts. The plain
-// palette is all empty, so that both forms of the text come from the same code.
+// Terminal colours of a printed diagnostic, as strings to put around its parts. The strings of the
+// plain palette are empty, so that the same code produces both forms of the text.
 
 #include "text/diagnostic.h"
 

@@ -13,8 +13,8 @@ struct CodeRange {
     char32_t last;
 };
 
-// Characters that act on their neighbours or cannot be seen: marks and overrides of direction,
-// zero-width ones, line and paragraph separators, and the upper control characters.
+// Characters that are invisible or affect their neighbours: directional marks and overrides,
+// zero-width characters, line and paragraph separators, and the upper control characters.
 constexpr auto hidden = std::array{
     CodeRange{0x80, 0x9F},       CodeRange{0x61C, 0x61C},   CodeRange{0x200B, 0x200F},
     CodeRange{0x2028, 0x202E},   CodeRange{0x2060, 0x206F}, CodeRange{0xFEFF, 0xFEFF},
@@ -36,7 +36,7 @@ std::string harmless_character(std::string_view text, std::size_t offset, Charac
     if (!character.valid || is_hidden(character.code)) return std::string(replacement);
     if (character.code == 0x7F) return std::string(picture_of_delete);
     if (character.code < 0x20) {
-        // The pictures of the control characters stand in the same order, from U+2400.
+        // The symbols for control characters are in the same order, from U+2400 on.
         return {'\xE2', '\x90', static_cast<char>(0x80 + character.code)};
     }
     return std::string(text.substr(offset, character.length));

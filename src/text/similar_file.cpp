@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Letters and digits only, in small letters: what people remember of a name.
+/// Returns the letters and digits of a name in lower case, the part that people remember.
 std::string gist(std::string_view name) {
     std::string result;
     for (const char letter : name) {
@@ -27,7 +27,7 @@ std::string gist(std::string_view name) {
 
 std::string stem(const std::string& name) { return name.substr(0, name.rfind('.')); }
 
-/// Behind the last point, in small letters; empty for a name without one.
+/// Returns the part after the last point in lower case; empty for a name without one.
 std::string extension(const std::string& name) {
     return name.find('.') == std::string::npos ? "" : gist(name.substr(name.rfind('.')));
 }
@@ -37,7 +37,8 @@ std::string joined(const std::string& folder, const std::string& name) {
     return needs_slash ? folder + '/' + name : folder + name;
 }
 
-/// How a name of the folder is like the wanted one; the smaller the better, 0 is the same.
+/// The name in a folder that resembles the wanted one; the lower the rank the better, 0 is
+/// equality.
 struct Likeness {
     int rank = 5;
     std::string name;
@@ -55,7 +56,8 @@ Likeness max_like(const std::string& wanted, const std::vector<std::string>& nam
         if (stem(name) == wanted) offer(2, name);
         if (gist(stem(name)) == gist(stem(wanted))) offer(3, name);
     }
-    // A picture is not meant by the name of a scene that is a little like it.
+    // A name that is only similar must have the wanted extension: a scene is not meant by a
+    // picture's.
     std::vector<std::string> stems;
     std::vector<std::size_t> whose;
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -69,7 +71,7 @@ Likeness max_like(const std::string& wanted, const std::vector<std::string>& nam
     return best;
 }
 
-/// The entries of one kind, folders without their `/`.
+/// Returns the entries of one kind, folders without their `/`.
 std::vector<std::string> entries(const std::string& folder, bool folders, const Lister& list) {
     std::vector<std::string> result;
     for (std::string& name : list(folder)) {
@@ -80,7 +82,8 @@ std::vector<std::string> entries(const std::string& folder, bool folders, const 
     return result;
 }
 
-/// The path from the folder on, each part the most like the wanted one; the rank of the worst.
+/// Returns the path below the folder whose parts resemble the wanted ones most, with the worst
+/// rank.
 Likeness follow(const std::string& folder, std::string wanted, const Lister& list) {
     std::string path;
     int worst = 0;
@@ -90,7 +93,7 @@ Likeness follow(const std::string& folder, std::string wanted, const Lister& lis
         if (part.empty() || part == ".") continue;
         if (part != "..") {
             const std::vector<std::string> folders = entries(joined(folder, path), true, list);
-            // A folder that is not listed may still lead to one that is.
+            // A folder that cannot be listed may still lead to one that can.
             Likeness found = folders.empty() ? Likeness{0, part} : max_like(part, folders);
             worst = std::max(worst, found.rank);
             part = std::move(found.name);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Keeps every text that was read, with its name and where it was included, for as long as anything
-// may point into it. The lexer reads from it; excerpts are printed from it. References and views
-// that it hands out stay valid while it lives. An id that it did not give out, or a line or an
-// offset that does not exist, is answered with the nearest thing that does, or with nothing.
+// Keeps every text that was read, with its name and the place that included it, for as long as
+// spans may refer to it. The lexer reads the texts; excerpts are printed from them. References and
+// views stay valid during the lifetime of the store. For an unknown id, or a line or offset that
+// does not exist, functions return the nearest existing value or an empty one.
 
 #include "text/span.h"
 
@@ -17,7 +17,7 @@
 
 namespace candelabra {
 
-/// Line and column, both from 1; the column counts characters of UTF-8, not bytes.
+/// Line and column, both from 1; the column counts UTF-8 characters, not bytes.
 struct Place {
     int line = 1;
     int column = 1;
@@ -33,10 +33,11 @@ public:
     const std::string& name(SourceId id) const;
     Span included_at(SourceId id) const;
 
-    /// LF, CRLF and a lone CR end a line; a byte order mark at the very start is not counted.
+    /// LF, CRLF and a lone CR end a line. A byte order mark at the start of the text is not
+    /// counted.
     Place place(SourceId id, std::uint32_t offset) const;
 
-    /// The text of a line (from 1), without its end.
+    /// Returns the text of a line (from 1) without its line end.
     std::string_view line(SourceId id, int line) const;
 
     int line_count(SourceId id) const;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The only notion of place: a half-open range of bytes in one source text. Every value that can
-// be complained about carries one; lines and columns are computed when a message is printed.
-// A default-constructed span is nowhere.
+// A place in the input: a half-open range of bytes in one source text. Every value that a
+// diagnostic may refer to carries one; lines and columns are computed when a message is printed. A
+// default-constructed span is nowhere.
 
 #include <algorithm>
 #include <cstdint>
@@ -26,8 +26,8 @@ struct Span {
 
 static_assert(sizeof(Span) == 12);
 
-/// The smallest span that covers both. Of spans in two sources the first is kept, and a span that
-/// is nowhere adds nothing to the other.
+/// Returns the smallest span that covers both. Of spans in two different sources, returns the
+/// first; if one span is nowhere, returns the other.
 constexpr Span join(Span a, Span b) {
     if (!a.known()) return b;
     if (a.source != b.source) return a;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Characters of UTF-8 in bytes that may be anything. A byte that is not part of a well-formed
-// sequence is a character of its own, so every text can be walked through and counted.
+// Iterates over UTF-8 characters in arbitrary bytes. A byte that is not part of a well-formed
+// sequence is a character of its own, so every text can be traversed and counted.
 
 #include <cstddef>
 #include <string_view>
@@ -15,7 +15,7 @@ struct Character {
     bool valid = false;
 };
 
-/// The character at a byte offset, which must be inside the text.
+/// Returns the character at a byte offset. Precondition: the offset is inside the text.
 Character character_at(std::string_view text, std::size_t offset);
 
 std::size_t character_count(std::string_view text);

@@ -18,8 +18,8 @@ bool has_ending(std::string_view name, std::string_view ending) {
 
 bool is_plain(char c) { return c >= ' ' && c < 0x7F; }
 
-/// A name that some file system takes for another one: NTFS and FAT drop points and blanks at the
-/// end and have streams behind `:`, others leave out letters that are not seen.
+/// Whether some file system may equate the name with another: NTFS and FAT drop trailing points and
+/// blanks and have streams after `:`, others ignore invisible characters.
 bool is_doubtful(std::string_view name) {
     const std::string_view ending = name.substr(std::min(name.find('.'), name.size()));
     return name.ends_with('.') || name.ends_with(' ') || name.find_first_of(":\\") != name.npos ||
@@ -34,9 +34,9 @@ std::optional<fs::path> path_without_links(const std::string& path) {
     std::error_code failed;
     fs::path real = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path, failed), failed);
     if (failed) return {};
-    // "folder/" ends in an empty part.
+    // The path of "folder/" ends in an empty part.
     if (!real.has_filename()) real = real.parent_path();
-    // What is not there is taken as it is written, links that lead to nothing included.
+    // Parts that do not exist are kept as written, dangling links included, so look for those.
     for (fs::path part = real; part.has_relative_path(); part = part.parent_path()) {
         const fs::file_status state = fs::symlink_status(part, failed);
         if (fs::is_symlink(state)) return {};

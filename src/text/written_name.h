@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Which names of files a stranger may choose for what is written: not those that other programs, or
-// the next run of this one, believe. Asked for scenes by FileAccess, for INI files that come with
-// a scene.
+// Restricts the names that an untrusted scene may choose for files that are written: names that
+// other programs, or the next run of this one, would trust are forbidden. Called by FileAccess for
+// scenes, and for INI files that come with a scene.
 
 #include <filesystem>
 #include <optional>
@@ -12,19 +12,20 @@
 
 namespace candelabra {
 
-/// The absolute path without links and `..`; nothing if that cannot be told, or a link in it leads
-/// to nothing.
+/// Returns the absolute path without links and `..`; nothing if it cannot be determined, or if it
+/// contains a dangling link.
 std::optional<std::filesystem::path> path_without_links(const std::string& path);
 
-/// The part of such a path below such a folder; nothing if it lies elsewhere.
+/// Returns the part of `path` below `folder`, both as path_without_links() returns them; nothing if
+/// the path is elsewhere.
 std::optional<std::filesystem::path> part_below(const std::string& folder,
                                                 const std::filesystem::path& path);
 
-/// The rule that forbids to write a file of this path below a folder, in one line; empty if none
-/// does. File systems that take letters for others, or drop what a name ends in, are thought of.
+/// Returns the rule that forbids writing this path, relative to its writable folder, in one line;
+/// empty if none does. Allows for file systems that equate characters or drop the end of a name.
 std::string forbidden_name(const std::filesystem::path& part);
 
-/// Whether it is the name of an INI file, or of a scene or a part of one, in any case of letters.
+/// Whether the name is that of an INI file, or of a scene or a part of one, ignoring case.
 bool names_settings(std::string_view name);
 bool names_source(std::string_view name);
 

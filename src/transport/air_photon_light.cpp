@@ -10,15 +10,15 @@ namespace candelabra {
 
 namespace {
 
-/// So many times as many photons are looked at where media are the same everywhere, which is quick.
+/// Factor on the number of photons evaluated in homogeneous media, where evaluation is quick.
 constexpr int choices_in_even_media = 4;
 
-/// A photon whose ball the ray goes through.
+/// A photon whose ball the ray passes through.
 struct Passed {
     const Photon* photon;
     double distance;
     Vec3 power;    ///< colour of light times length
-    double until;  ///< sum of the powers up to this one
+    double until;  ///< sum of the powers up to and including this one
 };
 
 class AirGatherer {
@@ -36,7 +36,7 @@ public:
         return sum_;
     }
 
-    /// Some of them, in proportion to their power.
+    /// Light of a sample of the photons, chosen in proportion to their power.
     Vec3 of_some(std::span<const Passed> passed) {
         const double total = passed.back().until, count = choices_;
         const double shift = uniform(stretch_.path.key, Purpose::media_choice);
@@ -68,7 +68,7 @@ private:
     PatternScene scene_;
     const AirStretch& stretch_;
     LightLedger& ledger_;
-    int choices_;  ///< photons that are looked at
+    int choices_;  ///< number of photons that are evaluated
     Vec3 sum_ = Vec3(0);
 };
 

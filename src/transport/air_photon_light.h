@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light that photons have brought to media, as a ray sees it. Called where media are.
+// Light of photons in media, as seen along a ray. Called by ParticipatingMedia.
 #pragma once
 
 #include "medium/media.h"
@@ -9,17 +9,15 @@
 
 namespace candelabra {
 
-/// Part of a path in media.
+/// A segment of a path through media.
 struct AirStretch {
     const PathState& path;
-    double distance;  ///< from the origin of its ray on
+    double distance;  ///< from the ray's origin
     MediaView media;
-    int choices = 8;  ///< photons that are looked at where media differ from place to place; of
-                      ///< others more are
+    int choices = 8;  ///< photons evaluated in inhomogeneous media; more in others
 };
 
-/// Radiance that comes along the path's ray; below the blur of the photons' balls an unbiased
-/// estimate.
+/// Radiance along the path's ray; an unbiased estimate, except for the blur of the photons' balls.
 Vec3 light_of_air_photons(const World&, const AirPhotonMap&, const AirStretch&, LightLedger&);
 
 }  // namespace candelabra

@@ -11,9 +11,9 @@ double air_photon_density(const Photon& photon, double away2) {
     return away2 < radius2 ? 2 * (1 - away2 / radius2) / (std::numbers::pi * radius2) : 0;
 }
 
-// Radii are set where a group gets as small as what is wanted in a ball: half of the group lies
-// within a ball around its middle, and so as many as are wanted in one that is larger or smaller by
-// the cube root of their number.
+// Radii are set as soon as a group has no more photons than are wanted in a ball. Half of the group
+// lies within group.half of its centre; the radius of a ball that holds the wanted number differs
+// from this by the cube root of the ratio of the numbers.
 AirPhotonMap::AirPhotonMap(std::vector<Photon> photons, const DiscRule& rule)
     : tree_(std::move(photons), std::numeric_limits<double>::infinity(),
             [&](std::span<Photon> part, double count_of_whole) {

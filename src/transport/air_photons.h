@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Photons between surfaces: each lights a small ball of the media around it. A ray of the eye gets
-// the light of all balls that it goes through, as if each were a disc across the ray (Jarosz,
+// Photons between surfaces: each lights a small ball of the media around it. A camera ray receives
+// the light of all balls that it passes through, as if each were a disc across the ray (Jarosz,
 // Zwicker and Jensen, "The Beam Radiance Estimate for Volumetric Photon Mapping", 2008).
 #pragma once
 
@@ -9,22 +9,22 @@
 
 namespace candelabra {
 
-/// The share of its power per area that a photon gives a ray which passes it so far away, squared:
-/// most in the middle of its ball (Epanechnikov's kernel).
+/// Fraction of a photon's power per area that a ray receives at that squared distance, by
+/// Epanechnikov's kernel: it is greatest in the centre of the photon's ball.
 double air_photon_density(const Photon&, double away2);
 
 class AirPhotonMap {
 public:
     AirPhotonMap() = default;
-    /// Sets the radii: where more photons are they are smaller.
+    /// Sets the radii, which are smaller where photons are denser.
     AirPhotonMap(std::vector<Photon>, const DiscRule&);
 
-    /// In an order that depends on them only.
+    /// In an order that depends only on the photons.
     const std::vector<Photon>& photons() const { return tree_.photons(); }
 
-    /// Calls use(photon, distance, squared distance from the ray) for those whose ball the ray goes
-    /// through with its middle beside the ray, from its origin to so far; always in the same order.
-    /// The ray's direction is a unit vector.
+    /// Calls use(photon, distance, squared distance from the ray) for each photon whose ball the
+    /// ray passes through and whose centre lies beside the ray, between its origin and `until`;
+    /// always in the same order. The ray's direction is a unit vector.
     template <class Use>
     void along(const Ray& ray, double until, const Use& use) const {
         tree_.walk(

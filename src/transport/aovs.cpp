@@ -19,7 +19,7 @@ void gather_sample(const Aovs& wanted, const World& world, const Ray& ray, Integ
     if (wanted.lights)
         take_lights(integrator.ledger(), [&](std::size_t statement, const Vec3& light) {
             const std::size_t first = wanted.first_light() + 3 * statement;
-            // A later moment of the scene may have more statements than the first.
+            // A later moment of the scene may have more statements than the first one.
             if (first + 3 <= sums.size() && light != Vec3(0)) add(sums, first, light);
         });
     if (!wanted.surface) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is gathered of each pixel besides the picture, as sums in the film, which can be stopped,
-// continued and merged like the picture's: how clear it is, what the surface is like, and the light
-// of each statement of the scene. The renderer gathers; layers of files are made of it.
+// Values of each pixel besides its colour, as sums in the film, which can be stopped, continued and
+// merged like the picture's: alpha, properties of the visible surface, and the light of each
+// statement of the scene. The renderer gathers them; they become layers of files.
 #pragma once
 
 #include "base/exact_sum.h"
@@ -15,13 +15,13 @@ namespace candelabra {
 class Integrator;
 
 struct Aovs {
-    bool alpha = false;    ///< how much of what is behind everything is clear
+    bool alpha = false;    ///< how clear the background is
     bool surface = false;  ///< albedo, normal, depth and object
     bool lights = false;   ///< red, green and blue of each of Provenance::light_statements
     bool smooth = false;   ///< red, green and blue of compressed samples, which the renderer adds
-    bool squares = false;  ///< red, green and blue of the samples' squares, which it adds, too
+    bool squares = false;  ///< red, green and blue of the samples' squares, added by the renderer
 
-    /// How many sums each pixel has.
+    /// Number of sums that each pixel has.
     std::size_t count(const World& world) const {
         return count(world.provenance.light_statements.size());
     }
@@ -29,8 +29,8 @@ struct Aovs {
         return first_light() + (lights ? 3 * statements : 0);
     }
 
-    // Where they begin. Those of albedo and normal are of all samples; depth and object are what
-    // the pixel's middle shows, 0 where there is nothing.
+    // Indices of the first sums. Albedo and normal are summed over all samples; depth and object
+    // are those at the pixel's centre, 0 where there is no surface.
     std::size_t first_smooth() const { return alpha ? 1 : 0; }
     std::size_t first_square() const { return first_smooth() + (smooth ? 3 : 0); }
     std::size_t albedo() const { return first_square() + (squares ? 3 : 0); }
@@ -42,10 +42,10 @@ struct Aovs {
     friend bool operator==(const Aovs&, const Aovs&) = default;
 };
 
-/// Adds what a sample has shown that the tracer has just followed.
+/// Adds the values of the sample that the integrator has just followed.
 void gather_sample(const Aovs&, const World&, const Ray&, Integrator&, std::span<ExactSum>);
 
-/// Adds what is under the middle of a pixel: once for each pixel.
+/// Adds the values at the centre of a pixel. To be called once for each pixel.
 void gather_middle(const Aovs&, const World&, const PicturePoint&, std::span<ExactSum>);
 
 }  // namespace candelabra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fog and rainbows along a part of a path, and the sky behind everything.
+// Fog and rainbows along a segment of a path.
 #pragma once
 
 #include "medium/veil.h"
@@ -7,8 +7,8 @@
 
 namespace candelabra {
 
-/// What fog and rainbows make of the radiance that comes along the path's ray from so far, which
-/// may be infinite. Nothing where the path is not in the atmosphere.
+/// Transmittance and added radiance of fog and rainbows along the path's ray, up to a distance that
+/// may be infinite. No effect where the path is not in the atmosphere.
 Veil veil_along(const World&, const PathState&, double distance);
 
 }  // namespace candelabra

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// As camera_ray(), without a lens.
+/// Like camera_ray(), without a lens.
 Ray pinhole_ray(const World& world, double u, double v) {
     Ray ray = world.view.camera.ray(u, v);
     if (ray.direction != Vec3(0) && world.view.camera_normal.pattern)
@@ -20,13 +20,14 @@ struct Place {
     double u, v;
 };
 
-/// As Projection::ray wants it.
+/// Returns the coordinates that Projection::ray takes.
 Place on_screen(const PicturePoint& at, Vec2 place) {
     return {(at.x + place.x) / at.width - 0.5, 0.5 - (at.y + place.y) / at.height};
 }
 
 Ray mesh_ray(const World& world, const PicturePoint& at, Place place, std::uint32_t sample) {
-    // As in POV-Ray, where faces stand for pixels the first row is seen twice, and the last never.
+    // As in POV-Ray, where faces stand for pixels the first row is seen twice, and the last one
+    // never.
     return world.view.camera.mesh->ray(
         {at.x, std::max(at.y - 1, 0), at.width, at.height, sample, place.u + 0.5, place.v + 0.5});
 }

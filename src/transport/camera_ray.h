@@ -12,14 +12,14 @@ struct PicturePoint {
     int x, y, width, height;
 };
 
-/// Through a point of the picture (see Projection::ray) and, with a lens, a point of that: the key
-/// chooses. Its direction is 0 where the camera sees nothing.
+/// Returns the ray through a point of the picture (see Projection::ray) and, if there is a lens, a
+/// point of the lens that the key chooses. Its direction is 0 where the camera sees nothing.
 Ray camera_ray(const World&, double u, double v, const Key&);
 
-/// Through a place of the pixel, from 0 to 1 from its left and its upper edge.
+/// Returns the ray through a place of the pixel, given from 0 to 1 from its left and upper edges.
 Ray ray_through(const World&, const PicturePoint&, Vec2 place, const Key&);
 
-/// Through the middle of the pixel, and of a lens.
+/// Returns the ray through the centre of the pixel, and of the lens.
 Ray middle_ray(const World&, const PicturePoint&);
 
 }  // namespace candelabra

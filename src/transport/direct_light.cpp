@@ -17,26 +17,26 @@ namespace {
 
 using std::numbers::pi;
 
-/// Behind all objects.
+/// Distance beyond all objects.
 constexpr double far_away = 1e20;
 
-/// At one hit, when the number is not the same for all.
+/// Maximum number of shadow rays at one hit, where the number varies.
 constexpr int max_rays = 32;
 
-/// Standard deviation that luminaires may add to a sample where other light is, in steps of a
-/// picture of 8 bits.
+/// Standard deviation that Russian roulette of luminaires may add to a sample with other light, in
+/// steps of an 8-bit picture.
 constexpr double hidden_steps = 4;
-/// That they are asked all the same.
+/// Minimum probability that luminaires are sampled.
 constexpr double min_chance = 1.0 / 256;
 
-/// What the layer sends on of a luminaire's light from there.
+/// Response of the layer to light of a luminaire from a direction.
 Vec3 answer_to(const LitLayer& layer, const Vec3& direction, const Key& key) {
-    // What radiosity gathers has no brilliance.
+    // Brilliance does not apply to light that radiosity gathers.
     const BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
     return layer.scatterer.evaluate(direction, terms, layer.grain(key));
 }
 
-/// A difference of radiance that is so many steps of what is displayed.
+/// Difference in radiance that amounts to hidden_steps steps of the displayed picture.
 double visible_step(double radiance) {
     constexpr double gamma = display_gamma, steps = 255;
     return hidden_steps / steps * gamma * std::pow(std::fmin(radiance, 1), 1 - 1 / gamma);
@@ -67,7 +67,7 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     return sum + of_sky / static_cast<double>(count);
 }
 
-/// Notes light that came from a luminaire, and rays that were sent to it.
+/// Records light from a luminaire, and the number of rays towards it.
 void DirectLight::record(LightLedger& ledger, LightIndex light, const Vec3& seen,
                          const Vec3& throughput, std::uint64_t count) const {
     if (ledger.lights.empty()) return;
@@ -77,7 +77,7 @@ void DirectLight::record(LightLedger& ledger, LightIndex light, const Vec3& seen
     own.rays += count;
 }
 
-/// What radiosity makes of the radiance that comes from one direction.
+/// Radiance from one direction, as radiosity counts it.
 Vec3 DirectLight::gathered(const LitLayer& layer, const Vec3& light) {
     return layer.radiosity ? gathered_light(*layer.radiosity, light) : light;
 }
@@ -116,7 +116,7 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
         world_.lights.sampler);
 }
 
-/// One shadow ray's worth of luminaires.
+/// Light of luminaires by one shadow ray.
 template <LightAnswer Answer>
 Vec3 DirectLight::from_answer(const Answer& answer, const LitLayer& layer, const Key& key,
                               LightLedger& ledger) {
@@ -130,7 +130,7 @@ Vec3 DirectLight::from_answer(const Answer& answer, const LitLayer& layer, const
                                   return answer.pdf(*samples_.direction,
                                                     answer.expected(key, light), of_point);
                               });
-    // The conventional way asks every luminaire once; more shadow rays are more points on each.
+    // The conventional strategy picks every luminaire once; further shadow rays add points on each.
     const bool several = samples_.picks.size() > 1;
     for (const LightPick& pick : samples_.picks) {
         const bool volume = world_.lights.luminaires[pick.light].is_volume();
@@ -143,8 +143,9 @@ Vec3 DirectLight::from_answer(const Answer& answer, const LitLayer& layer, const
     return sum;
 }
 
-/// Luminaires whose light, by the estimate of the cell, is small against what is there already are
-/// asked at some hits, for all (Russian roulette). The noise of that is too small to be seen.
+/// Probability of sampling luminaires (Russian roulette), which is low where their light, by the
+/// estimate of the cell, is small against the light from before. The resulting noise is too small
+/// to be seen.
 template <LightAnswer Answer>
 double DirectLight::chance_of_asking(const Answer& at, const LitLayer& layer, const Vec3& straight,
                                      const Vec3& before) const {
@@ -157,7 +158,8 @@ double DirectLight::chance_of_asking(const Answer& at, const LitLayer& layer, co
     return std::clamp(squares / (mean * mean + visible * visible), min_chance, 1.0);
 }
 
-/// As many as the noise that is expected here asks for; powers of two, as Sobol points like it.
+/// Number of shadow rays in proportion to the expected noise; a power of two, which suits Sobol
+/// points.
 template <LightAnswer Answer>
 int DirectLight::rays_at(const Answer& answer, const LitLayer& layer, const Vec3& straight) {
     const double noise = answer.noise() * std::abs(grey(layer.throughput * straight));
@@ -170,8 +172,8 @@ int DirectLight::rays_at(const Answer& answer, const LitLayer& layer, const Vec3
     return 1 << static_cast<int>(exponent);
 }
 
-/// What surfaces and media leave of a luminaire's light on the way from there. What photons bring
-/// does not come straight.
+/// Fraction of a luminaire's light that surfaces and media let through. It is 0 where photons bring
+/// the light instead.
 Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double distance) const {
     const Vertex& vertex = layer.vertex;
     const Vec3 left = candelabra::light_left(
@@ -196,7 +198,7 @@ double DirectLight::expected_luminaires(const Vec3& position) const {
         world_.lights.sampler);
 }
 
-/// A point of the luminaire, with its shadow ray.
+/// Samples a point of the luminaire, and traces its shadow ray.
 template <class Density>
 Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, const Key& key,
                                  LightLedger& ledger, const Density& density) {
@@ -227,7 +229,7 @@ Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, c
     return seen;
 }
 
-/// All luminaires that are seen in the direction, by the density of each.
+/// Light of all luminaires that are visible in the direction, each weighted by its pdf.
 template <class Density>
 Vec3 DirectLight::from_direction(const Vec3& direction, const LightTree* meetings,
                                  const LitLayer& layer, const Key& key, LightLedger& ledger,
@@ -258,7 +260,7 @@ void DirectLight::meet_along(const LightTree& tree, const Vertex& vertex, const 
     });
 }
 
-/// The radiance of those of met_ that are seen, each times its weight.
+/// Radiance of the visible luminaires in met_, each times its weight.
 template <class Weight>
 Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, LightLedger& ledger,
                              const Weight& weight) const {
@@ -279,7 +281,7 @@ Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, Light
     return sum;
 }
 
-/// The radiance of all luminaires that are seen in a direction, each times its weight.
+/// Radiance of all luminaires that are visible in a direction, each times its weight.
 template <class Weight>
 Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, LightLedger& ledger,
                                const Weight& weight) {
@@ -314,8 +316,9 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
     return sum;
 }
 
-/// Calls visit with the density of each drawn point of the luminaire that is met there, if it may
-/// be drawn. Of luminaires that are searched that is the first one on the way, which met_ knows.
+/// Calls visit with the pdf of each point of the luminaire at that distance which may be sampled.
+/// Of a searched luminaire only the first hit on the ray is sampled: luminaires in met_ have had
+/// theirs.
 template <class Visit>
 void DirectLight::for_densities(LightIndex light, const LitLayer& layer, const Vec3& direction,
                                 const Distance& there, const Visit& visit) {
@@ -332,8 +335,8 @@ void DirectLight::for_densities(LightIndex light, const LitLayer& layer, const V
             visit(meeting.density);
 }
 
-/// A direction from where the sky is bright or the surface answers, weighed by the density that
-/// both ways together have.
+/// Samples a direction either where the sky is bright or where the scatterer responds strongly. The
+/// pdf is that of both ways together.
 Vec3 DirectLight::from_sky(const LitLayer& layer, const Key& key, LightLedger& ledger) const {
     const SkyLight& sky = world_.sky.light;
     const Vertex& vertex = layer.vertex;
@@ -350,7 +353,7 @@ Vec3 DirectLight::from_sky(const LitLayer& layer, const Key& key, LightLedger& l
     return answer * gathered(layer, passed * world_.sky_radiance(*direction)) / (pi * density);
 }
 
-// POV-Ray's light sources: each of them is asked, or some of many.
+// POV-Ray's light sources: all of them are sampled, or some of many.
 
 Vec3 DirectLight::from_sources(const LitLayer& layer, const Key& key, LightLedger& ledger) {
     Vec3 sum(0);
@@ -377,7 +380,7 @@ Vec3 DirectLight::from_source(std::uint32_t light, double weight, const LitLayer
     return seen;
 }
 
-/// Some of many. Sources have no surface that a direction could meet.
+/// Samples some of many sources. Sources have no surface that a sampled direction could hit.
 Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const LitLayer& layer, const Key& key,
                                      LightLedger& ledger) {
     const Key own = key.branched(Branch::drawn_sources);
@@ -403,7 +406,7 @@ Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const LitLayer& layer
     return std::visit(ask, set.sampler);
 }
 
-/// The first thing on a ray that stops all light.
+/// Returns the first hit on a ray at a surface that stops all light.
 std::optional<ProbeHit> DirectLight::sight_past_clear(const Ray& ray, double tolerance) const {
     std::optional<ProbeHit> seen;
     world_.along(ray, tolerance, RayKind::light, [&](const Hit& hit, double distance) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Direct light at a vertex: POV-Ray's light sources one by one, or some of them when they are many,
-// and luminaires, as the light strategy chooses. Strategies answer the question of
-// lighting/light_query.h; none is known here by its name.
+// Direct light at a vertex, from POV-Ray's light sources one by one, or some of them if they are
+// many, and from luminaires as the light strategy chooses. Strategies implement the interface of
+// lighting/light_query.h; this code knows none of them by name.
 #pragma once
 
 #include "base/random.h"
@@ -15,19 +15,19 @@
 
 namespace candelabra {
 
-/// How many shadow rays hits get.
+/// Number of shadow rays at each hit.
 struct ShadowRays {
     // NOLINTNEXTLINE(google-explicit-constructor): one number for all is the plain case
     ShadowRays(int usual_number = 1, double noise = 0) : usual(usual_number), usual_noise(noise) {}
 
     int usual;
     /// Standard deviation of one shadow ray, times the throughput of the hit, at which a hit gets
-    /// the usual number: others get more or fewer in proportion, which makes the least noise of a
-    /// given number of rays. 0: all get the usual number.
+    /// the usual number. Other hits get more or fewer in proportion, which minimises the noise for
+    /// a given number of rays. 0: all get the usual number.
     double usual_noise;
 };
 
-/// The noise that one shadow ray is expected to make (see ShadowRays), over many hits.
+/// Expected noise of one shadow ray (see ShadowRays), over many hits.
 struct HitNoise {
     double sum = 0, squares = 0;
     int hits = 0;
@@ -40,29 +40,29 @@ struct HitNoise {
     }
 };
 
-/// What light that arrives at a vertex is asked for: the answer to it of one layer, or of media.
+/// The layer or the media at a vertex that respond to light, and the kinds of light that count.
 struct LitLayer {
     const Vertex& vertex;
     Scatterer scatterer;
-    Vec3 throughput = Vec3(1);  ///< of the radiance that the layer sends, in the sample
-    bool highlights = true;     ///< phong and specular ones count
+    Vec3 throughput = Vec3(1);  ///< of the layer's radiance, in the sample
+    bool highlights = true;     ///< phong and specular highlights count
     bool sources = true;        ///< light sources and their photons count
-    bool luminaires = true;     ///< they and their photons count
-    bool sky = true;            ///< so far as it is a luminaire
-    /// Light of luminaires is part of what this gathers; null: nothing is.
+    bool luminaires = true;     ///< luminaires and their photons count
+    bool sky = true;            ///< as far as it is a luminaire
+    /// Settings of the radiosity that gathers the luminaires' light; null: nothing gathers it.
     const Radiosity* radiosity = nullptr;
 
     double grain(const Key&) const;  ///< the random number of the finish's `crand`
-    /// Whether it shows light that photons bring, instead of what comes straight through targets.
-    /// Where the scene asks for no photons in media these are dark behind a target, as in POV-Ray.
+    /// Whether photons light the layer instead of direct light through targets. If the scene asks
+    /// for no photons in media, media are dark behind a target, as in POV-Ray.
     bool collects() const {
         return scatterer.in_air() ? scatterer.phase().collects()
                                   : vertex.material->photons.collects;
     }
 };
 
-/// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased
-/// estimate. One for each job: it keeps scratch memory.
+/// Radiance towards the viewer by direct light of light sources and luminaires; an unbiased
+/// estimate. Each job has its own: it keeps scratch memory.
 class DirectLight {
 public:
     /// `photons`: null where there are none.
@@ -72,19 +72,19 @@ public:
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
-    /// In proportion to what is expected to arrive of luminaires at a point between surfaces; below
-    /// 0 where that is not known. Precondition: there are some.
+    /// Expected light of luminaires at a point between surfaces, up to a constant factor; below 0
+    /// where it is not known. Precondition: there are luminaires.
     double expected_luminaires(const Vec3& position) const;
-    /// Of the sample that is followed from now on.
+    /// Selects the sample that is followed from now on.
     void begin(std::uint32_t sample) { photons_.begin(sample); }
     const PhotonLight& photons() const { return photons_; }
     PhotonLight& photons() { return photons_; }
 
-    /// Of all hits so far at which it was known.
+    /// Over all hits so far at which the expected noise was known.
     const HitNoise& noise() const { return noise_; }
 
 private:
-    /// A point of a luminaire on a line, and the density of its direction by that luminaire.
+    /// A point of a luminaire on a line, with the luminaire's pdf of that direction.
     struct Met {
         LightHit meeting;
         LightIndex light;
@@ -97,11 +97,12 @@ private:
     Vec3 from_sources(const LitLayer&, const Key&, LightLedger&);
     Vec3 from_drawn_sources(const SourceSet&, const LitLayer&, const Key&, LightLedger&);
     Vec3 from_source(std::uint32_t light, double weight, const LitLayer&, const Key&, LightLedger&);
-    /// `before`: the radiance that arrives of point lights.
+    /// `before`: the radiance by light sources and photons.
     Vec3 from_luminaires(const LitLayer&, const Key&, const Vec3& before, LightLedger&);
     template <LightAnswer Answer>
     Vec3 from_answer(const Answer&, const LitLayer&, const Key&, LightLedger&);
-    /// Density: of a drawn point, by its direction and the luminaire's own density.
+    /// Density: returns the pdf of a sampled point, given its direction and the luminaire's own
+    /// pdf.
     template <class Density>
     Vec3 from_luminaire(const LightPick&, const LitLayer&, const Key&, LightLedger&,
                         const Density&);
@@ -113,7 +114,8 @@ private:
     template <class Visit>
     void for_densities(LightIndex, const LitLayer&, const Vec3& direction, const Distance&,
                        const Visit&);
-    /// Weight: by the luminaire and the density with which it says the point is drawn.
+    /// Weight: returns the factor on a luminaire's radiance, given the luminaire and its pdf of the
+    /// point.
     template <class Weight>
     Vec3 seen_towards(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&);
     Vec3 light_left(const LitLayer&, const Ray&, double distance) const;
@@ -133,13 +135,13 @@ private:
     const World& world_;
     ShadowRays shadow_rays_;
     PhotonLight photons_;
-    Key medium_key_;         ///< of what media leave of the light that is asked for
-    double asked_here_ = 1;  ///< shadow rays that the hit is expected to get
+    Key medium_key_;         ///< random numbers of media on the current shadow ray
+    double asked_here_ = 1;  ///< expected number of shadow rays at the current hit
     HitNoise noise_;
-    // Kept from hit to hit for their memory.
+    // Kept as members to reuse their memory.
     LightSamples samples_;
     LightHits meetings_;
-    std::vector<Met> met_;  ///< along the line that is asked, nearest first
+    std::vector<Met> met_;  ///< along the current line, nearest first
 };
 
 }  // namespace candelabra

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light that is sent from lamps before paths come from the camera, in independent generations: each
-// serves some samples of all pixels. A generation is a pure function of its number, and is made
-// when it is first asked for; any number of threads may ask.
+// Light sent from lamps before paths start at the camera, in independent generations: each serves
+// some samples of all pixels. A generation is a pure function of its number, and is made on the
+// first request; any number of threads may request one.
 #pragma once
 
 #include "base/function_ref.h"
@@ -17,8 +17,8 @@
 
 namespace candelabra {
 
-/// All that `send(first, last, found)` adds to `found` for the paths of light from `first` to
-/// before `last`, of so many, in their order. Called for `at_once` paths by one thread.
+/// Returns all that `send(first, last, found)` adds to `found` for the light paths from `first` to
+/// before `last`, out of `count`, in their order. One thread follows `at_once` paths at a time.
 template <class Found>
 std::vector<Found> sent_in_batches(
     std::uint32_t count, std::uint32_t at_once, int threads,
@@ -36,7 +36,7 @@ std::vector<Found> sent_in_batches(
 template <class Made>
 class Generations {
 public:
-    /// So many are kept in memory; others are made again when they are asked for.
+    /// Keeps `kept` generations in memory; others are made again on request.
     explicit Generations(std::size_t kept) : kept_(kept) {}
 
     std::shared_ptr<const Made> get(std::uint32_t number, FunctionRef<Made()> make) {
@@ -46,7 +46,7 @@ public:
             std::shared_ptr<Entry>& place = entries_[number];
             if (!place) place = std::make_shared<Entry>();
             entry = place;
-            // Those that were asked for long ago have the lowest numbers.
+            // The generations used longest ago have the lowest numbers.
             if (entries_.size() > kept_)
                 entries_.erase(entries_.begin()->first == number ? std::next(entries_.begin())
                                                                  : entries_.begin());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ways of following light from the camera: one alternative of a variant for each. The scene's
-// settings choose one (method/settings.h).
+// The integrators, as alternatives of a variant. The scene's settings choose one
+// (method/settings.h).
 #pragma once
 
 #include "transport/path_traced.h"
@@ -12,17 +12,19 @@
 
 namespace candelabra {
 
-/// What every integrator can do. One for each job: it keeps scratch memory and counts rays.
+/// The interface of every integrator. Each job has its own: it keeps scratch memory and counts
+/// rays.
 template <class T>
 concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&> &&
     requires(T& integrator, const T& asked, const Ray& ray, const Key& key) {
-    // Radiance along a camera ray: unbiased, and a pure function of both.
+    // Radiance along a camera ray: an unbiased estimate, and a pure function of ray and key.
     { integrator.radiance(ray, key) } -> std::same_as<Vec3>;
     { integrator.ledger() } -> std::same_as<LightLedger&>;
     { asked.ledger() } -> std::same_as<const LightLedger&>;
     { asked.noise() } -> std::convertible_to<HitNoise>;  // expected of shadow rays so far
     { asked.clear() } -> std::same_as<double>;           // share of the last sample that is clear
-    // Makes what samples from the first number to before the second need, by several threads.
+    // Builds the sent light for samples from the first number to before the second, with several
+    // threads.
     asked.prepare(std::uint32_t{}, std::uint32_t{});
 };
 
@@ -53,7 +55,7 @@ public:
 private:
     using Built = std::variant<PovRayIntegrator, PathTracedIntegrator>;
 
-    /// As the settings say, in the order of IntegratorSettings.
+    /// Makes the integrator of the settings, in the order of IntegratorSettings.
     static Built built(const World& world, Tracing wanted) {
         if (!wanted.sent) wanted.sent = SentLight::of(world, 0, 1);
         if (std::holds_alternative<PathTraced>(world.rules.settings.integrator))

@@ -22,14 +22,14 @@ LayerStack::LayerStack(const World& world, const PathState& path, const Vertex& 
     if (!transparent) return;
     behind_ = Vec3(1);
     for (const Layer& layer : layers) behind_ *= kept(with_layer(world, vertex, layer));
-    // A negative share, which takes away what is behind, counts like a positive one.
+    // A negative share, which subtracts light from behind, counts like a positive one.
     clear_ = std::abs(grey(behind_)) > world.rules.settings.adc_bailout &&
              world.rules.quality >= quality_pigments;
     total_ =
         clear_ && interface_.bands == 0 && candelabra::reflects_totally(top_, interface_.ratio);
 }
 
-/// The share of light that a layer leaves to those below it.
+/// Fraction of light that a layer transmits to the layers below it.
 Vec3 LayerStack::kept(const Shading& s) const {
     const Vec3 clear = s.colour.passing();
     if (!s.finish->conserve_energy) return clear;
@@ -43,7 +43,7 @@ void LayerStack::visit(FunctionRef<void(const Seen&)> use) const {
         Seen seen{first ? top_ : with_layer(world_, vertex_, layer), through,
                   first ? 1 : grey(through), Vec3(0)};
         if (seen.weight <= world_.rules.settings.adc_bailout) return;
-        // Total reflection stands for that of all layers with the normal by which it happens.
+        // Total reflection replaces that of all layers with the normal at which it happens.
         const bool replaced = total_ && seen.shading.normal == top_.normal;
         if (!replaced && world_.rules.quality >= quality_reflection)
             seen.reflected = reflectivity(seen.shading, interface_.plain);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layers of a texture where a path meets them: each is seen through those above it, and all of
-// them together let light through from behind the surface. POV-Ray 3.7's rules, for all
-// integrators.
+// The layers of a texture at a hit of a path: each is seen through those above it, and all of them
+// together let light through from behind the surface. All integrators follow these rules of POV-Ray
+// 3.7.
 #pragma once
 
 #include "base/function_ref.h"
@@ -14,27 +14,27 @@ namespace candelabra {
 
 class LayerStack {
 public:
-    /// Of a path that has met the vertex.
+    /// The layers at a vertex that the path has met.
     LayerStack(const World&, const PathState&, const Vertex&, std::span<const Layer>);
 
-    /// One layer, as it is seen.
+    /// One layer, as it is seen through those above it.
     struct Seen {
         Shading shading;
-        Vec3 through = Vec3(1);  ///< share of its radiance that the layers above it leave
-        double weight = 1;       ///< grey of that
-        /// Share of the radiance from the mirror direction, with `through` not in it.
+        Vec3 through = Vec3(1);  ///< fraction of its radiance that the layers above transmit
+        double weight = 1;       ///< grey of `through`
+        /// Fraction of the radiance from the mirror direction, without the factor `through`.
         Vec3 reflected = Vec3(0);
     };
-    /// From the top, as far as a layer counts.
+    /// Calls use(layer) from the top down to the last layer that matters.
     void visit(FunctionRef<void(const Seen&)> use) const;
 
     const Interface& interface() const { return interface_; }
     const Shading& top() const { return top_; }
-    /// The share of the radiance from behind the surface that all layers let through.
+    /// Fraction of the radiance from behind the surface that all layers transmit.
     const Vec3& behind() const { return behind_; }
-    /// Whether that counts.
+    /// Whether that fraction is large enough to matter.
     bool is_clear() const { return clear_; }
-    /// Whether all of it is reflected instead: then the top layer has the only reflection.
+    /// Whether all of it is reflected instead; then only the top layer has a reflection.
     bool reflects_totally() const { return total_; }
 
 private:
@@ -49,8 +49,8 @@ private:
     bool clear_ = false, total_ = false;
 };
 
-/// The share of light that a solid's inside leaves along the part of a path that ends at its
-/// surface.
+/// Fraction of light that a solid's interior transmits along the segment of a path that ends at the
+/// solid's surface.
 Vec3 left_inside(const World&, const PathState&, const Hit&);
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a rendering cost, in rays, and which lights gave what. It is only written while light is
-// followed: nothing that decides where rays go reads it.
+// The cost of a rendering, in rays, and the contribution of each light. It is only written while
+// light is followed: no decision about rays depends on it.
 #pragma once
 
 #include "base/exact_sum.h"
@@ -12,11 +12,11 @@
 
 namespace candelabra {
 
-/// What lights of one statement of the scene gave and cost.
+/// Contribution and cost of the lights of one statement of the scene.
 struct LightCount {
-    ExactSum light;          ///< grey, that came from them to all hits and on to who looks at these
+    ExactSum light;          ///< grey, as all hits that they light reflect it to their viewers
     std::uint64_t rays = 0;  ///< towards them
-    /// The part of it that came to the camera in samples which nobody has taken yet.
+    /// The part of it that reached the camera, in samples since the last call of take_lights().
     Vec3 seen = Vec3(0);
 };
 
@@ -24,8 +24,8 @@ struct LightLedger {
     std::uint64_t camera = 0;
     std::uint64_t shadow = 0;     ///< towards luminaires and light sources
     std::uint64_t scattered = 0;  ///< reflected and refracted
-    /// For each of Provenance::light_statements, and at the end for rays that met no luminaire.
-    /// Empty when nobody asks.
+    /// One for each of Provenance::light_statements, and a last one for rays that met no luminaire.
+    /// Empty if lights are not counted.
     std::vector<LightCount> lights = {};
 
     LightLedger& operator+=(const LightLedger& other) {
@@ -41,18 +41,18 @@ struct LightLedger {
     }
 };
 
-/// One without entries, for the lights of the world one by one where they are `counted`.
+/// Returns a ledger without counts, with an entry for each statement if lights are `counted`.
 LightLedger empty_ledger(const World&, bool counted);
 
-/// Notes the light of a luminaire that is seen itself: what of it comes to the sample.
+/// Records the light of a directly visible luminaire, as it contributes to the sample.
 void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);
 
-/// The same of media that glow, in those solids: of the innermost one.
+/// The same for glowing media in those solids: the innermost medium counts.
 void record_volume(LightLedger&, const World&, std::span<const PrimitiveIndex> solids,
                    const Vec3& light);
 
-/// The light of each of Provenance::light_statements in all samples since the last call. Lights
-/// must be counted.
+/// Passes on the light of each of Provenance::light_statements in all samples since the last call.
+/// Precondition: lights are counted.
 void take_lights(LightLedger&, FunctionRef<void(std::size_t statement, const Vec3&)> use);
 
 }  // namespace candelabra

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What surfaces and media leave of light on its way from a light to a point, which is followed
-// from the point.
+// Transmittance of surfaces and media between a light and a point, followed from the point.
 #pragma once
 
 #include "base/random.h"
@@ -10,29 +9,29 @@
 
 namespace candelabra {
 
-/// A straight way to a light.
+/// A straight line to a light.
 struct WayOfLight {
     Ray ray;               ///< its direction is a unit vector
     double tolerance = 0;  ///< see World::transmittance()
-    double distance = 0;   ///< of the light, which may be very far
+    double distance = 0;   ///< of the light, which may be very far away
     std::span<const PrimitiveIndex> around = {};
     double apart = 0;
-    /// Media outside of solids count: as in POV-Ray all the way, in solids, too.
+    /// Whether media outside of solids attenuate the light: as in POV-Ray, also within solids.
     bool in_atmosphere = true;
 };
 
-/// Per channel; an unbiased estimate where media are not the same everywhere, else exact.
+/// Transmittance per channel; an unbiased estimate for inhomogeneous media, otherwise exact.
 Vec3 light_left(const World&, const WayOfLight&, const Key&);
 
-/// As in POV-Ray, the end of all that is: air that nothing is behind is so deep.
+/// Depth of media with nothing behind them, as in POV-Ray.
 constexpr double end_of_air = 2e10;
 
 using MediaList = ShortList<const Media*, 4>;
 inline MediaView view_of(const MediaList& list) { return {list.data(), list.size()}; }
 
-/// The media in solids that are inside of each other: none where one of them is not hollow.
+/// Adds the media in nested solids: none if one of the solids is not hollow.
 void add_media(const World&, std::span<const PrimitiveIndex> solids, MediaList&);
-/// The media outside of solids.
+/// Adds the media outside of solids.
 void add_atmosphere(const World&, MediaList&);
 
 }  // namespace candelabra

@@ -17,11 +17,11 @@ namespace candelabra {
 
 namespace {
 
-/// By what share of the size of a luminaire its light starts away from it.
+/// Ray tolerance of a path that leaves a luminaire, as a fraction of the luminaire's radius.
 constexpr double off_its_lamp = 1e-7;
-/// That light goes on at a surface which reflects next to none.
+/// Minimum survival probability of a light path at a surface that reflects next to nothing.
 constexpr double min_light_survival = 0.05;
-/// Light that comes along the surface brings nothing that could be seen, and no number either.
+/// Minimum cosine of incidence. Light below it is invisible, and would lead to a division by zero.
 constexpr double grazing_cosine = 1e-6;
 
 std::vector<double> intensities(const WorldLights& lights) {
@@ -33,8 +33,9 @@ std::vector<double> intensities(const WorldLights& lights) {
 
 }  // namespace
 
-bool is_lambertian(const World& world, const Shading& s) {
-    return is_lambertian(*s.finish) && !s.both_sides && !scatters_inside(world, s);
+bool is_lambertian(const World& world, const Vertex& vertex, const Shading& s) {
+    return is_lambertian(*s.finish) && !vertex.material->by_view && !s.both_sides &&
+           !scatters_inside(world, s);
 }
 
 LightPaths::LightPaths(const World& world, int max_reflections)
@@ -43,11 +44,11 @@ LightPaths::LightPaths(const World& world, int max_reflections)
       places_(intensities(world.lights)),
       max_reflections_(max_reflections) {}
 
-/// Light that has come to a vertex.
+/// A light path that has arrived at a vertex.
 struct LightPaths::Lit {
     PathState path;
     Vertex vertex;
-    Vec3 power;  ///< colour of light times the area that is hit by it straight on
+    Vec3 power;  ///< colour of light times area perpendicular to the ray
     int reflections = 0;
     std::uint32_t statement = 0;
 };
@@ -71,7 +72,7 @@ void LightPaths::follow(const Key& key, double share,
     path.tolerance = off_its_lamp * bounds(luminaire).radius;
     path.kind = RayKind::gathering;
     if (world_.notes_solids()) path.media = world_.containing(path.ray.origin);
-    // To each surface on the way light comes as a shadow ray finds it from there.
+    // Attenuates light to each surface on the way as a shadow ray from that surface would.
     for (int met = 0; met < max_surfaces_along; ++met) {
         path.key = key.branched(Branch::light_path, static_cast<std::uint32_t>(met));
         Hit hit;
@@ -94,12 +95,13 @@ void LightPaths::follow(const Key& key, double share,
     }
 }
 
-/// Radiance in all directions by light of colour 1 that comes along the path's ray.
+/// Radiance that the Lambertian layers reflect, equal in all directions, for light of colour 1 that
+/// arrives along the path's ray.
 Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
     Vec3 sum(0);
     for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
         LayerStack(world_, path, vertex, layers).visit([&](const LayerStack::Seen& layer) {
-            if (!is_lambertian(world_, layer.shading)) return;
+            if (!is_lambertian(world_, vertex, layer.shading)) return;
             sum += weight * layer.through *
                    Bsdf(layer.shading, rules_).evaluate(-path.ray.direction, diffuse_terms, 0);
         });
@@ -107,7 +109,7 @@ Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
     return sum;
 }
 
-/// Follows it from surface to surface while they reflect it.
+/// Follows the path from surface to surface as long as they reflect it.
 void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
     while (++lit.reflections <= max_reflections_) {
         const Vec3 normal = lit.vertex.shading.geometric_normal;

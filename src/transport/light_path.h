@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths of light that leave luminaires: where a diffuse surface reflects their light they leave a
-// reflected luminaire, and go on from there.
+// Light paths that start at luminaires. They leave a reflected luminaire at each diffuse surface
+// that reflects their light, and continue from there.
 #pragma once
 
 #include "lighting/dim_set.h"
@@ -10,32 +10,32 @@
 
 namespace candelabra {
 
-/// A point of a diffuse surface that stands for all light which comes to it. Of many points drawn
-/// so the sum is an unbiased estimate of the light that all diffuse surfaces reflect.
+/// A point of a diffuse surface that stands for all light that arrives on the surface. The sum over
+/// many sampled points is an unbiased estimate of the light that all diffuse surfaces reflect.
 struct ReflectedLuminaire {
     Vec3 position;
-    Vec3 normal;  ///< unit, of the surface as it is, on the side that shines
-    Vec3 power;   ///< radiance, which is the same in all directions of that side, times area
+    Vec3 normal;                  ///< unit geometric normal, on the side that reflects
+    Vec3 power;                   ///< radiance, equal in all directions of that side, times area
     double tolerance = 0;         ///< of the hit
-    int reflections = 1;          ///< diffuse ones on the light's way, the last one included
-    std::uint32_t statement = 0;  ///< in Provenance::light_statements, that made its lamp
+    int reflections = 1;          ///< diffuse ones on the light's way, including this one
+    std::uint32_t statement = 0;  ///< of the lamp, in Provenance::light_statements
 };
 
-/// Whether reflected luminaires can stand for a layer's diffuse reflection: it is the same in all
-/// directions of one side.
-bool is_lambertian(const World&, const Shading&);
-/// The terms of such a layer's BSDF.
+/// Whether reflected luminaires can stand for the diffuse reflection of a layer at a vertex: its
+/// radiance is then the same in all directions of one side.
+bool is_lambertian(const World&, const Vertex&, const Shading&);
+/// The terms of a Lambertian layer's BSDF.
 inline constexpr BsdfTerms diffuse_terms{.highlights = false, .facets = FacetLobes::none};
 
 class LightPaths {
 public:
-    /// Light counts after so many diffuse reflections at most.
+    /// `max_reflections`: the most diffuse reflections after which light still counts.
     LightPaths(const World&, int max_reflections);
 
-    /// Whether there are lamps to follow light from.
+    /// Whether there are luminaires from which light can be followed.
     bool any() const { return places_.total() > 0; }
 
-    /// Follows one path. `share`: by what its power is multiplied.
+    /// Follows one path, and adds its reflected luminaires. `share` is a factor on their power.
     void follow(const Key&, double share, std::vector<ReflectedLuminaire>&) const;
 
 private:
@@ -46,7 +46,7 @@ private:
 
     const World& world_;
     ShadingRules rules_;
-    LightPlaces places_;  ///< of the luminaires, by their intensity
+    LightPlaces places_;  ///< luminaires, weighted by their intensity
     int max_reflections_;
 };
 

@@ -29,11 +29,11 @@ Interface interface_at(const World& world, const MediaStack& media, PrimitiveInd
     Interface result{.behind = media};
     MediaStack& behind = result.behind;
     const Passing passing = world.pass(primitive, behind);
-    // To leave one of two solids that overlap bends nothing.
+    // Leaving the outer one of two overlapping solids refracts nothing.
     if (passing == Passing::leaves_outer) return result;
     const Interior &here = innermost(world, media), &there = innermost(world, behind);
     result.ratio = here.ior / there.ior;
-    // A ray that leaves one solid in another sees no `fresnel` reflection in POV-Ray 3.7.
+    // A ray that leaves one solid for another one sees no `fresnel` reflection in POV-Ray 3.7.
     result.plain = passing != Passing::enters && !behind.empty() ? 1 : result.ratio;
     result.dispersion = here.dispersion / there.dispersion;
     if (result.dispersion == 1) return result;

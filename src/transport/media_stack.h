@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solids that a ray is in, and the media that are in them: POV-Ray 3.7's rules for interiors
-// inside of each other.
+// The solids that a ray is in, and their media: POV-Ray 3.7's rules for nested interiors.
 #pragma once
 
 #include "surface/dispersion.h"
@@ -10,28 +9,28 @@
 
 namespace candelabra {
 
-/// By a primitive of each solid, in the order of entering.
+/// One primitive of each solid, in the order of entering.
 using MediaStack = EnteredSolids;
 
-/// The interior of the innermost solid; the atmosphere's where there is none.
+/// Returns the interior of the innermost solid; that of the atmosphere if there is none.
 const Interior& innermost(const World&, const MediaStack&);
 
-/// Whether fog and rainbows are around: all solids are hollow.
+/// Whether fog and rainbows apply, because all solids are hollow.
 bool in_atmosphere(const World&, const MediaStack&);
 
-/// Whether the solid of that primitive is among them.
+/// Whether the primitive's solid is one of them.
 bool is_in(const World&, const MediaStack&, PrimitiveIndex);
 
-/// What happens to a ray that goes through a surface.
+/// The change of media at a surface that a ray passes through.
 struct Interface {
-    /// Index of refraction in front of the surface over the one behind it, for the ray's colour.
+    /// Index of refraction in front of the surface over that behind it, for the ray's colour.
     double ratio = 1;
-    double plain = ratio;  ///< the same of white light, which tells how much is reflected
+    double plain = ratio;  ///< the same for white light, which determines the reflectivity
     MediaStack behind = {};
     double dispersion = 1;  ///< the same ratio of dispersions
-    int bands = 0;          ///< into which white light is split; 0: it is not
+    int bands = 0;          ///< number of bands into which white light is split; 0: none
 };
-/// Of a ray in those solids that meets the primitive; `band`: its colour, when it has one.
+/// For a ray in those solids that meets the primitive. `band` is the ray's colour, if it has one.
 Interface interface_at(const World&, const MediaStack&, PrimitiveIndex,
                        const std::optional<SpectralBand>& band);
 

@@ -13,19 +13,20 @@ namespace candelabra {
 
 namespace {
 
-/// Points along a stretch at which media are looked at; scenes may ask for more or fewer.
+/// Bounds on the number of points along a segment at which media are evaluated.
 constexpr int min_places = 8, max_places = 64;
-/// Light sources are asked at one of so many of them, if samples differ in any case.
+/// If samples differ in any case, light sources are sampled at one of this many points.
 constexpr int places_for_lit = 4;
-/// Luminaires are asked at so many on a camera's ray.
+/// Number of points at which luminaires are sampled on a camera ray.
 constexpr int luminaire_places = 4;
-/// Light sources that tell at each point how bright it is there; more of them tell nothing.
+/// Maximum number of light sources whose unoccluded light is evaluated to find bright points; the
+/// light of more sources tells little.
 constexpr std::size_t max_telling = 16;
-/// Photons that are looked at on a camera's ray, where media differ from place to place.
+/// Number of photons evaluated on a camera ray in inhomogeneous media.
 constexpr int photon_choices = 8;
-/// Around what is near media count as well, so many of its diameters away.
+/// Number of diagonals of the box Sky::near, beyond its centre, that count as near.
 constexpr double wide = 2;
-/// Share of the choices that take any place: luminaires that seem to be bright may be hidden.
+/// Fraction of the choices that take any place, as luminaires that seem bright may be occluded.
 constexpr double any_place = 0.1;
 
 int effort(const MediaList& media) {
@@ -50,7 +51,7 @@ ParticipatingMedia::ParticipatingMedia(const World& world) : world_(world) {
     if (sources_.size() > max_telling) sources_.clear();
 }
 
-/// How far most of what is lit lies from there.
+/// Distance from a point within which most of the lit media lie.
 double ParticipatingMedia::near(const Vec3& from) const {
     const Box& box = world_.sky.near;
     return box.empty() ? 0 : length(from - box.centre()) + wide * length(box.size());
@@ -71,7 +72,7 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
     fill(path, distance);
     if (media_.empty()) return {};
     places_ = path.depth + path.bounces > 0 ? min_places : effort(media_);
-    // Where nothing but the light differs, more places cost little.
+    // In homogeneous media only the light differs, so that more places cost little.
     const int count = homogeneous(view_of(media_)) ? 2 * places_ : places_;
     const auto worth = [&](std::span<const Vec3> places, std::span<double> values) {
         expect_light(direct_light, places, values);
@@ -112,7 +113,7 @@ void ParticipatingMedia::choose(const Key& key, int count, Expected expected, Us
     }
 }
 
-/// What sources that are few give at a point if nothing is between.
+/// Unoccluded light of the sources at a point, if the sources are few.
 double ParticipatingMedia::unshadowed(const Vec3& position) const {
     if (sources_.empty()) return 1;
     double sum = 0;
@@ -125,7 +126,7 @@ double ParticipatingMedia::unshadowed(const Vec3& position) const {
     return sum;
 }
 
-/// In proportion to what luminaires are expected to give at a point.
+/// Expected light of luminaires at a point, up to a constant factor.
 double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
                                          const Vec3& position) const {
     if (world_.lights.luminaires.empty()) return 1;
@@ -136,7 +137,7 @@ double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
     return 1 / (dot(away, away) + dot(half, half));
 }
 
-/// What places are worth by the light that is expected there: of sources and of luminaires in
+/// Adds the light expected at places to their worth. Light of sources and of luminaires counts in
 /// equal parts, as their scales differ.
 void ParticipatingMedia::expect_light(const DirectLight& direct_light, std::span<const Vec3> places,
                                       std::span<double> worth) const {
@@ -154,7 +155,7 @@ void ParticipatingMedia::expect_light(const DirectLight& direct_light, std::span
         add([&](const Vec3& place) { return luminaires_at(direct_light, place); });
 }
 
-/// Radiance that comes to the viewer of lamps' light, by the places of the march.
+/// Radiance towards the viewer by light of lamps that media scatter at the places of the march.
 Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_light,
                                    LightLedger& ledger) {
     const PatternScene scene = world_.pattern_scene();
@@ -186,7 +187,7 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
             });
     }
     if (world_.lights.luminaires.empty() && world_.sky.light.empty()) return sum;
-    // Of the sky nothing is known: it is asked where luminaires are, or anywhere.
+    // Nothing is known of the sky's light: it is sampled where luminaires are bright, or anywhere.
     ShortList<double, 64> given;
     double mean = 0;
     for (const MediaPlace& place : march_.places) {

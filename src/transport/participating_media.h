@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light that comes from between surfaces: what participating media emit along a part of a path, and
-// what they scatter to the viewer of the light of all lamps.
+// Light from between surfaces: emission of participating media along a segment of a path, and light
+// of all lamps that they scatter to the viewer.
 #pragma once
 
 #include "medium/march.h"
@@ -10,29 +10,29 @@
 
 namespace candelabra {
 
-/// One for each job: it keeps scratch memory.
+/// Each job has its own: it keeps scratch memory.
 class ParticipatingMedia {
 public:
-    /// The world outlives it.
+    /// The world must outlive this.
     explicit ParticipatingMedia(const World&);
 
-    /// What media make of the radiance that comes along the path's ray from so far, which may be
+    /// Transmittance and added radiance of media along the path's ray, up to a distance that may be
     /// infinite; an unbiased estimate. `PathState::media` says where the ray is. As in POV-Ray,
-    /// media in solids do not show on a part of a path without an end.
+    /// media in solids do not show on an infinite segment.
     Veil along(const PathState&, double distance, DirectLight&, LightLedger&);
 
-    /// What scatters light again and again along the last stretch, on the scale of transmittance:
-    /// the chance that a path is scattered there is weighed by it. 0: nothing does.
+    /// Amount of multiple scattering along the last segment, on the scale of transmittance: the
+    /// weight of scattering the path there. 0: none.
     double multiple_scattering() const;
-    /// The path that goes on from a point of the last stretch, as media scatter light to the
-    /// viewer, with that in its throughput. Each order after the first sends on a quarter of what
-    /// POV-Ray's unit of light would, so that no energy is made: an isotropic medium whose
-    /// extinction is 1 has an albedo of 1. Precondition: multiple_scattering() is above 0.
+    /// Continues the path from a point of the last segment, scattered by the media; the scattering
+    /// is part of the throughput. Each order after the first has a quarter of the radiance that
+    /// POV-Ray's unit of light would give, to conserve energy: an isotropic medium with extinction
+    /// 1 has an albedo of 1. Precondition: multiple_scattering() > 0.
     PathState scattered_path(const PathState&) const;
 
 private:
-    /// Chooses places by what is expected(index) of them; calls use(place, number of the choice,
-    /// one over the expected number of times that the place is chosen).
+    /// Chooses places in proportion to expected(index). Calls use(place, number of the choice, one
+    /// over the expected number of times that the place is chosen).
     template <class Expected, class Use>
     void choose(const Key&, int count, Expected expected, Use use);
     void fill(const PathState&, double distance);
@@ -44,13 +44,13 @@ private:
     double luminaires_at(const DirectLight&, const Vec3& position) const;
 
     const World& world_;
-    std::vector<std::uint32_t> sources_;  ///< that tell where light is bright, when they are few
-    bool lights_all_ = true;              ///< light sources are asked at all places
-    int places_ = 0;                      ///< the effort that the last stretch is worth
-    // Kept from stretch to stretch for their memory.
+    std::vector<std::uint32_t> sources_;  ///< that show where light is bright, if they are few
+    bool lights_all_ = true;              ///< light sources are sampled at all places
+    int places_ = 0;                      ///< number of places for the last segment
+    // Kept as members to reuse their memory.
     MediaList media_;
     MediaMarch march_;
-    std::vector<double> sums_;  ///< running sums of what is expected of the places
+    std::vector<double> sums_;  ///< running sums of the places' expected values
 };
 
 }  // namespace candelabra

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state of a path that is followed from the camera: its next ray, and all that is known of the
-// way so far.
+// The state of a path from the camera: its next ray, and the properties of the path so far.
 #pragma once
 
 #include "base/random.h"
@@ -14,34 +13,35 @@ namespace candelabra {
 
 struct PathState {
     Ray ray;               ///< its direction is a unit vector
-    double tolerance = 0;  ///< hits that are nearer do not count
-    /// By what radiance that comes along the ray is multiplied in the sample. 0 where the sample is
-    /// no multiple of it.
+    double tolerance = 0;  ///< nearer hits do not count
+    /// Factor on the radiance along the ray in the sample. 0 where the sample is not proportional
+    /// to that radiance.
     Vec3 throughput = Vec3(1);
-    /// The same for light from behind everything, as POV-Ray counts how clear a picture is: of each
-    /// surface's colour only the grey.
+    /// The same for light from behind the whole scene, for the picture's alpha: as in POV-Ray, only
+    /// the grey of each surface's colour counts.
     double clear = 1;
-    int depth = 0;    ///< reflections and refractions so far
-    int bounces = 0;  ///< diffuse ones
-    int passed = 0;   ///< surfaces passed without a change of direction, which do not count there
-    /// The greatest change of the pixel that the ray can make, relative to its radiance: POV-Ray's
-    /// measure of when to stop.
+    int depth = 0;    ///< number of reflections and refractions so far
+    int bounces = 0;  ///< number of diffuse reflections
+    /// Surfaces passed without a change of direction, which `depth` does not include.
+    int passed = 0;
+    /// Greatest change of the pixel that the ray can make, relative to the ray's radiance:
+    /// POV-Ray's criterion for termination.
     double weight = 1;
     RayKind kind = RayKind::camera;
     Key key;
     MediaStack media;
-    std::optional<SpectralBand> band;  ///< when it is one colour of split white light
-    bool collects = false;             ///< photons bring light to the surface that it comes from
-    bool brought = false;              ///< and that of the luminaires that it meets
-    bool counted = false;  ///< the light of luminaires that it meets has been counted already
-    /// Of a ray from a surface that reflected luminaires light: its cosine to the normal there. 0
-    /// of others.
+    std::optional<SpectralBand> band;  ///< if the ray is one colour of split white light
+    bool collects = false;             ///< photons light the surface that the ray leaves
+    bool brought = false;              ///< photons bring the light of luminaires that the ray hits
+    bool counted = false;  ///< light of luminaires that the ray hits has been counted already
+    /// For a ray that leaves a surface lit by reflected luminaires: its cosine to the normal there.
+    /// 0 for other rays.
     double leaving = 0;
-    /// Reflected luminaires have counted the light of luminaires that comes to it by way of diffuse
-    /// surfaces only.
+    /// Whether reflected luminaires account for the light of luminaires that reaches the ray by way
+    /// of diffuse surfaces only.
     bool covered = false;
 
-    /// The same path where only a share of the radiance comes on to the sample.
+    /// Returns the same path with its throughput multiplied by `share`.
     PathState dimmed(const Vec3& share) const {
         PathState result = *this;
         result.dim(share);
@@ -52,7 +52,7 @@ struct PathState {
         clear *= std::min(1.0, std::abs(grey(share)));
     }
 
-    /// Goes on from a surface along the ray, one level deeper.
+    /// Continues from a surface along the ray, one level deeper.
     void go_on(const Ray& next, double min_distance, Branch branch) {
         ray = next;
         tolerance = min_distance;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of a path that are the same for all integrators: where it begins, how it goes on from a
-// surface, and what lies behind everything.
+// The steps of a path that all integrators share: its start, its continuation from a surface, and
+// the background.
 #pragma once
 
 #include "transport/path.h"
@@ -11,17 +11,17 @@
 
 namespace candelabra {
 
-/// Both ends of the paths of one job: the camera, and the sky. It knows how clear a sample is.
+/// The two ends of a job's paths: the camera and the sky. It also measures how clear a sample is.
 class PathEnds {
 public:
-    /// `clear_sky`: what is behind everything may be clear, as in POV-Ray's +UA.
+    /// `clear_sky`: the background may be clear, as with POV-Ray's +UA.
     PathEnds(const World&, bool clear_sky);
 
-    /// A path along a camera ray, for a new sample.
+    /// Starts a path along a camera ray, for a new sample.
     PathState begin(const Ray&, const Key&);
-    /// Radiance from behind everything.
+    /// Radiance of the background.
     Vec3 background(const PathState&);
-    /// How much of the sample is what is behind everything and clear: 0 to 1.
+    /// Fraction of the sample that shows clear background, from 0 to 1.
     double clear() const { return std::min(clear_, 1.0); }
 
 private:
@@ -31,27 +31,26 @@ private:
     double clear_ = 0;
 };
 
-/// Whether the primitive's emission is part of what the path sees. It is not where the luminaire
-/// was asked for its light before.
+/// Whether the path sees the primitive's emission. It does not if the luminaire was sampled before.
 bool shows_emission(const World&, const PathState&, PrimitiveIndex);
 
-/// The path that goes on as a mirror sends it. What is reflected is not in its throughput.
+/// Continues the path in the mirror direction. The reflectivity is not in its throughput.
 PathState mirrored_path(const PathState&, const Vertex&, const Shading&);
 
-/// The path that goes on as small facets scatter it, and the share of the radiance along it, which
-/// is in its throughput. Nothing when they send it into the surface.
+/// The path scattered by microfacets, and the fraction of the radiance along it, which is in its
+/// throughput. Nothing if the facets send it into the surface.
 struct FacetPath {
     PathState next;
     Vec3 share;
 };
 std::optional<FacetPath> facet_path(const PathState&, const Vertex&, const Shading&);
 
-/// The ratio of indexes of refraction for the path at a surface. Of the bands of white light, where
-/// it is split, chance takes one, whose colour the path has from then on: as all of them together
-/// have its mean.
+/// Ratio of the indices of refraction for the path at a surface. Where white light is split,
+/// chooses one of its bands at random: the path has its colour from then on, and the mean of all
+/// bands is white.
 double refraction_ratio(PathState&, const Interface&);
 
-/// The path that gathers the light which comes to a diffuse surface from a direction.
+/// The path that gathers light at a diffuse surface from a direction.
 PathState gathering_path(const PathState&, const Vertex&, const Vec3& direction);
 
 }  // namespace candelabra

@@ -16,15 +16,15 @@ namespace candelabra {
 
 namespace {
 
-/// Paths with fewer diffuse bounces go on in any case; others by how much they still count.
+/// Number of diffuse bounces from which on paths are subject to Russian roulette by throughput.
 constexpr int first_roulette = 2;
-/// That a path goes on for which reflected luminaires have counted all light but that of highlights
-/// and mirrors.
+/// Survival probability of a path for which reflected luminaires account for all light except that
+/// of highlights and mirrors.
 constexpr double chance_of_shine = 0.25;
-/// That a path goes on all the same.
+/// Minimum survival probability in Russian roulette.
 constexpr double min_survival = 0.05;
 
-/// The share of light from everywhere that the diffuse part sends to the viewer, roughly.
+/// Approximate fraction of uniform incident light that the diffuse part reflects to the viewer.
 Vec3 diffuse_albedo(const Shading& s) {
     const Finish& f = *s.finish;
     const double amount = f.microfacet.on ? 1 - f.microfacet.metallic
@@ -32,7 +32,8 @@ Vec3 diffuse_albedo(const Shading& s) {
     return s.colour.rgb * (s.opacity * amount);
 }
 
-/// One of two sides of a surface, for a number in [0, 1), which is used up.
+/// Chooses one of two sides of a surface, the lower one with probability `share`. Rescales u, which
+/// is in [0, 1), so that it can be used again.
 bool is_lower(double& u, double share) {
     const bool lower = u < share;
     u = lower ? u / share : (u - share) / (1 - share);
@@ -73,7 +74,7 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
         if (ends_covered(path, hit, distance)) break;
         const Vertex vertex =
             vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
-        // Of textures that are mixed, chance takes one.
+        // Chooses one of the mixed textures at random.
         double u = uniform(path.key, Purpose::texture_choice);
         PathState next = path;
         next.throughput = Vec3(0);
@@ -89,8 +90,8 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     return sum_;
 }
 
-/// Adds what comes from between the surfaces along the path's ray, and dims the path. True: the
-/// path has been scattered there, and goes on in another direction.
+/// Adds the radiance of fog and media along the path's ray, and attenuates the throughput. Returns
+/// whether the path was scattered there and continues in another direction.
 bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     const Veil fog = veil_along(world_, path, distance);
     sum_ += path.throughput * fog.added;
@@ -112,7 +113,7 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     return false;
 }
 
-/// Adds what the layers send by themselves and of direct light, and lets the path go on.
+/// Adds the layers' emission and reflected direct light, and continues the path.
 void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
                                      std::span<const Layer> layers) {
     if (world_.rules.quality < quality_light) {
@@ -148,8 +149,8 @@ void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
     path.throughput = Vec3(0);
 }
 
-/// Leaves to reflected luminaires what is theirs of the light from a hit. True: that is all. Other
-/// light, where there may be some, is looked for by some of the paths.
+/// Whether reflected luminaires account for all light from the hit. If the scene has other light,
+/// too, a random part of the paths continues in search of it.
 bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double distance) const {
     if (path.leaving > 0) {
         const double there = std::abs(dot(path.ray.direction, unit(hit.normal)));
@@ -164,13 +165,13 @@ bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double 
     return false;
 }
 
-/// What one layer sends by itself and of direct light.
+/// Adds the radiance that one layer emits and the direct light that it reflects.
 void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex, const Shading& s) {
     const Vec3 own = own_radiance(s, rules_, shows_emission(world_, path, vertex.hit.primitive));
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
     const Bsdf whole(s, rules_);
     Vec3 light = own;
-    const bool by_reflected = reflected_ && is_lambertian(world_, s);
+    const bool by_reflected = reflected_ && is_lambertian(world_, vertex, s);
     if (by_reflected && path.covered) {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
         light += direct_light_({.vertex = vertex,
@@ -212,7 +213,8 @@ void PathTracedIntegrator::add_ways(const PathState& path, const LayerStack::See
         add(Way::diffuse, layer.through, layer.through * diffuse_albedo(layer.shading));
 }
 
-/// Turns the path into one that goes on in the way, which was chosen with that chance.
+/// Continues the path in the way, which was chosen with probability `chance`. Returns false if the
+/// path ends.
 bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& vertex,
                                   const LayerStack& stack, PathState& path) {
     double survival = 1;
@@ -220,7 +222,7 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
         const double left = max_component(glm::abs(path.throughput * way.share)) / chance;
         survival = std::clamp(left, min_survival, 1.0);
     }
-    path.covered &= way.kind == Way::diffuse && is_lambertian(world_, way.shading);
+    path.covered &= way.kind == Way::diffuse && is_lambertian(world_, vertex, way.shading);
     if (path.covered && vertex.material->other_light) survival *= chance_of_covered_;
     if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;
     ++ledger_.scattered;
@@ -246,8 +248,8 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
     return false;
 }
 
-/// A direction of the diffuse part, in proportion to the cosine, on one side of the surface or on
-/// both.
+/// Samples a direction for the diffuse part, with a pdf proportional to the cosine, on one side of
+/// the surface or on both. Returns false if the path ends.
 bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const LayerStack& stack,
                                   PathState& path) {
     Vec2 u{uniform(path.key, Purpose::bounce_u), uniform(path.key, Purpose::bounce_v)};
@@ -259,14 +261,14 @@ bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const 
     const bool from_behind = is_lower(u.x, back);
     const Vec3 normal = from_behind ? -s.normal : s.normal;
     const Vec3 direction = cosine_direction(normal, u);
-    // A bump must not send it through the surface.
+    // A bump must not send the path through the surface.
     if ((dot(direction, s.geometric_normal) < 0) != from_behind) return false;
     const double side = from_behind ? back : 1 - back;
-    // The density is side cosine / pi.
+    // The pdf is side * cosine / pi.
     const Vec3 answer = Bsdf(s, rules_).evaluate(direction, diffuse_terms, 0);
     path.dim(answer / (side * std::fmax(dot(direction, normal), 1e-9)));
     path = gathering_path(path, vertex, direction);
-    if (reflected_ && !path.covered && is_lambertian(world_, s))
+    if (reflected_ && !path.covered && is_lambertian(world_, vertex, s))
         path.leaving = dot(direction, normal);
     if (from_behind && vertex.material->transparent) path.media = stack.interface().behind;
     return true;
@@ -286,7 +288,7 @@ bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
     path.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::refraction);
     path.depth = depth;
     path.media = surface.behind;
-    // As in POV-Ray, a ray that goes straight on needs a level that is left.
+    // As in POV-Ray, a ray that continues straight on requires one more trace level.
     return ++path.passed <= max_surfaces_along &&
            depth + (straight ? 1 : 0) < world_.rules.settings.max_trace_level;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Path tracing: one path for each sample, which goes on from each vertex in one direction, by
-// chance, and gathers at each vertex the light that comes straight from lights and luminaires. So
-// light that was reflected any number of times counts, too. Unbiased, and the oracle of the other
-// ways of getting indirect light.
+// Path tracing: each sample follows one path, which continues from each vertex in one randomly
+// chosen direction, and adds the direct light of light sources and luminaires at each vertex. So
+// light counts after any number of reflections. The estimate is unbiased, and is the reference for
+// the other methods of indirect light.
 #pragma once
 
 #include "transport/direct_light.h"
@@ -24,20 +24,20 @@ public:
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
     double clear() const { return ends_.clear(); }
-    /// Makes the photons and reflected luminaires that samples from `first` to before `last` need.
+    /// Builds the photons and reflected luminaires for samples from `first` to before `last`.
     void prepare(std::uint32_t first, std::uint32_t last) const {
         direct_light_.photons().prepare(first, last);
         reflected_.prepare(first, last);
     }
 
 private:
-    /// A way in which a path may go on from a vertex.
+    /// A way in which a path may continue from a vertex.
     struct Way {
         enum Kind { mirror, facets, diffuse, behind, total_reflection };
         Kind kind = mirror;
         Shading shading;
-        Vec3 through = Vec3(1);  ///< share of what is seen along it that is not part of the way
-        Vec3 share = Vec3(0);    ///< of the radiance along it, expected altogether
+        Vec3 through = Vec3(1);  ///< factor on the throughput besides the sampled direction's
+        Vec3 share = Vec3(0);    ///< expected factor altogether, by which the way is chosen
     };
     using Ways = ShortList<Way, 4>;
 
@@ -57,7 +57,7 @@ private:
     ParticipatingMedia media_;
     PathEnds ends_;
     LightLedger ledger_;
-    Vec3 sum_ = Vec3(0);  ///< the sample's radiance so far
+    Vec3 sum_ = Vec3(0);  ///< radiance of the sample so far
     int max_bounces_;
     double chance_of_covered_;  ///< see ends_covered()
 };

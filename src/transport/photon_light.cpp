@@ -7,7 +7,8 @@ namespace candelabra {
 
 namespace {
 
-/// Photons that come along the surface bring no light that could be seen, and no number either.
+/// Minimum cosine of incidence. Photons below it bring no visible light, and would lead to a
+/// division by zero.
 constexpr double min_arriving_cosine = 1e-6;
 
 }  // namespace
@@ -33,7 +34,7 @@ Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
         const Vec3 to_light = -Vec3(photon.direction);
         const double cosine = std::abs(dot(to_light, Vec3(photon.normal)));
         if (cosine < min_arriving_cosine) return;
-        // What comes to the surface counts by its cosine already.
+        // The density on the surface includes the cosine already, and evaluate() applies it again.
         const Vec3 seen = Vec3(photon.power) * (density / cosine) *
                           layer.scatterer.evaluate(to_light, terms, grain);
         sum += seen;

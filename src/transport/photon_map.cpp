@@ -8,20 +8,21 @@ namespace candelabra {
 
 namespace {
 
-/// How far off the plane of a photon's disc a surface may be, in radii: discs may lie on balls.
+/// Maximum distance of a surface from the plane of a photon's disc, in radii: discs may lie on
+/// balls.
 constexpr double off_plane = 0.5;
-/// Cosine between its normal and the photon's.
+/// Minimum cosine between the surface's normal and the photon's.
 constexpr double alike_normals = 0.5;
 
-/// Fewer photons do not tell how dense they lie.
+/// Minimum number of photons from which their density can be estimated.
 constexpr std::size_t telling_photons = 8;
-/// A part of some photons may lie in larger discs than it would have by itself, by this.
+/// Factor by which a group's discs may exceed the radius estimated from that group alone.
 constexpr double above_own = 1.5;
-/// Sets the radii of a group by how dense its photons lie, and by what is known of the whole that
-/// they are part of. Gives what is known of the group.
+/// Sets the radii of a group from the density of its photons and from the radius of the group that
+/// contains it. Returns the group's radius.
 double set_disc_radii(std::span<Photon> photons, double radius, const DiscRule& rule) {
     const PhotonGroup group = group_of(photons);
-    // So many lie in a disc of that radius when half of the group lies in one of `half`.
+    // A disc of this radius holds `wanted` photons if one of radius `half` holds half of the group.
     const double by_itself =
         group.half * std::sqrt(2 * rule.wanted / static_cast<double>(photons.size()));
     radius = std::fmin(radius, std::isfinite(radius) ? above_own * by_itself : by_itself);

@@ -15,7 +15,7 @@ namespace candelabra {
 
 namespace {
 
-/// Photons that one way through media has, at most.
+/// Maximum number of photons that are deposited along one segment through media.
 constexpr double max_air_places = 8;
 
 }  // namespace
@@ -24,9 +24,9 @@ struct PhotonPaths::Journey {
     const PhotonShot& shot;
     double share;
     PathState path = {};
-    double way = 0;  ///< so far, from the lamp
-    int met = 0;     ///< surfaces from the target's first one on
-    int passed = 0;  ///< others, in a straight line
+    double way = 0;  ///< length so far, from the lamp
+    int met = 0;     ///< surfaces met, from the target's first one on
+    int passed = 0;  ///< other surfaces, passed in a straight line
 };
 
 PhotonPaths::PhotonPaths(const World& world) : world_(world), rules_(shading_rules(world)) {
@@ -59,7 +59,7 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
         const Vertex vertex = vertex_at(world_, came, hit, {path.media.data(), path.media.size()});
         const PhotonSurface& surface = vertex.material->photons;
         if (journey.met == 0 && surface.target != shot.target) {
-            // Photons of another target are shot at that one.
+            // Photons of another target are shot at that target.
             const bool other =
                 surface.target != 0 && is_open(shot.lamp.refraction, surface.ways.refraction);
             if (other || !pass(journey, vertex, came)) return;
@@ -73,8 +73,8 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
     }
 }
 
-/// Where media scatter light on a stretch of the path, at points that are spread along it. Of a
-/// stretch that leads far away one of them is there.
+/// Deposits photons where media scatter light along a segment of the path: at points spread over
+/// the part near the scene, and at one point of the rest if the segment leads far away.
 void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
                                  std::vector<Photon>& found) const {
     if (places_in_air_ == 0) return;
@@ -105,7 +105,8 @@ void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
     add(way, share * way * way / near);
 }
 
-/// What media in solids leave on a stretch of the path. Those outside leave all, as in POV-Ray.
+/// Attenuates the path by media in solids along a segment. Media outside of solids do not attenuate
+/// photons, as in POV-Ray.
 void PhotonPaths::pass_media(PathState& path, double distance) const {
     MediaList media;
     add_media(world_, {path.media.data(), path.media.size()}, media);
@@ -114,7 +115,8 @@ void PhotonPaths::pass_media(PathState& path, double distance) const {
                                      world_.pattern_scene(), path.key.branched(Branch::medium));
 }
 
-/// Goes straight on as light for a shadow does.
+/// Continues straight through the surface, attenuated as a shadow ray is. Returns whether any light
+/// passes.
 bool PhotonPaths::pass(Journey& journey, const Vertex& vertex, const Ray& came) const {
     const Vec3 left = world_.passed(vertex.hit, came);
     if (left == Vec3(0)) return false;
@@ -127,19 +129,20 @@ bool PhotonPaths::pass(Journey& journey, const Vertex& vertex, const Ray& came) 
     return true;
 }
 
-/// Whether it is bent where it goes on behind the surface.
+/// Whether a photon that continues behind the surface is refracted.
 bool PhotonPaths::is_refracted(const Journey& journey, const PhotonSurface& surface) const {
     const bool straight = surface.target == 0 && surface.passed;
     return !straight && is_open(journey.shot.lamp.refraction, surface.ways.refraction);
 }
 
-/// What luminaires send to a mirror that is no target is found from the camera.
+/// Whether the surface mirrors the photon. Light that luminaires send to a mirror which is not a
+/// target is found from the camera.
 bool PhotonPaths::is_reflected(const Journey& journey, const PhotonSurface& surface) const {
     return (surface.target != 0 || !journey.shot.glows) &&
            is_open(journey.shot.lamp.reflection, surface.ways.reflection);
 }
 
-/// Goes on from a surface in one of its ways, by chance.
+/// Continues from a surface in one randomly chosen way. Returns false if the photon ends.
 bool PhotonPaths::scatter(Journey& journey, const Vertex& vertex, const Key& key) const {
     double u = uniform(key, Purpose::texture_choice);
     bool goes_on = false;
@@ -166,7 +169,7 @@ bool PhotonPaths::choose(Journey& journey, const Vertex& vertex,
             add(layer.reflected * iridescence(layer.shading, rules_, direction), layer.shading,
                 true);
         });
-    // Through the first surface only as photons; further on also as other light.
+    // At the first surface light continues only where photons are refracted; at later ones, always.
     const bool bent = is_refracted(journey, surface);
     if (stack.is_clear() && (bent || journey.met > 1)) {
         const bool total = bent && stack.reflects_totally();
@@ -212,7 +215,7 @@ bool PhotonPaths::go_behind(PathState& path, const Vertex& vertex, const LayerSt
     return true;
 }
 
-/// Whether any layer shows light that comes to it.
+/// Whether any layer reflects arriving light to the viewer.
 bool PhotonPaths::answers(const Vertex& vertex) const {
     bool any = false;
     for_visible_layers(world_, vertex, 0, [&](double, std::span<const Layer> layers) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The way of a photon from its lamp to what shows it, which are surfaces and the air: straight to
-// its target, past what is clear before it, and then as mirrors and glasses send it.
+// The path of a photon from its lamp to the surfaces and media that show it: straight to its
+// target, through clear surfaces in between, and then as mirrors and glasses direct it.
 #pragma once
 
 #include "transport/layer_stack.h"
@@ -15,14 +15,13 @@ class PhotonPaths {
 public:
     explicit PhotonPaths(const World&);
 
-    /// Adds the photon where it comes to a surface that shows it; it may come to several. So also
-    /// at some points of its ways through media, if the scene wants that. `share`: by what its
-    /// power is multiplied.
+    /// Adds the photon at each surface on its path that shows it, and at some points of its
+    /// segments through media if the scene wants that. `share` is a factor on its power.
     void follow(const PhotonShot&, const Key&, double share, std::vector<Photon>&) const;
 
 private:
     struct Journey;
-    /// A way on from a surface.
+    /// A way in which a photon may continue from a surface.
     struct Way {
         Vec3 share = Vec3(0);
         Shading shading = {};
@@ -45,7 +44,7 @@ private:
     ShadingRules rules_;
     int max_surfaces_;
     double min_weight_;
-    int places_in_air_ = 0;  ///< of each way through media
+    int places_in_air_ = 0;  ///< along each segment through media
 };
 
 }  // namespace candelabra

@@ -14,23 +14,24 @@ namespace {
 
 using std::numbers::pi;
 
-/// More at a time take more memory than they are worth.
+/// Maximum number of photons at a time: more take more memory than they are worth.
 constexpr double max_photons = 1 << 18;
-/// Share of a shaped light's strength that a target gets at least that its shape touches.
+/// Minimum weight of a shaped light for a target that its shape touches, as a fraction of the
+/// weight without its shape.
 constexpr double min_share = 0.05;
-/// Pairs of luminaires and targets that are looked at to find what targets get.
+/// Maximum number of pairs of luminaires and targets whose light is estimated.
 constexpr std::size_t max_lamp_pairs = std::size_t{1} << 24;
-/// By what share of the distance photons of luminaires start away from them.
+/// Ray tolerance of a luminaire's photons, as a fraction of their distance or of the ball's radius.
 constexpr double away_from_lamp = 1e-7;
 
 Vec3 axis_of_light(const PointLight& light) { return unit(light.point_at - light.location); }
 
-/// A unit direction in a cone, uniform per steradian.
+/// Samples a unit direction in a cone, uniformly per steradian.
 Vec3 direction_in_cone(const Vec3& axis, double cosine, const Vec2& u) {
     return unit(turned_from(axis, 1 - u.x * (1 - cosine), 2 * pi * u.y));
 }
 
-/// A point of a disc around 0.
+/// Samples a point of a disc around 0, uniformly.
 Vec3 point_in_disc(const Vec3& axis, double radius, const Vec2& u) {
     const auto [x, y] = perpendiculars(axis);
     const double away = radius * std::sqrt(u.x), angle = 2 * pi * u.y;
@@ -44,7 +45,7 @@ bool meets_ball(const Ray& ray, const Vec3& centre, double radius) {
            (along > 0 && away2 - along * along <= radius * radius * (1 + 1e-9));
 }
 
-/// A cone by its axis.
+/// A cone, given by its axis.
 struct LightCone {
     Vec3 axis;
     double cosine;  ///< of its half angle
@@ -52,7 +53,7 @@ struct LightCone {
     double steradians() const { return 2 * pi * (1 - cosine); }
 };
 
-/// All directions from a point to a ball; all there are from inside.
+/// Returns the cone of directions from a point to a ball; all directions if the point is inside.
 LightCone cone_to(const Vec3& from, const PhotonTarget& target) {
     const Vec3 offset = target.centre - from;
     const double away2 = dot(offset, offset), radius2 = target.radius * target.radius;
@@ -60,7 +61,7 @@ LightCone cone_to(const Vec3& from, const PhotonTarget& target) {
     return {offset / std::sqrt(away2), std::sqrt(1 - radius2 / away2)};
 }
 
-/// What a light source gives a target, roughly.
+/// Approximate light of a light source at a target.
 double light_at(const PointLight& light, const PhotonTarget& target) {
     const Vec3 there = target.centre;
     PointLight plain = light;
@@ -89,8 +90,8 @@ bool shoots_at(const PhotonWays& lamp, const PhotonTarget& target) {
 
 double shadow_of(const PhotonTarget& target) { return pi * target.radius * target.radius; }
 
-/// The part of the ball around a target, seen from its middle, from where a luminaire may be seen:
-/// its bounds are a ball, too.
+/// Returns the cap of a target's ball from which a luminaire may be visible, as a cone from the
+/// centre. The luminaire is bounded by a ball, too.
 LightCone cap_towards(const LightBounds& luminaire, const PhotonTarget& target) {
     const Vec3 offset = luminaire.centre - target.centre;
     const double away = length(offset), above = target.radius - luminaire.radius;
@@ -98,13 +99,14 @@ LightCone cap_towards(const LightBounds& luminaire, const PhotonTarget& target) 
     return {offset / away, above / away};
 }
 
-/// A point of the ball by its normal, and its density per steradian from the middle.
+/// A point of the ball, given by its normal, and its pdf per steradian from the centre.
 struct Entry {
     Vec3 normal;
     double density;
 };
 
-/// In the cap; as it is seen along its axis, if all of it is seen so.
+/// Samples a point of the cap: uniformly in its projection along the axis if the projection shows
+/// all of the cap, otherwise uniformly per steradian.
 Entry draw_entry(const LightCone& cap, const Vec2& u) {
     if (cap.cosine < 0) return {direction_in_cone(cap.axis, cap.cosine, u), 1 / cap.steradians()};
     const double seen = 1 - cap.cosine * cap.cosine;
@@ -113,13 +115,13 @@ Entry draw_entry(const LightCone& cap, const Vec2& u) {
     return {unit(aside + height * cap.axis), height / (pi * seen)};
 }
 
-/// How much of a luminaire, about, lies in the ball around a target; 0: nothing.
+/// Approximate fraction of a luminaire that lies in the ball around a target; 0: none.
 double share_inside(const Luminaire& luminaire, const PhotonTarget& target) {
     const LightBounds around = bounds(luminaire);
     const double away = length(around.centre - target.centre);
     const bool is_ball = std::holds_alternative<SphereEmitter>(luminaire.emitter);
     if (away >= around.radius + target.radius) return 0;
-    // All of the surface of a large ball may be outside.
+    // The whole surface of a large ball may be outside.
     if (is_ball && around.radius - away >= target.radius) return 0;
     const double outside = (away + around.radius - target.radius) / (2 * around.radius);
     return std::clamp(1 - outside, min_share, 1.0);
@@ -172,7 +174,7 @@ void PhotonShooter::aim_luminaires(std::uint32_t number) {
             add({Aim::inner, static_cast<std::uint32_t>(i), number,
                  inside * brightness * emitting_area(all[i].emitter)});
         if (i % step != 0) continue;
-        // Close to a luminaire the estimate has no bound.
+        // The estimate is unbounded close to a luminaire.
         const double here = std::fmin(unoccluded(all[i], middle) / pi, 4 * brightness);
         light += static_cast<double>(step) * std::fmax(1 - inside, min_share) * here;
     }
@@ -223,7 +225,7 @@ std::optional<PhotonShot> PhotonShooter::shoot(const Aim& aim, const Key& key) c
         world_.lights.sources[aim.lamp]);
 }
 
-/// In the narrower one of two cones: that to the ball, and the light's own.
+/// Samples a ray in the narrower one of two cones: that to the ball, and the light's own.
 std::optional<PhotonShot> PhotonShooter::from_point(const PointLight& light,
                                                     const PhotonTarget& target, PhotonShot shot,
                                                     const Key& key) const {
@@ -241,7 +243,7 @@ std::optional<PhotonShot> PhotonShooter::from_point(const PointLight& light,
     return shot;
 }
 
-/// All light is parallel, and comes from the plane through the light.
+/// Samples a ray of parallel light, which starts in the plane through the light.
 std::optional<PhotonShot> PhotonShooter::from_plane(const PointLight& light,
                                                     const PhotonTarget& target, PhotonShot shot,
                                                     const Key& key) const {
@@ -264,8 +266,8 @@ std::optional<PhotonShot> PhotonShooter::from_plane(const PointLight& light,
     return shot;
 }
 
-/// Rays through the ball, by the point where they enter it: one that faces the luminaire, which is
-/// chosen for the middle of the ball.
+/// Samples a ray into the ball by its entry point, which faces the luminaire. The luminaire is
+/// chosen for the centre of the ball.
 std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& target,
                                                          PhotonShot shot, const Key& key) const {
     const Receiver middle{target.centre, Vec3(0), Horizon::none};
@@ -281,7 +283,7 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
         },
         world_.lights.sampler);
     if (samples.picks.empty()) return std::nullopt;
-    // Strategies that ask several lamps are asked for one of them.
+    // A strategy may pick several luminaires: one of them is used.
     const auto picks = static_cast<double>(samples.picks.size());
     const LightPick pick =
         samples.picks[static_cast<std::size_t>(uniform(key, Purpose::light_roulette) * picks)];
@@ -323,7 +325,8 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
     return shot;
 }
 
-/// What starts outside of the ball is drawn by the point where it enters instead.
+/// Samples a ray that starts in the ball. Rays that start outside are sampled by their entry point
+/// instead.
 std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const PhotonTarget& target,
                                                      PhotonShot shot, const Key& key) const {
     const Luminaire& luminaire = world_.lights.luminaires[light];

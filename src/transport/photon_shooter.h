@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Photons where they leave lamps: which lamp shoots at which target, and a ray from it to there,
-// with its density. Light sources are weighed by what reaches a target. Of luminaires the light
-// strategy chooses one, for the middle of a ball around the target: so it knows of ten thousand
-// lamps those that light a glass. A ray from it into the ball has the density of the point where it
-// enters, times that of the point that the luminaire draws for that one.
+// Emission of photons: which lamp shoots at which target, and a ray from the lamp to the target,
+// with its pdf. Light sources are weighted by the light that reaches the target. Among luminaires,
+// the light strategy chooses one for the centre of a ball around the target, so that it finds the
+// few of ten thousand lamps that light a glass. The pdf of a ray from a luminaire into the ball is
+// that of its entry point, times that of the point sampled on the luminaire for that entry point.
 #pragma once
 
 #include "base/random.h"
@@ -19,17 +19,19 @@ struct PhotonShot {
     Ray ray;
     double tolerance = 0;      ///< of its start
     std::uint32_t target = 0;  ///< in World::photon_targets, counted from 1
-    PhotonWays lamp = {};      ///< what its lamp says of photons
+    PhotonWays lamp = {};      ///< the lamp's photon settings
     bool glows = false;        ///< the lamp is a luminaire
     std::uint32_t statement = 0;
-    Vec3 power = Vec3(0);  ///< of a luminaire: colour of light times area
-    /// Of a light source: steradians, or area if all of its light is parallel.
+    Vec3 power = Vec3(0);  ///< of a luminaire's photon: colour of light times area
+    /// Of a light source's photon: solid angle in steradians, or area if all of its light is
+    /// parallel.
     double extent = 0;
     const PointLight* source = nullptr;
-    Vec3 place = Vec3(0);  ///< of the source: the light of its grid that it comes from
+    Vec3 place = Vec3(0);  ///< of the source: the light of its grid that emits the photon
 
-    /// Colour of light times area, after so long a way. Light of a source does not fade unless it
-    /// says so: what lies in so many steradians gets stronger with the square of the way.
+    /// Colour of light times area, after a path of that length. Light of a source does not fade
+    /// unless the source says so: the power in a fixed solid angle grows with the square of the
+    /// length.
     Vec3 power_after(double way) const;
 };
 
@@ -37,27 +39,27 @@ class PhotonShooter {
 public:
     explicit PhotonShooter(const World&);
 
-    /// Lamps that shoot at a target.
+    /// A lamp, or all luminaires, that shoot at a target.
     struct Aim {
         enum Kind : std::uint8_t {
-            source,      ///< one of POV-Ray's
-            luminaires,  ///< all that are outside of the ball around the target
-            inner        ///< one that is in the ball, or partly
+            source,      ///< one of POV-Ray's light sources
+            luminaires,  ///< all luminaires outside of the ball around the target
+            inner        ///< a luminaire that is at least partly in the ball
         };
         Kind kind = source;
-        std::uint32_t lamp = 0;    ///< of a source and an inner one
+        std::uint32_t lamp = 0;    ///< of a source or an inner luminaire
         std::uint32_t target = 0;  ///< in World::photon_targets
-        double weight = 0;         ///< colour of light times area, roughly
-        double until = 0;          ///< sum of all weights up to this one
+        double weight = 0;         ///< approximate colour of light times area
+        double until = 0;          ///< sum of the weights up to and including this one
     };
     const std::vector<Aim>& aims() const { return aims_; }
     double weight() const { return aims_.empty() ? 0 : aims_.back().until; }
 
-    /// How many photons the scene asks for at a time.
+    /// Number of photons that the scene asks for at a time.
     std::uint32_t count() const;
 
-    /// A photon of an aim. The power of many, divided by their number, is an unbiased estimate of
-    /// what the lamps send to the target. Nothing where the drawn ray carries none.
+    /// Samples a photon of an aim. The mean power of many is an unbiased estimate of the power that
+    /// the lamps send to the target. Nothing if the sampled ray carries no power.
     std::optional<PhotonShot> shoot(const Aim&, const Key&) const;
 
 private:

@@ -5,8 +5,7 @@ namespace candelabra {
 
 namespace {
 
-/// A photon strays from its group that is farther from the middle than this times the distance of
-/// half of them.
+/// Photons farther from the group's centre than this multiple of the median distance are outliers.
 constexpr double straying = 3;
 
 double median(std::vector<double>& values) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Photons, each of which lights a small space around it, in a hierarchy of boxes around these
-// spaces. Used by the map of photons on surfaces and by that of photons in the air.
+// Photons in a bounding volume hierarchy. Each photon lights a small disc or ball around it. Used
+// by the maps of photons on surfaces and of photons in the air.
 #pragma once
 
 #include "base/box.h"
@@ -15,42 +15,43 @@ namespace candelabra {
 
 struct Photon {
     Vec3 position;
-    glm::vec3 direction;  ///< unit, in which it came
-    glm::vec3 normal;     ///< unit, of the surface as it is; 0 in the air
-    /// Colour of light times the area that is hit by it straight on; in the air also times the
-    /// length of its way that it stands for.
+    glm::vec3 direction;  ///< unit direction of travel
+    glm::vec3 normal;     ///< unit geometric normal of the surface; 0 in the air
+    /// Colour of light times area perpendicular to the direction; in the air, also times the length
+    /// of the path segment that the photon stands for.
     glm::vec3 power;
     float radius = 0;             ///< of its disc or ball
-    std::uint32_t statement = 0;  ///< in Provenance::light_statements, that made its lamp
-    bool glows = false;           ///< its lamp is a luminaire
+    std::uint32_t statement = 0;  ///< of the lamp, in Provenance::light_statements
+    bool glows = false;           ///< whether its lamp is a luminaire
 
     bool in_air() const { return normal == glm::vec3(0); }
 };
 
-/// How large the discs or balls are.
+/// Sizes of the discs or balls.
 struct DiscRule {
-    double wanted = 60;  ///< photons within that of one, about
-    double shrunk = 1;   ///< by what the radius that follows from it is multiplied
-    double radius = 0;   ///< of all instead, with `shrunk` not in it; 0: by `wanted`
-    double unknown = 1;  ///< radius where photons are too few to tell
+    double wanted = 60;  ///< approximate number of photons within one disc
+    double shrunk = 1;   ///< factor on all radii
+    double radius = 0;   ///< of all discs, before the factor `shrunk`; 0: by `wanted`
+    double unknown = 1;  ///< radius where photons are too few to estimate their density
 };
 
-/// Where most photons of a group are, whatever some do that stray.
+/// The centre and extent of a group of photons, by medians, so that outliers do not matter.
 struct PhotonGroup {
     Vec3 middle = Vec3(0);
-    double half = 0;  ///< distance from the middle within which half of them are
+    double half = 0;  ///< distance from the centre within which half of the photons lie
 };
 PhotonGroup group_of(std::span<const Photon>);
 
-/// Sets the radii to the usual one, or by the rule instead. That of a photon that strays from its
-/// group grows with its distance.
+/// Sets all radii to `usual`, or to the rule's radius if there is one. The radius of an outlier
+/// grows with its distance from the group.
 void set_radii(std::span<Photon>, const PhotonGroup&, double usual, const DiscRule&);
 
 class PhotonTree {
 public:
     PhotonTree() = default;
-    /// Divides them by halves along the longest side. Before a group is divided, the whole first,
-    /// enter(photons, known) may set their radii, and gives what is known of them to both halves.
+    /// Divides the photons in halves along the longest side of their bounding box. Before each
+    /// group is divided, enter(photons, known) may set its radii; the result is passed as `known`
+    /// to both halves.
     template <class Known, class Enter>
     PhotonTree(std::vector<Photon> photons, const Known& known, const Enter& enter)
         : photons_(std::move(photons)) {
@@ -59,10 +60,10 @@ public:
         divide(0, static_cast<std::uint32_t>(photons_.size()), known, enter);
     }
 
-    /// In an order that depends on them only.
+    /// In an order that depends only on the photons.
     const std::vector<Photon>& photons() const { return photons_; }
 
-    /// Calls use(photon) for those in boxes of which meets(box) is true, always in the same order.
+    /// Calls use(photon) for all photons in boxes for which meets(box) is true, in a fixed order.
     template <class Meets, class Use>
     void walk(const Meets& meets, const Use& use) const {
         for (std::size_t at = 0; at < nodes_.size();) {
@@ -79,16 +80,16 @@ public:
 private:
     static constexpr std::uint32_t photons_in_leaf = 6;
 
-    /// In the order of a walk that enters all of them; leaves have photons.
+    /// Nodes are in depth-first order; only leaves have photons.
     struct Node {
-        Box box;                 ///< around their discs or balls
-        std::uint32_t next = 0;  ///< the node after all that are in this one
+        Box box;                 ///< around its photons' discs or balls
+        std::uint32_t next = 0;  ///< the first node after the subtree of this one
         std::uint32_t first = 0, last = 0;
     };
 
-    /// Around the discs or balls of a group that is not divided.
+    /// Returns the bounding box of the discs or balls of a group that is not divided.
     Box box_of_leaf(std::uint32_t first, std::uint32_t last) const;
-    /// Puts half of a group before the other one, and says where that one begins.
+    /// Moves half of a group before the other half. Returns the index of the first of the latter.
     std::uint32_t halve(std::uint32_t first, std::uint32_t last);
 
     template <class Known, class Enter>

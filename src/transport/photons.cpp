@@ -10,20 +10,20 @@ namespace candelabra {
 
 namespace {
 
-/// The first samples have a generation each; later ones share it, so that shooting takes a small
-/// part of the time.
+/// Each of the first samples has its own generation. Later samples share one, so that shooting
+/// takes a small part of the time.
 constexpr std::uint32_t single_samples = 16, samples_of_generation = 4;
-/// Exponent of the squared radius by the generation's number, less 1: the error of the mean falls
-/// fastest so.
+/// The squared radius is proportional to the generation's number to the power of alpha - 1. With
+/// this value the error of the mean falls fastest.
 constexpr double alpha = 2.0 / 3;
-/// Kept in memory; others are made again when they are asked for.
-constexpr std::size_t max_generations = single_samples + Photons::samples_at_once / 4 + 4;
-/// Photons that one thread follows at a time.
+/// Number of generations kept in memory; others are made again on request.
+constexpr std::size_t max_generations = single_samples + Photons::samples_at_once / samples_of_generation + 4;
+/// Number of photons that one thread follows at a time.
 constexpr std::uint32_t batch = 2048;
-/// Of the radius of a target: that of discs where next to nothing comes.
+/// Radius of discs where next to no photons arrive, as a fraction of the target's radius.
 constexpr double disc_of_target = 0.1;
-/// Share of the photons that are wanted in a disc that are in a ball in the air: a ray of the eye
-/// goes through many of these.
+/// Number of photons wanted in a ball in the air, as a fraction of the number wanted in a disc, and
+/// its minimum: a camera ray passes through many balls.
 constexpr double wanted_in_air = 0.6, min_in_air = 8;
 
 }  // namespace
@@ -47,7 +47,7 @@ std::uint32_t Photons::generation_of(std::uint32_t sample) {
                : single_samples + (sample - single_samples) / samples_of_generation;
 }
 
-/// All photons of a stream, in the order in which they are shot.
+/// Returns all photons of a random stream, in the order in which they are shot.
 std::vector<Photon> Photons::shot(std::uint32_t count, std::uint64_t stream) const {
     return sent_in_batches<Photon>(
         count, batch, threads_,
@@ -56,8 +56,8 @@ std::vector<Photon> Photons::shot(std::uint32_t count, std::uint64_t stream) con
         });
 }
 
-/// Some of `count`. Aims get their shares of these one after the other, so that the photons of one
-/// aim are well spread points.
+/// Shoots photons `first` to before `last` of `count`. Each aim gets a contiguous range, so that
+/// the photons of one aim are well distributed points.
 void Photons::shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count,
                     std::uint64_t stream, std::vector<Photon>& found) const {
     const auto& aims = shooter_.aims();
@@ -77,7 +77,7 @@ void Photons::shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count
         const auto number = static_cast<std::uint32_t>(aim - aims.begin());
         const Key key{stream, i - first_of(aim->until - aim->weight), number, 0};
         const auto shot = shooter_.shoot(*aim, key);
-        // Of all photons so many are expected to be of this aim.
+        // The expected number of photons of this aim is aim->weight / step.
         if (shot) paths_.follow(*shot, key, step / aim->weight, found);
     }
 }
@@ -91,7 +91,7 @@ PhotonMaps Photons::made(std::uint32_t number) const {
     in_air.wanted = std::fmax(wanted_in_air * rule.wanted, min_in_air);
     in_air.radius = settings.media_radius;
     std::vector<Photon> all = shot(count_, mix(seed_ ^ mix(number + 1)));
-    const auto first = std::ranges::stable_partition(all, std::not_fn(&Photon::in_air)).begin();
+    const auto first = std::stable_partition(all.begin(), all.end(), std::not_fn(&Photon::in_air));
     std::vector<Photon> rest(first, all.end());
     all.erase(first, all.end());
     return {PhotonMap(std::move(all), rule), AirPhotonMap(std::move(rest), in_air)};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light that photons bring, of all generations: each of these is a map of photons that are shot
-// anew, and serves some samples of all pixels. Their radii shrink by a fixed law (Knaus and
-// Zwicker, "Progressive Photon Mapping: A Probabilistic Approach", 2011), so that the mean over
-// ever more generations has neither noise nor blur. A generation is a function of world, seed and
-// number, and is made when it is first asked for; any number of threads may ask.
+// Light from photons. Each generation is a photon map that is shot anew, and serves some samples of
+// all pixels. The radii shrink by a fixed law (Knaus and Zwicker, "Progressive Photon Mapping: A
+// Probabilistic Approach", 2011), so that the mean over ever more generations has neither noise nor
+// blur. A generation is a function of world, seed and number, and is made on the first request,
+// from any thread.
 #pragma once
 
 #include "transport/air_photons.h"
@@ -13,7 +13,7 @@
 
 namespace candelabra {
 
-/// Those of one generation.
+/// The photon maps of one generation.
 struct PhotonMaps {
     PhotonMap on_surfaces;
     AirPhotonMap in_air;
@@ -21,16 +21,17 @@ struct PhotonMaps {
 
 class Photons {
 public:
-    /// The world outlives this, and has targets. `threads`: 0: one per core; nothing depends on it.
+    /// The world must outlive this, and have targets. `threads`: 0: one per core; the result does
+    /// not depend on it.
     Photons(const World&, int seed, int threads);
 
-    /// Which generation serves a sample.
+    /// Returns the number of the generation that serves a sample.
     static std::uint32_t generation_of(std::uint32_t sample);
-    /// So many samples from a first one on are served from memory.
+    /// Number of consecutive samples that are served from memory.
     static constexpr std::uint32_t samples_at_once = 128;
 
     std::shared_ptr<const PhotonMaps> generation(std::uint32_t number);
-    /// Makes what samples from `first` to before `last` need, by all threads.
+    /// Builds the generations for samples from `first` to before `last`, with all threads.
     void prepare(std::uint32_t first, std::uint32_t last);
 
 private:
@@ -48,7 +49,7 @@ private:
     Generations<PhotonMaps> generations_;
 };
 
-/// Null where the world has no targets.
+/// Null where the world has no photon targets.
 std::shared_ptr<Photons> photons_of(const World&, int seed, int threads);
 
 }  // namespace candelabra

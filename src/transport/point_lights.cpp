@@ -10,12 +10,12 @@ namespace candelabra {
 
 namespace {
 
-/// As in POV-Ray, clear surfaces do not count that are no further than this, along the way of
-/// light, behind another that counts or from either end: so glasses that touch each other, and what
-/// is in a glass, are not darker for it.
+/// As in POV-Ray, a clear surface does not count if it lies no further than this, along the way of
+/// light, behind another one that counts, or from either end. So glasses that touch each other, and
+/// things in a glass, are not darker for it.
 constexpr double apart_for_light = 1e-3;
 
-/// Light of one source at a point, with what it needs.
+/// Light of one source at a point, with the data to evaluate it.
 class SourceLight {
 public:
     SourceLight(const World& world, const PointLight& light, std::uint32_t number,
@@ -31,8 +31,8 @@ public:
           grain_(layer.grain(key)),
           key_(key),
           ledger_(ledger) {
-        // As in POV-Ray, where a grid that lights by itself is trusted to know what it lights, and
-        // one that is not there knows nothing.
+        // As in POV-Ray: with area_illumination the grid decides which side it lights, and without
+        // a grid both sides are lit.
         if (light.area_illumination && light.size1 == 0 && !scatterer_.in_air())
             scatterer_ = both_sides_.emplace(scatterer_.bsdf().on_both_sides());
     }
@@ -55,7 +55,7 @@ private:
         if (light.colour == Vec3(0)) return Vec3(0);
         if (scatterer_.in_air()) return light.colour * scatterer_.phase().evaluate(direction_);
         const Bsdf& bsdf = scatterer_.bsdf();
-        // Its film shimmers by where the middle of the light is.
+        // The film's iridescence depends on the direction to the light's centre.
         return light.colour * bsdf.film(direction_) *
                bsdf.evaluate_without_film(light.direction, terms_, grain_);
     }
@@ -89,12 +89,12 @@ private:
         return left * left_by(world_.sky.fogs, ray, *until, world_.pattern_scene().noise_generator);
     }
 
-    /// Whether photons bring its light along that way instead.
+    /// Whether photons bring the light along that ray instead.
     bool brought(const Ray& ray, double until) const {
         return collects_ && target_between(world_, photons_, ray, vertex_.tolerance(), until);
     }
 
-    /// The way to the window, which may not be there in this direction.
+    /// Returns the distance to the window; nothing if the ray does not pass through it.
     std::optional<double> seen_through(const Incidence& light) const {
         const auto any = [](std::uint32_t) { return true; };
         const auto met = window_->first({vertex_.position(), light.direction},
@@ -102,7 +102,7 @@ private:
         return met ? std::optional(met->t) : std::nullopt;
     }
 
-    /// The share of light that arrives from the whole grid.
+    /// Fraction of the grid's light that arrives.
     Vec3 grid_shadow() {
         corners_.assign(static_cast<std::size_t>(light_.size1 * light_.size2), Vec3(-1));
         return mean({0, 0, light_.size1 - 1, light_.size2 - 1}, 0);
@@ -112,8 +112,8 @@ private:
         int first1, first2, last1, last2;
     };
 
-    /// The mean over a part of the grid, from its corners; divided where they differ. The parts'
-    /// weights are POV-Ray's.
+    /// Mean over a part of the grid, by its corners; the part is divided if they differ. The
+    /// weights of the parts are POV-Ray's.
     Vec3 mean(const Part& p, int level) {
         const std::array<Vec3, 4> corner = {at(p.first1, p.first2), at(p.last1, p.first2),
                                             at(p.first1, p.last2), at(p.last1, p.last2)};
@@ -137,7 +137,7 @@ private:
                !differ(corner[0], corner[2]) && !differ(corner[1], corner[3]);
     }
 
-    /// The share of light from one light of the grid; asked once.
+    /// Fraction of light that arrives from one light of the grid; computed once.
     Vec3 at(int i, int j) {
         const int index = i * light_.size2 + j;
         Vec3& known = corners_[static_cast<std::size_t>(index)];
@@ -159,10 +159,10 @@ private:
     const PointLight& light_;
     const Composite* window_;  ///< null: none
     const PhotonWays photons_;
-    const bool collects_;  ///< shows light that photons bring
+    const bool collects_;  ///< the layer shows light of photons
     const Vertex& vertex_;
     Scatterer scatterer_;
-    std::optional<Bsdf> both_sides_;  ///< what scatterer_ refers to, if it is there
+    std::optional<Bsdf> both_sides_;  ///< referred to by scatterer_, if present
     const BsdfTerms terms_;
     const double grain_;
     const Key key_;

@@ -50,7 +50,7 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
     return veil.through(met ? surface(behind, hit) : ends_.background(behind));
 }
 
-/// What all textures that are mixed at a hit show together.
+/// Radiance of all textures that are mixed at a hit.
 Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
     const Vertex vertex = vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
     Vec3 sum(0);
@@ -61,8 +61,8 @@ Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
     return sum;
 }
 
-/// What a stack of layers shows: each through those above it, reflections of all, and what is
-/// behind.
+/// Radiance of a stack of layers: each layer through those above it, the reflections of all, and
+/// light from behind.
 Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
                                std::span<const Layer> layers) {
     if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
@@ -90,7 +90,7 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
     const Vec3& behind = stack.behind();
     const Vec3 left = left_inside(world_, path, vertex.hit) * top.finish->refraction;
     const PathState inside = path.dimmed(left);
-    // Total reflection: nothing is lost, but the ray is worth what one going through would be.
+    // Total reflection: no light is lost, but the ray has the weight of a transmitted one.
     if (total)
         return result +
                left * reflected(inside, vertex, top, Vec3(1), max_component(glm::abs(behind)));
@@ -99,13 +99,14 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
                                               : transmitted(inside, vertex, top, surface, behind));
 }
 
-/// What one layer sends by itself and of direct light, before the layers above it take their part.
+/// Radiance that one layer emits and reflects of direct light, before the layers above attenuate
+/// it.
 Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Shading& s,
                            bool emission) {
     const Vec3 own = own_radiance(s, rules_, emission);
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
-    // Gathered light shows no highlights; the last gathering shows lights, but what glows was there
-    // before.
+    // Gathered light shows no highlights. The last gathering includes light sources; light of
+    // luminaires was counted before.
     const bool highlights = path.bounces == 0,
                luminaires = !world_.gathers_light() || path.bounces < radiosity_.recursion_limit;
     if (!scatters_inside(world_, s)) {
@@ -128,8 +129,8 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
                              ledger_);
 }
 
-/// What the diffuse part sends on of light that other surfaces reflect: POV-Ray's radiosity, by one
-/// ray for each side that answers.
+/// Light of other surfaces that the diffuse part reflects: POV-Ray's radiosity, with one ray for
+/// each side that reflects.
 Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, const Shading& s) {
     const Finish& f = *s.finish;
     const double front = f.microfacet.on ? 1 - f.microfacet.metallic : f.diffuse;
@@ -138,8 +139,8 @@ Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, con
         if (!(share > 0) || amount == Vec3(0)) return Vec3(0);
         return amount * gathered_from(path.dimmed(amount), vertex, s, behind);
     };
-    // What glows is chosen as elsewhere. Only one side of a surface gathers, unless it has a second
-    // diffuse value.
+    // Luminaires are sampled as elsewhere. Only one side of a surface gathers light, unless the
+    // surface has a second diffuse value.
     Shading one_side = s;
     one_side.both_sides = false;
     const Bsdf bsdf(one_side, rules_);
@@ -153,7 +154,7 @@ Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, con
     return straight + side(front, false) + side(f.microfacet.on ? 0 : f.diffuse_back, true);
 }
 
-/// An estimate of the mean radiance over the directions of one side, by the cosine.
+/// Estimate of the cosine-weighted mean radiance over the directions of one side.
 Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex, const Shading& s,
                                      bool behind) {
     const Key key = path.key.branched(Branch::diffuse, behind ? 1 : 0);
@@ -161,7 +162,7 @@ Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex
     const Vec3 surface = behind ? -s.geometric_normal : s.geometric_normal;
     Vec3 direction = cosine_direction(
         behind ? -seen : seen, {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)});
-    // Below the real surface nothing comes from; its mirror image stands for such a direction.
+    // No light comes from below the real surface; such a direction is replaced by its mirror image.
     if (dot(direction, surface) < 0) direction = mirrored(direction, surface);
     PathState next = gathering_path(path.dimmed(Vec3(radiosity_.brightness)), vertex, direction);
     next.key = key;
@@ -185,7 +186,7 @@ Vec3 PovRayIntegrator::reflected_to_a_power(const PathState& path, const Vertex&
     PathState next = mirrored_path(path, vertex, s);
     next.weight = path.weight * weight;
     ++ledger_.scattered;
-    // A power of a sum has no parts.
+    // A power of a sum has no summands that could be attributed to lights.
     const Vec3 shown = iridescence(s, rules_, next.ray.direction) * follow(next.dimmed(Vec3(0)));
     const auto dimmed = [&](double channel) {
         return channel > 0 ? std::pow(channel, 1 / s.finish->reflection.exponent) : 0.0;
@@ -193,7 +194,7 @@ Vec3 PovRayIntegrator::reflected_to_a_power(const PathState& path, const Vertex&
     return amount * Vec3(dimmed(shown.x), dimmed(shown.y), dimmed(shown.z));
 }
 
-/// What small facets reflect, besides what direct_light_ has seen of it.
+/// Radiance that microfacets reflect, except for the part that direct_light_ includes.
 Vec3 PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, const Shading& s,
                                  double weight) {
     auto scattered = facet_path(path, vertex, s);
@@ -203,8 +204,8 @@ Vec3 PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, co
     return scattered->share * follow(scattered->next);
 }
 
-/// White light, each of its bands on a way of its own. As in POV-Ray, bands that are reflected in
-/// total are coloured like the others.
+/// White light, with a separate path for each of its bands. As in POV-Ray, bands that are totally
+/// reflected are coloured like the others.
 Vec3 PovRayIntegrator::split(const PathState& path, const Vertex& vertex, const Shading& s,
                              const Interface& surface, const Vec3& share) {
     Vec3 sum(0);
@@ -225,7 +226,7 @@ Vec3 PovRayIntegrator::split(const PathState& path, const Vertex& vertex, const 
 Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, const Shading& s,
                                    const Interface& surface, const Vec3& share) {
     const bool straight = std::abs(surface.ratio - 1) < 1e-10;
-    // What goes straight on takes no level, but needs one that is left, as in POV-Ray.
+    // As in POV-Ray, a ray that continues straight on takes no level, but needs one to be left.
     if (straight && path.depth + 1 >= world_.rules.settings.max_trace_level) return Vec3(0);
     PathState next = path.dimmed(share);
     next.go_on(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// POV-Ray 3.7's way of following light: one ray of the camera, all reflections and refractions of
-// it by recursion, and direct light where they end. With POV-Ray's rules for levels, weights and
-// nested interiors. What a reflection shows may be raised to a power, so that a sample is no plain
-// product of what its path has met, and the recursion stays.
+// POV-Ray 3.7's integrator: one camera ray, recursion over all of its reflections and refractions,
+// and direct light at their hits. It follows POV-Ray's rules for levels, weights and nested
+// interiors. Radiance in a reflection may be raised to a power: a sample is then not a product of
+// factors along a path, so the recursion remains.
 #pragma once
 
 #include "transport/direct_light.h"
@@ -16,20 +16,19 @@ class PovRayIntegrator {
 public:
     PovRayIntegrator(const World& world, const Tracing&);
 
-    /// Radiance that comes along a camera ray; an unbiased estimate, a pure function of ray and
-    /// key.
+    /// Radiance along a camera ray; an unbiased estimate, and a pure function of ray and key.
     Vec3 radiance(const Ray& ray, const Key& key);
 
     LightLedger& ledger() { return ledger_; }
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
 
-    /// Makes the photons that samples from `first` to before `last` need.
+    /// Builds the photons for samples from `first` to before `last`.
     void prepare(std::uint32_t first, std::uint32_t last) const {
         direct_light_.photons().prepare(first, last);
     }
 
-    /// How much of the last sample is what is behind everything and clear: 0 to 1.
+    /// Fraction of the last sample that shows clear background, from 0 to 1.
     double clear() const { return ends_.clear(); }
 
 private:

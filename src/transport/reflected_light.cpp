@@ -47,7 +47,7 @@ double ReflectedLight::share(double cosine, double other_cosine, double distance
     return geometry > luminaires_->bound() ? luminaires_->bound() / geometry : 1;
 }
 
-/// What it sends there to the viewer if it is seen from there.
+/// Radiance towards the viewer by one reflected luminaire, if it is not occluded.
 Vec3 ReflectedLight::from(const ReflectedLuminaire& luminaire, const Vertex& vertex,
                           const Shading& s) const {
     const Vec3 offset = luminaire.position - vertex.position();
@@ -63,7 +63,7 @@ Vec3 ReflectedLight::from(const ReflectedLuminaire& luminaire, const Vertex& ver
 bool ReflectedLight::is_seen(const ReflectedLuminaire& luminaire, const Vertex& vertex,
                              const Vec3& direction, double distance) const {
     const Ray ray{vertex.position(), direction};
-    // Clear surfaces are in the way, too: paths go through these on their own.
+    // Clear surfaces occlude, too: paths go through these by themselves.
     if (!world_.appearance.any_clear && !world_.appearance.any_left_out)
         return world_.transmittance(ray, vertex.tolerance(), distance) != Vec3(0);
     Hit hit;

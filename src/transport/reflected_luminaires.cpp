@@ -9,18 +9,21 @@ namespace candelabra {
 
 namespace {
 
-/// Samples of a pixel that one generation serves.
+/// Number of samples of a pixel that one generation serves.
 constexpr std::uint32_t samples_served = 4;
-/// Kept in memory.
+/// Number of generations kept in memory.
 constexpr std::size_t kept_generations = ReflectedLuminaires::samples_at_once / samples_served + 2;
-/// Paths of light that one thread follows at a time, and that are followed to find the bound.
+/// Number of light paths that one thread follows at a time, and that are followed to find the
+/// bound.
 constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
-/// How much of the light of a surface that all of them light alike one of them may give.
+/// Maximum fraction of a uniformly lit surface's light that one reflected luminaire may contribute.
 constexpr double kappa = 1.0 / 16;
-/// Of what the strategy takes for one: it shines on both sides, and a little more to the right one.
+/// Length of a proxy's bent normal: for the strategy, a proxy shines on both sides, and a little
+/// more on that of the luminaire.
 constexpr double lean_of_proxy = 0.25;
 
-/// A triangle about it, as large as the distance from which it lights with all of its power.
+/// Returns a triangle around the luminaire. Its circumradius is the distance from which the
+/// luminaire lights with its full power.
 Luminaire proxy_of(const ReflectedLuminaire& luminaire, double radius) {
     const std::pair<Vec3, Vec3> across = perpendiculars(luminaire.normal);
     const double height = std::sqrt(0.75), area = 1.5 * height * radius * radius;
@@ -65,7 +68,7 @@ std::uint32_t ReflectedLuminaires::generation_of(std::uint32_t sample) {
     return sample / samples_served;
 }
 
-/// All of a stream, in the order of their paths.
+/// Returns all reflected luminaires of a random stream, in the order of their paths.
 std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& paths,
                                                           std::uint32_t count,
                                                           std::uint64_t stream) const {
@@ -77,8 +80,8 @@ std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& path
         });
 }
 
-/// So that one of them gives no more than its share where they are as dense as on the whole: by the
-/// usual distance from a surface to the next that its light comes to.
+/// Sets the bound so that one reflected luminaire contributes at most a fraction kappa where their
+/// density is average. The scale is the median distance between successive reflections of a path.
 void ReflectedLuminaires::find_bound() {
     const std::vector<ReflectedLuminaire> tried =
         sent(LightPaths(world_, std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
@@ -99,8 +102,8 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     const double radius = 1 / std::sqrt(bound_);
     set.proxies.reserve(set.list.size());
     for (const ReflectedLuminaire& each : set.list) set.proxies.push_back(proxy_of(each, radius));
-    // What arrives of their light is not tried, as a generation is soon over. Surfaces that they
-    // light are those that they are on.
+    // Occlusion is not surveyed, as a generation is soon over. The surfaces that they light are
+    // those on which they lie.
     LightOctree octree;
     octree.alone = true;
     LightScene scene{set.proxies, {}};

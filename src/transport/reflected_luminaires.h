@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reflected light as luminaires (the imposters of the paper's section 5): points of diffuse
-// surfaces that light has come to, in a light hierarchy of their own, so that indirect light at a
-// point takes one shadow ray. They light what is not too near; what is near is found by a ray of
-// its own (Kollig and Keller, "Illumination in the Presence of Weak Singularities", 2004). Both
-// together are unbiased over the generations.
+// surfaces that light has reached, in a light hierarchy of their own, so that indirect light at a
+// point takes one shadow ray. They do not light points that are too near; light from near surfaces
+// is found by a separate ray (Kollig and Keller, "Illumination in the Presence of Weak
+// Singularities", 2004). Both together are unbiased over the generations.
 #pragma once
 
 #include "transport/generations.h"
@@ -14,29 +14,29 @@ namespace candelabra {
 /// The reflected luminaires of one generation, and the strategy that chooses among them.
 struct ReflectedSet {
     std::vector<ReflectedLuminaire> list;
-    std::vector<Luminaire> proxies;  ///< for the strategy, in the same order
+    std::vector<Luminaire> proxies;  ///< stand-ins for the strategy, in the same order
     BuiltLightSampler sampler;
 };
 
 class ReflectedLuminaires {
 public:
-    /// The world outlives this. `count`: paths of light in a generation. `threads`: 0: one per
-    /// core; nothing depends on it.
+    /// The world must outlive this. `count`: light paths in a generation. `threads`: 0: one per
+    /// core; the result does not depend on it.
     ReflectedLuminaires(const World&, std::uint32_t count, int max_reflections, int seed,
                         int threads);
 
-    /// Which generation serves a sample.
+    /// Returns the number of the generation that serves a sample.
     static std::uint32_t generation_of(std::uint32_t sample);
 
-    /// So many samples from a first one on are served from memory.
+    /// Number of consecutive samples that are served from memory.
     static constexpr std::uint32_t samples_at_once = 32;
 
     std::shared_ptr<const ReflectedSet> generation(std::uint32_t number);
-    /// Makes what samples from `first` to before `last` need, by all threads.
+    /// Builds the generations for samples from `first` to before `last`, with all threads.
     void prepare(std::uint32_t first, std::uint32_t last);
 
-    /// The greatest geometry term by which they light; the rest is looked for. It is found from
-    /// light that lights nothing else. 0: nothing is lit by them.
+    /// Bound of the geometry term of reflected luminaires; light beyond it is found by paths. It is
+    /// derived from light paths that light nothing else. 0: reflected luminaires light nothing.
     double bound() const { return bound_; }
 
 private:
@@ -55,7 +55,7 @@ private:
     Generations<ReflectedSet> generations_;
 };
 
-/// Null where the scene asks for none, or no luminaire lights it.
+/// Null where the scene does not ask for any, or no luminaire lights it.
 std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const World&, int seed, int threads);
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All light that is sent from lamps before paths come from the camera. A picture has it once, for
-// all of its threads.
+// All light that is sent from lamps before paths start at the camera. All threads of a picture
+// share it.
 #pragma once
 
 #include "transport/photons.h"
@@ -9,15 +9,15 @@
 namespace candelabra {
 
 struct SentLight {
-    std::shared_ptr<Photons> photons = nullptr;                ///< null: there are none
-    std::shared_ptr<ReflectedLuminaires> reflected = nullptr;  ///< the same
+    std::shared_ptr<Photons> photons = nullptr;                ///< null: none
+    std::shared_ptr<ReflectedLuminaires> reflected = nullptr;  ///< null: none
 
-    /// Of a world. `threads`: 0: one per core; nothing depends on it.
+    /// Light sent in a world. `threads`: 0: one per core; the result does not depend on it.
     static SentLight of(const World& world, int seed, int threads) {
         return {photons_of(world, seed, threads), reflected_luminaires_of(world, seed, threads)};
     }
 
-    /// So many samples from a first one on are served from memory.
+    /// Number of consecutive samples that are served from memory.
     std::uint32_t samples_at_once() const {
         return reflected ? ReflectedLuminaires::samples_at_once : Photons::samples_at_once;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a ray meets first that a light strategy sends out to try. The cells of a strategy are the
-// same whoever asks first, so all ask by this.
+// The first hit of a ray by which a light strategy probes the scene. All callers use this function,
+// so that the cells of a strategy do not depend on who probes first.
 #pragma once
 
 #include "lighting/light_guide.h"
@@ -10,10 +10,10 @@
 
 namespace candelabra {
 
-/// Radiance of a luminaire at a point of it; of volumes along a unit of length.
+/// Radiance of a luminaire at one of its points; for volumes, per unit of length.
 Vec3 radiance_of(const World&, const Luminaire&, const Vec3& position);
 
-/// Nothing where the ray meets nothing.
+/// Nothing if the ray meets nothing.
 std::optional<ProbeHit> first_sight(const World&, const Ray&, double tolerance);
 
 }  // namespace candelabra

@@ -15,11 +15,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// Light whose share is smaller than this is asked for more seldom.
+/// Light with a smaller factor than this is subject to Russian roulette.
 constexpr double min_factor = 0.2;
 
-/// The share of the samples asked for that gives POV-Ray's grain with that many: samples that are
-/// spread evenly say more. Measured on a flat surface with 30, 100 and 400 of them.
+/// Fraction of the requested samples that gives POV-Ray's noise with that many, as samples here are
+/// spread evenly. Measured on a flat surface with 30, 100 and 400 samples.
 constexpr double needed = 1.0 / 3;
 
 double fraction(double x) { return x - std::floor(x); }
@@ -60,29 +60,31 @@ public:
 private:
     const Interior* interior() const { return layer_.vertex.material->interior.get(); }
 
-    /// POV-Ray sends rays to the surface from a point below it, and leaves out those that miss: of
-    /// a plane these are half of them, so that what is left comes out twice as bright.
+    /// Whether the primitive is a plane. POV-Ray sends rays to the surface from a point below it,
+    /// and drops those that miss: for a plane these are half of them, so that the light comes out
+    /// twice as bright.
     static bool is_plane(const World& world, PrimitiveIndex primitive) {
         const PlacedShape* placed = world.geometry.shape(primitive);
         return placed && std::holds_alternative<Plane>(placed->shape);
     }
 
-    /// In the scene's units. What lets no light in does so nearly.
+    /// Mean free path in the scene's units. A channel without any has a very short one.
     static Vec3 free_path(const World& world, const Shading& s) {
         const Vec3& way = s.finish->subsurface.translucency;
         return glm::max(way, Vec3(1e-4 * max_component(way))) / world.rules.settings.mm_per_unit;
     }
 
-    /// One of several samples: its key, and three numbers below 1 that chance decides by.
+    /// One of several samples: its key, and three random numbers below 1.
     struct Draw {
         Key key;
         double choice, u, v;
-        Vec3 throughput;  ///< of what it finds
+        Vec3 throughput;  ///< of the light that the sample finds
     };
 
-    /// Times a factor, which belongs to the light's share in the sample as well. The samples' three
-    /// numbers together are spread evenly: one by steps of equal length, the others by those of the
-    /// plastic number (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+    /// Mean of `count` samples, times a factor, which is also part of the light's throughput. The
+    /// samples' three numbers are jointly well distributed: one by steps of equal length, the
+    /// others by those of the plastic number (Roberts, "The Unreasonable Effectiveness of
+    /// Quasirandom Sequences", 2018).
     template <class Once>
     Vec3 mean(int count, double factor, const Key& key, const Once& each) {
         if (count == 0) return Vec3(0);
@@ -98,7 +100,7 @@ private:
         return sum * (factor / count);
     }
 
-    /// The next crossing of the solid on the line; `from` moves behind it.
+    /// Returns the next crossing of the solid on the line; `from` moves behind it.
     std::optional<Hit> next(const Ray& ray, double& from, double until) const {
         std::optional<Hit> crossing;
         world_.along(ray, from, RayKind::light, [&](Hit& hit, double distance) {
@@ -112,7 +114,7 @@ private:
         return crossing;
     }
 
-    /// Where light goes in.
+    /// The vertex at which light enters the solid.
     Vertex entry(const Hit& hit) const {
         Vertex vertex{hit, {}, layer_.vertex.material};
         Shading& e = vertex.shading;
@@ -125,8 +127,9 @@ private:
         return vertex;
     }
 
-    /// Probability per area of the surface that a line through it is drawn: lines are parallel to
-    /// one of the axes, and as far from the point that is seen as the dipole's sources send light.
+    /// Pdf, per area of the surface, of a line through the point: lines are parallel to one of the
+    /// axes, and their distance from the visible point is distributed as the light of the dipole's
+    /// sources.
     double density(const Vec3& offset, const Vec3& normal) const {
         double sum = 0;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -148,7 +151,7 @@ private:
         return sum / 6;
     }
 
-    /// The square of the radius within which there is such a share of disc_density.
+    /// Returns the squared radius of the disc that holds this share of disc_density.
     double radius2(double share) const {
         const double beyond = 6 * (1 - share);
         double result = 0;
@@ -162,7 +165,7 @@ private:
                     sum += part;
                     slope += part / way2;
                 }
-            // Newton's rule, on a function that is nearly a straight line.
+            // Newton's method, on a function that is nearly linear.
             const double change = (sum * sum / (beyond * beyond) - 1) * sum / slope;
             result += change;
             if (std::abs(change) < 1e-9 * result) break;
@@ -170,7 +173,7 @@ private:
         return std::fmax(result, 0);
     }
 
-    /// Light that goes in where a line through the solid crosses its surface.
+    /// Light that enters where a sampled line crosses the solid's surface.
     Vec3 spread_light(const Draw& draw) {
         const std::size_t axis = draw.u < chances[0] ? 0 : draw.u < chances[0] + chances[1] ? 1 : 2;
         const double radius = std::sqrt(radius2(draw.choice));
@@ -185,7 +188,7 @@ private:
             const Vec3 offset = hit->position - s_.position;
             Vec3 factor = dipole_.spread(dot(offset, offset)) / density(offset, hit->normal);
             const Key own = draw.key.with_branch(branch);
-            // Of what hardly counts, some counts for all.
+            // Russian roulette for small factors.
             const double kept = std::fmin(1, max_component(factor) / min_factor);
             if (!(uniform(own, Purpose::grain) < kept)) continue;
             factor /= kept;
@@ -199,7 +202,7 @@ private:
         return lights_({vertex, bsdf, throughput}, key, ledger_);
     }
 
-    /// Light of a source that is scattered once, on the way that the refracted ray takes inside.
+    /// Light of a source that is scattered once, on the refracted ray inside the solid.
     Vec3 light_scattered_once(const Draw& draw) {
         if (world_.lights.sources.empty()) return Vec3(0);
         const double cosine = std::fmax(-dot(s_.view, s_.geometric_normal), 0);
@@ -223,8 +226,8 @@ private:
         return seen;
     }
 
-    /// What gets to a point inside straight from a source, its way in as if nothing were bent, but
-    /// as long as it is then. As in POV-Ray, it is the light per area of the surface that counts.
+    /// Light of a source at a point inside. The path from the source is straight, but as long
+    /// inside as the refracted one. As in POV-Ray, the light per area of the surface counts.
     Vec3 light_from(std::uint32_t light, const Vec3& point, const Key& key) {
         if (!world_.reaches(world_.lights.reach[light].group, *layer_.vertex.material))
             return Vec3(0);
@@ -256,8 +259,8 @@ private:
     double ior_;
     Dipole dipole_;
     std::array<Vec3, 3> axes_;
-    double reach_;  ///< what goes in farther away does not count
-    double times_;  ///< how often light counts that spreads
+    double reach_;  ///< distance beyond which light that enters does not count
+    double times_;  ///< factor on spread light
     Finish entry_;
 };
 

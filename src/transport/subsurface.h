@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light that goes into a solid at one point of its surface and comes out at another, as the
-// finish's subsurface says. Called by the tracer in place of diffuse light. Each estimate is
+// Light that enters a solid at one point of its surface and leaves it at another, as the finish's
+// subsurface describes. Called by the integrators in place of diffuse light. Each estimate is
 // unbiased for the model: the dipole, and light that is scattered once on its way from a light
 // source.
 #pragma once
@@ -10,11 +10,11 @@
 
 namespace candelabra {
 
-/// Whether the layer's diffuse light comes from inside.
+/// Whether the layer's diffuse light comes from inside the solid.
 bool scatters_inside(const World&, const Shading&);
 
 /// Radiance towards the viewer by light from inside the solid that the path has hit. The path's
-/// weight, the greatest change of the pixel by it, decides how many samples are taken.
+/// weight, which is the greatest change of the pixel by it, determines the number of samples.
 Vec3 light_from_inside(const World&, DirectLight&, const LitLayer&, const PathState&, LightLedger&);
 
 }  // namespace candelabra

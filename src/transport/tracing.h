@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is asked of an integrator besides radiance.
+// Options of an integrator.
 #pragma once
 
 #include "transport/direct_light.h"
@@ -9,9 +9,9 @@ namespace candelabra {
 
 struct Tracing {
     ShadowRays shadow_rays = {};  ///< at each hit
-    bool counts_lights = false;   ///< one by one
-    SentLight sent = {};          ///< of the world; none: the integrator makes some
-    bool clear_sky = false;       ///< what is behind everything may be clear, as in POV-Ray's +UA
+    bool counts_lights = false;   ///< separately for each statement
+    SentLight sent = {};          ///< of the world; none: the integrator makes it
+    bool clear_sky = false;       ///< the background may be clear, as with POV-Ray's +UA
 };
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The point where a path meets a surface, with what the surface looks like there: the bridge from
-// a hit of the world to the BSDFs of its layers. Also a point between surfaces.
+// The point where a path meets a surface, and the surface's appearance there: the bridge from a hit
+// of the world to the BSDFs of its layers. It may also be a point between surfaces.
 #pragma once
 
 #include "scattering/scatterer.h"
@@ -14,38 +14,38 @@ namespace candelabra {
 
 struct Vertex {
     Hit hit;
-    Shading shading;  ///< what all layers have in common; the look of none of them
+    Shading shading;  ///< properties that all layers share; no layer's appearance
     const Material* material = nullptr;
-    std::span<const PrimitiveIndex> around = {};  ///< solids that the ray which sees it is in
+    std::span<const PrimitiveIndex> around = {};  ///< solids that contain the ray to the vertex
 
     const Vec3& position() const { return shading.position; }
     double tolerance() const { return hit.tolerance; }
 };
 
-/// Where the ray has met a surface.
+/// The vertex where the ray has met a surface.
 Vertex vertex_at(const World&, const Ray&, const Hit&, std::span<const PrimitiveIndex> around = {});
 
-/// The look of one layer there.
+/// The shading of one layer at the vertex.
 Shading with_layer(const World&, const Vertex&, const Layer&);
 
-/// Settings of the world that its surfaces are shaded by.
+/// The world's settings for the shading of its surfaces.
 ShadingRules shading_rules(const World&);
 
-/// Where a luminaire's light arrives.
+/// The receiver of light at a surface or a scatterer.
 Receiver receiver(const Shading&);
 Receiver receiver(const Scatterer&);
 
-/// A point between surfaces, seen along the ray, in the solids that are around it.
+/// A vertex between surfaces, seen along the ray, inside the solids `around`.
 Vertex vertex_in_air(const World&, const Ray&, double distance,
                      std::span<const PrimitiveIndex> around);
 
-/// Calls use(weight, layers) for the layers of each texture that shows at the vertex, with its
-/// share there: of the inner side when the ray comes from inside. Textures whose share is smaller
-/// than `least` are left out.
+/// Calls use(weight, layers) for the layers of each texture that shows at the vertex, with the
+/// texture's share there. If the ray comes from inside, these are the textures of the inner side.
+/// Textures with a smaller share than `least` are skipped.
 void for_visible_layers(const World&, const Vertex&, double least,
                         FunctionRef<void(double, std::span<const Layer>)> use);
 
-/// Calls use(share, texture) for the textures that show at a hit.
+/// Calls use(share, texture) for each texture that shows at a hit.
 void for_visible_textures(const World&, const Hit&, bool from_inside,
                           FunctionRef<void(double, const Texture&)> use);
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One parameter of one item, typed: its name, where it is stored, where it stands in the text,
-// which values it takes. Items state their fields once, in their .cpp files; language, manual and
-// tests read them from ItemInfo.
+// One typed parameter of an item: its name, its member, its place in the text and its range. Items
+// state their fields once, in their .cpp files; language, manual and tests read them from ItemInfo.
 #pragma once
 
 #include "vocabulary/item_info.h"
 
 namespace candelabra {
 
-/// For fields that are kept elsewhere than in one member.
+/// For fields that are not stored in one member.
 struct NoMember {};
 
-/// What a field can hold. Vec3 members named as colours take colours; see Field::rgb.
+/// The members that a field can refer to. A Vec3 may hold a colour; see Field::colour.
 template <class T>
 using Member =
     std::variant<double T::*, int T::*, bool T::*, Vec2 T::*, Vec3 T::*, Vec4 T::*, Colour T::*,
@@ -28,12 +27,12 @@ struct Field {
     Placement place;
     std::string_view help;
     Range range = {};
-    bool colour = false;  ///< a Vec3 that means red, green, blue: any colour is taken, filter and
-                          ///< transmit are dropped
-    /// A value without a word that the text may omit (the hole of a disc).
+    /// Whether a Vec3 holds red, green and blue: it takes any colour, without filter and transmit.
+    bool colour = false;
+    /// Whether the text may omit the value, such as the hole of a disc.
     bool may_be_left_out = false;
-    double chosen = 0;  ///< what the word of a choice stands for
-    int entries = 0;    ///< of a counted field that has always so many; 0: the text says how many
+    double chosen = 0;  ///< value that the word of a choice stands for
+    int entries = 0;    ///< fixed number of entries of a counted field; 0: given in the text
     const PartsInfo* parts = nullptr;  ///< see parts.h
 };
 
@@ -44,14 +43,14 @@ constexpr Field<T> as_colour(Field<T> field) {
     return field;
 }
 
-/// The same counted field with a fixed number of entries, which the text does not say.
+/// The same counted field with a fixed number of entries, which the text does not give.
 template <class T>
 constexpr Field<T> always(int entries, Field<T> field) {
     field.entries = entries;
     return field;
 }
 
-/// A word that sets a member which it shares with others to a number (an enumerator).
+/// A word that sets a member, shared with other words, to a number (an enumerator).
 template <class T>
 constexpr Field<T> chooses(std::string_view name, int T::*member, int chosen,
                            std::string_view help) {
@@ -60,7 +59,7 @@ constexpr Field<T> chooses(std::string_view name, int T::*member, int chosen,
     return field;
 }
 
-/// The same field, which the text may leave out.
+/// The same field, which the text may omit.
 template <class T>
 constexpr Field<T> maybe(Field<T> field) {
     field.may_be_left_out = true;

@@ -87,7 +87,7 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "parts without textures show those of what they cut through"},
     {"camera", "camera { type location v look_at v angle n ... }",
      "the type is the first word, and perspective when there is none: --help cameras"},
-    // looks
+    // appearance
     {"texture", "texture { pigment { ... } normal { ... } finish { ... } transformations }",
      "how a surface looks; several one after the other are layers, the last on top, and a pattern "
      "with texture_map blends some"},
@@ -161,7 +161,7 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"charset ascii utf8 sys", "global_settings { charset utf8 }",
      "without effect: strings are UTF-8"},
     {"hf_gray_16 max_intersections", "global_settings { hf_gray_16 on }", "without effect"},
-    // what this version lacks
+    // not available in this version
     {"albedo anisotropy", "finish { diffuse albedo 0.5 }",
      "amounts as shares of all light; anisotropy is not available"},
     {"pavement number_of_sides number_of_tiles", "pigment { pavement ... }",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is to say about the words that are no items with fields of their own: directives,
-// transformations, blocks that hold other blocks, constants. Read by --help and by editors.
+// Explanations of the words that are not items with fields: directives, transformations, blocks
+// that contain other blocks, constants. Read by --help and by editors.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace candelabra {
 
 struct GlossaryEntry {
-    std::string_view words;  ///< all that it explains, one blank between them
+    std::string_view words;  ///< words that it explains, separated by spaces
     std::string_view form;   ///< how they are written
     std::string_view help;
 };

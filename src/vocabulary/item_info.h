@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vocabulary of one item as it is read: by the language, the manual and editors, which do not
-// know the item's type. Every item has one, `static const ItemInfo vocabulary`; its .cpp file makes
-// it with described() (schema.h).
+// The vocabulary of one item for readers that do not know its type: the language, the manual and
+// editors. Every item has one, `static const ItemInfo vocabulary`, which its .cpp file makes with
+// described() (schema.h).
 #pragma once
 
 #include "base/colour.h"
@@ -28,10 +28,9 @@ enum class Placement {
     item,        ///< the word, then the value
     flag,        ///< the word alone; a number behind it switches it off (0) or on
     list,        ///< the word, then { count, value, value, ... }
-    counted,     ///< a count, then so many entries, without a word, after the positional fields
+    counted,     ///< a count, then as many entries, without a word; after the positional fields
     choice,      ///< the word alone, one of several that set the same member to a number
-    following,   ///< a value right after that of the field before it, an item; may be omitted when
-                 ///< the field says so
+    following,   ///< a value right after that of the preceding field; optional if the field says so
     parts,       ///< the word, then a block; any number of them
     loose_part,  ///< the word, then the values of a part without a block; any number of them
 };
@@ -43,12 +42,12 @@ inline constexpr Placement counted = Placement::counted;
 inline constexpr Placement choice = Placement::choice;
 inline constexpr Placement following = Placement::following;
 
-/// Values that a number may take (each component, for vectors).
+/// Values that a number, or each component of a vector, may have.
 struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     bool low_excluded = false;
-    bool any_sign = false;  ///< a negative number stands for its opposite, as radii in POV-Ray
+    bool any_sign = false;  ///< only the absolute value counts, as for radii in POV-Ray
 
     bool contains(double x) const { return (low_excluded ? x > low : x >= low) && x <= high; }
 };
@@ -70,7 +69,7 @@ struct Ball {
 
 struct PartsInfo;
 
-/// A value on its way into or out of a field. The number is also how integers and switches travel.
+/// The value of a field. Integers and switches are passed as double.
 using FieldValue = std::variant<std::monostate, double, Vec2, Vec3, Vec4, Colour, std::string,
                                 std::vector<double>, std::vector<Vec2>, std::vector<Vec3>,
                                 std::vector<Ball>, std::vector<Face>, Handle<Formula>>;
@@ -102,12 +101,12 @@ struct FieldInfo {
     FieldType type;
     Range range;
     bool may_be_left_out;    ///< also true for std::optional members
-    NameId word;             ///< no_name: the name is not reserved, and known by its spelling only
-    double chosen;           ///< what the word of a choice stands for
-    int entries;             ///< of a counted field with a fixed number of them; otherwise 0
-    const PartsInfo* parts;  ///< of a field of that placement; otherwise null
+    NameId word;             ///< no_name: the name is not reserved; only its spelling is known
+    double chosen;           ///< value that the word of a choice stands for
+    int entries;             ///< fixed number of entries of a counted field; otherwise 0
+    const PartsInfo* parts;  ///< of a field that is placed as parts; otherwise null
 
-    /// Comes without a word, in its turn.
+    /// Whether the value comes without a word.
     constexpr bool unnamed() const {
         return place == Placement::positional || place == Placement::counted;
     }
@@ -120,13 +119,13 @@ struct ItemInfo {
     std::string_view name;
     std::string_view help;
     std::span<const FieldInfo> fields;
-    /// The value must be of the field's type.
+    /// The value must have the field's type.
     void (*set)(void* item, std::size_t field, const FieldValue& value);
-    /// Monostate: an optional that is not set.
+    /// Returns monostate for an unset optional.
     FieldValue (*get)(const void* item, std::size_t field);
     FieldValue (*default_value)(std::size_t field);
-    NameId word;     ///< of the name, when it is reserved
-    int positional;  ///< how many fields come without a word; they are the first ones
+    NameId word;     ///< of the name, if it is reserved
+    int positional;  ///< number of fields without a word, which come first
 };
 
 }  // namespace candelabra

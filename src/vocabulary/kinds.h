@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The alternatives of a std::variant as a registry: keyword to vocabulary to a fresh value. The
+// A registry of the alternatives of a std::variant, from keyword to vocabulary to new value. The
 // type list is the only list.
 #pragma once
 
@@ -47,7 +47,7 @@ struct Kinds<std::variant<T...>> {
     /// Vocabularies in the order of the alternatives.
     static constexpr std::array<const ItemInfo*, count> infos = {&ContentOf<T>::vocabulary...};
 
-    /// Index of the alternative with this keyword; count when there is none.
+    /// Index of the alternative with this keyword, or count if there is none.
     static std::size_t find(std::string_view keyword) {
         std::size_t i = 0;
         while (i < count && infos[i]->name != keyword) ++i;
@@ -68,15 +68,15 @@ struct Kinds<std::variant<T...>> {
         return makers[index]();
     }
 
-    /// Makes the value a fresh alternative; gives it for ItemInfo::set. Precondition: index <
-    /// count.
+    /// Replaces the value by a fresh alternative and returns that for ItemInfo::set. Precondition:
+    /// index < count.
     static void* emplace(Variant& value, std::size_t index) {
         static constexpr std::array<void* (*)(Variant&), count> makers = {
             [](Variant& v) { return kinds_detail::address(v.template emplace<T>()); }...};
         return makers[index](value);
     }
 
-    /// The active alternative for ItemInfo::set.
+    /// The active alternative, for ItemInfo::set.
     static void* address(Variant& value) {
         return std::visit([](auto& alternative) { return kinds_detail::address(alternative); },
                           value);

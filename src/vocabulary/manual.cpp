@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t term_width = 26;  ///< where the explanation of a term starts in plain text
+constexpr std::size_t term_width = 26;  ///< column of explanations in plain text
 
 std::string_view name_of(FieldType type) {
     switch (type) {
@@ -91,7 +91,7 @@ std::string limits(const Range& range) {
     return text;
 }
 
-/// What the field has when nothing is said; nothing for lists, which are empty then.
+/// The default of the field as text; empty for lists, which are empty by default.
 std::string default_text(const ItemInfo& item, std::size_t field) {
     const FieldInfo& info = item.fields[field];
     switch (info.type) {
@@ -111,12 +111,12 @@ std::string default_text(const ItemInfo& item, std::size_t field) {
     return written(value, info.type);
 }
 
-/// What stands for a value.
+/// The letter that stands for a value of this type.
 char letter(FieldType type) {
     return type == FieldType::number || type == FieldType::integer ? 'n' : 'v';
 }
 
-/// The field as it stands in the text of its item.
+/// The field as written in its item.
 std::string form(const FieldInfo& field) {
     const std::string name(field.name);
     switch (field.place) {
@@ -146,7 +146,7 @@ std::string explanation(const ItemInfo& item, std::size_t field) {
     return message(info.help, " (", values(item, field), ")");
 }
 
-/// Whether the field is one more value behind the word of a field before it.
+/// Whether the field is a further value of a preceding field's word.
 bool is_further_value(const ItemInfo& item, std::size_t field) {
     return item.fields[field].place == Placement::following && word_of(item, field) != field;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vocabulary as something to read: plain text for --help, roff for the manual pages, JSON for
-// editors. Everything comes from the same tables that the language is read with. Called by the
+// Writes the vocabulary as documentation: plain text for --help, roff for the manual pages, JSON
+// for editors. It comes from the same tables that the language is read with. Called by the
 // application only.
 #pragma once
 
@@ -24,47 +24,46 @@ struct ItemGroup {
     std::string_view block = {};
 };
 
-/// One line of a list: what is written, and what it means.
+/// One entry of a list: a term and its explanation.
 struct ManualEntry {
     std::string term;
     std::string help;
 };
 
-/// How the item is written: "sphere { centre, radius }", or in a block "camera { perspective ...
-/// }".
+/// Usage of the item: "sphere { centre, radius }", or in a block "camera { perspective ... }".
 std::string usage(const ItemInfo&, std::string_view block = {});
 
-/// The field whose word the value stands behind: itself, unless it is a further value of a word.
+/// The field whose word precedes the value: the field itself, unless it is a further value.
 std::size_t word_of(const ItemInfo&, std::size_t field);
 
 /// "the third value", for a further value of a word; otherwise empty.
 std::string_view further_value(const ItemInfo&, std::size_t field);
 
-/// How a field and the further values of its word are written: "area_light v, v, n, n".
+/// Usage of a field with the further values of its word: "area_light v, v, n, n".
 std::string term(const ItemInfo&, std::size_t field);
 
-/// What the field takes: "number above 0".
+/// Type and range of the field: "number above 0".
 std::string takes(const FieldInfo&);
 
-/// What the field takes, and what it has when nothing is said: "number above 0, default 1".
+/// Type, range and default of the field: "number above 0, default 1".
 std::string values(const ItemInfo&, std::size_t field);
 
-/// Everything about one item, as plain text.
+/// The documentation of one item, as plain text.
 std::string manual(const ItemInfo&, std::string_view block = {});
 
-/// Everything about some groups, in any form.
+/// The documentation of some groups, in any form.
 std::string manual(std::span<const ItemGroup>, ManualForm);
 
 /// A list, in any form.
 std::string manual(std::span<const ManualEntry>, ManualForm);
 
-/// The text with whatever roff would take for a command made printable.
+/// Escapes the text for roff, so that no part of it is a command.
 std::string roff(std::string_view text);
 
-/// The same in lines, each ended, of which none is taken for a command either.
+/// Escapes the text and breaks it into terminated lines, none of which is a command.
 std::string roff_lines(std::string_view text);
 
-/// The text broken between words into lines of at most `width` characters, all but the first
+/// Breaks the text between words into lines of at most `width` characters; all but the first are
 /// indented.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width = 80);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Items made of blocks of their own: the spheres of a blob, the triangles of a mesh. A part is an
-// item with a vocabulary; the field says in which list of the whole it is kept. Parts that have a
-// member `transform` may be moved; those that have a member `look` may have a texture: it is the
-// texture's number in the object that the whole belongs to, -1 for none; a member `looks` has three
-// of them, for the corners.
+// Items with parts in blocks of their own: the spheres of a blob, the triangles of a mesh. A part
+// is an item with a vocabulary; the field names the list that holds it. Parts with a member
+// `transform` can be transformed. Parts with a member `look` can have a texture: `look` is its
+// number among the textures of the enclosing object, -1 for none. A member `looks` has three of
+// them, one for each corner.
 #pragma once
 
 #include "base/transform.h"
@@ -11,15 +11,15 @@
 
 namespace candelabra {
 
-/// Access to the parts in one list of an item, without their type.
+/// Untyped access to the parts in one list of an item.
 struct PartsInfo {
     const ItemInfo& (*info)();
-    void* (*add)(void* item);  ///< a fresh part at the end; valid until the next one
+    void* (*add)(void* item);  ///< appends a part; valid until the next one
     std::size_t (*count)(const void* item);
     const void* (*at)(const void* item, std::size_t i);
-    Transform* (*transform)(void* part);  ///< null: they are not moved
-    int* (*look)(void* part);             ///< null: they have no textures of their own
-    int looks;                            ///< how many numbers are there
+    Transform* (*transform)(void* part);  ///< null: parts are not transformed
+    int* (*look)(void* part);             ///< null: parts have no textures of their own
+    int looks;                            ///< number of texture numbers at look()
 };
 
 namespace parts_detail {
@@ -75,7 +75,7 @@ constexpr auto parts(std::string_view name, std::string_view help) {
     return field;
 }
 
-/// A word after which a part's values stand without braces.
+/// A word that precedes a part's values, which stand without braces.
 template <auto list>
 constexpr auto loose_parts(std::string_view name, std::string_view help) {
     auto field = parts<list>(name, help);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reserved words as a table for the compiler: Names holds them first and in this order, so the
-// number of each is known when the readers of blocks are compiled, and `element.word ==
-// "pigment"_word` compares two numbers.
+// The reserved words as a compile-time table. Names holds them first and in this order, so their
+// numbers are constants, and `element.word == "pigment"_word` compares two numbers.
 #pragma once
 
 #include "text/ascii.h"
@@ -146,7 +145,7 @@ constexpr NameId reserved_word(std::string_view spelling) {
     return no_name;
 }
 
-/// The same for a word that is there: anything else does not compile.
+/// The same for a reserved word; other spellings do not compile.
 consteval NameId operator""_word(const char* spelling, std::size_t length) {
     const NameId found = reserved_word({spelling, length});
     if (found == no_name) throw "this is no reserved word";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an item's .cpp file states its vocabulary: typed, then described() for its readers.
+// How an item's .cpp file states its typed vocabulary, which described() makes untyped.
 #pragma once
 
 #include "base/shared.h"
@@ -18,7 +18,7 @@ struct Schema {
     std::array<Field<T>, N> fields;
 };
 
-/// The vocabulary of T: keyword, one sentence, fields in the order of their positional places.
+/// The vocabulary of T: keyword, one sentence of help, fields in the order of their places.
 template <class T, class... F>
 consteval auto schema(std::string_view name, std::string_view help, F... fields) {
     return Schema<T, sizeof...(F)>{name, help, {fields...}};
@@ -131,8 +131,8 @@ struct Access {
         for (std::size_t i = 0; i < result.size(); ++i) result[i] = describe(typed.fields[i]);
         return result;
     }();
-    /// One pair of functions for each field: no code for types that T does not have, and no branch
-    /// that could read them.
+    /// One pair of functions for each field: no code is generated for types that T lacks, and no
+    /// branch could read them.
     template <std::size_t I>
     static constexpr auto member = std::get<typed.fields[I].member.index()>(typed.fields[I].member);
     using Setter = void (*)(T&, const FieldValue&);
@@ -186,8 +186,8 @@ struct Access {
 
 }  // namespace schema_detail
 
-/// The vocabulary of T for readers that do not know T. `make` is a lambda without captures that
-/// gives the schema.
+/// The vocabulary of T for readers that do not know T. `make` is a captureless lambda that returns
+/// the schema.
 template <class T, class Make>
 consteval ItemInfo described(Make) {
     return schema_detail::Access<T, Make>::info;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the language with their classes, and the names that scenes make up beside them, each
-// interned to a small number. The lexer asks here for every word it meets; names are shared by all
-// files of one evaluation. A word that only this language has (light_sampler, ...) is not reserved:
-// it is a name like any other until a block asks for it.
+// The words of the language with their classes, and the names that scenes declare, each interned as
+// a small number. The lexer looks up every word here; names are shared by all files of one
+// evaluation. A word that only this language has (light_sampler, ...) is not reserved: it is an
+// ordinary name until a block looks for it.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@
 
 namespace candelabra {
 
-/// What a spelling is to the grammar.
+/// The class of a spelling in the grammar.
 enum class WordClass : std::uint8_t {
-    name,              ///< not reserved: whatever a scene declares, and this language's own words
+    name,              ///< not reserved: names of a scene, and this language's own words
     word,              ///< names an item, a property or a switch
     unary_function,    ///< takes one argument, a full expression: sin(a < b)
     function,          ///< takes a list of arguments
@@ -28,7 +28,7 @@ enum class WordClass : std::uint8_t {
     layer,             ///< a word whose blocks may follow each other as one value: texture
     array,             ///< opens an array value
     function_literal,  ///< opens a function value
-    directive,         ///< means something after # only
+    directive,         ///< has a meaning only after #
 };
 
 struct Word {
@@ -36,11 +36,11 @@ struct Word {
     WordClass word_class;
 };
 
-/// All reserved words of POV-Ray 3.7, also those that nothing here implements yet: so an
-/// unimplemented word is told apart from a misspelt one. Sorted within each class.
+/// All reserved words of POV-Ray 3.7, including unimplemented ones, which are thus told apart from
+/// misspelt words. Sorted within each class.
 std::span<const Word> reserved_words();
 
-/// How many there are.
+/// Number of reserved words.
 inline constexpr std::size_t reserved_word_count = 498;
 
 /// The number of a spelling in one Names table.
@@ -53,9 +53,9 @@ public:
     /// Holds the reserved words, in the order of reserved_words().
     Names();
 
-    /// The id of a spelling, new or old. Ids never change.
+    /// The id of a spelling, which is added if necessary. Ids never change.
     NameId intern(std::string_view spelling);
-    /// The id of a spelling that is already there, or no_name.
+    /// The id of a known spelling, or no_name.
     NameId find(std::string_view spelling) const;
 
     std::string_view spelling(NameId id) const {

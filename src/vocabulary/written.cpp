@@ -44,7 +44,7 @@ struct Writer {
         for (const double x : list) text += message(text.size() > 1 ? ", " : "", x);
         return text + ">";
     }
-    /// What it was made of is not kept.
+    /// The source of a function is not kept.
     std::string operator()(const Handle<Formula>& function) const {
         return function ? "function { ... }" : "";
     }
@@ -79,7 +79,7 @@ std::string moved_text(const Transform& transform) {
     return message(text, map.translation.x, ", ", map.translation.y, ", ", map.translation.z, ">");
 }
 
-/// Faces, each with the numbers of its textures behind it.
+/// Writes faces, each followed by its texture numbers.
 std::string faces_text(const std::vector<Face>& faces, const std::vector<Face>& looks) {
     std::string text = message(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -91,7 +91,7 @@ std::string faces_text(const std::vector<Face>& faces, const std::vector<Face>& 
     return text;
 }
 
-/// The text of a list, with what follows each entry of it.
+/// Writes a list with the values that follow each entry.
 std::string list_text(const ItemInfo& item, const void* object, std::size_t i) {
     const FieldValue value = item.get(object, i);
     const auto* faces = std::get_if<std::vector<Face>>(&value);
@@ -105,7 +105,7 @@ std::string list_text(const ItemInfo& item, const void* object, std::size_t i) {
     return written(value, item.fields[i].type);
 }
 
-/// Blocks of the parts in a list.
+/// Writes the parts in a list as blocks.
 std::string parts_text(const FieldInfo& field, const void* object, WrittenLook look) {
     std::string text;
     for (std::size_t i = 0; i < field.parts->count(object); ++i) {
@@ -114,7 +114,7 @@ std::string parts_text(const FieldInfo& field, const void* object, WrittenLook l
         text += message(text.empty() ? "" : " ", field.name, loose ? " " : " { ",
                         written_fields(field.parts->info(), part));
         if (loose) continue;
-        // Only the caller's own copy would be changed through these, and nobody does.
+        // The accessors take mutable parts, but nothing is changed through them.
         void* const open = const_cast<void*>(part);
         if (field.parts->transform) text += moved_text(*field.parts->transform(open));
         if (const int number = field.parts->looks == 1 ? *field.parts->look(open) : -1; number >= 0)
@@ -124,8 +124,8 @@ std::string parts_text(const FieldInfo& field, const void* object, WrittenLook l
     return text;
 }
 
-/// The values of an item's field and of those that follow it, without defaults at the end that may
-/// be left out; nothing when all have their defaults.
+/// The values of a field and of those that follow it, without trailing optional defaults; empty if
+/// all have their defaults.
 std::string item_values(const ItemInfo& item, const void* object, std::size_t first) {
     std::string text, waiting;
     bool changed = false;
@@ -133,7 +133,8 @@ std::string item_values(const ItemInfo& item, const void* object, std::size_t fi
         const FieldInfo& field = item.fields[i];
         if (i > first && field.place != Placement::following) break;
         const std::string value = written(item.get(object, i), field.type);
-        if (value.empty()) return {};
+        if (value.empty() && i == first) return {};
+        if (value.empty()) break;
         const bool differs = value != written(item.default_value(i), field.type);
         changed = changed || differs;
         waiting += (i > first ? ", " : "") + value;
@@ -144,7 +145,7 @@ std::string item_values(const ItemInfo& item, const void* object, std::size_t fi
     return changed ? text : std::string();
 }
 
-/// A field that has a word, as it stands in the text; nothing when it has its default.
+/// A field with a word as written in the text; empty if it has its default.
 std::string worded(const ItemInfo& item, const void* object, std::size_t i, WrittenLook look) {
     const FieldInfo& field = item.fields[i];
     const std::string name(field.name), value = written(item.get(object, i), field.type);
@@ -181,7 +182,7 @@ std::string written_fields(const ItemInfo& item, const void* object, WrittenLook
         const FieldInfo& field = item.fields[i];
         if (field.unnamed()) {
             std::string value = written(item.get(object, i), field.type);
-            if (value.empty()) unset = true;  // an optional value: those after it were not given
+            if (value.empty()) unset = true;  // an unset optional: later values were not given
             if (unset) continue;
             if (field.entries > 0) value.erase(0, value.find(' ') + 1);
             positional += message(positional.empty() ? "" : ", ", value);

@@ -33,7 +33,7 @@ struct Head {
     }
 };
 
-/// A header that is read must come once: else others may have read the other one.
+/// Headers that are read must occur once: otherwise another program may have read the other one.
 constexpr auto read_headers = std::to_array<std::string_view>(
     {"Host", "Origin", "Sec-Fetch-Site", "Content-Length", "Transfer-Encoding", "X-Token"});
 
@@ -47,7 +47,7 @@ bool printed(std::string_view text) {
     });
 }
 
-/// A method or the name of a header.
+/// Whether the text may be a method or the name of a header.
 bool is_token(std::string_view text) {
     return !text.empty() &&
            std::ranges::all_of(text, [](char c) { return in_name(c) || c == '-'; });
@@ -70,7 +70,7 @@ bool read_first_line(std::string_view line, Head& head) {
            (version == "HTTP/1.1" || version == "HTTP/1.0");
 }
 
-/// Nothing when it is no head of HTTP.
+/// Returns nothing if the text is not a head of HTTP.
 std::optional<Head> read_head(std::string_view text) {
     Head head;
     for (bool first = true; first || !text.empty(); first = false) {
@@ -93,7 +93,7 @@ bool comes_twice(const Head& head, std::string_view name) {
                head.headers, [&](const Header& each) { return same_letters(each.name, name); }) > 1;
 }
 
-/// The time that it takes does not tell how much of a guess is right.
+/// Compares in a time that does not depend on how much of the guess is right.
 bool same_secret(std::string_view guess, std::string_view secret) {
     if (guess.size() != secret.size() || secret.empty()) return false;
     int difference = 0;
@@ -101,7 +101,7 @@ bool same_secret(std::string_view guess, std::string_view secret) {
     return difference == 0;
 }
 
-/// Names of this machine that no name server can give to another site's page.
+/// Whether the host is a name of this machine that no name server can give to another site's page.
 bool is_own_host(std::string_view host, int port) {
     for (const std::string_view name : {"localhost", "127.0.0.1"})
         if (same_letters(host, message(name, ':', port)) ||
@@ -110,7 +110,7 @@ bool is_own_host(std::string_view host, int port) {
     return false;
 }
 
-/// Why the request comes neither from the own page nor from a typed address; or empty.
+/// The reason why the request comes neither from the own page nor from a typed address, or empty.
 std::string_view foreign(const Head& head, const WebKey& key) {
     const Header* const host = head.find("Host");
     if (!host || !is_own_host(host->value, key.port))
@@ -125,7 +125,7 @@ std::string_view foreign(const Head& head, const WebKey& key) {
     return {};
 }
 
-/// The length of the body, or why there can be none.
+/// The length of the body, or the answer that refuses it.
 std::variant<std::size_t, WebAnswer> body_length(const Head& head) {
     if (head.find("Transfer-Encoding")) return refusal(501, "a body must have a Content-Length");
     const Header* const header = head.find("Content-Length");
@@ -143,7 +143,7 @@ std::variant<std::size_t, WebAnswer> body_length(const Head& head) {
     return length;
 }
 
-/// Why the head is not let in.
+/// The answer that refuses the head, if any.
 std::optional<WebAnswer> refused(const Head& head, const WebKey& key) {
     for (const std::string_view name : read_headers)
         if (comes_twice(head, name)) return refusal(400, message("`", name, "` comes twice"));
@@ -172,7 +172,7 @@ std::string WebRequest::parameter(std::string_view name) const {
 
 ReadRequest read_request(std::string_view bytes, const WebKey& key) {
     const std::size_t end = bytes.find(head_end);
-    // Without its end it may have the first bytes of the empty line already.
+    // An incomplete head may already have the first bytes of the empty line.
     if (end == bytes.npos ? bytes.size() >= longest_head + head_end.size() : end > longest_head)
         return refusal(431, message("a head has at most ", longest_head, " bytes"));
     if (end == bytes.npos) return std::monostate();
@@ -194,7 +194,7 @@ ReadRequest read_request(std::string_view bytes, const WebKey& key) {
 
 namespace {
 
-/// Of a file that is saved. Letters that could end the name are taken out of it.
+/// The header for a saved file. Characters that could end the file's name are replaced.
 std::string disposition(std::string_view name) {
     if (name.empty()) return {};
     std::string safe;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A request that came to the server of this machine, from bytes that anybody may have sent, and the
-// bytes of its answer. A page of another site is not let in, whatever name it uses for this
-// machine; what changes something is a POST with the token that only the own page was given. Knows
+// Reads requests to the server of this machine from untrusted bytes, and writes the bytes of
+// answers. A page of another site is refused, whatever name it uses for this machine. A request
+// that changes something is a POST with the token that only the server's own page was given. Uses
 // no sockets.
 #pragma once
 
@@ -12,12 +12,12 @@
 namespace candelabra {
 
 struct WebRequest {
-    bool post = false;      ///< else GET
+    bool post = false;      ///< false: GET
     std::string path;       ///< without the query: "/picture.png"
-    std::string form;       ///< of a GET behind the question mark, of a POST its body: "x=3&y=4"
+    std::string form;       ///< the query of a GET, or the body of a POST: "x=3&y=4"
     bool can_wait = false;  ///< the answer may be `later`
 
-    /// The value of a parameter of the form, as it is written; empty when there is none.
+    /// The value of a parameter of the form, not decoded; empty if there is none.
     std::string parameter(std::string_view name) const;
 };
 
@@ -26,30 +26,29 @@ struct WebAnswer {
     std::string body;
     int status = 200;
     std::string saved_as =
-        {};              ///< the name of a file that browsers save it as; empty: they show it
-    bool later = false;  ///< there is nothing to say yet: the request is put again after a while
+        {};              ///< file name under which browsers save the answer; empty: they display it
+    bool later = false;  ///< there is no answer yet: the request is repeated later
 };
 
-/// What a request must know.
+/// Values that a request must match.
 struct WebKey {
-    int port = 0;       ///< the server's, on 127.0.0.1
+    int port = 0;       ///< of the server on 127.0.0.1
     std::string token;  ///< header `X-Token` of each POST; not empty
 };
 
-/// Bytes of a request up to its empty line, and behind that.
+/// Limits, in bytes, of a request before its empty line, and after it.
 inline constexpr std::size_t longest_head = 16384, longest_body = 4096;
 
-/// What the bytes are so far: nothing yet, as more must come; a request; or the answer that refuses
-/// it, in words. Status 400 what is no HTTP or has a header twice, 403 other sites and wrong
-/// tokens, 405 other methods, 411 and 501 a body without a length, 413 and 431 one or a head that
-/// is too long.
+/// The state of a request: incomplete, complete, or refused by an answer that says why. Status 400:
+/// not HTTP, or a header occurs twice; 403: another site or a wrong token; 405: another method; 411
+/// and 501: a body without a length; 413 and 431: a body or a head that is too long.
 using ReadRequest = std::variant<std::monostate, WebRequest, WebAnswer>;
 ReadRequest read_request(std::string_view bytes, const WebKey&);
 
-/// The answer as it is sent, closed to other sites: they can neither frame nor include it.
+/// The answer as it is sent, with headers that forbid other sites to frame or include it.
 std::string sent_form(const WebAnswer&);
 
-/// A new token, of 32 characters that nobody guesses; empty when the system gives no chance.
+/// A new unguessable token of 32 characters; empty if the system gives no random bytes.
 std::string new_token();
 
 }  // namespace candelabra

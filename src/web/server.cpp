@@ -23,16 +23,16 @@ using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::milliseconds;
 
 constexpr auto plain_text = "text/plain; charset=utf-8";
-constexpr Milliseconds look_up(100);  ///< between two looks at whether this shall end
+constexpr Milliseconds look_up(100);  ///< interval between checks for the end of the server
 
-/// How long the other side may take to see that all has been sent. A socket that is closed before
-/// it has read everything takes back what it sent.
+/// Time for the client to see the end of the answer. Closing a socket with unread input would reset
+/// the connection and discard sent data.
 constexpr Milliseconds farewell(1000);
 
 bool would_wait() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
 
-/// A socket with a request that comes, an answer that there is not yet or that goes, or an end that
-/// is waited for.
+/// A connection that receives a request, waits for an answer, sends it, or waits for the client to
+/// close.
 class Connection {
 public:
     enum State { asking, waiting_for_answer, fetching, leaving, gone };
@@ -57,11 +57,11 @@ public:
         return {socket_, static_cast<short>(state_ == fetching ? POLLOUT : POLLIN), 0};
     }
     bool late(Clock::time_point now) const { return now >= until_; }
-    /// What has come of the request.
+    /// The part of the request that has been received.
     const std::string& asked() const { return bytes_; }
     std::size_t waiting() const { return state_ == fetching ? bytes_.size() - sent_ : 0; }
 
-    /// Takes what has come; false when there is no more to be had.
+    /// Receives available bytes; returns false at the end of the input or after an error.
     bool take() {
         char part[4096];
         const ssize_t count = ::recv(socket_, part, sizeof part, MSG_DONTWAIT);
@@ -79,7 +79,7 @@ public:
         give();
     }
 
-    /// Sends what the other side takes at the moment.
+    /// Sends as many bytes as the socket takes at the moment.
     void give() {
         const ssize_t count = ::send(socket_, bytes_.data() + sent_, bytes_.size() - sent_,
                                      MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -94,7 +94,7 @@ public:
 
     void end() { state_ = gone; }
 
-    /// There is no answer yet.
+    /// Keeps the request until there is an answer.
     void wait(WebRequest request, Clock::time_point until) {
         request_ = std::move(request);
         bytes_ = {};
@@ -109,24 +109,25 @@ private:
     std::string bytes_;  ///< of the request, then of the answer
     std::size_t sent_ = 0;
     Clock::time_point until_;
-    WebRequest request_ = {};  ///< that waits for its answer
+    WebRequest request_ = {};  ///< waits for its answer
 };
 
 /// All connections of a server, served by one thread.
 class Crowd {
 public:
-    /// `bell`: counts events after which waiting requests are answered anew.
+    /// `bell` is an eventfd: after each event, waiting requests are answered again.
     Crowd(int socket, int bell, const WebLimits& limits, const WebKey& key,
           const WebServer::Handler& handler)
         : socket_(socket), bell_(bell), limits_(limits), key_(key), handler_(handler) {}
 
-    /// Waits for a moment and does what can be done.
+    /// Waits for events for a short time and handles them.
     void turn() {
         std::vector<pollfd> waits = {{socket_, POLLIN, 0}, {bell_, POLLIN, 0}};
         const std::size_t first = waits.size();
         for (const Connection& each : crowd_) waits.push_back(each.waits());
         if (::poll(waits.data(), waits.size(), static_cast<int>(look_up.count())) < 0) return;
-        // Answers may take their time: those that become late meanwhile are heard first.
+        // Taken before the handlers run, which may be slow: requests that expire meanwhile are
+        // served.
         const auto now = Clock::now();
         for (std::size_t i = 0; i < crowd_.size(); ++i)
             if (waits[first + i].revents != 0) serve(crowd_[i]);
@@ -146,7 +147,7 @@ private:
         for (std::size_t n = 0; n < limits_.connections; ++n) {
             const int socket = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
             if (socket < 0) {
-                // Without descriptors it would be tried again at once, and for ever.
+                // Without free descriptors, accept4() would fail again at once, and forever.
                 if (!would_wait() && errno != ECONNABORTED) std::this_thread::sleep_for(look_up);
                 return;
             }
@@ -181,7 +182,7 @@ private:
             if (each.state() == Connection::waiting_for_answer) answered(each, each.request());
     }
 
-    /// False: there is no answer yet.
+    /// Returns false if there is no answer yet.
     bool answered(Connection& connection, const WebRequest& request) {
         std::optional<std::string> said = answer(request);
         if (said) connection.answer(std::move(*said), after(limits_.answer_milliseconds));
@@ -195,7 +196,7 @@ private:
                 const WebAnswer said = handler_(request);
                 if (said.later && request.can_wait) return std::nullopt;
                 return sent_form(said);
-            } catch (const std::bad_alloc&) {  // as if there were no room
+            } catch (const std::bad_alloc&) {  // handled like a lack of room
             }
         return sent_form({plain_text, "there is no room for the answer at the moment\n", 503});
     }
@@ -254,7 +255,7 @@ WebServer::~WebServer() {
 
 void WebServer::wake() const {
     const std::uint64_t one = 1;
-    // A counter that is full rings as well.
+    // A full counter wakes the server, too.
     [[maybe_unused]] const ssize_t written = ::write(bell_, &one, sizeof one);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small web server for the preview, on one address of this machine. Enough for a page that looks
-// at a picture, and little enough to be understood; nothing is linked for it that every run would
-// have to load. All connections are waited for at once and each has its time, so that a slow or
-// silent one holds up no other.
+// A small web server for the preview, on one address of this machine. It suffices for a page that
+// shows a picture, and is small enough to be understood. It needs no library, which every run would
+// have to load. All connections are polled together and each has its deadline, so that slow or
+// silent ones do not block others.
 #pragma once
 
 #include "web/request.h"
@@ -13,30 +13,30 @@
 
 namespace candelabra {
 
-/// What the server puts up with.
+/// Limits that protect the server.
 struct WebLimits {
-    std::size_t connections = 64;  ///< beyond, the oldest gives way, first of the silent ones
-    std::size_t waiting_bytes = 1 << 28;  ///< of answers that are being fetched; beyond: status 503
-    int request_milliseconds = 5000;      ///< for the whole request, which else gets status 408
-    int answer_milliseconds = 60000;      ///< for fetching the whole answer
-    int patience_milliseconds = 2000;     ///< until a request is put for the last time
+    std::size_t connections = 64;         ///< beyond, the oldest is closed, silent ones first
+    std::size_t waiting_bytes = 1 << 28;  ///< of answers being sent; beyond: status 503
+    int request_milliseconds = 5000;      ///< to receive the whole request; then status 408
+    int answer_milliseconds = 60000;      ///< to send the whole answer
+    int patience_milliseconds = 2000;     ///< until a waiting request is handled for the last time
 };
 
 class WebServer {
 public:
     using Handler = std::function<WebAnswer(const WebRequest&)>;
 
-    /// Listens on 127.0.0.1; port 0: any that is free. The handler is called from one thread. What
-    /// changes something it should do for POST only, which needs the token. A request that it
-    /// answers with `later` is put again whenever somebody calls wake(), until its time is over.
+    /// Listens on 127.0.0.1; port 0 selects a free port. The handler is called from one thread. It
+    /// should change something for POST only, which needs the token. A request that it answers with
+    /// `later` is handled again after each wake(), until its time is over.
     WebServer(int port, std::string token, Handler, WebLimits = {});
     WebServer(const WebServer&) = delete;
     WebServer& operator=(const WebServer&) = delete;
     ~WebServer();
 
-    /// 0: the port could not be had, or the token is empty.
+    /// 0 if the port is not available or the token is empty.
     int port() const { return key_.port; }
-    /// There may be answers to waiting requests. Called by any thread.
+    /// Announces that there may be answers to waiting requests. May be called by any thread.
     void wake() const;
 
 private:
@@ -46,7 +46,7 @@ private:
     Handler handler_;
     WebLimits limits_;
     int socket_ = -1;
-    int bell_ = -1;  ///< an event that wake() counts
+    int bell_ = -1;  ///< an eventfd that wake() increments
     std::atomic<bool> ending_ = false;
     std::thread thread_;
 };

@@ -9,22 +9,22 @@ namespace candelabra {
 
 namespace {
 
-/// Rays of all luminaires together, and of one: pairs in opposite directions.
+/// Maximum number of rays of all luminaires together, and of pairs of opposite rays of one.
 constexpr std::size_t max_rays = std::size_t{1} << 18;
 constexpr std::size_t max_pairs = 4;
-/// Rays start at points that are seen from so many radii around the middle.
+/// Distance from the centre, in radii, of the points to which rays lead.
 constexpr double around = 3;
-/// What a flat luminaire is nearer to than this share of its radius, it is mounted on.
+/// Fraction of a flat luminaire's radius within which a surface is its mounting.
 constexpr double mounted = 0.5;
-/// Ends of rays are moved by this share of the luminaire's radius, and of the distance from the
+/// Offsets of the ends of rays, as fractions of the luminaire's radius and of the distance from the
 /// origin.
 constexpr double apart = 1e-4, rounding = 1e-9;
-/// Luminaires that are done at once.
+/// Number of luminaires that one job handles.
 constexpr std::size_t chunk = 256;
-/// Rays that count as having got away, because the ones that were tried are few: of a side of a
-/// flat luminaire, and of a round one.
+/// Number of extra rays that count as unoccluded, because few rays are traced: for each side of a
+/// flat luminaire, and for a round one.
 constexpr double flat_doubt = 0.25, round_doubt = 1;
-/// The greatest length of a bent normal.
+/// Maximum length of a bent normal.
 constexpr double max_length = 0.48;
 
 double number(std::size_t light, std::size_t ray, std::uint32_t which) {
@@ -32,7 +32,7 @@ double number(std::size_t light, std::size_t ray, std::uint32_t which) {
                    Purpose::light_representative);
 }
 
-/// Whether what leaves the point gets so far, and is not inside of anything.
+/// Whether light that leaves the point gets that far, and does not start inside of a solid.
 bool gets_away(const World& world, const std::optional<Vec3>& eye, const Ray& ray, double start,
                double far) {
     double behind = start;
@@ -52,7 +52,7 @@ bool gets_away(const World& world, const std::optional<Vec3>& eye, const Ray& ra
     return away;
 }
 
-/// Rays of a luminaire that were tried, and the sums over those that got away.
+/// Number of traced rays of a luminaire, and sums over the unoccluded ones.
 struct Tried {
     double to_axis = 0, from_axis = 0, away_to_axis = 0, away_from_axis = 0;
     Vec3 directions = Vec3(0);
@@ -68,7 +68,7 @@ Vec3 bent_normal_of_flat(const Tried& tried, const Vec3& axis) {
     return std::clamp(length, -max_length, max_length) * axis;
 }
 
-/// As if what gets away were open + dot(bent, direction) of all.
+/// The bent normal as if a fraction open + dot(bent, direction) of the light were unoccluded.
 Vec3 bent_normal_of_round(const Tried& tried) {
     const double all = tried.all() + round_doubt;
     const double open = (tried.away() + round_doubt) / all;

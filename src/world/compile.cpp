@@ -19,7 +19,7 @@ namespace candelabra {
 
 namespace {
 
-/// Empty for what has no end.
+/// Returns an empty box for infinite items.
 Box bounds_in_tree(const Geometry& geometry, std::uint32_t item) {
     return std::ranges::binary_search(geometry.infinite.all, item) ? Box() : geometry.bounds(item);
 }
@@ -58,8 +58,8 @@ void build_index(Geometry& geometry, const RayIndex& index, int threads) {
     geometry.tree.pack(leaf_packs(kinds), threads);
 }
 
-/// The planes of a scene in world space: where points to be lit may be, besides the bounded
-/// primitives.
+/// The planes of a scene in world space: besides bounded primitives, points to be lit may lie on
+/// them.
 std::vector<Plane> world_planes(const Geometry& geometry) {
     std::vector<Plane> planes;
     for (const std::uint32_t item : geometry.infinite.all) {
@@ -72,7 +72,7 @@ std::vector<Plane> world_planes(const Geometry& geometry) {
     return planes;
 }
 
-/// Divides what has no end into planes and others.
+/// Divides the infinite items into planes and others.
 void divide(const Geometry& geometry, InfiniteItems& infinite) {
     for (const std::uint32_t item : infinite.all) {
         const PlacedShape* placed = geometry.shape(item);
@@ -88,7 +88,7 @@ void divide(const Geometry& geometry, InfiniteItems& infinite) {
     }
 }
 
-/// Lights as they are seen at a quality.
+/// Simplifies lights to those of the quality level.
 void simplify_lights(World& world) {
     if (world.rules.quality < quality_light) {
         world.lights.sources.clear();
@@ -101,7 +101,7 @@ void simplify_lights(World& world) {
         std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
 }
 
-/// Glare is measured in degrees, which the camera makes pixels of.
+/// Glare is measured in degrees; the camera's field of view converts these into pixels.
 FilmSettings film_of(const Scene& scene, const Projection& camera) {
     FilmSettings film = scene.film;
     const bool flat = camera.lens == Lens::flat;
@@ -112,7 +112,7 @@ FilmSettings film_of(const Scene& scene, const Projection& camera) {
     return film;
 }
 
-/// Around the camera and all luminaires, or all that has an end where nothing glows.
+/// Box around the camera and all luminaires, or around all finite items if nothing glows.
 Box near_camera_and_lamps(const World& world) {
     Box box;
     if (!world.has_media()) return box;
@@ -134,7 +134,7 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     world.view.camera_normal = scene.camera_normal;
     world.view.film = film_of(scene, world.view.camera);
     world.sky.background = scene.background;
-    if (scene.language_version < 3.7)  // it was always seen
+    if (scene.language_version < 3.7)  // the background was always visible
         world.sky.background.colour.filter = world.sky.background.colour.transmit = 0;
     world.sky.sphere = scene.sky;
     if (world.rules.quality >= quality_full) {
@@ -174,9 +174,9 @@ void note_luminaires(World& world) {
     }
 }
 
-/// Finds out where luminaires are bright whose glow varies, unless they are too many.
+/// Maps the brightness of luminaires whose emission varies, unless they are too many.
 void map_brightness(World& world) {
-    // Points that are asked for their glow, and the fewest cells that tell something.
+    // Number of points at which emission is evaluated, and the fewest cells that are useful.
     constexpr double max_points = 1 << 19, min_cells = 4;
     double faces = 0;
     for (const Luminaire& luminaire : world.lights.luminaires)
@@ -191,7 +191,7 @@ void map_brightness(World& world) {
                 });
 }
 
-/// Between the rays through the middles of two pixels in the middle of the picture.
+/// Angle between rays through adjacent pixel centres in the middle of the picture.
 double pixel_angle(const Projection& camera, const CompileOptions& options) {
     const Vec3 middle = camera.ray(0, 0).direction;
     const double across = length(camera.ray(1.0 / options.width, 0).direction - middle),
@@ -199,7 +199,7 @@ double pixel_angle(const Projection& camera, const CompileOptions& options) {
     return std::sqrt(across * down);
 }
 
-/// What a flattened world still lacks.
+/// Builds the index structures and light samplers of a flattened world.
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.rules.settings.light_sampler = *options.light_sampler;
     divide(world.geometry, world.geometry.infinite);
@@ -211,7 +211,7 @@ void build_indices(World& world, const CompileOptions& options) {
     if (world.sky.sphere && world.sky.sphere->luminaire && world.rules.quality >= quality_shadows)
         world.sky.light =
             SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
-    // After the tree, whose building takes the most memory.
+    // After the tree, whose construction takes the most memory.
     std::vector<Box> boxes(world.geometry.item_count());
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
         boxes[item] = bounds_in_tree(world.geometry, item);
@@ -224,13 +224,13 @@ void build_indices(World& world, const CompileOptions& options) {
     world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
-    world.lights.source_sets =
-        source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
-                    world.differs_by_light() ? max_asked_among_samples : max_asked_sources);
+    world.lights.source_sets = source_sets(
+        world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
+        {world.differs_by_light() ? max_asked_among_samples : max_asked_sources, options.threads});
     world.sky.near = near_camera_and_lamps(world);
 }
 
-/// Gives up the scene's objects.
+/// Compiles the scene, and discards its objects on the way.
 World compiled(Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
     World world = flattened(scene, options, Flatten::everything, diagnostics);
     scene.objects = {};

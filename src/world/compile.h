@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scene to World: objects are taken apart into primitives with everything they inherit, luminaires
-// are collected, and the index structures are built.
+// Scene to World: objects are taken apart into primitives with all inherited attributes, luminaires
+// are collected, and index structures are built.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -13,33 +13,33 @@
 namespace candelabra {
 
 struct CompileOptions {
-    int threads = 0;                            ///< 0: one per core; nothing depends on it
+    int threads = 0;                            ///< 0: one per core; the result is the same
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's
-    std::optional<RayIndex> index;              ///< the same
+    std::optional<RayIndex> index;              ///< overrides the scene's
     int quality = 9;                            ///< see RenderSettings
-    int width = 320, height = 240;   ///< of the picture; how fine light is looked at depends on it
-    bool remembers_objects = false;  ///< Provenance::object_of is wanted
+    int width = 320, height = 240;   ///< of the picture; they set how finely light is evaluated
+    bool remembers_objects = false;  ///< whether to fill Provenance::object_of
 };
 
-/// Where compile() gets the later scenes of a camera whose shutter stays open.
+/// Source of the later scenes of a camera whose shutter stays open.
 struct ShutterScenes {
-    const SourceStore& sources;  ///< of all of them
-    /// The scene when the clock has run on by so much. Nothing: it has errors; no more is asked
-    /// for.
+    const SourceStore& sources;  ///< of all these scenes
+    /// Returns the scene at a clock that is later by `ahead`. Nothing if it has errors; then no
+    /// more scenes are requested.
     std::function<std::optional<Scene>(double ahead)> scene_at;
 };
 
-/// Adds diagnostics for what cannot be rendered as written (a luminaire without area); the world is
-/// complete all the same. Nothing may change it any more.
+/// Adds diagnostics for objects that cannot be rendered as written (such as a luminaire without
+/// area); the world is complete nevertheless. It must not be changed any more.
 const World compile(const Scene&, const CompileOptions&, Diagnostics&);
 
-/// The same for a scene that is not needed any more: its objects are given up before the index
-/// structures are built, which then have more room. With the worlds of the shutter's other samples,
-/// if their scenes can be had; what there is to say of these worlds is not said again.
+/// The same for a scene that is no longer needed: its objects are freed before the index structures
+/// are built, which then have more room. Includes the worlds of the other shutter samples, if their
+/// scenes are available; diagnostics of these worlds are not repeated.
 const World compile(Scene&&, const CompileOptions&, Diagnostics&, const ShutterScenes* = nullptr);
 
-/// The same diagnostics at a fraction of the cost, for whoever only checks a scene: the world has
-/// its luminaires, and without lights its materials, but no ray can ask it.
+/// Gives the same diagnostics at a fraction of the cost, for checking a scene. The world has its
+/// luminaires and, if it has no lights, its materials, but it cannot be intersected with rays.
 const World survey(const Scene&, Diagnostics&);
 
 }  // namespace candelabra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The corners of triangles on their way into the world. Used by flatten().
+// The corners of triangles that are placed in a world. Used by flatten().
 #pragma once
 
 #include "shape/mesh.h"
@@ -31,7 +31,7 @@ struct SmoothCorners {
     TrianglePrimitive corners;
     CornerNormals normals;
 
-    /// As in POV-Ray, the one where the normals are.
+    /// Makes the side to which the normals point the outer one, as in POV-Ray.
     void put_outer_side_first() {
         const Vec3 flat = triangle_normal(corners.corner1, corners.corner2, corners.corner3);
         if (dot(normals.normal1 + normals.normal2 + normals.normal3, flat) >= 0) return;
@@ -45,8 +45,8 @@ inline SmoothCorners placed(const SmoothTriangle& s, const Transform* transform)
             units(placed(CornerNormals{s.normal1, s.normal2, s.normal3}, transform))};
 }
 
-/// Of a single triangle that was moved, however little, POV-Ray takes for its outer side the one to
-/// -x, +y or -z, whichever its normal has most of.
+/// As in POV-Ray, the outer side of a single transformed triangle is that towards -x, +y or -z,
+/// along the greatest component of its normal.
 inline TrianglePrimitive outer_side_first(const TrianglePrimitive& t) {
     const Vec3 normal = triangle_normal(t.corner1, t.corner2, t.corner3);
     const Vec3 size = glm::abs(normal);
@@ -56,13 +56,13 @@ inline TrianglePrimitive outer_side_first(const TrianglePrimitive& t) {
     return outwards < 0 ? TrianglePrimitive{t.corner1, t.corner3, t.corner2} : t;
 }
 
-/// A face of a mesh, with all that its corners have.
+/// A face of a mesh, with all attributes of its corners.
 struct MeshFace {
     MeshTriangle shape;
     std::array<Vec2, 3> uvs;
     Face looks;
 
-    /// Exchanges its sides.
+    /// Exchanges the two sides.
     void turn_over() {
         std::swap(shape.corners[1], shape.corners[2]);
         std::swap(shape.normals[1], shape.normals[2]);

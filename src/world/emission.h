@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which objects are quickly seen to be no luminaires: nearly all of most scenes. Called by
-// flatten() where nothing else is wanted of them.
+// A quick test for objects that are not luminaires: nearly all objects of most scenes. Called by
+// flatten() when only luminaires are wanted.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace candelabra {
 
-/// Whether no part of the object can emit light: false also where that takes a closer look.
-/// `inherited` is the texture of parts that have none of their own; null: none.
+/// Whether no part of the object can emit light. Also false if a closer look would be needed.
+/// `inherited` is the texture of parts without one of their own; null: none.
 bool cannot_emit(const Object&, const Handle<Texture>* inherited);
 
 }  // namespace candelabra

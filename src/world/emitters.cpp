@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// So many luminaires without a formula may take some time and memory.
+/// Maximum number of luminaires with a guide, which takes some time and memory.
 constexpr int max_guides = 64;
 
 class Emitters {
@@ -19,8 +19,8 @@ public:
     Emitters(const World& world, bool guided)
         : world_(world), guides_left_(guided ? max_guides : 0) {}
 
-    /// Cylinders and cones whose glow is uneven get a guide to where they are bright in the place
-    /// of their formula.
+    /// Cylinders and cones with uneven emission get a guide to their bright parts instead of their
+    /// formula.
     Emitter of(const Luminaire& look) {
         const Emitter plain = by_shape(look);
         if (!look.varying || guides_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Primitives that glow become luminaires. Called when a world's primitives and materials are
+// Turns glowing primitives into luminaires. Called when a world's primitives and materials are
 // complete.
 #pragma once
 
@@ -12,17 +12,17 @@ namespace candelabra {
 
 struct GlowingPrimitive {
     PrimitiveKind kind;
-    std::uint32_t index;      ///< among those of its kind
+    std::uint32_t index;      ///< among the primitives of its kind
     Span span;                ///< of the object
-    std::uint32_t statement;  ///< of Provenance::light_statements
+    std::uint32_t statement;  ///< in Provenance::light_statements
 };
 
-/// Fills WorldLights::luminaires and Provenance::statement_of_luminaire. What has no area is warned
-/// of. `guided`: those without a formula get their guides, which only rays need.
+/// Fills WorldLights::luminaires and Provenance::statement_of_luminaire, and warns of luminaires
+/// without area. `guided`: luminaires without a formula get guides, which only rendering needs.
 void add_luminaires(World&, std::span<const GlowingPrimitive>, bool guided, Diagnostics&);
 
-/// How many primitives glow, but are no luminaires: by `no_luminaire`, by the rule which luminaires
-/// there are, or because they have no end.
+/// Number of primitives that glow but are not luminaires: because of `no_luminaire`, by the scene's
+/// rule for luminaires, or because they are infinite.
 std::size_t glows_without_light(const World&);
 
 }  // namespace candelabra

@@ -20,7 +20,7 @@ namespace candelabra {
 
 namespace {
 
-/// Whether an object is one solid that cannot be taken apart into primitives of their own.
+/// Whether an object is one solid that cannot be taken apart into separate primitives.
 bool is_composite(const Object& object) {
     const Union* group = std::get_if<Union>(&object.form);
     return object.clipping || object.inverse || (group && group->csg != Csg::together);
@@ -39,7 +39,7 @@ bool has_face_looks(const Object& object) {
            !std::get<Shared<Mesh>>(std::get<Shape>(object.form))->looks.empty();
 }
 
-/// Whether components of a blob have.
+/// Whether components of a blob have textures of their own.
 bool has_component_looks(const Object& object) { return has_looks_of<Blob>(object); }
 
 class Flattener {
@@ -57,9 +57,9 @@ public:
           materials_(world),
           shapes_(world.rules.settings.index) {}
 
-    /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
-    /// until all are known. `whole`: though it is taken apart, it is one for those who see it, as
-    /// a union with bounds is in POV-Ray.
+    /// First pass. Primitives are numbered by kind (spheres, triangles, shapes), so each kind is
+    /// kept separately until all are known. `whole`: the object is taken apart, but rays see it as
+    /// one, like a union with bounds in POV-Ray.
     void add(const Object& object, const Inherited& outer, bool whole = false) {
         if (has_needless_bounds(object)) return add(without_bounds(object), outer, true);
         const bool inert = only_lights_count_ && cannot_emit(object, outer.texture);
@@ -96,8 +96,8 @@ public:
         const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
         if (!placed) return;
         if (mesh && is_taken_apart(object, **mesh, here, material)) {
-            // Faces of one mesh share a material that nothing else has: it tells them apart from
-            // other solids.
+            // The faces of one mesh share a material of their own, which distinguishes the mesh
+            // from other solids.
             add_mesh(**mesh, here.transform.get(),
                      has_face_looks(object) ? materials_.of_faces(object, here, outer.transform)
                                             : std::vector{materials_.own(material)},
@@ -108,18 +108,18 @@ public:
         }
     }
 
-    /// An object that stands in the scene itself.
+    /// Adds a top-level object of the scene.
     void add_statement(const Object& object) {
         statements_.begin(object.span);
         add(object, {});
     }
 
-    /// A light source of the scene, or of a group in its place.
+    /// Adds a light source of the scene, or of a group, already in its place.
     void add_light(PlacedLight placed, std::uint32_t group = 0) {
         LightReach reach{group};
         if (placed.projected_through)
             reach.window = make_handle<Composite>(composite_of(*placed.projected_through, shapes_));
-        // Those of a group belong to its statement.
+        // Lights of a group belong to the group's statement.
         if (group == 0) statements_.begin(placed.span);
         world_.provenance.statement_of_light.push_back(statements_.number());
         world_.lights.sources.push_back(std::move(placed.light));
@@ -171,7 +171,7 @@ private:
         if (object.part_textures && object.part_textures->interior)
             here.inner =
                 &materials_.world_texture(object.part_textures->interior, outer.transform, here.uv);
-        // Components with textures of their own show these from inside, too, as in POV-Ray.
+        // As in POV-Ray, components with their own textures show these on the inside, too.
         if (has_component_looks(object)) here.inner = nullptr;
         if (object.interior) {
             const auto* group = std::get_if<Union>(&object.form);
@@ -189,7 +189,7 @@ private:
         return here;
     }
 
-    /// The lights of a light group come into the world where the group stands.
+    /// Adds the lights of a light group where the group stands.
     void enter_group(const Union& group, Inherited& here) {
         if (!opens_group(world_.lights.groups, group, here)) return;
         const std::uint32_t number = here.light_group;
@@ -197,7 +197,7 @@ private:
             add_light(here.transform ? transformed(light, *here.transform) : light, number);
     }
 
-    /// Whether any part does.
+    /// Whether any part of the object glows.
     bool glows(const Object& object, const Inherited& outer) {
         const Inherited here = inherit(object, outer);
         bool any = false;
@@ -210,15 +210,15 @@ private:
         return any;
     }
 
-    /// Where only some faces of a mesh glow each is a luminaire, and where its inner side has
-    /// another look the faces know which one that is.
+    /// Whether the faces of a mesh become primitives. If only some faces glow, each is a luminaire;
+    /// and if the mesh has an inner texture, only faces know which side is the inner one.
     bool is_taken_apart(const Object& object, const Mesh& mesh, const Inherited& here,
                         std::uint32_t material) {
         return here.inner || (has_face_looks(object) && materials_.glows(material)) ||
                copies_.takes_apart(mesh);
     }
 
-    /// Of the primitive that is placed next; of most, parts have none.
+    /// Records the textures of parts of the next primitive; most have none.
     void note_parts(PrimitiveKind kind, std::size_t index, TextureList textures) {
         if (!textures.empty())
             parted_.push_back({kind, static_cast<std::uint32_t>(index), std::move(textures)});
@@ -245,17 +245,17 @@ private:
     void place_sphere(const Sphere& sphere, const Handle<Transform>& transform,
                       std::uint32_t material, Span span) {
         const double scale = transform ? transform->uniform_scale() : 1;
-        // Of a sphere that has been turned, only the shape in its place knows where u is 0.
+        // For a rotated sphere, only the shape in its place knows where u is 0.
         const bool wrapped = transform && world_.appearance.materials[material].uv;
         if (scale == 0 || wrapped) return add_shape(sphere, transform, material, span);
         const Vec3 centre = transform ? transform->point(sphere.centre) : sphere.centre;
         add_sphere({centre, sphere.radius * scale}, material, span);
     }
 
-    /// `materials` are the mesh's own and those of its textures.
+    /// `materials`: that of the mesh, and those of its textures.
     void add_mesh(const Mesh& mesh, const Transform* transform,
                   const std::vector<std::uint32_t>& materials, Span span) {
-        // The outer side of a mesh is the same in a mirror.
+        // Reflection does not change the outer side of a mesh.
         const bool turned = world_.appearance.materials[materials.front()].inner && transform &&
                             transform->determinant() < 0;
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -270,7 +270,7 @@ private:
                 geometry_.uvs_of.back() = static_cast<std::uint32_t>(geometry_.uvs.size());
                 geometry_.uvs.push_back(f.uvs);
             }
-            // As in POV-Ray, those of a mesh are mixed before they are placed.
+            // As in POV-Ray, normals of a mesh are interpolated before they are transformed.
             const auto& normals = f.shape.normals;
             if (f.shape.smooth)
                 add_normals(placed(units({normals[0], normals[1], normals[2]}), transform));
@@ -291,7 +291,7 @@ private:
         objects_.placed(PrimitiveKind::triangle);
     }
 
-    /// Of the triangle that was added last.
+    /// Sets the normals of the last triangle.
     void add_normals(const CornerNormals& n) {
         geometry_.normals_of.resize(geometry_.triangles.size(), no_primitive);
         geometry_.normals_of.back() = static_cast<std::uint32_t>(geometry_.normals.size());
@@ -309,7 +309,7 @@ private:
         objects_.placed(PrimitiveKind::shape);
     }
 
-    /// What the composite's leaves look like.
+    /// Collects the materials of a composite's leaves.
     struct LeafVisitor {
         Flattener& flattener;
         std::vector<Inherited> around;
@@ -361,7 +361,7 @@ private:
         }
     }
 
-    /// A primitive that glows lights others, unless it has no end.
+    /// Records a glowing primitive as a luminaire, unless it is infinite.
     void note(PrimitiveKind kind, std::size_t index, std::uint32_t material, Span span,
               bool bounded) {
         if (bounded) return note_luminaire(kind, index, material, span);
@@ -372,7 +372,7 @@ private:
                 .with_help("make it a large `box` or `disc`, which can be sampled"));
     }
 
-    /// Whether what is in such a primitive lights others.
+    /// Whether media in such a primitive light the scene.
     bool fills(std::uint32_t material) const {
         return lights_from_inside(world_.appearance.materials[material]);
     }
@@ -416,9 +416,9 @@ private:
     MeshCopies copies_;
     ObjectMemory objects_;
     LightStatements statements_;
-    std::uint32_t shared_interiors_ = 0;  ///< so far
+    std::uint32_t shared_interiors_ = 0;  ///< number of shared interiors so far
     bool all_;
-    bool only_lights_count_;  ///< materials of what does not glow are not asked for
+    bool only_lights_count_;  ///< materials of objects that do not glow are not needed
     Materials materials_;
     ShapeStore shapes_;
 };

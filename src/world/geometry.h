@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the surfaces of a world are, and how they are numbered.
+// The surfaces of a world, and their numbers.
 //
-// Primitives are the surfaces that rays meet. They are numbered by kind: first all spheres, then
-// all triangles, all other shapes, and all leaves of composites. Items are what the tree has, and
-// what rays ask: spheres, triangles and shapes by the same numbers, and behind them the composites.
-// A number from leaves_begin() on is that of a leaf or of a composite; the functions below say
-// which of the two they take.
+// Primitives are the surfaces that rays meet. They are numbered by kind: all spheres, all
+// triangles, all other shapes, and all leaves of composites. Items are the elements of the tree,
+// against which rays are tested: spheres, triangles and shapes with the same numbers, followed by
+// the composites. A number from leaves_begin() on is that of a leaf or of a composite; each
+// function below says which of the two it takes.
 #pragma once
 
 #include "index/wide_tree.h"
@@ -41,16 +41,16 @@ struct CornerNormals {
 struct PlacedShape {
     BuiltShape shape;
     Handle<Transform> transform;  ///< null: none
-    Box box;                      ///< around it; infinite for planes and the like
+    Box box;                      ///< bounding box; infinite for unbounded shapes like planes
 };
 
-/// A plane in world space, which every ray asks.
+/// A plane in world space, which every ray is tested against.
 struct InfinitePlane {
     Vec3 normal;  ///< unit
     double distance;
     PrimitiveIndex primitive;
 
-    /// Where the ray meets it; not a number when it never does.
+    /// Returns the ray parameter of the intersection; NaN if there is never one.
     double intersect(const Ray& ray) const {
         const double approach = dot(ray.direction, normal);
         return approach == 0 ? std::numeric_limits<double>::quiet_NaN()
@@ -58,25 +58,25 @@ struct InfinitePlane {
     }
 };
 
-/// Several shapes as one solid. Its leaves are primitives as well, one after the other.
+/// Several shapes as one solid. Its leaves are primitives with consecutive numbers.
 struct PlacedComposite {
     Handle<Composite> composite;
     PrimitiveIndex first_leaf = 0;
-    bool transparent = false;  ///< a leaf is
-    Box around;  ///< out of this no ray begins inside of it, as of what is inverse in POV-Ray
+    bool transparent = false;  ///< whether any leaf is
+    Box around;  ///< no point outside of it counts as inside, as for POV-Ray's inverse objects
 };
 
-/// Solids that rays must know of by where they are, for rays that begin anywhere.
+/// Solids with an index, so that rays that begin anywhere can find those that contain their origin.
 struct ClearSolids {
     std::vector<std::uint32_t> infinite;
     std::vector<std::uint32_t> finite;  ///< in the order of the index's parts
     PartIndex index;
 };
 
-/// Items without an end, which rays ask apart from the tree.
+/// Unbounded items, which rays are tested against apart from the tree.
 struct InfiniteItems {
     std::vector<std::uint32_t> all;     ///< ascending
-    std::vector<InfinitePlane> planes;  ///< those of them that are planes in their own place
+    std::vector<InfinitePlane> planes;  ///< planes without a transform
     std::vector<std::uint32_t> others;
 };
 
@@ -94,7 +94,7 @@ struct Geometry {
         return leaves_begin() + static_cast<std::uint32_t>(composites.size());
     }
 
-    /// The primitive with that place among those of its kind.
+    /// Returns the primitive with that index among those of its kind.
     PrimitiveIndex primitive(PrimitiveKind, std::uint32_t index) const;
 
     bool is_triangle(std::uint32_t number) const {
@@ -103,7 +103,7 @@ struct Geometry {
     bool is_leaf(PrimitiveIndex primitive) const { return primitive >= leaves_begin(); }
     bool is_composite(std::uint32_t item) const { return item >= leaves_begin(); }
 
-    /// Precondition: it is one.
+    /// Precondition: the number is that of a triangle.
     const TrianglePrimitive& triangle(std::uint32_t number) const {
         return triangles[number - triangles_begin()];
     }
@@ -112,29 +112,29 @@ struct Geometry {
         const bool is = item >= shapes_begin() && item < leaves_begin();
         return is ? &shapes[item - shapes_begin()] : nullptr;
     }
-    /// The same.
+    /// Null for items of other kinds.
     const PlacedComposite* composite(std::uint32_t item) const {
         return is_composite(item) ? &composites[item - leaves_begin()] : nullptr;
     }
-    /// The item that a primitive is, or is a leaf of.
+    /// Returns the primitive itself, or the composite of a leaf.
     std::uint32_t item_of(PrimitiveIndex primitive) const {
         return is_leaf(primitive) ? leaves_begin() + composite_of[primitive - leaves_begin()]
                                   : primitive;
     }
-    /// Null: the triangle is flat.
+    /// Null if the triangle is flat.
     const CornerNormals* normals_of_triangle(PrimitiveIndex primitive) const {
         if (normals_of.empty()) return nullptr;
         const std::uint32_t index = normals_of[primitive - triangles_begin()];
         return index == no_primitive ? nullptr : &normals[index];
     }
-    /// Null: u and v of its corners are not known.
+    /// Null if u and v of its corners are not known.
     const std::array<Vec2, 3>* uvs_of_triangle(PrimitiveIndex primitive) const {
         const std::size_t triangle = primitive - triangles_begin();
         const bool known = triangle < uvs_of.size() && uvs_of[triangle] != no_primitive;
         return known ? &uvs[uvs_of[triangle]] : nullptr;
     }
 
-    /// Calls the one function that takes what the item is: a SpherePrimitive, TrianglePrimitive,
+    /// Calls the one function that takes the item's type: SpherePrimitive, TrianglePrimitive,
     /// PlacedShape or PlacedComposite.
     template <class OnSphere, class OnTriangle, class OnShape, class OnComposite>
     auto visit(std::uint32_t item, OnSphere on_sphere, OnTriangle on_triangle, OnShape on_shape,
@@ -145,7 +145,8 @@ struct Geometry {
         return on_composite(composites[item - leaves_begin()]);
     }
 
-    /// The same for a primitive; of a leaf: on_leaf(PlacedComposite, its number in there).
+    /// The same for a primitive; for a leaf, calls on_leaf(PlacedComposite, number of the leaf in
+    /// it).
     template <class OnSphere, class OnTriangle, class OnShape, class OnLeaf>
     auto visit_primitive(PrimitiveIndex primitive, OnSphere on_sphere, OnTriangle on_triangle,
                          OnShape on_shape, OnLeaf on_leaf) const {
@@ -155,24 +156,24 @@ struct Geometry {
                      });
     }
 
-    /// Around an item.
+    /// Bounding box of an item.
     Box bounds(std::uint32_t item) const;
-    /// Around all points that lie inside of an item that is no triangle.
+    /// Bounding box of all points inside of an item that is not a triangle.
     Box inside_bounds(std::uint32_t item) const;
 
     std::vector<SpherePrimitive> spheres;
     std::vector<TrianglePrimitive> triangles;
-    std::vector<PlacedShape> shapes;  ///< all but spheres and triangles in their own place
+    std::vector<PlacedShape> shapes;  ///< all but triangles and spheres without a transform
     std::vector<PlacedComposite> composites;
-    std::vector<std::uint32_t> composite_of;  ///< of the leaves
+    std::vector<std::uint32_t> composite_of;  ///< for each leaf
     std::vector<CornerNormals> normals;       ///< of the smooth triangles
     /// Per triangle: index in normals, or no_primitive; empty when none is smooth.
     std::vector<std::uint32_t> normals_of;
     std::vector<std::array<Vec2, 3>> uvs;  ///< of the corners of some triangles
-    /// Per triangle: index in uvs, or no_primitive; the last ones are left out when they have none.
+    /// Per triangle: index in uvs, or no_primitive; shorter if the last ones have none.
     std::vector<std::uint32_t> uvs_of;
     InfiniteItems infinite;
-    WideTree tree;             ///< of the other items
+    WideTree tree;             ///< of the bounded items
     ClearSolids clear_solids;  ///< empty unless World::indexes_solids()
 };
 

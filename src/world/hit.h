@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a ray of a world finds.
+// The result of intersecting a ray with a world.
 #pragma once
 
 #include "base/short_list.h"
@@ -7,24 +7,24 @@
 
 namespace candelabra {
 
-/// Where a ray met a surface.
+/// A point where a ray met a surface.
 struct Hit {
     PrimitiveIndex primitive = no_primitive;
     std::uint32_t part = 0;  ///< of shapes and leaves: see Crossing
     Vec3 position = Vec3(0);
-    Vec3 normal = Vec3(0);         ///< unit, outward: of the surface as it is
-    Vec3 smooth_normal = Vec3(0);  ///< unit, outward: of the surface as it is shaded
-    /// Rays that start here begin this far away, to miss the surface they come from.
+    Vec3 normal = Vec3(0);         ///< unit geometric normal, outward
+    Vec3 smooth_normal = Vec3(0);  ///< unit shading normal, outward
+    /// Rays that start here ignore hits nearer than this, to miss the surface they start from.
     double tolerance = 0;
 };
 
-/// Who asks: some objects are left out for some rays.
+/// The purpose of a ray: some objects are invisible to some kinds of rays.
 enum class RayKind { camera, reflected, light, gathering };
 
-/// The solids that a ray is in, by a primitive of each, in the order of entering.
+/// The solids that contain a ray, one primitive of each, in the order of entering.
 using EnteredSolids = ShortList<PrimitiveIndex, 6>;
 
-/// What a ray does to these where it passes a surface.
+/// The change of these solids where a ray passes a surface.
 enum class Passing { enters, leaves_innermost, leaves_outer };
 
 }  // namespace candelabra

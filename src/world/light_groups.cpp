@@ -3,9 +3,8 @@
 
 namespace candelabra {
 
-// As in POV-Ray: the outermost group says whether global lights light what is in it, and a group in
-// another one has its own lights instead of those around it, or both if it comes by a declared
-// name.
+// As in POV-Ray, the outermost group determines whether global lights light its objects. A nested
+// group has its own lights instead of those around it, or both if it has a declared name.
 bool opens_group(std::vector<LightGroup>& groups, const Union& group, Inherited& here) {
     const bool named = group.named || here.named_group;
     here.named_group = group.named && !group.light_group;

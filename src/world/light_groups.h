@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which lights light the objects of light groups that are in each other.
+// The lights of nested light groups.
 #pragma once
 
 #include "scene/scene.h"
@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-/// Whether the lights of a union are a group of their own, which its objects then belong to.
+/// Whether the lights of a union form a group of their own, to which its objects then belong.
 bool opens_group(std::vector<LightGroup>&, const Union&, Inherited& here);
 
 }  // namespace candelabra

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a world says of the looks of its surfaces, point by point: textures, u and v, and what
-// passes through.
+// The appearance of a world's surfaces at points: textures, u and v, and transmitted light.
 #include "shape/triangle.h"
 #include "shape/uv.h"
 #include "world/world.h"
@@ -19,7 +18,7 @@ Vec3 local(const Handle<Transform>& transform, const Vec3& point) {
 
 using Use = FunctionRef<void(double, const Texture&)>;
 
-/// Three textures, each as strong as its corner; equal ones as one.
+/// Three textures, weighted as their corners; three equal ones count as one.
 void blend(const std::array<const Texture*, 3>& textures, const Vec3& weights, Use use) {
     const bool same = textures[0] == textures[1] && textures[1] == textures[2];
     if (same) return use(1, *textures[0]);
@@ -28,14 +27,14 @@ void blend(const std::array<const Texture*, 3>& textures, const Vec3& weights, U
             use(weight, *textures[i]);
 }
 
-/// Within the triangle, whatever rounding says.
+/// Clamps the weights to the triangle, against rounding.
 Vec3 positive(const Vec3& weights) {
     const Vec3 clipped = glm::max(weights, Vec3(0));
     return clipped / (clipped.x + clipped.y + clipped.z);
 }
 
 struct PartLooks {
-    const Texture& own;  ///< of parts that have no texture
+    const Texture& own;  ///< for parts without a texture
     const TextureList& list;
 
     const Texture& operator[](int number) const {
@@ -43,7 +42,7 @@ struct PartLooks {
     }
 };
 
-/// Of a mesh's face.
+/// Textures of a mesh's face.
 void blend_corners(const BuiltMesh& built, const PartLooks& looks, std::uint32_t part,
                    const Vec3& point, Use use) {
     if (part == any_part) part = face_at(built, point);
@@ -52,9 +51,9 @@ void blend_corners(const BuiltMesh& built, const PartLooks& looks, std::uint32_t
     blend(textures, positive(corner_weights(face(*built.mesh, part).corners, point)), use);
 }
 
-/// Each component counts by the strength of its field, whatever its sign.
+/// Each component is weighted by the absolute strength of its field.
 void blend_components(const BuiltBlob& blob, const PartLooks& looks, const Vec3& point, Use use) {
-    std::vector<double> strengths(looks.list.size() + 1);  // that of the blob's own texture first
+    std::vector<double> strengths(looks.list.size() + 1);  // first, that of the blob's own texture
     double sum = 0;
     blob.index.around(point, [&](std::uint32_t i) {
         const BuiltBlob::Source& source = blob.sources[i];
@@ -115,11 +114,11 @@ Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) 
         [&](const PlacedComposite& whole, std::uint32_t leaf) {
             return of_placed(whole.composite->leaf(leaf));
         });
-    // As in POV-Ray, around what has no u and v, pictures lie on the plane of x and y.
+    // As in POV-Ray, shapes without u and v show pictures of the plane of x and y.
     return found.value_or(Vec2(point.x, point.y));
 }
 
-/// What one surface leaves of light that passes through it.
+/// Fraction of light that one surface transmits.
 Vec3 World::passed(const Passage& passage, const Ray& ray) const {
     const Material& m = material(passage.primitive);
     const double power = m.interior ? caustics_power * m.interior->caustics : 0;
@@ -135,7 +134,7 @@ Vec3 World::passed(const Passage& passage, const Ray& ray) const {
         sum += share * (power != 0 ? passing(texture, point, scene, light)
                                    : passing(texture, point, scene));
     };
-    // The ray leads to the light: what it leaves it sees from inside.
+    // The ray leads towards the light: it sees a surface that it leaves from inside.
     if (m.inner && light.normal != normal)
         pass(1, *m.inner);
     else

@@ -10,8 +10,8 @@ namespace candelabra {
 
 namespace {
 
-/// The interior as a solid of that texture has it. As in POV-Ray, a finish has the last word where
-/// the texture is a plain one, and what has no index of refraction of its own splits no light.
+/// Returns the interior of a solid with that texture. As in POV-Ray, the finish of a plain texture
+/// overrides the interior, and an interior without an index of refraction has no dispersion.
 Handle<Interior> settled(const Handle<Interior>& interior, const Texture& texture) {
     const bool bends = !texture.choice && texture.finish.ior != 0;
     const bool focuses = !texture.choice && texture.finish.caustics >= 0;
@@ -87,7 +87,7 @@ std::uint32_t Materials::index(const Inherited& look) {
     return last_;
 }
 
-/// What is to glow by its ambient does.
+/// Returns the texture as rendered: with emission instead of ambient if the settings ask for that.
 Handle<Texture> Materials::lit(const Handle<Texture>& texture) const {
     const GlobalSettings& settings = world_.rules.settings;
     return simplified(settings.ambient_luminaires
@@ -122,7 +122,12 @@ void Materials::add(const Inherited& look) {
     material.double_illuminate = look.double_illuminate;
     material.hollow = look.hollow;
     material.photons = look.photons;
-    material.uv = nesting(texture).uv || (material.inner && nesting(*material.inner).uv);
+    for (const Texture* side : {&texture, material.inner ? material.inner.get() : nullptr}) {
+        if (!side) continue;
+        const Nesting patterns = nesting(*side);
+        material.uv |= patterns.uv;
+        material.by_view |= patterns.by_view;
+    }
     material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
     world_.appearance.any_transparent |= material.transparent;
     world_.appearance.any_clear |= material.transparent || material.no_shadow;
@@ -132,7 +137,7 @@ void Materials::add(const Inherited& look) {
     const bool glows = world_.rules.quality >= quality_shadows && !look.no_luminaire &&
                        emission > world_.rules.settings.luminaires_above;
     glows_.push_back(glows);
-    material.other_light = material.transparent || look.double_illuminate ||
+    material.other_light = material.transparent || material.by_view || look.double_illuminate ||
                            (emission != 0 && !glows) || has_other_light(texture) ||
                            (material.inner && has_other_light(*material.inner));
     world_.appearance.any_other_light |= material.other_light;
@@ -159,11 +164,14 @@ std::vector<std::uint32_t> Materials::of_faces(const Object& mesh, const Inherit
     return result;
 }
 
-/// A material of which a part has another look.
+/// Adds the attributes of a part's material to the material of the whole.
 void Materials::include(std::uint32_t material, std::uint32_t part) {
-    world_.appearance.materials[material].transparent |=
-        world_.appearance.materials[part].transparent;
-    world_.appearance.materials[material].uv |= world_.appearance.materials[part].uv;
+    Material& whole = world_.appearance.materials[material];
+    const Material& other = world_.appearance.materials[part];
+    whole.transparent |= other.transparent;
+    whole.uv |= other.uv;
+    whole.by_view |= other.by_view;
+    whole.other_light |= other.other_light;
     glows_[material] = glows_[material] || glows_[part];
 }
 

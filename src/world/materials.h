@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The materials of a world while it is compiled: one for all primitives that look the same, and
+// Materials of a world that is being compiled: one for all primitives of the same appearance, and
 // those of mesh faces. Used by flatten().
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace candelabra {
 
-/// Who does not see an object; or to whom this is said, or heeded.
+/// Flags for the kinds of rays that do not see an object. Also a mask of these flags.
 struct Hidden {
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
 
@@ -26,63 +26,66 @@ struct Hidden {
     }
 };
 
-/// POV-Ray asks a solid as a whole which rays see it; only some heed their parts.
+/// In POV-Ray the flags of a whole solid take effect; only some solids heed those of their parts.
 inline Hidden heeded_in(Csg csg) {
     return {false, csg == Csg::merge, csg == Csg::merge || csg == Csg::together};
 }
 
-/// What an object has from the unions around it. Handles are referred to where they are: counting
-/// their holders for each of a million objects takes longer than all else.
+/// Attributes that an object inherits from the unions around it. Handles are referred to in place:
+/// counting references for each of a million objects takes longer than everything else.
 struct Inherited : Hidden {
-    Hidden said = {};                          ///< of the object and of what it is part of
-    Hidden heeded = {true, true, true};        ///< when it is said of parts of this
+    Hidden said = {};                          ///< given for the object and the unions around it
+    Hidden heeded = {true, true, true};        ///< flags that take effect if given for parts
     Handle<Transform> transform;               ///< null: none
     const Handle<Texture>* texture = nullptr;  ///< in world space
-    const Handle<Texture>* inner = nullptr;    ///< likewise, of the inner side; null: as outside
+    const Handle<Texture>* inner = nullptr;    ///< the same for the inner side; null: as outside
     const Handle<Interior>* interior = nullptr;
     std::uint32_t light_group = 0;
-    bool named_group = false;           ///< a light group here comes by a declared name
+    bool named_group = false;           ///< a light group here has a declared name
     std::uint32_t shared_interior = 0;  ///< see Material
     bool no_luminaire = false, double_illuminate = false, hollow = false, uv = false;
     PhotonSurface photons = {};
-    /// One of the parts of a composite. As in POV-Ray, a part with an interior of its own is a
-    /// solid of its own: a ray that enters it does not leave it through the others.
+    /// Whether this is one of the parts of a composite. As in POV-Ray, a part with its own interior
+    /// is a solid of its own: a ray that enters it does not leave it through the others.
     bool of_several = false;
 };
 
 class Materials {
 public:
-    /// The world outlives this.
+    /// The world must outlive this.
     explicit Materials(World& world) : world_(world) {}
 
-    /// A texture moves with the unions around its object; on u and v it does not. Plain colours
-    /// look the same everywhere and are not copied.
+    /// Returns the texture in world space: it moves with the unions around its object, but not on u
+    /// and v. Plain colours look the same everywhere and are not copied.
     const Handle<Texture>& world_texture(const Handle<Texture>& texture,
                                          const Handle<Transform>& transform, bool uv);
 
-    /// The same for the media in an interior.
+    /// The same for the media of an interior.
     const Handle<Interior>& world_interior(const Handle<Interior>&,
                                            const Handle<Transform>& transform);
 
-    /// The material of primitives that look so.
+    /// Returns the material of primitives with these attributes.
     std::uint32_t index(const Inherited& look);
-    /// A copy of a material that nothing else has: it tells a mesh from other solids.
+    /// Returns a copy of a material for a mesh alone, which distinguishes the mesh from other
+    /// solids.
     std::uint32_t own(std::uint32_t material);
-    /// Of a mesh whose faces have textures: its own, then those of its textures. All are one solid.
+    /// Materials of a mesh whose faces have textures: its own, then those of the textures. All
+    /// belong to one solid.
     std::vector<std::uint32_t> of_faces(const Object& mesh, const Inherited& look,
                                         const Handle<Transform>& outside);
-    /// The material of a mesh's face, by the numbers of its corners' textures; `materials` are the
-    /// mesh's.
+    /// Returns the material of a mesh's face, given the numbers of its corners' textures and the
+    /// materials of the mesh.
     std::uint32_t of_face(const std::vector<std::uint32_t>& materials, const Face& looks);
-    /// The material of a surface that is one primitive, and the textures of its parts.
+    /// Returns the material of a surface that is one primitive, and lists the textures of its
+    /// parts.
     std::uint32_t of_parts(const Object& object, const Inherited& look,
                            const Handle<Transform>& outside, TextureList& list);
 
-    /// Whether primitives of the material light others.
+    /// Whether primitives of the material are luminaires.
     bool glows(std::uint32_t material) const { return glows_[material]; }
 
 private:
-    /// What primitives of one material have in common.
+    /// The attributes that define a material.
     struct Key {
         const Texture* texture;
         const Texture* inner;
@@ -107,10 +110,10 @@ private:
     std::vector<bool> glows_;
     std::unordered_map<Key, std::uint32_t, Hash> indices_;
     std::optional<Key> last_key_;
-    std::uint32_t last_ = 0;  ///< of that key
+    std::uint32_t last_ = 0;  ///< of last_key_
     std::map<TextureKey, Handle<Texture>> textures_;
     std::map<std::pair<const Interior*, const Transform*>, Handle<Interior>> interiors_;
-    // Kept so that no address in textures_ and interiors_ is used twice.
+    // Kept so that no address in textures_ and interiors_ is reused.
     std::vector<Handle<Transform>> kept_transforms_;
     std::vector<Handle<Texture>> kept_textures_;
     std::vector<Handle<Interior>> kept_interiors_;

@@ -31,8 +31,8 @@ void for_surfaces(World& world, const Use& use) {
     }
 }
 
-/// Balls around the targets; of targets without surfaces the radius is 0, of those without end it
-/// is infinite.
+/// Finds balls around the targets. The radius is 0 for targets without surfaces, and infinite for
+/// unbounded ones.
 void bound(World& world) {
     std::vector<Box> boxes(world.photon_targets.size());
     std::vector<PrimitiveIndex> only(boxes.size(), no_primitive);
@@ -65,7 +65,7 @@ void bound(World& world) {
     });
 }
 
-/// How many light sources say the same of photons: there are few things to say.
+/// Number of light sources for each combination of photon settings; there are few combinations.
 using SourcesOfWays = std::vector<std::pair<PhotonWays, std::uint64_t>>;
 
 SourcesOfWays sources_of_ways(const World& world) {
@@ -81,7 +81,7 @@ SourcesOfWays sources_of_ways(const World& world) {
     return made;
 }
 
-/// Pairs of a lamp and a target that it shoots at.
+/// Number of pairs of a lamp and a target that it shoots at.
 struct PhotonPairs {
     std::uint64_t of_sources = 0, of_luminaires = 0;
 };
@@ -99,7 +99,7 @@ PhotonPairs photon_pairs(const World& world) {
     return pairs;
 }
 
-/// Each pair of a source takes 40 bytes, and one of a luminaire some 20 nanoseconds.
+/// A pair with a source takes 40 bytes, and one with a luminaire about 20 nanoseconds.
 constexpr std::uint64_t max_of_sources = 8'000'000, max_of_luminaires = 60'000'000;
 
 void refuse_many(const World& world, const PhotonPairs& pairs, Diagnostics& diagnostics) {

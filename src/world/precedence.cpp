@@ -6,7 +6,7 @@
 namespace candelabra {
 
 bool precedes(const Geometry& geometry, std::uint32_t item, std::uint32_t other, const Ray& ray) {
-    constexpr double together = 1e-6;  // of a distance: more than boxes are too large
+    constexpr double together = 1e-6;  // relative: more than the excess size of boxes
     const Slabs slabs(ray);
     const auto entry = [&](std::uint32_t i) {
         return slabs.within(geometry.bounds(i), {0, std::numeric_limits<double>::infinity()}).min;

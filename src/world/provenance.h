@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where in the scene's text the parts of a world come from: which statement made each light, and
-// which object each primitive belongs to. Written by flatten().
+// The origin of a world's parts in the scene's text: the statement that made each light, and the
+// object that each primitive belongs to. Written by flatten().
 #pragma once
 
 #include "text/span.h"
@@ -13,27 +13,27 @@
 
 namespace candelabra {
 
-/// Which parts of the scene's text made what.
+/// Spans of the scene's text, and the lights and primitives that they made.
 struct Provenance {
-    /// The statements of the scene that made luminaires and lights, and which one made each of
-    /// them.
+    /// The statements of the scene that made luminaires and lights, and the index of the statement
+    /// of each.
     std::vector<Span> light_statements;
     std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
-    /// Which object each primitive belongs to, by its place in object_spans: objects are counted as
-    /// the scene makes them. Both are empty unless compile() was asked to remember.
+    /// The index in object_spans of each primitive's object; objects are counted as the scene makes
+    /// them. Both are empty unless compile() was told to remember objects.
     std::vector<std::uint32_t> object_of;
     std::vector<Span> object_spans;
     std::size_t object_count = 0;  ///< as the scene counts them
 };
 
-/// Numbers of the statements that make lights, in the order in which they do.
+/// Numbers the statements that make lights, in the order in which they do.
 class LightStatements {
 public:
     explicit LightStatements(Provenance& provenance) : all_(provenance.light_statements) {}
 
     void begin(Span statement) { now_ = statement; }
 
-    /// Of the statement that is at work; they come one after the other, mostly.
+    /// Number of the current statement. Statements mostly come one after the other.
     std::uint32_t number() {
         if (!all_.empty() && all_[last_] == now_) return last_;
         const std::pair<SourceId, std::uint64_t> place{now_.source,
@@ -51,12 +51,12 @@ private:
     std::map<std::pair<SourceId, std::uint64_t>, std::uint32_t> numbers_;
 };
 
-/// Fills Provenance::object_of and Provenance::object_spans, if that is wanted.
+/// Fills Provenance::object_of and Provenance::object_spans, if wanted.
 class ObjectMemory {
 public:
     ObjectMemory(Provenance& provenance, bool wanted) : provenance_(provenance), wanted_(wanted) {}
 
-    /// What is placed from now on belongs to another object.
+    /// Primitives placed from now on belong to this object.
     void begin(Span object) {
         if (wanted_) provenance_.object_spans.push_back(object);
     }

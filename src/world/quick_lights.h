@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lights chosen by hierarchies, of which nothing need be found out by trial: for pictures of few
-// rays, of which the cells of a light octree would need many more. Used by the preview.
+// Light sampling by hierarchies, without surveys of the scene: for pictures of few rays, as the
+// cells of a light octree would need many more. Used by the preview.
 #pragma once
 
 #include "world/world.h"
 
 namespace candelabra {
 
-/// While it lives, the world and its moments choose lights in this way; they must live longer.
+/// During its lifetime, the world and its moments sample lights by hierarchies. They must outlive
+/// it.
 class QuickLights {
 public:
     explicit QuickLights(World&);

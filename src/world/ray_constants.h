@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ray of the world, and what is made ready of it for many primitives of a kind when the first one
-// asks: most rays ask few kinds, and many none at all.
+// A ray of the world, with data for testing many primitives of a kind. The data is computed on the
+// first use: most rays test few kinds, and many none at all.
 #pragma once
 
 #include "shape/slabs.h"

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// Below this a surface that shows nothing but its ambient colour is too dim to be meant so.
+/// Minimum ambient of a surface that is meant to be seen by its ambient colour alone.
 constexpr double noticeable_ambient = 0.3;
 
 double greatest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -31,7 +31,7 @@ bool dark(const World& world) {
            std::ranges::none_of(world.appearance.materials, shows_itself);
 }
 
-/// Glows, but what it glows with is black.
+/// Whether it glows, but with black.
 bool glows_black(const Material& material) {
     return material.texture->finish.emission != Vec3(0) &&
            greatest(greatest_emission(*material.texture)) <= 0;
@@ -41,8 +41,8 @@ class Surroundings {
 public:
     Surroundings(const Scene& scene, const World& world) : scene_(scene), world_(world) {}
 
-    /// The first solid object of the scene around the camera that does not say `hollow` and changes
-    /// the picture, as it keeps out fog or all light. Null: none.
+    /// Returns the first solid of the scene that contains the camera, is not `hollow`, and changes
+    /// the picture by keeping out fog or all light. Null: none.
     const Object* first() {
         const Vec3 camera = world_.view.camera.location;
         for (const ObjectHandle& object : scene_.objects)
@@ -57,8 +57,8 @@ private:
         return may_hold(*object, point) && has_inside(*object) && holds(object, point);
     }
 
-    /// Whether something lights the scene, and all of it from outside of the object: a room and a
-    /// sky have their lights within them.
+    /// Whether the scene is lit, and only from outside of the object: rooms and skies contain their
+    /// lights.
     bool keeps_light_out(const ObjectHandle& object) {
         if (object->no_shadow || (object->texture && transparent(*object->texture))) return false;
         const auto reaches = [&](const PlacedLight& placed) {
@@ -74,7 +74,7 @@ private:
                std::ranges::none_of(world_.lights.luminaires, within);
     }
 
-    /// A quick answer, for most objects.
+    /// A quick test that excludes most objects.
     static bool may_hold(const Object& object, const Vec3& point) {
         if (object.inverse) return contains(bounds_of_inside(object), point);
         const Vec3 within = object.transform ? object.transform->inverse_point(point) : point;
@@ -84,7 +84,7 @@ private:
                       : contains(own_extent(object), within);
     }
 
-    /// Unions and rows are not made one solid for the sake of one point.
+    /// Unions and rows are tested part by part, without making them one solid for a single point.
     bool holds(const ObjectHandle& object, const Vec3& point) {
         const auto* group = std::get_if<Union>(&object->form);
         const auto* row = std::get_if<SphereRow>(&object->form);
@@ -104,7 +104,7 @@ private:
     Solids solids_;
 };
 
-/// A dome that glows, which POV-Ray has as a backdrop only.
+/// Returns a luminous dome around the camera, which is only a backdrop in POV-Ray.
 const Luminaire* dome(const World& world) {
     for (const Luminaire& luminaire : world.lights.luminaires) {
         const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is legal in a scene and yet likely a mistake, seen when it is complete: one that nobody can
-// see anything in. Called by the application before it renders.
+// Warnings of legal scenes that are likely mistakes, for example if nothing can be seen. Called by
+// the application before it renders.
 #pragma once
 
 #include "scene/scene.h"
@@ -9,9 +9,9 @@
 
 namespace candelabra {
 
-/// Warns of a scene without a camera, without objects, or that nothing lights, of a camera that is
-/// in an object, and of finishes whose light below the surface the scene does not ask for; of the
-/// last only with a compiled world. The world is the scene's.
+/// Warns of a scene without camera, objects or light, of a camera inside of an object, and of
+/// settings without effect, such as subsurface finishes that the scene does not enable; of the
+/// latter only with a compiled world. The world must be that of the scene.
 void review(const Scene&, const World&, Diagnostics&);
 
 }  // namespace candelabra

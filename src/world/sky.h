@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What surrounds the surfaces of a world. Filled by compile().
+// The surroundings of a world's surfaces. Filled by compile().
 #pragma once
 
 #include "backdrop/rainbow.h"
@@ -13,14 +13,14 @@
 
 namespace candelabra {
 
-/// What rays meet where they meet no surface, and on their way.
+/// The background, and the media and fog on the way to it.
 struct Sky {
     Background background;
     std::optional<SkySphere> sphere;
     std::vector<Fog> fogs;
     std::vector<Rainbow> rainbows;
     std::vector<Media> media;  ///< outside of solids
-    Box near;                  ///< where media are worth most effort; empty where there are none
+    Box near;                  ///< where media deserve most effort; empty if there are none
     SkyLight light;            ///< empty unless the sky is a luminaire
 };
 

@@ -10,14 +10,14 @@ namespace candelabra {
 
 namespace {
 
-/// What no size is counted as, as a share of the room that the sources take.
+/// Radius of sources without size, as a fraction of the extent of all sources.
 constexpr double min_radius = 1e-6;
 
 bool same_direction_everywhere(const PointLight& light) {
     return light.along_axis() && light.kept_to() != parallel_beam;
 }
 
-/// Lights that take light away can be no share of the whole.
+/// Whether the light can be sampled: one with negative colour has no probability.
 bool can_be_chosen(const PointLight& light) {
     return std::isfinite(light.colour.x + light.colour.y + light.colour.z) &&
            std::min({light.colour.x, light.colour.y, light.colour.z}) >= 0;
@@ -40,7 +40,7 @@ Falloff falloff(const PointLight& light) {
     return result;
 }
 
-/// Around all points that light comes from: of a beam, around those where it leaves.
+/// Radius of a ball around all points that emit light; for a beam, around those where it starts.
 double radius(const PointLight& light) {
     if (light.kept_to() == parallel_beam) return std::abs(light.falloff.value_or(1));
     if (!light.is_area() || !light.area_illumination) return 0;
@@ -49,7 +49,7 @@ double radius(const PointLight& light) {
 
 Luminaire emitter(const PointLight& light, std::uint32_t number) {
     SourceEmitter source{light.location, radius(light), falloff(light)};
-    // Light of one direction comes from a point of the sphere of directions.
+    // A light with one direction is a point of the sphere of directions.
     if (same_direction_everywhere(light)) source = {unit(light.location - light.point_at), 0, {}};
     return {source, light.colour, false, nullptr, number};
 }
@@ -59,11 +59,11 @@ const PointLight& point_light(const Light& light) { return std::get<PointLight>(
 class Sets {
 public:
     Sets(std::span<const Light> lights, const LightSampler& sampler, const LightScene& scene,
-         std::size_t max_asked)
-        : lights_(lights), settings_(sampler), scene_(scene), max_asked_(max_asked) {}
+         const SourceLimits& limits)
+        : lights_(lights), settings_(sampler), scene_(scene), limits_(limits) {}
 
     void add(std::uint32_t group, std::vector<std::uint32_t> members) {
-        if (members.size() <= max_asked_ || std::holds_alternative<EveryLight>(settings_)) {
+        if (members.size() <= limits_.max_asked || std::holds_alternative<EveryLight>(settings_)) {
             result.push_back({group, std::move(members)});
             return;
         }
@@ -87,19 +87,19 @@ public:
 private:
     void add_drawn(SourceSet set) {
         if (set.lights.empty()) return;
-        if (set.lights.size() > max_asked_) {
+        if (set.lights.size() > limits_.max_asked) {
             for (const std::uint32_t i : set.lights)
                 set.emitters.push_back(emitter(point_light(lights_[i]), i));
             give_size(set.emitters);
             LightScene scene = scene_;
             if (set.parallel) scene = {};
             scene.luminaires = set.emitters;
-            set.sampler = build(settings_, scene, 0);
+            set.sampler = build(settings_, scene, limits_.threads);
         }
         result.push_back(std::move(set));
     }
 
-    /// Without any, rounding would decide what is above a horizon.
+    /// Sets a minimum radius: without one, rounding would decide which sources are above a horizon.
     static void give_size(std::vector<Luminaire>& emitters) {
         Box all;
         for (const Luminaire& e : emitters)
@@ -115,7 +115,7 @@ private:
     std::span<const Light> lights_;
     const LightSampler& settings_;
     const LightScene& scene_;
-    std::size_t max_asked_;
+    const SourceLimits& limits_;
 };
 
 }  // namespace
@@ -123,10 +123,10 @@ private:
 std::vector<SourceSet> source_sets(std::span<const Light> lights,
                                    std::span<const std::uint32_t> group_of,
                                    const LightSampler& sampler, const LightScene& scene,
-                                   std::size_t max_asked) {
+                                   const SourceLimits& limits) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
     for (std::uint32_t i = 0; i < lights.size(); ++i) groups[group_of[i]].push_back(i);
-    Sets sets(lights, sampler, scene, max_asked);
+    Sets sets(lights, sampler, scene, limits);
     for (auto& [group, members] : groups) sets.add(group, std::move(members));
     return std::move(sets.result);
 }

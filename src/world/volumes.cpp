@@ -10,12 +10,12 @@ namespace candelabra {
 
 namespace {
 
-/// Boxes that all volumes together, and one of them, are cut into, about; and how many times as
-/// long as wide a volume may be.
+/// Approximate number of boxes into which all volumes together, and one volume, are cut; and the
+/// maximum number of boxes along one axis.
 constexpr double max_boxes = 8192, max_boxes_of_one = 128, longest = 64;
-/// Points that are looked at in each cell of a box.
+/// Number of points that are evaluated in each cell of a box.
 constexpr std::uint32_t points_in_cell = 2;
-/// What a box counts as at least, as a share of the mean of all: something may have been missed.
+/// Minimum mean brightness of a box, as a fraction of that of all: the points may miss something.
 constexpr double min_of_mean = 0.01;
 
 bool is_same_solid(const World& world, PrimitiveIndex a, PrimitiveIndex b) {
@@ -30,7 +30,7 @@ Vec3 emission_of_media(const World& world, PrimitiveIndex volume, const Vec3& po
     return sum;
 }
 
-/// What may be emitted along a unit of length anywhere in it.
+/// Upper bound of the emission per unit of length anywhere in the volume.
 Vec3 greatest_emission_of(const World& world, PrimitiveIndex volume) {
     Vec3 sum(0);
     for (const Media& media : world.material(volume).interior->media)
@@ -38,7 +38,7 @@ Vec3 greatest_emission_of(const World& world, PrimitiveIndex volume) {
     return sum;
 }
 
-/// A box cut into boxes that are about as long as wide.
+/// A box cut into boxes of similar length and width.
 class Cut {
 public:
     Cut(const Box& box, double count) : box_(box) {
@@ -67,14 +67,14 @@ private:
     Vec3 number_;
 };
 
-/// Of one volume.
+/// Samples the emission of one volume.
 class VolumeSurvey {
 public:
     using Cells = std::array<double, EmissionGrid::count>;
 
     VolumeSurvey(const World& world, PrimitiveIndex volume) : world_(world), volume_(volume) {}
 
-    /// Of a box that has that number.
+    /// Brightness of the cells of the box with that number.
     Cells brightness(const Box& box, std::size_t number) const {
         constexpr auto side = EmissionGrid::side;
         const Vec3 size = box.size() / static_cast<double>(side);
@@ -151,7 +151,7 @@ void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool s
     for (const GlowingPrimitive& glow : glowing) {
         const PrimitiveIndex primitive = geometry.primitive(glow.kind, glow.index);
         const std::uint32_t item = geometry.item_of(primitive);
-        // The leaves of a composite come one after the other.
+        // The leaves of a composite are consecutive.
         if (std::exchange(last, item) == item) continue;
         const Box box = geometry.inside_bounds(item);
         const Vec3 size = box.size();

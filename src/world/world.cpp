@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions that rays ask of a world.
+// Ray queries of a world.
 #include "world/world.h"
 
 #include "index/asked.h"
@@ -16,8 +16,8 @@ namespace candelabra {
 
 namespace {
 
-// Rounding errors of a hit grow with the coordinates and distances that it is computed from; this
-// share of them is some thousand times the error and far below anything that is seen.
+// Rounding errors of a hit grow with the coordinates and distances from which it is computed. This
+// fraction of them is some thousand times the error, and far below anything visible.
 constexpr double relative_tolerance = 1e-11;
 
 double tolerance_at(const Ray& ray, double t) {
@@ -27,7 +27,7 @@ double tolerance_at(const Ray& ray, double t) {
 /// The next larger number after a positive one.
 double next_up(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
-/// In world space, with a normal of any length.
+/// Crossing in world space, with a normal of any length.
 Crossing in_world(const PlacedShape& placed, Crossing crossing) {
     if (placed.transform) crossing.normal = placed.transform->normal(crossing.normal);
     return crossing;
@@ -37,7 +37,7 @@ Ray in_shape(const PlacedShape& placed, const Ray& ray) {
     return placed.transform ? placed.transform->inverse_ray(ray) : ray;
 }
 
-/// Between the ends of the range.
+/// First crossing strictly within the range.
 std::optional<Crossing> first_crossing(const PlacedShape& placed, const Ray& ray,
                                        const Interval& range) {
     Crossings found;
@@ -124,8 +124,9 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     };
     const std::uint32_t first_shape = geometry.shapes_begin();
     std::uint32_t met = 0;  // the item of `best`
-    // Of surfaces in one place one counts, whatever the order of asking: what has no end; of two
-    // spheres or triangles, as meshes are full of, the lower number; else see precedence.h.
+    // One of several coincident surfaces counts, in any order of tests: an infinite one; of two
+    // spheres or triangles, as are frequent in meshes, the one with the lower number; else see
+    // precedence.h.
     bool finite = false;
     const auto ask = [&](std::uint32_t item) {
         const Candidate before = best;
@@ -220,7 +221,7 @@ bool World::may_pass(std::uint32_t item) const {
     return composite ? composite->transparent : material(item).transparent;
 }
 
-/// Leaves out what is clear and follows another, or an end of the way, too closely.
+/// Drops clear surfaces that follow another one, or an end of the way, too closely.
 void World::keep_apart(Passages& passages, const Ray& ray, double distance, double apart) const {
     Passages kept;
     double before = 0;
@@ -233,8 +234,8 @@ void World::keep_apart(Passages& passages, const Ray& ray, double distance, doub
     passages = kept;
 }
 
-/// What the insides of solids leave of light that passes through their surfaces. As in POV-Ray,
-/// what the light leaves dims it by the way since the last surface, whichever that is.
+/// Attenuation by the interiors of solids along the way. As in POV-Ray, light that leaves a solid
+/// is attenuated by the distance since the last surface, whichever that is.
 Vec3 World::dimmed(const Passages& passages, std::span<const PrimitiveIndex> solids) const {
     const bool fades = std::ranges::any_of(passages, [&](const Passage& each) {
         const auto& interior = material(each.primitive).interior;
@@ -255,7 +256,7 @@ Vec3 World::dimmed(const Passages& passages, std::span<const PrimitiveIndex> sol
     return left;
 }
 
-/// The parts of a light's way between the surfaces that it passes.
+/// Passes on the parts of a light's way between the surfaces that it passes.
 void World::for_stretches(const Passages& passages, std::span<const PrimitiveIndex> around,
                           double distance, const UseStretch& use) const {
     EnteredSolids inside;
@@ -303,7 +304,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
         });
     if (blocked) return Vec3(0);
 
-    // An item may be asked twice, and counts once; sorted, so that the product never depends on the
+    // An item may be tested twice, but counts once. Sorting makes the product independent of the
     // tree.
     std::ranges::sort(clear);
     clear.erase(std::unique(clear.begin(), clear.end()), clear.end());
@@ -336,7 +337,7 @@ bool World::is_noted_solid(std::uint32_t item) const {
     if (geometry.is_triangle(item)) return false;
     const PlacedComposite* placed = geometry.composite(item);
     const Material& outer = material(placed ? placed->first_leaf : item);
-    // What is opaque may be around the camera, or have holes that it is seen through.
+    // An opaque solid may contain the camera, or have holes through which its inside is seen.
     return (has_air() && !outer.hollow) || outer.interior ||
            (placed ? placed->transparent : outer.transparent);
 }

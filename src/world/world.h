@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A compiled scene: what rays can meet. Immutable once compile() has made it, so any number of
-// threads may ask it.
+// A compiled scene, for ray queries. Immutable once compile() has made it, so any number of threads
+// may use it.
 #pragma once
 
 #include "camera/camera.h"
@@ -20,36 +20,37 @@ namespace candelabra {
 
 class RayConstants;
 
-/// From where the world is seen.
+/// The camera, and the settings of its film.
 struct WorldView {
     Projection camera;
     Bump camera_normal;
     FilmSettings film = {};
 };
 
-/// What holds for the whole scene.
+/// Settings of the whole scene.
 struct Rules {
     GlobalSettings settings;
     double language_version = 3.7;
     int quality = 9;  ///< see surface/quality.h
 };
 
-/// Surfaces that a ray passes in a straight line: more are rounding errors, or too many to matter.
+/// Maximum number of surfaces that a ray passes in a straight line: more are rounding errors, or do
+/// not matter.
 inline constexpr int max_surfaces_along = 1000;
 
 class World {
 public:
     World() = default;
-    World(World&&) = default;  ///< not copied: the sampler looks at the luminaires where they are
+    World(World&&) = default;  ///< not copied: the sampler refers to the luminaires
     World& operator=(World&&) = default;
 
-    /// The nearest surface further than `tolerance` along the ray, whose direction has length 1.
+    /// Finds the nearest surface farther than `tolerance` along the ray, whose direction has length
+    /// 1.
     bool first_hit(const Ray&, double tolerance, RayKind, Hit&) const;
 
-    /// Calls visit(hit, distance) for the surfaces that the ray meets further than `from`, the
-    /// nearest first, while that returns true. A visit that takes a Hit& may raise its tolerance:
-    /// the next surface is further behind it than that. Returns whether there was no visit that
-    /// returned false.
+    /// Calls visit(hit, distance) for the surfaces that the ray meets farther than `from`, nearest
+    /// first, until a call returns false. A visit that takes a Hit& may raise its tolerance: the
+    /// next surface is farther behind the hit than that. Returns whether no call returned false.
     template <class Visit>
     bool along(const Ray& ray, double from, RayKind kind, Visit visit) const {
         Hit hit;
@@ -62,36 +63,35 @@ public:
         return true;
     }
 
-    /// The share of light that gets from a hit to a point at that distance along the ray, per
-    /// channel: 0 when something opaque is between. What lies within the tolerance of either end
-    /// does not count, nor do clear surfaces that are `apart` or less behind another or from an
-    /// end. Light that starts in solids, which are `around` it, leaves these first. Media do not
-    /// count.
+    /// Transmittance from a hit to a point at that distance along the ray, per channel: 0 if
+    /// something opaque is in between. Surfaces within the tolerance of either end do not count,
+    /// nor do clear surfaces that are `apart` or less behind another one or from an end. Light that
+    /// starts inside of the solids `around` leaves these first. Media do not count.
     Vec3 transmittance(const Ray&, double tolerance, double distance,
                        std::span<const PrimitiveIndex> around = {}, double apart = 0) const;
 
-    /// A part of a light's way between two surfaces, and the solids that it lies in.
+    /// Takes a part of a light's way between two surfaces, and the solids that contain it.
     using UseStretch = FunctionRef<void(const Interval&, std::span<const PrimitiveIndex>)>;
     struct Shade {
         std::span<const PrimitiveIndex> around = {};
         double apart = 0;
-        const UseStretch* stretches = nullptr;  ///< null: nobody asks
+        const UseStretch* stretches = nullptr;  ///< null: not wanted
     };
-    /// The same, and calls `stretches` for each part of the way if light passes. What casts no
-    /// shadow is not there.
+    /// The same, and calls `stretches` for each part of the way if light passes. Objects that cast
+    /// no shadow are ignored.
     Vec3 transmittance(const Ray&, double tolerance, double distance, const Shade&) const;
 
-    /// What the surface that a ray hits leaves of the light from behind it, per channel.
+    /// Fraction of the light from behind that the surface at a hit transmits, per channel.
     Vec3 passed(const Hit&, const Ray&) const;
 
-    /// Whether rays must know that they are inside of an item: it is transparent, has an interior,
-    /// or keeps out the fog that there is.
+    /// Whether rays must track that they are inside of an item, because it is transparent, has an
+    /// interior, or keeps out fog of the scene.
     bool is_noted_solid(std::uint32_t item) const;
-    /// Whether there may be such solids.
+    /// Whether there may be noted solids.
     bool notes_solids() const {
         return appearance.any_transparent || appearance.any_media || has_air();
     }
-    /// Whether rays begin in places of which it must be found out fast what they are in.
+    /// Whether rays may begin anywhere, so that the solids around their origin must be found fast.
     bool indexes_solids() const {
         return view.camera.parallel || !photon_targets.empty() || !lights.volumes.empty();
     }
@@ -104,10 +104,10 @@ public:
 
     /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
     bool contains_point(PrimitiveIndex, const Vec3&) const;
-    /// The noted solids that the point lies inside of, by a primitive of each.
+    /// Returns the noted solids that contain the point, one primitive of each.
     EnteredSolids containing(const Vec3&) const;
-    /// A ray in those solids passes a surface of the primitive: it leaves the primitive's solid if
-    /// it is in it, and else enters it.
+    /// Updates the solids of a ray that passes a surface of the primitive: the ray leaves the
+    /// primitive's solid if it is inside, and enters it otherwise.
     Passing pass(PrimitiveIndex, EnteredSolids&) const;
 
     const Material& material(PrimitiveIndex primitive) const {
@@ -117,42 +117,42 @@ public:
     /// Radiance that the primitive emits at a point of its surface.
     Vec3 emission(PrimitiveIndex, const Vec3& point) const;
 
-    /// Calls use(share, texture) for each texture that shows at a point of the surface: one, or
-    /// those of the corners of a mesh's face, or of a blob's components. The shares add up to 1.
-    /// `part` is the hit's, or any_part.
+    /// Calls use(share, texture) for each texture that shows at a point of the surface: a single
+    /// one, or those of the corners of a mesh's face or of a blob's components. The shares add up
+    /// to 1. `part` is that of the hit, or any_part.
     void for_textures(PrimitiveIndex, std::uint32_t part, const Vec3& point,
                       FunctionRef<void(double, const Texture&)> use) const;
 
-    /// Where the point is on a picture that is wrapped around the surface.
+    /// Returns the point's coordinates on a picture that is wrapped around the surface.
     Vec2 uv(PrimitiveIndex, std::uint32_t part, const Vec3& point) const;
 
-    /// What comes from a direction in which there is nothing.
+    /// Radiance from a direction without surfaces.
     Vec3 sky_radiance(const Vec3& direction) const {
         return sky_radiance(direction, sky.background.radiance());
     }
-    /// The same with that light of the background.
+    /// The same with that radiance of the background.
     Vec3 sky_radiance(const Vec3& direction, const Vec3& behind) const;
 
-    /// How clear it is there, 0 to 1, in a picture with alpha: POV-Ray 3.7's rules.
+    /// Transparency of the sky in that direction, 0 to 1, for a picture with alpha: POV-Ray 3.7's
+    /// rules.
     double sky_clear(const Vec3& direction) const;
 
     /// Whether the lights of a group may light an object of the material.
     bool reaches(std::uint32_t light_group, const Material&) const;
 
-    /// Whether it is left to chance which lights are asked at a point.
+    /// Whether some lights are sampled at random.
     bool light_is_drawn() const;
 
-    /// The share of a surface of this colour that is not transparent, by the scene's language
-    /// version.
+    /// Opacity of a surface of this colour, by the rules of the scene's language version.
     double opacity(const Colour&) const;
 
-    /// What all patterns of the scene have in common, for a point that is on no surface.
+    /// Settings that all patterns of the scene share, for a point on no surface.
     PatternScene pattern_scene() const {
         return {noise_generator(rules.settings.noise_generator), rules.settings.number_of_waves,
                 nullptr};
     }
 
-    /// The same for a point of a surface, without how it is seen.
+    /// The same for a point of a surface, without the viewing direction.
     PatternScene pattern_scene(PrimitiveIndex primitive, std::uint32_t part,
                                const Vec3& point) const {
         PatternScene scene = pattern_scene();
@@ -160,7 +160,7 @@ public:
         return scene;
     }
 
-    /// What rays into a solid are told apart by: all faces of a mesh are one solid, and so are all
+    /// Number that identifies a solid for rays: all faces of a mesh are one solid, and so are all
     /// leaves of a composite, and all parts of a union that share its interior.
     std::uint32_t solid(PrimitiveIndex primitive) const {
         constexpr std::uint32_t above_all = 0x80000000;
@@ -170,20 +170,20 @@ public:
         return geometry.is_triangle(primitive) ? ~material(primitive).solid : primitive;
     }
 
-    /// Whether diffuse surfaces get light from each other, as `radiosity` says.
+    /// Whether diffuse surfaces light each other, by `radiosity`.
     bool gathers_light() const {
         return rules.settings.radiosity.on && rules.quality >= quality_full;
     }
-    /// Whether light that surfaces reflect lights others.
+    /// Whether reflected light of surfaces lights other surfaces.
     bool has_indirect_light() const {
         return gathers_light() || std::holds_alternative<PathTraced>(rules.settings.integrator);
     }
 
-    /// Whether surfaces get other light than that of luminaires by way of diffuse surfaces.
+    /// Whether surfaces receive other light than that of luminaires by way of diffuse surfaces.
     bool has_other_light() const {
         return appearance.any_other_light || !is_lit_by_luminaires_only();
     }
-    /// Whether there are no light sources, sky and media that are lit or shine.
+    /// Whether there are no light sources, no sky that may shine, and no air or media.
     bool is_lit_by_luminaires_only() const {
         return lights.sources.empty() && !sky.sphere && sky.background.radiance() == Vec3(0) &&
                !has_air() && !has_media();
@@ -194,7 +194,7 @@ public:
         return differs_by_light() || !photon_targets.empty() || appearance.any_drawn_media ||
                std::ranges::any_of(sky.media, &Media::drawn);
     }
-    /// The same where media are not asked and no photons fly: these differ less.
+    /// The same without media and photons, by which samples differ less.
     bool differs_by_light() const {
         return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
                !shutter.empty() || has_indirect_light();
@@ -206,7 +206,7 @@ public:
     Sky sky;
     WorldView view;
     Rules rules;
-    std::vector<PhotonTarget> photon_targets;  ///< empty: there are no photons
+    std::vector<PhotonTarget> photon_targets;  ///< empty: no photons
     Provenance provenance;
     std::vector<World> shutter;  ///< the scene at later times while the camera's shutter is open
 
@@ -225,11 +225,11 @@ private:
         Vec3 normal;  ///< of any length
         std::uint32_t part = 0;
     };
-    using Passages = ShortList<Passage, 8>;  ///< from the first to the last, when all are there
-    /// Adds a noted solid, if the point is in it: a composite by the leaf whose interior it has.
+    using Passages = ShortList<Passage, 8>;  ///< sorted by distance once complete
+    /// Adds a noted solid if it contains the point; a composite by the leaf whose interior applies.
     void add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids&) const;
-    /// The nearest surface of the item within the range that is nearer than the candidate. Of a
-    /// composite those leaves count for which wanted(PrimitiveIndex) is true.
+    /// Finds the nearest surface of the item within the range that is nearer than the candidate. In
+    /// a composite only leaves for which wanted(PrimitiveIndex) is true count.
     template <class Wanted>
     void intersect(std::uint32_t item, RayConstants&, const Interval&, Candidate&, Wanted) const;
     bool left_out(PrimitiveIndex, RayKind) const;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Calls test() again and again until it gives true; false after some seconds.
+/// Polls test() until it returns true. Returns false after some seconds.
 template <class Test>
 bool soon(const Test& test) {
     for (int i = 0; i < 3000; ++i) {
@@ -35,12 +35,12 @@ bool soon(const Test& test) {
 
 TEST_CASE("a frame is prepared while the one before it is rendered") {
     Shell shell;
-    // The second frame writes a file: where that is, the frame is being read.
+    // The second frame writes a file, whose existence shows that the frame is being read.
     shell.write("moving.pov", std::string(lit_scene) +
                                   "#if (frame_number = 2) #fopen Sign \"sign.txt\" write #end");
     std::atomic<bool> met = false, once = true;
     shell.interrupts.take = [&] {
-        if (once.exchange(false))  // from the rendering of the first frame
+        if (once.exchange(false))  // set by the rendering of the first frame
             met = soon([&] { return std::filesystem::exists(shell.path("sign.txt")); });
         return Interrupt::none;
     };
@@ -65,7 +65,7 @@ TEST_CASE("frames are the same whether they are prepared ahead or not") {
         std::string all;
         for (const char* number : {"1", "2", "3", "4"})
             all += shell.content(name + number + ".png");
-        // What is said comes in the order of the frames.
+        // Output appears in frame order.
         std::size_t at = 0;
         for (const char* part : {"frame 1 (", "clock 0.00", "a1", "frame 2 (", "clock 0.33"})
             CHECK((at = shell.err.find(part[0] == 'a' ? name + "1.png: " : part, at)) !=
@@ -86,8 +86,8 @@ TEST_CASE("a frame that is made from the picture before it waits for that") {
                        "+O" + shell.path("f.png")}) == 0);
         return shell.content("f3.png");
     };
-    const std::string first = run("+WT2");  // there is no picture before
-    CHECK(run("+WT2") == first);            // there are those of the last run
+    const std::string first = run("+WT2");  // there is no previous picture
+    CHECK(run("+WT2") == first);            // there are the pictures of the last run
     CHECK(run("+WT1") == first);
 }
 

@@ -56,7 +56,7 @@ TEST_CASE("a state comes back bit by bit; a damaged one is an error and no crash
         Diagnostics problems;
         const auto read = read_checkpoint(path, problems);
         CAPTURE(i);
-        // What the sums do not cover may differ: the picture that viewers show, and the texts.
+        // Data that the sums do not cover may differ: the picture for viewers, and the texts.
         CHECK((read ? read->state.film == made.state.film : problems.error_count() == 1));
     }
     std::filesystem::remove(path);

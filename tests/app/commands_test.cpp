@@ -158,7 +158,7 @@ TEST_CASE("a check says that there are no errors, and writes no picture") {
         CHECK(shell.out.empty());
         CHECK_FALSE(fs::exists(shell.path("x.png")));
     }
-    // What only evaluation can know is left alone by the check of the syntax.
+    // The syntax check ignores errors that only evaluation can find.
     shell.write("unknown.pov", "sphere { Nowhere, 1 }\n");
     CHECK(shell({shell.path("unknown.pov"), "--check=syntax"}) == 0);
     CHECK(shell({shell.path("unknown.pov"), "--check"}) == 1);
@@ -219,7 +219,7 @@ TEST_CASE("included files are found beside the scene, in +L and in the standard 
     shell.library = shell.path("library");
     CHECK(shell({shell.path("user.pov"), "+L" + shell.path("extra/"), "--dump", "scene"}) == 0);
     CHECK(has(shell.out, "sphere { 1, 5 "));
-    // A folder of other include files is a fallback; beside the scene anything can be replaced.
+    // Other folders of include files are fallbacks; files beside the scene take precedence.
     shell.write("extra/standard.inc", "#declare C = 4;\n");
     CHECK(shell({shell.path("user.pov"), "+L" + shell.path("extra/"), "--dump", "scene"}) == 0);
     CHECK(has(shell.out, "sphere { 1, 5 "));
@@ -349,7 +349,7 @@ TEST_CASE("each form of progress says it to those who listen") {
         CHECK_FALSE(has(each.on_out ? shell.err : shell.out, each.text));
     }
     for (const char* form : {"none", "plain", "auto"}) {
-        Shell shell;  // too quick for a line
+        Shell shell;  // finishes before a line is due
         REQUIRE(shell.render({"-F", "--progress", form}) == 0);
         CHECK(shell.out.empty());
         CHECK(shell.err.starts_with("no file: 16 x 12 in "));
@@ -388,10 +388,10 @@ TEST_CASE("every picture says what made it, as far as its format has room") {
         const std::string bytes = shell.content(name);
         for (const char* part : {"Candelabra ", "; scene lit.pov, sha256 ", " width=16;"})
             CHECK(has(bytes, part));
-        if (std::string_view(ending) != "tga")  // whose texts have 324 characters
+        if (std::string_view(ending) != "tga")  // with at most 324 characters of text
             for (const char* part : {" seed=7;", " samples=2;"}) CHECK(has(bytes, part));
         Diagnostics diagnostics;
-        CHECK(read_picture(shell.path(name), diagnostics));  // the text is in nobody's way
+        CHECK(read_picture(shell.path(name), diagnostics));  // the text does no harm
     }
 }
 

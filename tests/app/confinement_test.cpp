@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An INI file in the folder of a scene, read as the program reads it.
+/// An INI file in the folder of a scene, parsed as the program does it.
 struct Stranger {
     Folder folder;
     std::string here = folder / "scene";
@@ -30,7 +30,7 @@ struct Stranger {
         REQUIRE(mkfifo((folder / "scene/pipe.pov").c_str(), 0600) == 0);
     }
 
-    /// The rule that a line breaks; "" when it breaks none.
+    /// Returns the rule that a line breaks, or "".
     std::string said(const std::string& line, std::vector<std::string> before = {}) const {
         folder.put("scene/a.ini", line + "\n");
         before.push_back(here + "/a.ini");
@@ -48,7 +48,7 @@ struct Stranger {
     }
 };
 
-/// Options that name what is written, without their values.
+/// Options that name output files, without their values.
 constexpr auto written = {"Output_File_Name=",
                           "+O",
                           "--movie=",
@@ -180,7 +180,7 @@ TEST_CASE("what the user permits holds for INI files as well, wherever it is sai
     stranger.folder.put("scene/a.ini", "Debug_File=" + stranger.folder / "said.txt" + "\n");
     CHECK(Stranger::read({ini, "--allow-read=" + all}) != "");
     CHECK(Stranger::read({ini, "--allow-write", all}) == "");
-    // The user's own settings are trusted, what they name is not.
+    // The user's own settings are trusted, but files that they name are not.
     const std::string settings = stranger.folder / "settings.ini";
     stranger.folder.put("settings.ini", "Library_Path=/\n--limit-steps=1e10\n");
     CHECK(Stranger::read({}, settings) == "");

@@ -43,7 +43,7 @@ struct Darkroom : Shell {
         CHECK(err == "");
         return content("developed.png");
     }
-    /// A file of other programs.
+    /// Writes a file as other programs do.
     void write_planes(const std::string& name, const std::vector<std::string>& planes) {
         LayeredPicture picture{2, 1, {}, {}};
         float value = 0.125f;
@@ -79,7 +79,7 @@ TEST_CASE("what is developed later has the bytes of what was developed at once",
         INFO(film[0] << ' ' << film[1]);
         CHECK(darkroom.developed("b.exr") == wanted);
     }
-    // With layers, the light lies beside the picture, too; an alpha channel is kept.
+    // With layers, the light is also stored beside the picture; an alpha channel is kept.
     std::vector<std::string> layers = some_samples;
     layers.insert(layers.end(), {"+UA", "--layers", "albedo,lights"});
     const std::string with_alpha = darkroom.picture("c.png", layers);
@@ -102,7 +102,7 @@ TEST_CASE("a picture with a film does not depend on shards, threads and stops", 
     CHECK(darkroom.content("b.png") == whole);
     darkroom.picture("c.png", {"--samples", "7", "--keep-state"});
     CHECK(darkroom.picture("c.png", {"--samples", "24", "+C", "+WT3"}) == whole);
-    // Another film would have needed other samples.
+    // A different film would have needed different samples.
     CHECK(darkroom({darkroom.path("film.pov"), "-V", "+W40", "+H36", "--samples", "24", "+C",
                     "--exposure", "3", "+O" + darkroom.path("b.png")}) == 0);
     darkroom.picture("d.png", {"--samples", "7", "--keep-state"});
@@ -130,7 +130,7 @@ TEST_CASE("a film that changes nothing makes the picture that there is without",
     REQUIRE((on && off));
     CHECK(off->planes.size() == 3);
     CHECK(on->planes.size() == 6);
-    // The light is the scene's in both.
+    // Both store the scene's radiance.
     for (std::size_t i = 0; i < 3; ++i) CHECK(on->planes[i].bits == off->planes[i].bits);
 }
 
@@ -171,7 +171,7 @@ plane { y, -1 pigment { rgb 0.5 } finish { ambient 0.1 } }
     for (int frame = 1; frame <= 6; ++frame) {
         const std::string bytes = shell.content("f" + std::to_string(frame) + ".ppm");
         REQUIRE(bytes.size() > 32 * 24 * 3);
-        // The ground below, away from the lamp.
+        // The ground at the bottom, away from the lamp.
         double sum = 0;
         for (std::size_t i = bytes.size() - 32 * 3 * 3; i < bytes.size(); ++i)
             sum += static_cast<unsigned char>(bytes[i]);
@@ -206,7 +206,7 @@ TEST_CASE("an alpha of any numbers is developed", "[app][film]") {
     const auto made =
         read_stored({"developed.png", darkroom.content("developed.png")}, diagnostics, {});
     REQUIRE(made);
-    // What is brighter than its alpha has more alpha.
+    // Alpha is raised where the colour exceeds it.
     CHECK(made->alpha[0] == 1);
     CHECK(made->alpha[1] == 1);
     CHECK(made->alpha[2] < 0.6F);

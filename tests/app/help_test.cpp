@@ -106,7 +106,7 @@ TEST_CASE("name and version") {
 
 namespace {
 
-/// The manual page of scenes as people read it.
+/// Returns the manual page of scenes with its parts included.
 std::string page_of_scenes() {
     std::ifstream file(CANDELABRA_SOURCE_DIR "/man/candelabra-scene.5.in");
     std::string page(std::istreambuf_iterator<char>(file), {});
@@ -135,7 +135,7 @@ bool has_word(const std::string& text, const std::string& word) {
     return false;
 }
 
-/// Every word that a scene may contain, and every file and macro of the library.
+/// Returns every word that a scene may contain, and every file and macro of the library.
 std::set<std::string> words_of_scenes() {
     std::set<std::string> words;
     for (const Word& word : reserved_words())

@@ -28,7 +28,7 @@ TEST_CASE("a slice of the index shows the cells in it, as the camera sees them",
         CHECK(drawn.starts_with("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 600'>"));
         CHECK(drawn.ends_with("</svg>\n"));
     }
-    // Each alone in its cell; the others lie before and behind the plane.
+    // Each item is alone in its cell; the other cells lie before and behind the plane.
     KdTree fine;
     fine.node_cost = 0;
     fine.group_cost = 100;

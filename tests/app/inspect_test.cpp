@@ -19,7 +19,7 @@ light_source { <-1, 0, -5>, 3 }
 light_source { <-1, 0, -5>, 1 }
 )";
 
-/// A picture of the scene that is ready to be looked at.
+/// A scene with a picture to inspect.
 struct Look {
     World world = compiled();
     SourceStore sources;

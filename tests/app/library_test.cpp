@@ -46,7 +46,7 @@ TEST_CASE("the settings of everybody come from the file that a variable names", 
     CHECK(settings_file("mine.ini", nullptr) == "mine.ini");
     CHECK_FALSE(settings_file("", nullptr));
     CHECK_FALSE(settings_file(nullptr, "/no/such/home"));
-    // What lies in the current folder may have come with a scene.
+    // A file in the current folder may have come with a scene.
     const fs::path before = fs::current_path();
     const Folder folder;
     folder.put("candelabra.ini", "Library_Path=/");

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// A pipe whose far end is written to by the test.
+/// A pipe whose other end the test writes to.
 struct Pipe {
     int ends[2] = {-1, -1};
 

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// What the program says about a scene; its exit status at the end.
+/// Returns the output of the program for a scene, followed by its exit status.
 std::string said(const std::string& arguments) {
     const std::string command = CANDELABRA_BINARY " " + arguments + " 2>&1; echo status $?";
     std::string output;
@@ -50,7 +50,7 @@ TEST_CASE("a scene that takes too much memory gets a message", "[app]") {
     CHECK(text.find("not enough memory to evaluate this scene") != std::string::npos);
     CHECK(text.find("--limit-memory") != std::string::npos);
     CHECK(text.find("status 1") != std::string::npos);
-    // The loop is named.
+    // The message names the loop.
     CHECK(text.find("big.pov:2:18") != std::string::npos);
     CHECK(text.find("this loop has run ") != std::string::npos);
 }
@@ -70,7 +70,7 @@ TEST_CASE("the usual limit is half of what is free, for the machine and for the 
     CHECK(usual() == 500'000);
     folder.put("sys/fs/cgroup/user/job/memory.current", "600000\n");
     CHECK(usual() == 200'000);
-    // Files that are kept in memory can be dropped.
+    // The page cache can be dropped.
     folder.put("sys/fs/cgroup/user/job/memory.stat", "anon 100\nfile 300000\n");
     CHECK(usual() == 350'000);
     folder.put("sys/fs/cgroup/user/memory.max", "400000\n");

@@ -94,7 +94,7 @@ TEST_CASE("shares can be joined to larger shares first") {
             0);
     REQUIRE(farm.merge({"3of3", "1to2"}, {"+O" + farm.path("a.png")}) == 0);
     CHECK(farm.content("a.png") == whole);
-    // A state says from where to where it has samples, so it can have no gap.
+    // A state stores a contiguous range of samples, so it cannot have a gap.
     const std::string gap = farm.path("gap.state.exr");
     CHECK(farm.merge({"1of3", "3of3"}, {"--partial", "+O" + gap}) == 2);
     CHECK(has(farm.err, "samples 2 to 3 of 0 to 5 are missing"));

@@ -29,7 +29,8 @@ TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {
     };
     CHECK(has("a.mp4", "yuv420p"));
     CHECK_FALSE(has("a.gif", "yuv420p"));
-    // A name that begins with a hyphen is no option of ffmpeg.
+    CHECK_FALSE(has("A.GIF", "yuv420p"));
+    // A name that begins with a hyphen is not taken for an option of ffmpeg.
     CHECK(has("-a.mp4", "./-a.mp4"));
 }
 
@@ -46,10 +47,10 @@ TEST_CASE("a film has the frames with less noise, if they were asked for", "[app
     };
     const std::string exact = film_of("a.png", {}), quiet = film_of("a.png", {"--denoise"});
     CHECK(exact != quiet);
-    // The exact frames alone are not all that the film needs.
+    // The denoised frames must exist as well as the exact ones.
     std::filesystem::remove(shell.path("a2.denoised.png"));
     CHECK(film_of("a.png", {"--denoise", "--skip-existing"}) == quiet);
-    // Light is developed first.
+    // OpenEXR frames are developed first.
     CHECK(film_of("b.exr", {}) == exact);
     CHECK(film_of("b.exr", {"--denoise"}) == quiet);
     for (const auto& each : std::filesystem::directory_iterator(shell.path("")))

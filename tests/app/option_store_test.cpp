@@ -73,7 +73,7 @@ TEST_CASE("settings of whole numbers have both bounds", "[app]") {
             CHECK(field.range.low >= std::numeric_limits<int>::min());
             CHECK(field.range.high <= std::numeric_limits<int>::max());
         }
-    // In a file numbers are cut off before they are judged.
+    // Numbers in a file are truncated before they are checked.
     for (const OptionRow& row : option_table()) {
         if (row.field.empty() || row.keyword.empty()) continue;
         if (find_setting(row.field).info().type != FieldType::integer) continue;

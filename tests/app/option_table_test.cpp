@@ -69,7 +69,7 @@ TEST_CASE("an unoffered option is taken, warned of, or refused") {
 TEST_CASE("every switch and keyword of POV-Ray has a meaning or a one-line answer") {
     struct Case {
         std::vector<std::string_view> ways;
-        std::string_view answer = {};  ///< what is said; empty: nothing
+        std::string_view answer = {};  ///< the message; empty: none
     };
     const Case cases[] = {
         {{"+Ia.pov", "Input_File_Name=a.pov"}},

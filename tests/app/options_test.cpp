@@ -9,7 +9,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// Options without any complaint.
+/// Parses options; fails on any diagnostic.
 Options options_of(const Words& words) {
     Diagnostics diagnostics;
     Options options = read_options(words, diagnostics);
@@ -17,7 +17,7 @@ Options options_of(const Words& words) {
     return options;
 }
 
-/// The one complaint, with its help behind a bar.
+/// Returns the only diagnostic, with its help after a bar.
 std::string complaint(const Words& words, Severity severity = Severity::error) {
     Diagnostics diagnostics;
     read_options(words, diagnostics);

@@ -23,7 +23,7 @@ TEST_CASE("a darkroom prints the newest plate as it is wanted", "[app]") {
     };
     CHECK(darkroom.png().empty());
     CHECK(darkroom.exr().empty());
-    darkroom.set({});  // nothing to print yet, and nothing new
+    darkroom.set({});  // there is no plate to develop yet, and no change
     Plate plate;
     plate.width = 8;
     plate.height = 4;

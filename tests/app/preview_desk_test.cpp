@@ -50,7 +50,7 @@ TEST_CASE("what the page sets is told to the renderer, and comes back in the sta
 TEST_CASE("the page moves the camera that the scene gives", "[app]") {
     PreviewDesk desk([] {});
     const auto turn = [](Orbit& orbit, const Sight& given) { orbit.turn(given, 90, 0); };
-    desk.move_camera(turn);  // there is none yet
+    desk.move_camera(turn);  // there is no camera yet
     CHECK(desk.camera().empty());
     CHECK(desk.wishes().orbit_version == 0);
     desk.show_scene({projection(Perspective{}), 5}, {}, {}, false);

@@ -15,7 +15,7 @@ Image filled(int width, int height, const Vec3& colour) {
     return image;
 }
 
-/// Two lamps that give all light but a tenth.
+/// A plate with two lamps that together give nine tenths of the light.
 Plate lit_plate() {
     Plate plate;
     plate.width = plate.height = 2;

@@ -19,7 +19,7 @@ plane { z, 3 pigment { rgb 1 } finish { ambient 0.5 diffuse 0.5 } }
 light_source { <-1, 0, -5>, 1 }
 )";
 
-/// A scene on its stage, and all pictures that the page is shown.
+/// A scene on its stage, with all pictures that the page is shown.
 struct Rehearsal {
     World world = world_of(scene);
     SourceStore sources;
@@ -38,12 +38,12 @@ struct Rehearsal {
     }
     void note() {
         const std::lock_guard lock(mutex);
-        // The desk's own lock is free when it calls.
+        // The desk does not hold its lock when it calls.
         ScreenPicture now = desk_picture();
         if (now.bytes && (shown.empty() || shown.back().bytes != now.bytes)) shown.push_back(now);
     }
     ScreenPicture desk_picture() { return ready ? desk.picture() : ScreenPicture(); }
-    /// Renders in a thread of its own until the test is true.
+    /// Renders on another thread until the test is true.
     template <class Test>
     bool until(const Test& test) {
         ready = true;
@@ -76,7 +76,7 @@ TEST_CASE("the first picture is a coarse one of all, and the last has each pixel
     CHECK(first.columns <= 32);
     CHECK(first.width == 64);
     CHECK(first.height == 48);
-    // No part of it is black; the ball has no blue.
+    // No part is black; the ball has no blue, so red is checked.
     for (std::size_t i = 0; i < first.bytes->size(); i += 4) CHECK((*first.bytes)[i] != 0);
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("a scene that is another at once has its coarse picture, one that ends
         render_on_stage(
             {rehearsal.world, rehearsal.sources, rehearsal.options, {}, {}, rehearsal.lights},
             rehearsal.desk, {[] { return true; }, [&] { return ends; }});
-        // Pictures are developed by a thread of the desk's own.
+        // The desk develops pictures on its own thread.
         for (int i = 0; i < 400 && !ends && rehearsal.desk.picture().width == 0; ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         CHECK((rehearsal.desk.picture().width == 0) == ends);

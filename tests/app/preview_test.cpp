@@ -13,7 +13,8 @@ namespace candelabra {
 
 namespace {
 
-/// What all clients begin with: the preview of a scene, with options, and how to ask it.
+/// Common beginning of all clients: starts the preview of a scene with options, and defines
+/// requests.
 constexpr auto client_beginning = R"(
 import json, re, subprocess, sys, time, urllib.error, urllib.parse, urllib.request
 program, scene = sys.argv[1:]
@@ -39,14 +40,14 @@ def until(what, test):
     sys.exit("never: " + what + " " + str(status()))
 )";
 
-/// Ends the preview, whatever the client found.
+/// Ends the preview even if the client has failed.
 constexpr auto client_ending = R"(
 try: look()
 finally: run.terminate() if run else None
 assert run.wait(20) == 0
 )";
 
-/// Whether a client finds all as it should be. It begins the preview and looks at it in `look()`.
+/// Whether all checks of a client succeed. The client starts the preview and checks it in `look()`.
 bool client_succeeds(const Shell& shell, const std::string& client) {
     shell.write("client.py", client_beginning + client + client_ending);
     const std::string command = "timeout 100 python3 " + shell.path("client.py") +

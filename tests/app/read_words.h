@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options from the words of a command line, for the tests of what becomes of them.
+// Parses the words of a command line, for tests of the options.
 #pragma once
 
 #include "app/options.h"

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Runs with +C until the picture is finished, being stopped after some time (it is asked for at
-/// every 16th sample) each time; gives the number of stops.
+/// Runs with +C until the picture is finished, stopping each run at a random poll of the interrupts
+/// (one poll per 16 samples). Returns the number of stops.
 int stop_and_go(Shell& shell, std::vector<std::string> arguments, std::mt19937& random) {
     arguments.insert(arguments.end(), {shell.path("lit.pov"), "-V", "+C"});
     std::atomic<int> left = 0;

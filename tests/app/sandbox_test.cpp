@@ -22,7 +22,7 @@ namespace candelabra {
 
 namespace {
 
-/// What a confined process finds: whether each of these goes. The tests' own process stays free.
+/// Rights of a confined process, as bits. The process of the tests is not confined.
 enum Goes {
     reads_inside = 1,
     reads_outside = 2,
@@ -32,7 +32,7 @@ enum Goes {
     programs = 32
 };
 
-/// Runs in a process of its own, and gives its exit status.
+/// Runs the work in a child process and returns its exit status.
 int apart(const std::function<int()>& work) {
     const pid_t child = ::fork();
     REQUIRE(child >= 0);
@@ -67,8 +67,8 @@ int tried(const SandboxRules& rules, const std::string& inside, const std::strin
     });
 }
 
-/// What a scene says when it is evaluated where every file may be read and written, in a process that
-/// is confined to a folder: 0 when it has no error.
+/// Evaluates a scene with access to every file, in a process that is confined to a folder. Returns
+/// 0 if there is no error.
 int without_file_access(const std::string& folder, const std::string& script) {
     return apart([&] {
         if (!confine({{folder}, {folder}})) return 64;

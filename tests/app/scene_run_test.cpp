@@ -78,7 +78,7 @@ TEST_CASE("a shutter that stays open blurs what the clock moves") {
               pigment { rgb 1 } finish { ambient 1 diffuse 0 } })");
     const std::string file = "+O" + shell.path("a.ppm");
     REQUIRE(shell({shell.path("moving.pov"), "+W4", "+H1", "-A", "-V", file}) == 0);
-    // The box covers the first column at the clock 0, the second at 1.
+    // The box covers the first column at clock 0, the second at clock 1.
     const std::string picture = shell.content("a.ppm");
     const std::string row = picture.substr(picture.size() - 12);
     const auto grey = [&](std::size_t column) {

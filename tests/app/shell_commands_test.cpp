@@ -16,7 +16,7 @@ TEST_CASE("commands are told what they are about, safely") {
 namespace {
 
 struct Commanded : Shell {
-    /// Appends words to a file, which tells what was run.
+    /// Returns a command that appends words to a log of the commands run.
     std::string note(const std::string& words) const {
         return "echo " + words + " >> " + path("log") + ";";
     }
@@ -50,7 +50,7 @@ TEST_CASE("of a command that is not run the message names the line") {
                  "+O" + shell.path("p.png"), "+KFF2"}) == exit_status::done);
     CHECK(has(shell.err, "a.ini:4: `Post_Scene_Command=rm %o` is not run"));
     CHECK(has(shell.err, "a.ini:5: `Pre_Frame_Command=false` is not run"));
-    // Once, not for each frame.
+    // Reported once, not for each frame.
     CHECK(shell.err.find("Pre_Frame_Command") == shell.err.rfind("Pre_Frame_Command"));
     CHECK_FALSE(shell.content("p2.png").empty());
 }
@@ -69,7 +69,7 @@ TEST_CASE("what a command answers decides how the run goes on") {
     struct Case {
         std::vector<std::string> options;
         int status;
-        const char* log;  ///< without the names of pictures
+        const char* log;  ///< with file names removed
     };
     const Case cases[] = {
         {{"Pre_Frame_Command=test %n != 1", "Pre_Frame_Return=S"}, 0, "begin after2 end"},

@@ -14,7 +14,8 @@ namespace candelabra {
 TEST_CASE("SIGUSR1 writes the state, SIGTERM, SIGINT and SIGHUP end the program with it") {
     for (const char* signal : {"TERM", "INT", "HUP"}) {
         const Shell shell;
-        // A signal that comes before the program listens is ignored, as the program inherits that.
+        // A signal before the program listens is ignored, since the program inherits that
+        // disposition.
         const std::string script = "trap '' USR1; cd " + shell.folder.string() +
                                    "; " CANDELABRA_BINARY
                                    " lit.pov -V +W200 +H200 --samples 100000 +Oa.png & p=$!\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Spheres for the tests of what an object looks like and how it is moved.
+// Spheres for tests of the appearance and the transformations of objects.
 #pragma once
 
 #include "support/script.h"
@@ -8,7 +8,7 @@
 
 namespace candelabra {
 
-/// A sphere with this behind its radius, of which nothing is said.
+/// Runs a scene whose sphere has `text` behind its radius. Requires that nothing is reported.
 inline Script sphere_with(const std::string& text, const std::string& before = {}) {
     Script done = run("#version 3.7; " + before + " sphere { 0, 1 " + text + " }");
     INFO(text << '\n' << done.text);

@@ -17,7 +17,7 @@ TEST_CASE("a height field takes its heights from a function", "[bind]") {
     REQUIRE(field.grid);
     CHECK(field.smooth);
     CHECK(field.grid->width == 3);
-    // The first row is that of z = 0, which is y = 1 of the picture.
+    // The first row has z = 0, which is y = 1 in the picture.
     CHECK(field.grid->values == std::vector<std::uint16_t>{16383, 32767, 49151, 0, 16383, 32767});
 }
 

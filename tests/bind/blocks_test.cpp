@@ -15,7 +15,7 @@ namespace candelabra {
 
 namespace {
 
-/// What is in the braces of each block that is a value, or that a scene holds.
+/// Contents of the braces of each block that is a value or belongs to a scene.
 const std::map<std::string_view, std::string> samples = {
     {"union", "sphere { 0, 1 } sphere { x, 1 }"},
     {"intersection", "sphere { 0, 1 } sphere { x, 1 }"},

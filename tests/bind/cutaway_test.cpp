@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// The colour of the numbered part of the scene's only object at a point.
+/// The colour at a point on one part of the scene's only object.
 Vec3 colour(const Script& script, std::size_t part, const Vec3& point) {
     const Handle<Texture> texture = std::get<Union>(script.object(0).form).children[part]->texture;
     if (!texture) return Vec3(-1);

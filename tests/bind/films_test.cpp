@@ -54,7 +54,7 @@ TEST_CASE("a film belongs to its camera", "[bind][film]") {
     CHECK(to_text(done.scene.film) == "film=on exposure=3 response=agx");
     CHECK(run("#version 3.7; #default { camera { location -z film { response agx } } }")
               .scene.film.curve() == ResponseCurve::agx);
-    // Names that a scene makes up mean what they did.
+    // Names that a scene declares keep their meaning.
     const Script old =
         run("#version 3.7; #declare exposure = 3; #declare film = 2; "
             "sphere { 0, exposure -1 translate film*x }");

@@ -28,8 +28,8 @@ Script made(const std::string& block) {
     return done;
 }
 
-/// Of `mesh { file "t.obj" words }`, where the file holds this. There is none on the disk: what the
-/// loader has read becomes a mesh, and no file is opened again.
+/// Runs `mesh { file "t.obj" words }` with this text as the file, which is not on the disk: a mesh
+/// is made of the loader's text without opening the file again.
 Script made_of_file(const std::string& text, const std::string& words = "") {
     return run("#version 3.7; mesh { file \"t.obj\" " + words + " }", {{"t.obj", text}});
 }
@@ -45,7 +45,7 @@ TEST_CASE("objects become meshes", "[bind]") {
     const Script ball = made("mesh { sphere { 0, 1 } resolution 16 smooth scale 2 }");
     CHECK(mesh_of(ball).normals.size() == mesh_of(ball).vertices.size());
     CHECK(ball.object().transform);
-    // The object's own look and name.
+    // The mesh takes the texture of the object.
     const Script named = made(
         "#declare B = blob { threshold 0.5 sphere { 0, 1, 1 } pigment { rgb <0, 1, 0> } }\n"
         "mesh { object { B } resolution 12 }");

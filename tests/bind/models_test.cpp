@@ -25,7 +25,7 @@ TEST_CASE("spheres that are alike become a row", "[bind]") {
         const char* script;
         std::vector<std::size_t> lengths;  ///< 0: no row
     };
-    // The first two passes find out what the block is.
+    // The first two passes analyse the block.
     const auto [script, lengths] = GENERATE(values<Case>({
         {"#for (I, 1, 9) sphere { I, 1 } #end", {0, 0, 7}},
         {"#for (I, 1, 9) sphere { I, 1 pigment { rgb 1 } } #end", {0, 0, 7}},

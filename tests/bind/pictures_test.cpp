@@ -40,7 +40,7 @@ TEST_CASE("a picture may be a function of x and y, down from the top", "[bind]")
     CHECK(image.texels->channels == 1);
     CHECK(image.texels->values[1] == Approx(0.25).margin(2e-5));
     CHECK(image.texels->values[3] == Approx(0.25).margin(2e-5));
-    // As POV-Ray keeps them: whole steps, which begin anew beyond the end.
+    // As in POV-Ray, values are quantised and wrap around outside of 0 to 1.
     const Script far = with("image_map { function 2, 1 { x*1.7 - 0.5 } }");
     const auto& beyond = std::get<ImageMap>(far.texture().pigment.pattern->use.pattern);
     CHECK(beyond.texels->values[0] == Approx(32769 / 65535.0));
@@ -139,7 +139,7 @@ TEST_CASE("what the loader has read is what becomes a picture: no file is opened
         if (std::ranges::find(known, ending) == known.end()) continue;
         ++count;
         CAPTURE(entry.path().string());
-        // On no disk there is a file of this name.
+        // No file on the disk has this name.
         const std::string name = "nowhere" + ending;
         const std::map files = {std::pair(name, disk_reader()(entry.path().string()).value())};
         const std::string quoted = '"' + name + '"';

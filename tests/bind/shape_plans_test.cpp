@@ -79,7 +79,7 @@ TEST_CASE("a loop makes the combined objects that its passes make one by one", "
         "intersection { sphere { 0, 1 } box { 0, 1 } scale I / 20 no_shadow translate I*y }",
         "merge { sphere { 0, 1 } #if (I > 4) box { 0, 1 } #end translate I*y }");
     INFO(body);
-    // One by one: their parts are shared in a loop only.
+    // Dumped one by one, because only the loop shares their parts.
     const auto objects = [](const Evaluated& evaluated) {
         std::string result;
         for (const ObjectHandle& object : evaluated.scene.objects) {

@@ -94,12 +94,12 @@ TEST_CASE("textures behind a call that gives one are layers of what is declared"
     REQUIRE(done.texture().below);
     REQUIRE(done.texture().below->below);
     CHECK(done.texture().below->below->pigment.colour.rgb == Vec3(1, 0, 0));
-    // The names in a layer are those around the call.
+    // Names in a layer are resolved in the scope of the call.
     CHECK(sphere_with("texture { T }",
                       macro + "#declare T = M(x) texture { pigment { rgb C transmit 0.5 } }")
               .texture()
               .pigment.colour.rgb == Vec3(0, 0, 1));
-    // Within an object, too; and not behind a semicolon, nor behind other values.
+    // The same holds within an object, but not behind a semicolon or behind other values.
     CHECK(sphere_with("#declare T = M(x) " + glass + "#declare U = 1; texture { T }", macro)
               .texture()
               .below);

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// What the help says to write instead; "nothing" when nothing is wrong.
+/// The help of the first diagnostic; "nothing" if there is none.
 std::string advice(const std::string& script) {
     const Script done = run("#version 3.7; #declare A = 2;\n" + script);
     return done.said.empty() ? "nothing" : done.said.front().help;

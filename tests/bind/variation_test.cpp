@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// What Variable::find says of the block that is the third element of a file.
+/// The result of Variable::find for the block that is the third element of a file.
 struct Finding {
     explicit Finding(const std::string& block, std::size_t values) {
         Diagnostics diagnostics;

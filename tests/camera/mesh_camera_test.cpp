@@ -7,8 +7,8 @@ namespace candelabra {
 
 namespace {
 
-/// Faces in a row along x, each a right angle of two sides of 3; u and v are those of the corners
-/// over 9.
+/// Faces in a row along x, right triangles with legs of length 3; u and v are the corners'
+/// coordinates over 9.
 CameraMesh row_of(int count) {
     std::vector<CameraFace> faces;
     for (int i = 0; i < count; ++i) {
@@ -41,7 +41,7 @@ bool close(const Vec3& a, const Vec3& b) { return length(a - b) < 1e-12; }
 TEST_CASE("rays start in the middle of faces and go along their normals", "[camera]") {
     const MeshLens ahead(of(1, 0, {row_of(2)}), -0.5, false);
     const Ray ray = ray_at(ahead, 1);
-    // As POV-Ray 3.7 has it: the first two sides of this face turn to the right as seen from -z.
+    // As in POV-Ray 3.7: the first two sides of this face turn to the right as seen from -z.
     CHECK(close(ray.direction, Vec3(0, 0, 1)));
     CHECK(close(ray.origin, Vec3(4, 1, -0.5)));
     CHECK(ray_at(ahead, 2).direction == Vec3(0));

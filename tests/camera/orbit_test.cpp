@@ -9,7 +9,7 @@ namespace {
 
 bool close_to(const Vec3& a, const Vec3& b) { return length(a - b) < 1e-9; }
 
-/// Looks from five units in front at the origin.
+/// Looks at the origin from five units in front of it.
 Sight in_front(const Vec3& right = {1.33, 0, 0}) {
     Perspective camera;
     camera.location = Vec3(0, 0, -5);

@@ -5,7 +5,7 @@ namespace candelabra {
 
 namespace {
 
-/// The parts one after the other.
+/// Combines the parts from first to last.
 std::string combine(SolidOperation operation, std::span<const Polyhedron> parts, Polyhedron& made) {
     std::vector<SolidOperation> steps = {SolidOperation::take};
     for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -70,7 +70,7 @@ TEST_CASE("nothing is combined with something as well", "[polyhedra]") {
 }
 
 TEST_CASE("a surface stays closed where points come together", "[polyhedra]") {
-    // A corner of the cube is doubled, with faces of no area between the two.
+    // A corner of the cube is duplicated, with faces of no area between both.
     Polyhedron cube = unit_cube(0, 0, 0);
     cube.points.push_back(cube.points[0]);
     for (Polyhedron::Face& face : cube.faces)

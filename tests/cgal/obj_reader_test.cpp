@@ -7,7 +7,7 @@ namespace {
 
 using Faces = std::vector<Polyhedron::Face>;
 
-/// Four points, two normals, three places in a picture, and what follows.
+/// A file with four points, two normals, three texture coordinates, and the given lines.
 ReadText square(const std::string& faces) {
     return read_text("obj",
                      "# a square\no it\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nv\t0 +1 0\n"

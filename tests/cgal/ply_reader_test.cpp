@@ -18,7 +18,7 @@ const std::string points =
     "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
 
-/// Bytes of the numbers, the highest first or last.
+/// Bytes of the numbers in big-endian or little-endian order.
 template <class... Stored>
 std::string stored(bool high_first, Stored... numbers) {
     std::string bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The texts of mesh files, as the library reads them.
+// Reads the texts of mesh files as the library does.
 #pragma once
 
 #include "cgal/shapes.h"

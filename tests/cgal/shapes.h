@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small polyhedra for tests, and what is counted of them.
+// Small polyhedra for tests, and functions that measure them.
 #pragma once
 
 #include "meshing/library.h"
@@ -17,7 +17,7 @@ inline const Polyhedra& the_polyhedra() {
     return *found;
 }
 
-/// A cube with edges of length 1, low corner there.
+/// A cube with edges of length 1 and its low corner at (x, y, z).
 inline Polyhedron unit_cube(double x, double y, double z) {
     std::vector<Polyhedron::Point> corners;
     for (int i = 0; i < 8; ++i) corners.push_back({x + (i & 1), y + (i >> 1 & 1), z + (i >> 2)});
@@ -36,7 +36,7 @@ inline Polyhedron unit_cube(double x, double y, double z) {
              {1, 7, 5}}};
 }
 
-/// What a closed surface encloses: positive when its faces are counterclockwise from outside.
+/// Volume within a closed surface; positive when its faces are counterclockwise from outside.
 inline double volume(const Polyhedron& solid) {
     double six = 0;
     const auto at = [&](int i) {

@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// Four bytes, the lowest first.
+/// Little-endian bytes of the word.
 std::string low_word(std::uint32_t word) {
     std::string bytes;
     for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> (8 * i) & 0xff);
@@ -34,7 +34,7 @@ TEST_CASE("an STL file is binary or text, and not both", "[polyhedra]") {
     CHECK(binary.shape.points.size() == 3);
     CHECK(binary.shape.faces.size() == 1);
 
-    // The head is the beginning of a text; what is in it does not count besides.
+    // The header begins like a text file, but its content is not read.
     const auto begun = read_text(
         "stl",
         binary_stl(
@@ -44,7 +44,7 @@ TEST_CASE("an STL file is binary or text, and not both", "[polyhedra]") {
     CHECK(begun.shape.points.size() == 3);
     CHECK(begun.shape.faces.size() == 1);
 
-    // Read as binary, this has triangles of a kind; the text behind them has another.
+    // Read as binary, this has triangles of one kind; the text after them has others.
     const std::string text =
         "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
         "endloop\nendfacet\nendsolid s\n";

@@ -56,7 +56,7 @@ TEST_CASE("inverse turns combinations round, as De Morgan says", "[solid]") {
         for (char& c : expected) c = c == '0' ? '1' : '0';
         whole.inverse = true;
         CHECK(insides(whole, points) == expected);
-        // And once more in another group.
+        // Once more, within another group.
         Object outer = combined(Csg::together, {make_handle<Object>(whole)});
         outer.inverse = true;
         CHECK(insides(outer, points) == insides(combined(csg, {left, right}), points));
@@ -68,6 +68,12 @@ TEST_CASE("what has no inside stays so when it is inverse", "[solid]") {
     const ObjectHandle ball = object(Sphere{o, 1}), face = object(Triangle{-x, x, y});
     CHECK(has_inside(Shape(Sphere{o, 1})));
     CHECK_FALSE(has_inside(Shape(Triangle{-x, x, y})));
+    Mesh mesh;
+    CHECK_FALSE(has_inside(Shape(mesh)));
+    mesh.inside_vector = o;
+    CHECK_FALSE(has_inside(Shape(mesh)));
+    mesh.inside_vector = x;
+    CHECK(has_inside(Shape(mesh)));
     CHECK(insides(*object(Triangle{-x, x, y}, true), {o, 2.0 * x}) == "00");
     CHECK(insides(combined(Csg::difference, {ball, face}), {o, 2.0 * x}) == "00");
 }
@@ -87,7 +93,7 @@ TEST_CASE("what clips or bounds an object is in the space around it", "[solid]")
     clipping.clips = {object(Plane{x, 5})};
     half.clipping = make_handle<Clipping>(clipping);
     CHECK(insides(half, {4.0 * x, 6.0 * x, o}) == "100");
-    // Inverse does not turn the clipping round.
+    // `inverse` does not invert the clipping.
     half.inverse = true;
     CHECK(insides(half, {4.0 * x, 6.0 * x, o}) == "001");
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a box is the one that is expected, as exactly as POV-Ray prints it.
+// Compares a box with the expected one, to the precision that POV-Ray prints.
 #pragma once
 
 #include "base/box.h"

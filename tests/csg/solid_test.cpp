@@ -18,7 +18,7 @@ TEST_CASE("rays are traced with directions of any length", "[solid]") {
     CHECK(hit->position == -z);
     CHECK(hit->normal == -z);
     CHECK_FALSE(solids.trace(ball, Vec3(5), x));
-    // What is nearer than 1e-4 is where the ray comes from.
+    // Hits nearer than 1e-4 are on the surface that the ray starts from.
     CHECK(solids.trace(ball, -z, z)->position == z);
     CHECK_FALSE(solids.trace(ball, z, z));
 }

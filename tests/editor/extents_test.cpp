@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// The declarations' texts, each in front of a bar.
+/// Returns the declarations' texts, each followed by a bar.
 std::string whole(const std::string& text) {
     Names names;
     const EditedFile file = read_tokens(text, names);

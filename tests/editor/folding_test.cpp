@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// "0-2 4-5c": lines from 0, with c for comments and i for imports.
+/// Formats folds as "0-2 4-5c": lines from 0, with c for comments and i for imports.
 std::string folded(const std::string& text) {
     Names names;
     std::string all;

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// The places at which something belongs to what is at the sign |, with w for written, r for read.
+/// Returns the offsets of the highlights for the cursor at |, with w for writes and r for reads.
 std::string lit(const std::string& marked) {
     const std::size_t cursor = marked.find('|');
     std::string text = marked;

@@ -197,10 +197,10 @@ TEST_CASE("documents follow the editor by parts") {
                     {{"textDocument", {{"uri", client.uri}}}, {"contentChanges", changes}});
         return client.answers.empty();
     };
-    // The second change counts in the text that the first one leaves.
+    // The positions of the second change refer to the text after the first one.
     CHECK(send({change(0, 0, 1, 0, "#declare R = 1;\n"), change(1, 12, 1, 13, "R")}));
     CHECK(client.ask_at("references", 1, 12).size() == 2);
-    // Of a message with a change that is none, nothing is done.
+    // If one change of a message is invalid, none is applied.
     CHECK_FALSE(send({change(0, 0, 0, 0, "R "), change(1, 0, 0, 0, "")}));
     CHECK(client.answers[0]["method"] == "window/logMessage");
     CHECK(client.ask_at("references", 1, 12).size() == 2);

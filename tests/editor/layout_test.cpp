@@ -32,14 +32,14 @@ TEST_CASE("texts are laid out") {
          "#declare A = f(1,\n               2, (3 +\n                   4));\n"},
         {"matrix <\n1, A.x,\n0>\nB\n", "matrix <\n    1, A.x,\n    0>\nB\n"},
         {"#if (A < 1)\nB\n#end\n", "#if (A < 1)\n    B\n#end\n"},
-        // Braces that branches leave open for the text behind them.
+        // Braces that branches leave open for the text after them.
         {"#if (M) merge {\n#else union {\n#end\nA\n}\nB\n",
          "#if (M) merge {\n#else union {\n#end\n    A\n}\nB\n"},
-        // The guard of an include file is no level.
+        // The include guard does not indent.
         {"#ifndef (A)\n#declare A = 1;\n#end\n", "#ifndef (A)\n#declare A = 1;\n#end\n"},
         {"A\n\n\n\n\nB\n\n", "A\n\n\nB\n"},
         {"A   \r\n  B\r\n", "A\r\nB\r\n"},
-        // Comments and strings of several lines are kept as they are.
+        // Comments and strings of several lines are kept unchanged.
         {"{\n/* one\n  two  \n*/  A\n}", "{\n    /* one\n  two  \n*/  A\n}\n"},
         {"{\n\"one  \n  two\" // three \n}", "{\n    \"one  \n  two\" // three\n}\n"},
     };
@@ -52,7 +52,7 @@ TEST_CASE("texts are laid out") {
 
 namespace {
 
-/// Tokens without the blanks in and between them.
+/// Returns the tokens without the blanks in and between them.
 std::vector<std::string> words(const std::string& text) {
     Names names;
     const EditedFile file = read_tokens(text, names);
@@ -86,7 +86,7 @@ TEST_CASE("laying out the library and the examples changes no token, and nothing
 
 namespace {
 
-/// The text with the lines of a part laid out; the part is between the signs |.
+/// Returns the text with the lines of a part laid out; the part is between the two | signs.
 std::string lines_laid_out(const std::string& marked) {
     const std::size_t first = marked.find('|');
     const std::size_t last = marked.find('|', first + 1) - 1;
@@ -111,7 +111,7 @@ TEST_CASE("lines of a part are laid out below what stands around them") {
           "union {\n  sphere {\n      0, 1\n  }\n }\n");
     CHECK(lines_laid_out("union {\n\tsphere {\n0|, |1 \n}}\n") ==
           "union {\n\tsphere {\n        0, 1\n}}\n");
-    // A part that ends at the begin of a line has nothing of it.
+    // A part that ends at the beginning of a line does not include that line.
     CHECK(lines_laid_out("|  A\n|  B\n") == "A\n  B\n");
     CHECK(lines_laid_out("  A\n||  B\n") == "  A\nB\n");
     CHECK(lines_laid_out("A\n\n\n|\n\nB|") == "A\n\n\nB\n");

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// The names of the files that strings lead to.
+/// Returns the strings that are links, each with the name of its file.
 std::string linked(Edited& edited, const std::string& path) {
     std::string all;
     for (const Link& each : links(edited.workspace, path)) {
@@ -51,7 +51,7 @@ TEST_CASE("what a scene may not open is not looked at") {
     Edited edited("#include \"" + (elsewhere / "far.inc") + "\" #include \"link.inc\"");
     std::filesystem::create_symlink(elsewhere / "far.inc", edited.folder / "link.inc");
     CHECK(linked(edited, edited.path).empty());
-    // Also not when another file of that folder is open.
+    // Not even if another file of that folder is open.
     edited.workspace.open(elsewhere / "b.pov", "");
     CHECK(linked(edited, edited.path).empty());
 }

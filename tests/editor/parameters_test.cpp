@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* content = "ab\ncd";
 
-/// What is wrong when it is read as that.
+/// Returns the problem with reading the JSON in this way.
 template <class Read>
 std::string problem_of(const Json& json, const Read& read) {
     Parameters parameters(json);
@@ -94,7 +94,7 @@ Json part_change(const Json& start, const Json& end, const std::string& text) {
     return {{"range", {{"start", start}, {"end", end}}}, {"text", text}};
 }
 
-/// "ab\ncd" behind the changes.
+/// Returns "ab\ncd" after the changes.
 std::string changed(const Json& changes) {
     const Json json = {{"contentChanges", changes}};
     Parameters parameters(json);
@@ -110,10 +110,10 @@ TEST_CASE("changes are made one after the other") {
     CHECK(changed(Json::array({part_change(at(0, 0), at(0, 0), "1\n"),
                                part_change(at(1, 1), at(1, 2), "2")})) == "1\na2\ncd");
     CHECK(changed({{{"text", "z"}}, part_change(at(0, 1), at(9, 9), "!")}) == "z!");
-    // Places behind the end of a line, or of the text, are there.
+    // Positions beyond the end of a line, or of the text, are at that end.
     CHECK(changed(Json::array({part_change(at(0, 99), at(0, 2147483647), "!")})) == "ab!\ncd");
     CHECK(changed(Json::array({part_change(at(99, 0), at(99, 99), "!")})) == "ab\ncd!");
-    // Between the halves of a character is behind it.
+    // A position between the halves of a surrogate pair is after it.
     CHECK(changed({{{"text", "\U0001F4A1x"}}, part_change(at(0, 1), at(0, 2), "-")}) ==
           "\U0001F4A1-x");
 }

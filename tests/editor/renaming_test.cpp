@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// How many places change, or why none does.
+/// Returns the number of places that change, or the reason why none does.
 std::string renamed(const std::string& text, const std::string& name) {
     Edited edited(text);
     edited.folder.put("b.inc", "#declare Shared = 1; Shared");

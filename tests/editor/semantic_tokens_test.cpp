@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// "word:kind" of each, with ! at declarations and * for the library's.
+/// Returns "word:kind" for each token, with ! at declarations and * for the library's.
 std::string meant(const std::string& text) {
     Edited edited(text);
     edited.folder.put("b.inc", "#declare Shared = 1;");

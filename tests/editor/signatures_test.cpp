@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// "label: the active parameter", or nothing.
+/// Returns "label: the active parameter", or "".
 std::string shown(const std::string& text) {
     Edited edited(text);
     const auto found = signature_at(edited.workspace, edited.path, edited.offset);
@@ -29,6 +29,9 @@ TEST_CASE("a call that is being typed shows its parameters and which one comes")
     CHECK(shown(own + "<1, 2, |") == "Post(Height, Colour): Height");
     CHECK(shown(own + "1, 2, 3|") == "Post(Height, Colour): -");
     CHECK(shown(own + "min(1, |), 2) }").starts_with("min("));
+    CHECK(shown(own + "A > B, |") == "Post(Height, Colour): Colour");
+    CHECK(shown(own + "A < B, |") == "Post(Height, Colour): Colour");
+    CHECK(shown(own + "(1 > 0), <1, 2> > 3 | (4 > 5), |") == "Post(Height, Colour): Colour");
     CHECK(shown(own + "array[3] { 1, 2, 3 }[|") == "Post(Height, Colour): Height");
     CHECK(shown("#declare V = vrotate(x, |").starts_with("vrotate("));
 }

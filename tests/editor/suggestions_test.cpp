@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// Where the text is among the suggestions at the sign |; -1: nowhere.
+/// Rank of the text among the suggestions at |; -1 if it is missing.
 int rank(const std::string& text, std::string_view wanted) {
     Edited edited(text);
     edited.folder.put("mine.inc", "");

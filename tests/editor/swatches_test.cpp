@@ -9,7 +9,7 @@ TEST_CASE("colours in numbers have a swatch, and can be replaced") {
     struct Case {
         std::string_view text, written;
         Vec3 srgb;
-        std::string_view green;  ///< the same with a full green, encoded <0, 1, 0>
+        std::string_view green;  ///< recoloured with a full green, encoded <0, 1, 0>
     };
     const Case cases[] = {
         {"rgb <1, 0, 0>", "rgb <1, 0, 0>", {1, 0, 0}, "rgb <0, 1, 0>"},

@@ -10,8 +10,8 @@ namespace candelabra {
 
 namespace {
 
-/// The scope that the grammar gives the first word of a line that is no comment or string; patterns
-/// are tried in order, as editors do.
+/// Returns the scope that the grammar gives to the first word of a line without comments and
+/// strings. Patterns are tried in order, as editors do.
 std::string scope_of(const std::string& line) {
     const auto grammar = nlohmann::json::parse(textmate_grammar());
     for (const auto& pattern : grammar["patterns"]) {

@@ -34,7 +34,7 @@ TEST_CASE("files that include each other belong together") {
     edited.folder.put("b.inc", "#include \"c.inc\"");
     edited.folder.put("c.inc", "#include \"b.inc\" #include \"a.pov\"");
     CHECK(names_of(edited.workspace.around(edited.path)) == "a.pov b.inc c.inc colors.inc ");
-    // Whoever edits an include file has the scene's names when the scene is open.
+    // While editing an include file, users have the scene's names if the scene is open.
     CHECK(names_of(edited.workspace.around(edited.folder / "c.inc")) ==
           "c.inc b.inc a.pov colors.inc ");
     CHECK(edited.workspace.in_library(CANDELABRA_SOURCE_DIR "/stdlib/colors.inc"));

@@ -20,7 +20,7 @@ Image grey_picture(double light) {
 
 double chance(std::uint64_t n) { return static_cast<double>(mix(n) >> 11) * 0x1p-53; }
 
-/// A street at night: the ground, and a lamp that moves, and blinks, and noise.
+/// A street at night: the ground, a moving and blinking lamp, and noise.
 Image street(int frame) {
     Image image(160, 90);
     for (int y = 0; y < image.height; ++y)

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// In the middle row.
+/// Returns a pixel of the middle row.
 double seen(const std::string& scene, const RenderSettings& settings, int column) {
     return render(world_of(scene), settings).image.at(column, 1).x;
 }
@@ -29,7 +29,7 @@ TEST_CASE("pixels at an edge are as in POV-Ray", "[render]") {
         CHECK(seen(scene, rows(each.depth), 0) == 0);
         CHECK(seen(scene, rows(each.depth), 3) == 1);
     }
-    // What is brighter than white counts in full.
+    // Values brighter than white are not clipped.
     CHECK(seen(edge(1.8, 0, 2), rows(3), 1) == Approx(0.6));
 }
 
@@ -41,14 +41,14 @@ TEST_CASE("a pixel gets more rays from a difference on, in values of a gamma", "
         CAPTURE(each.gamma);
         RenderSettings settings = rows(3);
         settings.antialias_gamma = each.gamma;
-        // Grey counts three times, once for each channel.
+        // A difference in grey counts in all three channels.
         CHECK(seen(edge(1.6, 0.2, 0.2 + each.least - 3e-4), settings, 1) == Approx(0.2));
         CHECK(seen(edge(1.6, 0.2, 0.2 + each.least + 3e-4), settings, 1) > 0.2 + 0.25 * each.least);
     }
 }
 
 TEST_CASE("smooth parts of a picture take one ray a pixel", "[render]") {
-    // Four and three more are above the picture and to its left, as in POV-Ray.
+    // Seven more lie above the picture and to its left (four and three), as in POV-Ray.
     const Rendering picture = render(world_of(edge(1.6, 0, 1)), rows(3));
     CHECK(picture.rays.camera == 12 + 7 + 9 * 6);
 }
@@ -61,10 +61,10 @@ TEST_CASE("what is clear counts where a picture has an alpha channel", "[render]
 }
 
 TEST_CASE("a pixel is compared with what the one before it has become", "[render]") {
-    // Pixels of a row, by their first rays and by all of them.
+    // A row of pixels: values of their first rays and of all their rays.
     struct Row {
         std::vector<double> first, all;
-        std::string expected;  ///< 1: got all
+        std::string expected;  ///< 1: all rays were requested
     };
     const Row rows_of[] = {
         {{0, 0, 0, 0}, {1, 1, 1, 1}, "0000"},
@@ -85,7 +85,7 @@ TEST_CASE("a pixel is compared with what the one before it has become", "[render
             got[i] = '1';
             return value(all[i]);
         };
-        // The row above is as the first rays are, or it would count.
+        // The row above equals the first rays, so it causes no refinement.
         CHECK(refine_block({0.3, 1, 1}, {10, 5, 14, 6}, {first_of, all_of}));
         CHECK(got == expected);
         const auto stop = [](int, int) -> std::optional<DisplayValue> { return {}; };

@@ -19,7 +19,7 @@ RenderSettings by_corners(int depth) {
 
 TEST_CASE("corners and quarters at an edge are as in POV-Ray", "[render]") {
     const double expected[] = {0.5, 0.25, 0.375, 0.4375};
-    // POV-Ray's numbers of rays: corners, and what is inside of the three pixels at the edge.
+    // POV-Ray's numbers of rays: corners, and those inside the three pixels at the edge.
     const std::uint64_t rays[] = {20, 35, 62, 113};
     for (int depth = 1; depth <= 4; ++depth) {
         CAPTURE(depth);

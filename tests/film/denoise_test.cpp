@@ -13,7 +13,7 @@ namespace {
 
 constexpr int side = 48;
 
-/// A floor with a pattern under a light that falls off, a wall, and the sky above.
+/// A floor with a pattern under light that falls off with distance, a wall, and the sky above.
 struct QuietView {
     Image light{side, side}, albedo{side, side}, normal{side, side};
     std::vector<double> depth;
@@ -34,14 +34,14 @@ struct QuietView {
     }
 };
 
-/// With so many samples of noisy light in each pixel.
+/// Returns the view with samples of noisy light in each pixel.
 NoisyPicture noisy(const QuietView& view, int samples, double noise = 1) {
     NoisyPicture made{view.light, Image(side, side), view.albedo, view.normal, view.depth, {}};
     std::uint64_t n = 0;
     for (std::size_t i = 0; i < made.light.pixels.size(); ++i) {
         Vec3 sum(0), squares(0);
         for (int k = 0; k < samples; ++k) {
-            // Mostly little, now and then much: of mean 1.
+            // Mostly small, occasionally large, with mean 1.
             const double chance = static_cast<double>(mix(++n) >> 11) * 0x1p-53;
             const double factor = 1 + noise * (3 * chance * chance - 1);
             const Vec3 sample = factor * view.light.pixels[i];
@@ -95,7 +95,7 @@ TEST_CASE("the denoised picture becomes the exact one as samples grow", "[film][
 
 TEST_CASE("edges of surfaces and of shadows stay", "[film][denoise]") {
     QuietView view;
-    // A lamp, which has no noise, and a shadow on the floor with the same noise as all.
+    // A lamp without noise, and a shadow on the floor with the same noise as the rest.
     for (int y = 24; y < 44; ++y)
         for (int x = 4; x < 16; ++x) view.light.at(x, y) *= 0.05;
     for (int y = 2; y < 6; ++y)

@@ -80,7 +80,7 @@ TEST_CASE("means of compressed samples are brought back", "[film][develop]") {
         const Vec3 back = expanded(compressed(light, 2), 2);
         for (int c = 0; c < 3; ++c) CHECK(back[c] == Approx(light[c]).epsilon(1e-6));
     }
-    // Half of the edge of a very bright lamp, and a tenth of it.
+    // A pixel half covered by a very bright lamp, and one covered by a tenth.
     const Vec3 half = expanded(0.5 * compressed(Vec3(1e5), 4), 4);
     CHECK(half.x == Approx(0.25).epsilon(1e-3));
     const Vec3 little = expanded(0.1 * compressed(Vec3(1e5), 4), 4);

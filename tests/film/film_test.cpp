@@ -17,7 +17,7 @@ TEST_CASE("a film averages its samples", "[render]") {
 TEST_CASE("the deviation is that of displayed values", "[render]") {
     PixelSum pixel;
     pixel.add(Vec3(0));
-    pixel.add(Vec3(100));  // shows as 1
+    pixel.add(Vec3(100));  // clipped to 1
     CHECK(pixel.deviation() == Approx(3 * std::sqrt(0.5)));
     PixelSum even;
     for (int i = 0; i < 5; ++i) even.add(Vec3(0.3));

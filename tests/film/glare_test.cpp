@@ -47,7 +47,7 @@ TEST_CASE("a kernel has all light, and is the same in opposite directions", "[fi
 
 TEST_CASE("glare keeps the energy of a lamp whose light cannot leave the picture",
           "[film][glare]") {
-    // The kernel of a small picture in a large one, of which the lamp has the middle.
+    // A kernel of a small picture, applied to a larger one with the lamp at its centre.
     const GlareKernel kernel(glare_of(0.4, 0.05, 0.1), 30, 24);
     Image image(96, 80);
     image.at(48, 40) = {1e6, 2e5, 3e4};
@@ -57,7 +57,7 @@ TEST_CASE("glare keeps the energy of a lamp whose light cannot leave the picture
     for (int c = 0; c < 3; ++c) CHECK(after[c] == Approx(before[c]).epsilon(1e-9));
     CHECK(made.at(48, 40).x < 0.8e6);
     CHECK(made.at(48, 40).x > 0.45e6);
-    // What is scattered, and nothing beyond the kernel.
+    // Light is scattered within the kernel, and not beyond.
     CHECK(made.at(48 + 20, 40 + 10).x == Approx(1e6 * kernel.at(20, 10).x).epsilon(1e-4));
     CHECK(std::abs(made.at(48 + 35, 40).x) < 1e-6);
 }

@@ -12,12 +12,12 @@ namespace {
 constexpr auto wide_filters = {FilterShape::triangle, FilterShape::mitchell,
                                FilterShape::blackman_harris};
 
-/// Something soft and an edge, of which a pixel sees a part.
+/// A smooth function plus an edge.
 double seen_at(const Vec2& place) {
     return (place.x + 0.4 * place.y < 0.6 ? 1 : 0) + std::sin(place.x - 2 * place.y);
 }
 
-/// Of many pixels: mean and deviation of the mean of so many samples.
+/// Mean and standard deviation of estimates with this many samples, over many pixels.
 struct Means {
     double mean = 0, deviation = 0;
 };
@@ -83,7 +83,7 @@ TEST_CASE("a box leaves samples where they are", "[film][filter]") {
 TEST_CASE("samples are as dense as the filter is high", "[film][filter]") {
     for (const FilterShape shape : wide_filters) {
         const PixelFilter filter(shape);
-        // Of the columns and rows of a quarter of a pixel, signed.
+        // Signed weights of columns and rows, each a quarter of a pixel wide.
         constexpr int cells = 20;
         double across[cells] = {}, down[cells] = {};
         double weight = 0;
@@ -113,7 +113,7 @@ TEST_CASE("samples are spread evenly over each filter, and show what it shows", 
         const auto even = [&](const Key& key) { return filter.place(key); };
         const Means means = means_of(samples, even);
         CHECK(means.mean == Approx(filtered(shape)).margin(0.004));
-        // The same, but each sample as if it were of another pixel.
+        // The same, with independent samples: each from a different pixel.
         const auto random = [&](const Key& key) {
             return filter.place({mix(key.pixel ^ mix(key.sample)), key.sample});
         };

@@ -14,7 +14,7 @@ struct CurvePoint {
     double exposure, filmic, agx;
 };
 
-/// Computed apart from the program, by the formulas of the sources.
+/// Computed independently of the program, from the formulas of the sources.
 constexpr CurvePoint curve_points[] = {
     {0.001, 0.0011216463306467958, 4.790657936735761e-05},
     {0.01, 0.011212843121201254, 0.003236659554772241},

@@ -14,7 +14,7 @@ RenderSettings tiny() {
     return settings;
 }
 
-/// Every pixel gets what it wants: grey on the left; on the right black and white in turn.
+/// Takes all wanted samples: grey on the left; alternately black and white on the right.
 void fill(Film& film) {
     for (int y = 0; y < film.height(); ++y)
         for (int x = 0; x < film.width(); ++x)

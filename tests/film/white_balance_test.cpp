@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// Linear sRGB of luminance 1, by the inverse matrix of IEC 61966-2-1.
+/// Returns linear sRGB with luminance 1, by the inverse matrix of IEC 61966-2-1.
 Vec3 rgb_of(Vec2 xy) {
     const double x = xy.x / xy.y, z = (1 - xy.x - xy.y) / xy.y;
     return {3.2406 * x - 1.5372 - 0.4986 * z, -0.9689 * x + 1.8758 + 0.0415 * z,
@@ -40,7 +40,7 @@ TEST_CASE("the light of the chosen temperature becomes white", "[film][white_bal
     }
     const Vec3 any(0.3, 0.5, 0.9);
     CHECK(white_balance(0)(any) == any);
-    // Daylight looks blue to a film for lamps.
+    // Daylight appears blue on film for lamps.
     const Vec3 day = white_balance(3000)(Vec3(1));
     CHECK(day.z > day.y);
     CHECK(day.y > day.x);

@@ -29,7 +29,8 @@ TEST_CASE("functions on intervals hold their values and slopes", "[formula]") {
             const double slack = 1e-9 * (1 + std::abs(value));
             if (std::isfinite(value))
                 CHECK((value >= result.value.low - slack && value <= result.value.high + slack));
-            // The mean slope between two arguments is the slope somewhere between them.
+            // By the mean value theorem, the mean slope between two arguments occurs somewhere
+            // between them.
             const double slope = (value - before) / (size / 20) * speed;
             if (std::isfinite(slope))
                 CHECK((slope >= result.slope.low - 1e-4 * (1 + std::abs(slope)) &&
@@ -38,6 +39,13 @@ TEST_CASE("functions on intervals hold their values and slopes", "[formula]") {
         }
     }
     CHECK(known > 30);
+}
+
+TEST_CASE("beyond 32 bits the bounds of an integer part are unknown", "[formula]") {
+    const std::uint16_t number = *function_number("int");
+    for (const Bounds& range : {Bounds{2e9, 3e9}, Bounds{-3e9, -2e9}, Bounds{3e9, 4e9}})
+        CHECK(enclosed_function(number, {range, {1, 1}}) == Enclosure::unknown());
+    CHECK(enclosed_function(number, {{1.5, 2.5}, {1, 1}}).value == Bounds{1, 2});
 }
 
 }  // namespace candelabra

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// A program of two inputs that is one operation.
+/// Returns a program of two inputs that consists of one operation.
 Program program_of(Operation operation) {
     Program program;
     program.code = {{operation, 2, 0, 1}, {}};
@@ -59,6 +59,14 @@ TEST_CASE("each operation on intervals holds its values and slopes", "[formula]"
             before = at[2];
         }
     }
+}
+
+TEST_CASE("beyond 32 bits the bounds of a whole quotient are unknown", "[formula]") {
+    const auto bounds = [](double low, double high) {
+        return enclosed(Operation::whole_quotient, {{low, high}, {1, 1}}, Enclosure::constant(0.5));
+    };
+    CHECK(bounds(1e9, 2e9) == Enclosure::unknown());
+    CHECK(bounds(1, 2).value == Bounds{2, 4});
 }
 
 TEST_CASE("a square is not below 0, and is told from a product", "[formula]") {

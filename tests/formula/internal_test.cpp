@@ -30,7 +30,7 @@ TEST_CASE("functions are found by their number", "[formula]") {
 }
 
 TEST_CASE("numbers of parts and octaves have no effect on time", "[formula]") {
-    // So many tubes are a wall.
+    // This many tubes form a wall.
     CHECK(value_of("f_polytubes", {3, 1, 4, 1e9, 2, 0, 0, 0, 0}) == Approx(3));
     CHECK(value_of("f_polytubes", {3, 1, 4, 0.5, 2, 0, 0, 0, 0}) == 10000);
     CHECK(value_of("f_polytubes", {3, 1, 4, NAN, 2, 0, 0, 0, 0}) == 10000);

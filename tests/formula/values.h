@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of internal functions as POV-Ray 3.7 prints them, against the functions of the table.
+// Checks internal functions of the table against values that POV-Ray 3.7 prints.
 #pragma once
 
 #include "formula/internal.h"
@@ -13,7 +13,7 @@
 
 namespace candelabra {
 
-/// The value of a function by name; the arguments start with x, y, z.
+/// Calls the function with this name; the arguments start with x, y, z.
 inline double value_of(std::string_view name, const std::vector<double>& arguments) {
     const auto all = internal_functions();
     const auto found = std::ranges::find(all, name, &InternalFunction::name);
@@ -28,7 +28,7 @@ struct ExpectedValue {
     double value;
 };
 
-/// All at the point (0.31, 0.42, -0.57), with 8 digits.
+/// Checks the functions at the point (0.31, 0.42, -0.57), to 8 digits.
 inline void check_values(std::initializer_list<ExpectedValue> expected) {
     for (const ExpectedValue& e : expected) {
         INFO(e.name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs give what a walk gives: each expression is evaluated three times in a loop, and once
-// alone.
+// Programs compute the same values as walks: each expression is evaluated three times in a loop,
+// and once alone.
 #include "interpret/compiler.h"
 
 #include "interpret/said.h"
@@ -17,7 +17,7 @@ const std::string setting =
     ".5>; "
     "#declare A = array[3] {4, 5, 6}; #declare B = array[2][2] {{x, y}, {z, <1, 2, 3>}}; ";
 
-/// Both must be printed with all their digits.
+/// Compares the results with all their digits.
 void check_same(const std::string& expression) {
     INFO(expression);
     const auto shown = [](const std::string& name) {

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// "names | cells / cells": strings in quotes, nothing for an empty number; or what is wrong.
+/// "names | cells / cells": strings in quotes, nothing for an empty number; or the error.
 std::string table_of(std::string_view text, const std::vector<std::string_view>& options = {},
                      std::size_t most = 1000) {
     CsvForm form;
@@ -76,6 +76,7 @@ TEST_CASE("tables in the forms that programs write", "[csv]") {
         INFO(c.text);
         CHECK(table_of(c.text) == c.table);
     }
+    CHECK(table_of("a\n0." + std::string(330, '0') + "1") == "a | 0");
 }
 
 TEST_CASE("options say what cannot be found", "[csv]") {

@@ -21,7 +21,7 @@ const std::map<std::string, std::string> data_files = {
     {"broken.json", "{\n  \"a\": ,\n}"},
 };
 
-/// What the script says, and behind it the first line of each message.
+/// The output of the script, followed by the first line of each message.
 std::string told(const std::string& script, const Limits& limits = {}) {
     std::string text;
     EvaluateOptions options;

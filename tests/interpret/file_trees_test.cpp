@@ -11,7 +11,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-/// What a scene of these files prints, or the first message.
+/// The output of a scene of these files, or its first message.
 std::string said(const Files& files) {
     SourceStore sources;
     Diagnostics diagnostics;
@@ -40,14 +40,14 @@ TEST_CASE("files share the macros that open braces", "[files]") {
            "P(max_extent(O).x)"},
           {"a.inc", "#macro Begin(R) union { sphere { 0, R } #end #macro End() } #end"}},
          "2 "},
-        // In a file that is read once, by way of another.
+        // A macro of a file that is included once, through another file.
         {{{"main.pov",
            "#include \"b.inc\" #include \"b.inc\" #declare O = Begin() box { 0, 3 } } "
            "P(max_extent(O).x)"},
           {"b.inc", "#ifdef (B) #else #declare B = 1; #include \"a\" #end"},
           {"a.inc", "#ifndef (A) #declare A = 1; #macro Begin() union { #end #end"}},
          "3 "},
-        // A file that uses what the one around it defines.
+        // A file that uses a macro of the file that includes it.
         {{{"main.pov", "#macro Begin() union { #end #include \"part.inc\" P(max_extent(O).x)"},
           {"part.inc", "#declare O = Begin() box { 0, 4 } }"}},
          "4 "},
@@ -72,7 +72,7 @@ TEST_CASE("files share the macros that open braces", "[files]") {
         {{{"main.pov", "#include \"a.inc\" P((A() 5))"},
           {"a.inc", "#macro A() union { #end #macro A() 3 * #end"}},
          "15 "},
-        // Files that are not there, or never come, or include themselves.
+        // Files that do not exist, are never reached, or include themselves.
         {{{"main.pov", "#ifdef (Never) #include \"b.inc\" #include \"none.inc\" #end P(1)"},
           {"b.inc", "sphere {"}},
          "1 "},
@@ -81,7 +81,7 @@ TEST_CASE("files share the macros that open braces", "[files]") {
            "#ifndef (D) #declare D = 0; #end #if (D < 3) #declare D = D + 1; "
            "#include \"a.inc\" #end"}},
          "3 "},
-        // The text that counts is that of the moment of the walk, as is the version.
+        // The text and the version at the time of the walk count.
         {{{"main.pov", "#declare V = 3.0; #version V; #include \"v.inc\""},
           {"v.inc", "#if (version < 3.5) P(1) union { #else P(2) merge { #end sphere { 0, 1 } }"}},
          "1 "},
@@ -98,7 +98,7 @@ TEST_CASE("what is wrong in an open macro is told of in its file", "[files]") {
         {"#include \"a.inc\" End()", "a.inc: `}` closes nothing that is open"},
         {"#include \"a.inc\" Begin(1) End()",
          "main.pov: macro `Begin` takes 0 arguments, but here is 1"},
-        // Nobody calls it: perhaps another scene does.
+        // No file calls it, but another scene may.
         {"#include \"a.inc\"", ""},
         {"#include \"b.inc\"", "b.inc: `{` has no end"},
     }));

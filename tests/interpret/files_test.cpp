@@ -20,12 +20,12 @@ struct SaidWithFiles {
     std::string messages;  ///< a line each, with the help
 };
 
-/// The folder of a scene that runs several times, and knows what it has made.
+/// The folder of a scene that runs several times, with the files that its runs have made.
 struct SceneFolder : Folder {
     std::shared_ptr<MadeFiles> made = std::make_shared<MadeFiles>(std::string());
 };
 
-/// A script whose files are in the folder.
+/// Runs a script whose files are in the folder.
 SaidWithFiles said(const SceneFolder& folder, const std::string& script, const Limits& limits = {},
                    bool off_disk = false) {
     const std::string here = folder.path().string();
@@ -175,7 +175,7 @@ TEST_CASE("a scene cannot write without end", "[files]") {
 
 TEST_CASE("what does not get to the disk is said, also of a file that is never closed", "[files]") {
     const SceneFolder folder;
-    // As if the disk were full after a thousand bytes.
+    // Simulates a disk that is full after a thousand bytes.
     std::signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
     REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// All that is said about a scene whose library is in the folder "lib".
+/// The messages about a scene whose library is in the folder "lib".
 std::string said_with_library(const std::string& script) {
     const std::map<std::string, std::string> files = {
         {"lib/lamps.inc",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a script prints with #debug, for tests of the language without any items: blocks are walked
-// and mean nothing, and functions of objects have none to ask.
+// The output of a script by #debug, for tests of the language without any items. Blocks are walked
+// and ignored, and functions of objects have no objects.
 #pragma once
 
 #include "bind/object_functions.h"
@@ -66,7 +66,7 @@ inline Said said(const std::string& script, const std::map<std::string, std::str
     return result;
 }
 
-/// What a script prints after the prelude; its messages when it has any.
+/// The output of a script after the prelude, or its messages if it has any.
 inline std::string printed(const std::string& script) {
     const Said result = said(prelude + script);
     if (!result.messages.empty()) return result.messages;

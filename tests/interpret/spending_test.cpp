@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// What is said about a scene that lies, with its files, in the folder.
+/// The errors of a scene that lies, with its files, in the folder.
 std::string spent(const std::string& script, const Limits& limits, const Folder& folder) {
     const std::string here = folder.path().string();
     SourceStore sources;
@@ -29,7 +29,7 @@ std::string spent(const std::string& script, const Limits& limits = {}) {
     return spent(script, limits, Folder());
 }
 
-/// Declarations in which each is made of the one before, so many levels.
+/// Declarations of `count` levels, each made of the one before.
 std::string levels(int count, const std::string& first, const std::string& next) {
     std::string text = "#declare A0 = " + first + "\n";
     for (int i = 1; i <= count; ++i) {
@@ -73,7 +73,7 @@ TEST_CASE("functions that call others twice come to an end", "[interpret]") {
           "functions that call others twice grow fast: compute a part beforehand, or pass it as an "
           "argument; --limit-function raises the limit\n");
     CHECK(spent(levels(15, "function(x) { x + 1 }", "function(x) { @(x) + @(-x) }")) == "");
-    // Loops in loops, by calls, count together.
+    // Nested loops, by way of calls, count together.
     CHECK(spent("#declare F = function(x) { sum(i, 1, 1e5, i*x) }"
                 "#declare G = function(x) { sum(i, 1, 1e5, F(i)) } #declare V = G(1);")
               .starts_with("`G` gives no value here: a sum in it does not end"));

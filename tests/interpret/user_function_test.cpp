@@ -29,7 +29,7 @@ TEST_CASE("functions are declared and called", "[interpret]") {
         {"#macro M() #local f=function{x*2} P(f(1,0,0)) #end M() M()", "2.000000 2.000000"},
         {"#declare s=0; #declare f=function(a){a*a} #for(i,1,4) #declare s=s+f(i); #end P(s)",
          "30.000000"},
-        // What a name of a function stands for may change between two passes.
+        // The function that a name stands for may change between two passes.
         {"#declare f=function(a){a} #declare s=0; #for(i,1,6) #declare s=s+f(1); #if(i=3) #undef f "
          "#declare f=function(a){10*a} #end #end P(s)",
          "33.000000"},

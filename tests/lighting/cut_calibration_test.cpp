@@ -8,7 +8,7 @@
 namespace candelabra {
 
 TEST_CASE("entries of which nothing arrives count little, but not nothing", "[lighting]") {
-    // Two rows of lamps far away; what lies at x < 0 is behind a wall.
+    // Two rows of lamps far away; those at x < 0 are behind a wall.
     std::vector<Luminaire> luminaires;
     for (int i = 0; i < 20; ++i)
         luminaires.push_back(glowing(SphereEmitter{Vec3(i % 2 ? 30 : -30, 20, i - 10), 0.3}, 5));
@@ -43,7 +43,7 @@ TEST_CASE("entries of which nothing arrives count little, but not nothing", "[li
     const auto dark = [](const Ray&, double) -> std::optional<ProbeHit> { return {}; };
     for (const float share : arriving_shares(cut, tree, luminaires, receivers, dark))
         CHECK(share == 1);
-    // Of what is behind glass as much as passes it.
+    // Lamps behind glass count by the light that passes the glass.
     wall_passes = 0.5;
     const std::vector<float> behind_glass =
         arriving_shares(cut, tree, luminaires, receivers, probe);

@@ -31,7 +31,7 @@ struct Street {
     }
 };
 
-/// Variance over squared mean of the choice where nothing is between.
+/// Variance over squared mean of the choice without occlusion.
 double noise(const Street& street, const BuiltCutOctree& built, const Receiver& point) {
     BuiltCutOctree::Weights weights;
     built.weigh_choice(point, {}, weights);
@@ -48,9 +48,9 @@ double noise(const Street& street, const BuiltCutOctree& built, const Receiver& 
 
 TEST_CASE("the choice from cuts is nearly as good as that from all luminaires", "[lighting]") {
     const Street street(3000);
-    // Where cells look small, or from where is not known, they are divided down to a bound of 20
-    // times eta, which is 0.4; where they look large, further. The bound is rough: the mean keeps
-    // well below it, and single points near a lamp may be somewhat above.
+    // Cells that look small, or without an eye, are divided down to a bound of 20 times eta, which
+    // is 0.4; cells that look large are divided further. The bound is rough: the mean stays well
+    // below it, and single points near a lamp may be somewhat above.
     LightScene seen = street.scene();
     seen.eye = Vec3(0, 5, 0);
     seen.pixel = 1e-6;

@@ -25,8 +25,8 @@ TEST_CASE("the hierarchy's probabilities add up to 1 where everything is above t
 }
 
 TEST_CASE("a deep hierarchy is walked without losing luminaires", "[lighting]") {
-    // Each a quarter as far as the one before and as bright at the origin: a tree of more than 64
-    // levels.
+    // Each is a quarter as far away as the one before, and as bright at the origin: a tree of more
+    // than 64 levels.
     std::vector<Luminaire> luminaires;
     for (int i = 0; i < 150; ++i) {
         const double d = std::pow(0.25, i);
@@ -69,7 +69,7 @@ TEST_CASE("of equal lamps, the nearer one is picked more often", "[lighting]") {
 
 TEST_CASE("the tree that finds what paired rays meet counts as memory", "[lighting]") {
     const std::vector<Luminaire> luminaires(100, glowing(SphereEmitter{Vec3(0, 2, 0), 0.1}));
-    const BuiltLightBvh alone(luminaires), paired(luminaires, true);
+    const BuiltLightBvh alone(luminaires), paired(luminaires, LightBvh{true});
     CHECK(paired.paired());
     CHECK(paired.memory_bytes() == alone.memory_bytes() + paired.tree().memory_bytes());
 }

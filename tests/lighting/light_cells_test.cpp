@@ -45,7 +45,7 @@ int depth(const LightCells& cells, std::uint32_t cell = 0) {
     return 1 + deepest;
 }
 
-/// Radiance of a white surface at the point that faces the luminaire.
+/// Radiance of a white surface at the point, facing the luminaire.
 double straight_on(const Luminaire& luminaire, const Vec3& position) {
     const Vec3 normal = unit(bounds(luminaire).centre - position);
     return unoccluded(luminaire, {position, normal}) / std::numbers::pi;

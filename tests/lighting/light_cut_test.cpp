@@ -121,7 +121,7 @@ TEST_CASE("an entry with a bent normal weighs less behind itself, but something 
     for (const int kind : {0, 3}) {
         Draw draw(4);
         std::vector<Luminaire> luminaires;
-        // Twenty in a heap that shine one way, and one far away that shines all around.
+        // Twenty luminaires in a heap that shine one way, and a far one that shines all around.
         for (int i = 0; i < 20; ++i) {
             luminaires.push_back(
                 glowing(emitter(kind, Vec3(0, 0, 10) + draw.point(0.1), 0.1, draw)));
@@ -164,7 +164,7 @@ TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim
     }
     const LightTree tree(luminaires);
     const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
-    // Cones that miss the cell need not be told apart.
+    // Cones that miss the cell need not be distinguished.
     REQUIRE(cut.entries() > 30);
     for (int i = 0; i < 100; ++i) {
         const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};

@@ -9,7 +9,8 @@ namespace candelabra {
 
 namespace {
 
-/// A glowing ball of radius 1 around the origin over a floor at y = -1.5, one way or the other.
+/// First hit of a ray with a glowing ball of radius 1 around the origin, or with a floor at y =
+/// -1.5.
 const auto sight = [](const Ray& ray, double tolerance) -> std::optional<ProbeHit> {
     const double b = dot(ray.origin, ray.direction), c = dot(ray.origin, ray.origin) - 1;
     if (b * b > c) {
@@ -30,7 +31,7 @@ LightGuide outlook_of(const Box& cell) {
 }  // namespace
 
 TEST_CASE("what is behind clear things is seen, as far as light passes them", "[lighting]") {
-    // Panes at 1, 2, 3 ... of which each leaves half of the light, up to the first opaque one.
+    // Panes at 1, 2, 3 ..., each of which transmits half of the light, up to the first opaque one.
     double opaque = 4;
     const auto pane = [&](const Ray&, double tolerance) -> std::optional<ProbeHit> {
         const double t = std::floor(tolerance + 1e-6) + 1;
@@ -65,7 +66,7 @@ TEST_CASE("places in a cell lie on the outsides of what is in it", "[lighting]")
         CHECK(each.point.normal == Vec3(0, 1, 0));
         CHECK(contains(cell, each.point.position));
     }
-    // Nothing there: anywhere will do.
+    // Without surfaces, any place will do.
     for (const SurveyPlace& each : survey_places_in({Vec3(5, 5, 5), Vec3(6)}, {}, sight))
         CHECK(each.point.horizon == Horizon::both_sides);
 }
@@ -81,7 +82,7 @@ TEST_CASE("places in the air of a cell have no horizon", "[lighting]") {
 }
 
 TEST_CASE("directions of an outlook have the density that is stated for them", "[lighting]") {
-    // Near the ball the whole sphere is looked at, farther away only the ball.
+    // Near the ball the outlook covers the whole sphere, farther away only the ball.
     for (const Box& cell :
          {Box{Vec3(0.5, -2, 0.5), Vec3(1, -1, 1)}, Box{Vec3(4, -2, 4), Vec3(5, -1, 5)}}) {
         const LightGuide outlook = outlook_of(cell);
@@ -105,7 +106,7 @@ TEST_CASE("directions of an outlook have the density that is stated for them", "
                           Approx(drawn.density).epsilon(1e-6));
                     all += 1 / drawn.density / (steps * steps);
                 }
-            // The mean of 1 / density is the solid angle of the bins that can be drawn.
+            // The mean of 1 / density is the solid angle of the bins that can be sampled.
             CHECK(all <= 4 * 3.1416);
             CHECK(all > 0.2 / weights.cone.bin_density());
         }

@@ -9,8 +9,8 @@ namespace candelabra {
 
 namespace {
 
-/// Depth of the tree, after checking that each luminaire is in one leaf and each node's sphere
-/// holds what is below it.
+/// Returns the depth of the tree, after checking that each luminaire is in one leaf and each node's
+/// sphere contains everything below it.
 int checked_depth(const std::vector<Luminaire>& luminaires) {
     const std::vector<LightNode> nodes = build_light_hierarchy(luminaires);
     REQUIRE(nodes.size() == 2 * luminaires.size() - 1);
@@ -63,7 +63,7 @@ TEST_CASE("triangles that lie in one plane keep a narrow cone", "[lighting]") {
     std::vector<Luminaire> luminaires;
     for (int i = 0; i < 50; ++i) {
         const Vec3 at(draw.point(5).x, draw.point(5).y, 0);
-        // Half of them the other way round: they shine on both sides all the same.
+        // Half of them are reversed: they shine on both sides all the same.
         const Vec3 side = i % 2 ? Vec3(1, 0, 0) : Vec3(0, 1, 0),
                    other = i % 2 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
         luminaires.push_back(glowing(TriangleEmitter{at, at + 0.1 * side, at + 0.1 * other}));

@@ -73,7 +73,7 @@ TEST_CASE("a vectorised loop and a single estimate agree to the last bit", "[lig
         const Receiver point{draw.point(5), draw.direction(), lit_from(i % 4 == 0)};
         LightTable::Sums sums;
         table.sum(list, point, sums);
-        // So short a list has its rows as parts.
+        // The parts of so short a list are its rows.
         int different = 0;
         for (const LightIndex light : all)
             different += sums.part[light] != table.estimate(light, point);

@@ -53,7 +53,7 @@ TEST_CASE("the sphere around a cluster holds its luminaires, its strength is the
     const std::vector<Luminaire> luminaires = lamps(200, 2);
     const LightTree tree(luminaires);
     const LightProxy whole = tree.light_proxy(tree.root());
-    // All of them share 2^48 places, and each has one more than its share.
+    // All luminaires share 2^48 places, and each has one more than its share.
     const double place = 0x1p-48 * whole.strength * whole.radius;
     each_cluster(tree, tree.root(), [&](const LightCluster& c) {
         const LightProxy all = tree.light_proxy(c);

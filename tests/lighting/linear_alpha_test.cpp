@@ -51,7 +51,7 @@ TEST_CASE("linear alpha picks nothing where all luminaires are below the horizon
 
 TEST_CASE("a luminaire whose centre is below the horizon is asked as long as a part of it is above",
           "[lighting][claim-9]") {
-    // The paper's Figure 4, left, is what comes of the opposite.
+    // The paper's Figure 4, left, shows the result of the opposite.
     const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0, -1, 5), 2}),
                                                glowing(SphereEmitter{Vec3(0, 50, 0), 1})};
     const BuiltLinearAlpha built = build(LinearAlpha{}, {luminaires, {}}, 1);

@@ -13,7 +13,7 @@ namespace {
 const Receiver floor_point{Vec3(0.5, 0, 0.5), Vec3(0, 1, 0)};
 const std::vector<Box> floor_box = {Box{Vec3(0), Vec3(1, 0, 1)}};
 
-/// Lamps over the floor, so small and far that none is bright.
+/// Lamps over the floor, so small and far away that none is bright.
 std::vector<Luminaire> dim_lamps(int count, double height) {
     Draw draw(1);
     std::vector<Luminaire> result;
@@ -69,7 +69,7 @@ TEST_CASE("one bright luminaire among dim ones gets its share", "[lighting]") {
 
 TEST_CASE("a dim set that is all below the horizon ends the search and keeps a chance",
           "[lighting][claim-13]") {
-    // The paper would draw representatives for ever.
+    // The paper would sample representatives for ever.
     std::vector<Luminaire> luminaires = dim_lamps(100, -50);
     const BuiltPaperOctree dark = BuiltPaperOctree(LightOctree{}, {luminaires, floor_box}, 1);
     for (std::uint32_t sample = 0; sample < 50; ++sample)

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The volume of what the object becomes, or what is wrong.
+/// Volume of the object's mesh.
 double volume_of(const ObjectHandle& what, int cells = 32) {
     const SolidMesh made = solid_mesh(*what, cells, &the_polyhedra());
     INFO(made.problem);
@@ -72,7 +72,7 @@ TEST_CASE("surfaces are exact where they can be, and seen triangles elsewhere", 
     const ObjectHandle a = object(Cuboid{o, Vec3(2)}), b = object(Cuboid{Vec3(1), Vec3(3)});
     const Mesh exact = surface_mesh(group(Csg::difference, {a, b}), 16, &the_polyhedra());
     CHECK(volume(polyhedron(exact)) == Approx(7));
-    // The surfaces of a union go through each other, as rays see them.
+    // The surfaces of a union pass through each other, as rays see them.
     CHECK(surface_mesh(group(Csg::together, {a, b}), 16, &the_polyhedra()).faces.size() == 24);
     ObjectHandle opened = a;
     opened.edit().clipping = make_handle<Clipping>(Clipping{{object(Plane{y, 9})}, {}});

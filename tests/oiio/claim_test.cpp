@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::string_literals;
 
-/// What the library says of a file with these bytes.
+/// Returns the library's message for a file with these bytes.
 std::string verdict(const std::string& bytes) {
     StoredPicture stored;
     const std::string problem = formats().read(bytes, 1 << 28, stored);
@@ -51,7 +51,7 @@ TEST_CASE("a picture is not larger than its file can fill", "[formats]") {
          "\2\1\3\0\1\0\0\0\x8\0\0\0"               // bits
          "\3\1\3\0\1\0\0\0\5\0\0\0"                // compression: LZW
          "\6\1\3\0\1\0\0\0\1\0\0\0"                // grey
-         "\x11\1\4\0\1\0\0\0\x80\0\0\0"            // where
+         "\x11\1\4\0\1\0\0\0\x80\0\0\0"            // offsets
          "\x16\1\3\0\1\0\0\0\x80\x3e\0\0"          // rows
          "\x17\1\4\0\1\0\0\0\x8\0\0\0\0\0\0\0"s +  // bytes
              head},
@@ -78,12 +78,12 @@ TEST_CASE("only formats that the language names are opened", "[formats]") {
     CHECK(verdict("8BPS\0\1"s + std::string(100, '\0')) == none);                       // psd
     CHECK(verdict("SIMPLE  =                    T" + std::string(2880, ' ')) == none);  // fits
     CHECK(verdict("qoif" + std::string(30, '\0')) == none);
-    // Not the IFF of the language, and its reader ends the program at a head like this.
+    // Not the language's IFF; its reader would end the program at such a header.
     CHECK(verdict("FOR4\0\0\0\x88"
                   "CIMGTBHD\0\0\0\x20\0\0\0\4\0\0\0\3\0\1\0\1"s) == none);
     CHECK(verdict("no picture") == none);
     CHECK(verdict("") == none);
-    // A Targa file of numbers has a reader of its own.
+    // A Targa file of palette indices has a reader of its own.
     CHECK(verdict("\0\1\1\0\0\1\0\x18\0\0\0\0\1\0\1\0\x8\0abc\0"s) == none);
 }
 

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// What the library says of a small picture whose bytes were changed.
+/// Returns the library's message for a small picture with changed bytes.
 template <class Change>
 std::string changed_exr(const Change& change) {
     RawPicture picture{4, 4, 3, std::vector<float>(48, 0.5F), "exr", "zip"};
@@ -18,7 +18,7 @@ std::string changed_exr(const Change& change) {
     return formats().read(bytes, 1 << 28, stored);
 }
 
-/// Where the value of an attribute begins.
+/// Returns the position of an attribute's value.
 std::size_t value_of(const std::string& bytes, const std::string& name, const std::string& type) {
     const std::string head = name + '\0' + type + '\0';
     const std::size_t found = bytes.find(head);

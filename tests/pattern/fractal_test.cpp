@@ -23,7 +23,7 @@ TEST_CASE("fractals have POV-Ray's values", "[pattern]") {
         {"magnet 2 julia <1.4,0.6>,25 exterior 5,0.2 interior 5,.5",
          {0.000000357, 0.000000000, 0.000000002, 0.003458938}},
     });
-    // So far out that rounding shows.
+    // The orbits go so far out that rounding errors are visible.
     check_patterns({{"mandel 20 exponent 5 exterior 6,0.1 interior 1,0.7",
                      {0.771622548, 0.100162309, 0.148562221, 0.421687677}}},
                    2e-8);

@@ -11,7 +11,7 @@ namespace {
 
 double share(std::mt19937& random) { return std::uniform_real_distribution<>()(random); }
 
-/// Black holes here and there, of which some touch, with other steps between them.
+/// Returns black holes at random places, some of them overlapping, with other steps between them.
 std::vector<WarpStep> steps_with_holes(int count, double size) {
     std::mt19937 random(7);
     std::vector<WarpStep> steps;

@@ -19,7 +19,7 @@ Handle<Texels> picture() {
     return make_handle<Texels>(std::move(texels));
 }
 
-/// Two colours by number.
+/// Returns a picture of two indexed colours.
 Handle<Texels> numbered() {
     Texels texels{2, 1, 3, {}, {}, {0, 1}, {{Vec3(0.2), 0, 0}, {Vec3(0.8), 0, 0}}};
     return make_handle<Texels>(std::move(texels));

@@ -49,7 +49,7 @@ TEST_CASE("tilings have POV-Ray's values", "[pattern]") {
 }
 
 TEST_CASE("tilings cover the plane without gaps", "[pattern]") {
-    // In a gap the nearest tile would be left, and values rise above those of any tile.
+    // In a gap, the nearest tile would be chosen, and values would exceed those of any tile.
     for (int type = 1; type <= 24; ++type)
         for (int i = 0; i < 2000; ++i) {
             const double value = evaluate(Tiling{type}, {i * 0.137 - 90, 0, i * -0.291 + 7});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns from the text of a scene, and their values at points against those that POV-Ray 3.7
+// Parses patterns from scene text and checks their values at points against those that POV-Ray 3.7
 // prints.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace candelabra {
 
-/// The pattern that stands in `pigment { text }`.
+/// Returns the pattern in `pigment { text }`.
 inline PatternUse pattern_of(const std::string& text) {
     const Script done = run("#version 3.7; sphere { 0, 1 pigment { " + text + " } }");
     INFO(done.text);
@@ -35,8 +35,8 @@ struct ExpectedPattern {
     std::array<double, 4> values;
 };
 
-/// At (0.3, 0.7, -0.2), (1.3, 2.7, 3.9), (-2.45, 0.15, -7.6) and (12.34, -56.78, 90.12), with 9
-/// digits.
+/// Checks patterns at (0.3, 0.7, -0.2), (1.3, 2.7, 3.9), (-2.45, 0.15, -7.6) and
+/// (12.34, -56.78, 90.12), to 9 digits.
 inline void check_patterns(std::initializer_list<ExpectedPattern> expected, double margin = 2e-9) {
     const std::array<Vec3, 4> points = {Vec3(0.3, 0.7, -0.2), Vec3(1.3, 2.7, 3.9),
                                         Vec3(-2.45, 0.15, -7.6), Vec3(12.34, -56.78, 90.12)};

@@ -11,7 +11,7 @@ using namespace std::string_literals;
 
 FileFacts facts_of(const std::string& content) { return file_facts({"a.bin", content}); }
 
-/// A PNG file of numbered colours up to its pixels, without checksums.
+/// A PNG file of indexed colours up to its pixels, without checksums.
 const std::string start = "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\1\0\0\0\1\x08\x03\0\0\0...."s;
 const std::string table = "\0\0\0\6PLTE\1\2\3\4\5\6...."s, clear = "\0\0\0\1tRNS\x80...."s,
                   gamma_chunk = "\0\0\0\4gAMA\0\0\1\0...."s, pixels = "\0\0\0\1IDAT....."s;

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// The heights of a picture file with this content.
+/// Returns the heights of a picture file with this content.
 std::optional<Heights> heights(const std::string& extension, const std::string& content,
                                double gamma = 0) {
     Diagnostics diagnostics;

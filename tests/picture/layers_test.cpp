@@ -64,7 +64,7 @@ TEST_CASE("a file of layers is opened once: nobody can put another one in its pl
     Diagnostics diagnostics;
     std::ofstream(path, std::ios::binary) << encode(example(), diagnostics).value();
     const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-    // Equal events behind each other become one, so that each needs another one behind it.
+    // The kernel merges equal events that follow each other, so watch two kinds that alternate.
     REQUIRE(::inotify_add_watch(watch, path.c_str(), IN_OPEN | IN_CLOSE) >= 0);
     CHECK(read_layers(path, {}, diagnostics));
     alignas(inotify_event) std::array<char, 4096> events;

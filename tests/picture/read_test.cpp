@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own that goes when the test ends.
+/// A temporary folder, removed when the test ends.
 struct Folder {
     fs::path path =
         fs::temp_directory_path() / ("candelabra_read_test_" + std::to_string(::getpid()));
@@ -135,7 +135,7 @@ TEST_CASE("texels are coded as the scene wants them", "[picture]") {
         return texels->values.at(0);
     };
     TexelCoding coding;
-    CHECK(red(coding) == Approx(128 / 255.0));  // PPM is as it is
+    CHECK(red(coding) == Approx(128 / 255.0));  // PPM values are taken as they are
     coding.gamma = 2;
     CHECK(red(coding) == Approx(0.25198).epsilon(1e-4));
     coding.working_gamma = 2;
@@ -152,7 +152,7 @@ TEST_CASE("nobody reads on what another reader has left", "[picture]") {
     using namespace std::string_literals;
     const Folder folder;
     const std::pair<const char*, std::string> files[] = {
-        // The last pixel has a colour that the table has not.
+        // The last pixel's colour index is not in the table.
         {"a.tga", "\0\1\1\0\0\1\0\x18\0\0\0\0\2\0\2\0\x8\x20"s + "abc" + "\0\0\0\7"s},
         {"short.ppm", "P6\n4 4\n255\nabc"},
         {"a.dpx", "SDPX" + std::string(2048, '\0')}};

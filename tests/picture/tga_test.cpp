@@ -9,15 +9,15 @@ namespace {
 
 using namespace std::string_literals;
 
-/// The head of a file of two by two pixels: the kind, the size and bits of the table, the bits of a
-/// pixel, the descriptor.
+/// Returns the header of a 2 x 2 file: image type, size and bits of the colour table, bits per
+/// pixel, descriptor.
 std::string head(int kind, int colours, int table_bits, int bits, int descriptor) {
     const auto byte = [](int value) { return std::string(1, static_cast<char>(value)); };
     return "\0"s + byte(colours > 0 ? 1 : 0) + byte(kind) + "\0\0"s + byte(colours) + "\0"s +
            byte(table_bits) + "\0\0\0\0\2\0\2\0"s + byte(bits) + byte(descriptor);
 }
 
-/// The reds of all pixels, in bytes.
+/// Returns the red of every pixel as a byte.
 std::vector<int> reds(const StoredPicture& picture) {
     std::vector<int> result;
     for (std::size_t i = 0; i < picture.values.size(); i += 3)
@@ -80,7 +80,7 @@ TEST_CASE("a Targa file that is damaged leaves the picture as it was", "[picture
     CHECK(picture.width == 0);
     CHECK(picture.values.empty());
     CHECK(picture.numbers.empty());
-    // Packed pixels are at most 128 times what the file has.
+    // Run-length packets hold at most 128 times as many pixels as the file has bytes.
     std::string wide = head(9, 1, 24, 8, 0x20) + "abc" + "\xff\0"s;
     wide[13] = wide[15] = '\x3f';
     CHECK_FALSE(read_tga(wide, 1 << 28, picture));

@@ -166,7 +166,7 @@ TEST_CASE("a grey picture has one channel of the brightness") {
 TEST_CASE("many values are rounded as each of them is") {
     Image image(300, 200);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        // Also borders between two bytes, and what is next to them.
+        // Include the borders between two bytes and the values next to them.
         const double border = srgb_decode((static_cast<double>(i % 255) + 0.5) / 255);
         image.pixels[i] = Vec3(static_cast<double>(i) / 54000 - 0.05, border,
                                std::nextafter(border, i % 2 == 0 ? 0.0 : 1.0));

@@ -7,7 +7,7 @@ namespace candelabra {
 
 namespace {
 
-/// Five by three pixels, each value another.
+/// Returns five by three pixels with varied values.
 template <class Value>
 RawPicture picture_of(int channels) {
     std::vector<Value> values;
@@ -74,7 +74,7 @@ TEST_CASE("damaged PNG files are refused", "[png]") {
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         std::string wrong = bytes;
         wrong[i] = static_cast<char>(~wrong[i]);
-        read_png(wrong, 100, stored);  // some harm is none
+        read_png(wrong, 100, stored);  // some changes do no harm
     }
     CHECK_FALSE(is_png("GIF89a"));
 }
@@ -88,7 +88,7 @@ TEST_CASE("a PNG file that says it is large must have bytes enough", "[png]") {
     const RawPicture small{2, 1, 3, std::vector<std::uint8_t>(6, 9), "png", {}};
     std::string bytes;
     REQUIRE(write_png(small, bytes) == "");
-    // 16384 pixels each way, with the checksum that goes with them.
+    // 16384 pixels in each direction, with a matching checksum.
     std::string head("IHDR\0\0\x40\0\0\0\x40\0\x8\2\0\0\0", 17);
     std::uint32_t sum = 0xffffffff;
     for (const char c : head) {

@@ -9,10 +9,10 @@ namespace {
 
 using namespace std::string_literals;
 
-/// Two by three pixels of a canvas of four by five, of four colours: every code clears the table
-/// first, so that all codes have three bits. `order` are the rows as they are stored.
+/// Two by three pixels of four colours on a canvas of four by five. Every code follows a clear
+/// code, so that all codes have three bits. `order` lists the rows as they are stored.
 std::string small_gif(int flags, const std::string& control) {
-    // Bits of clear, 0, clear, 1, clear, 2, clear, 3, clear, 1, clear, 2, end: three each.
+    // Three bits each of clear, 0, clear, 1, clear, 2, clear, 3, clear, 1, clear, 2, end.
     std::string bits;
     for (const int code : {4, 0, 4, 1, 4, 2, 4, 3, 4, 1, 4, 2, 5})
         for (int i = 0; i < 3; ++i) bits += static_cast<char>('0' + (code >> i & 1));
@@ -52,7 +52,7 @@ TEST_CASE("a GIF file of one table tells the numbers of its colours, also of tho
           "[raster]") {
     std::string bytes = small_gif(0, {});
     CHECK(check_same(bytes).numbers.empty());
-    // The canvas as large as the picture, and colour 2 the same as colour 1.
+    // Makes the canvas as large as the picture, and colour 2 equal to colour 1.
     bytes[6] = 2;
     bytes[8] = 3;
     bytes.replace(19, 3, bytes.substr(16, 3));

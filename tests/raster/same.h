@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that the library of all formats makes, read by the readers of rasters and by the library.
+// Compares the readers of raster files with OpenImageIO on files that it has written.
 #pragma once
 
 #include "raster/raster.h"
@@ -11,7 +11,7 @@ namespace candelabra {
 
 inline constexpr std::int64_t raster_limit = 1 << 20;
 
-/// Pixels that are neither even nor noise, of bytes or words.
+/// Returns pixels that are neither constant nor noise, of bytes or words.
 template <class Number>
 std::vector<Number> uneven(int width, int height, int channels) {
     std::vector<Number> values;
@@ -29,7 +29,7 @@ inline std::string file_of(const RawPicture& picture) {
     return bytes;
 }
 
-/// Reads the file in both ways, which must agree.
+/// Reads the file by both readers, which must agree.
 inline StoredPicture check_same(const std::string& bytes) {
     StoredPicture expected, found;
     REQUIRE(formats().read(bytes, raster_limit, expected) == "");
@@ -46,7 +46,7 @@ inline StoredPicture check_same(const std::string& bytes) {
     return found;
 }
 
-/// No beginning of the file is read as a whole picture, and none harms.
+/// Checks that truncated files are rejected without harm.
 inline void check_short(const std::string& bytes) {
     StoredPicture picture;
     for (std::size_t length = 0; length + 2 < bytes.size(); ++length) {

@@ -11,8 +11,8 @@ namespace candelabra {
 
 namespace {
 
-/// A file of tests/raster/files/: bytes or words packed in each way, a table of colours, alpha, the
-/// other order of bytes, and long words of LZW.
+/// Reads a file of tests/raster/files/: bytes or words with each compression, a palette, alpha, the
+/// other byte order, and long words of LZW.
 std::string tiff_file(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};

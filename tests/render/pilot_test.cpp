@@ -53,7 +53,7 @@ TEST_CASE("light that hardly differs from sample to sample is quiet", "[render]"
     };
     CHECK(quiet(lamp + blob(0.05)));
     CHECK_FALSE(quiet(lamp + blob(20)));
-    CHECK_FALSE(quiet(lamp));  // nothing is left to chance, so nothing is tried
+    CHECK_FALSE(quiet(lamp));  // without randomness no pixels are tried
 }
 
 TEST_CASE("more shadow rays pay where light makes the noise", "[render]") {

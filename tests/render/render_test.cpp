@@ -30,7 +30,7 @@ RenderSettings small(int threads) {
     return settings;
 }
 
-/// A lamp whose edge no pixel filter may move, on a ground that is lit evenly.
+/// A lamp whose edge must not be moved by any pixel filter, on an evenly lit ground.
 World filmed(const std::string& film) {
     return world_of(R"(
         #version 3.7;
@@ -114,8 +114,7 @@ TEST_CASE("samples are as many as asked for", "[render]") {
 }
 
 TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
-    // A pixel of low chance: small bright things that few rays find tempt a scheme that looks at
-    // its own samples.
+    // Small bright objects that few rays hit would bias a scheme that uses a pixel's own samples.
     const World world = world_of(R"(
         camera { orthographic location <0, 0, -9> right 10*x up 10*y }
         #declare R = seed(1);
@@ -294,7 +293,7 @@ TEST_CASE("lights are counted by statement when that is asked for, the same by a
 TEST_CASE("a round winds down once, before its last tile is done", "[render]") {
     const World world = world_of(four_lamps);
     RenderSettings settings = small(1);
-    settings.samples = 5;  // in several passes over the tiles, of which only the last winds down
+    settings.samples = 5;  // several passes over the tiles; only the last winds down
     RenderState state = begin_picture(settings);
     LightLedger rays;
     int winds_down = 0;
@@ -341,7 +340,7 @@ TEST_CASE("pixel filters keep even light as it is, and the mean of a picture", "
         CHECK(made.at(1, 1).x == Approx(box.at(1, 1).x).epsilon(1e-9));
         CHECK(made.pixels != box.pixels);
     }
-    // Below 0 beside the edge: the ground is darker there, and the lamp brighter.
+    // Negative lobes beside the edge: the ground is darker there, and the lamp brighter.
     const Image sharp = render(filmed("pixel_filter mitchell"), of_samples(256)).image;
     double least = 1, greatest = 0;
     for (const Vec3& pixel : sharp.pixels) {

@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// As the evaluator begins it.
+/// A scene as the evaluator creates it.
 Scene empty_scene() {
     Scene scene;
     scene.background.colour.transmit = 1;
@@ -99,6 +99,18 @@ TEST_CASE("settings, background, camera and lights stand before the objects") {
           "camera { orthographic location <0, 0, -5> look_at 0 angle 40 }\n"
           "light_source { 9, rgb <1, 1, 0.5> shadowless }\n"
           "sphere { 0, 1 }\n");
+}
+
+TEST_CASE("words are kept whose further values are not given") {
+    Scene scene = empty_scene();
+    SphericalCamera camera;
+    camera.angle = 120;
+    scene.camera = camera;
+    scene.settings.luminaires_said = true;
+    const std::string text = dump(scene);
+    INFO(text);
+    CHECK(text.find("global_settings { luminaires emission }\n") != std::string::npos);
+    CHECK(text.find("camera { spherical angle 120 }\n") != std::string::npos);
 }
 
 TEST_CASE("a camera is written with its normal, a light with its window") {

@@ -27,6 +27,8 @@ TEST_CASE("a pigment is written so that it reads back as the same", "[scene]") {
              "marble turbulence <0.5, 0, 0> octaves 3 omega 0.7 lambda 3 frequency 2 phase 0.1",
              "marble ramp_wave frequency 1",
              "checker frequency 1",
+             "rgb 1 quick_color rgb <1, 0.5, 0>",
+             "checker rgb 1, rgb 0 quick_color rgb 0.5 scale 2",
              "spiral1 5 poly_wave 2 noise_generator 3",
              "crackle form <1, 0, 0> metric 3 offset 0.1 solid",
              "magnet 2 julia <0.1, 0.2>, 30 exterior 2, 0.5 interior 1, 3",

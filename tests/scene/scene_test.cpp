@@ -16,7 +16,7 @@ TEST_CASE("a light takes with it what belongs to it", "[scene]") {
         CHECK(object->transform->point(Vec3(0)) == Vec3(1, 2, 3));
     CHECK(there.looks_like->no_shadow);
     CHECK_FALSE(there.projected_through->no_shadow);
-    // However often it is moved, that does not become deeper.
+    // Further transformations do not deepen the nesting.
     const PlacedLight further = transformed(there, Transform::scaling(Vec3(2)));
     for (const ObjectHandle& object : {further.looks_like, further.projected_through}) {
         CHECK(object->transform->point(Vec3(0)) == Vec3(2, 4, 6));

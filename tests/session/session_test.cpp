@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// A session over a scene that is in no file.
+/// Returns settings for a scene that is in no file.
 SessionSettings of_text(const std::string& text) {
     SessionSettings settings;
     settings.source.text = text;
@@ -82,7 +82,7 @@ TEST_CASE("what is likely a mistake is said of a scene", "[session]") {
     Session session(of_text("#version 3.7; sphere { 0, 1 }"), diagnostics);
     REQUIRE(session.read());
     session.review(session.evaluate());
-    CHECK(diagnostics.all().size() >= 2);  // no camera, no light
+    CHECK(diagnostics.all().size() >= 2);  // no camera and no light
     CHECK_FALSE(diagnostics.failed());
 }
 

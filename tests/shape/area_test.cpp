@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 namespace {
 
-/// A bent sheet of 3 and 2 units, whose normals make it look round, and a face without area.
+/// A bent sheet of areas 3 and 2, with normals that make it look round, and a face without area.
 BuiltShape bent_sheet() {
     Mesh mesh;
     mesh.vertices = {o, 2.0 * x, 3.0 * y, 2.0 * z};
@@ -41,7 +41,7 @@ const std::vector<std::pair<BuiltShape, double>> areas = {
     {bent_sheet(), 5},
 };
 
-/// Number of a region for a point, and the share of the area that each region has.
+/// Maps a point to the number of its region, with each region's share of the area.
 struct Regions {
     BuiltShape shape;
     std::vector<double> shares;
@@ -53,7 +53,7 @@ std::size_t band(double value, std::initializer_list<double> limits) {
         std::count_if(limits.begin(), limits.end(), [&](double l) { return value >= l; }));
 }
 
-/// Fifth of the way round the y axis.
+/// Which fifth of the turn around the y axis contains the point.
 std::size_t sector(const Vec3& p) {
     const double turn = std::atan2(p.z, p.x) / (2 * pi);
     return std::min<std::size_t>(4, static_cast<std::size_t>(5 * (turn < 0 ? turn + 1 : turn)));
@@ -128,7 +128,7 @@ TEST_CASE("sampled points are on the surface, with its normal", "[shape]") {
         for (int i = 0; i < 300; ++i) {
             const SurfacePoint s = sample_area(shape, Vec2(draw.number(), draw.number()));
             CHECK(length(s.normal) == Approx(1).epsilon(1e-14));
-            // Down onto the point from a little outside.
+            // From slightly outside down to the point.
             const std::vector<Crossing> found =
                 hits(shape, Ray{s.position + 0.25 * s.normal, -s.normal});
             const auto met = std::find_if(found.begin(), found.end(), [](const Crossing& c) {
@@ -171,7 +171,7 @@ TEST_CASE("points are spread evenly over the area", "[shape]") {
             total += regions.shares[i];
         }
         CHECK(total == Approx(1).epsilon(1e-14));
-        // At most 23 degrees of freedom: above 50 with a probability below 0.001.
+        // At most 23 degrees of freedom: chi2 exceeds 50 with a probability below 0.001.
         CHECK(chi2 < 50);
     }
 }

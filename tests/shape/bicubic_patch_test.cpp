@@ -21,7 +21,7 @@ TEST_CASE("a patch of points in a plane is flat, and divided where it is not", "
     for (const std::size_t i : {5u, 6u, 9u, 10u}) sheet.points[i].y = 2;
     const BuiltBicubicPatch curved = build(sheet);
     CHECK(curved.facets.size() == 32);
-    // It is flat beside the plane through the first corner and its two neighbours.
+    // Flatness is measured from the plane through the first corner and its two neighbours.
     sheet.u_steps = 1;
     sheet.v_steps = 0;
     for (Vec3& point : sheet.points) point.y = 0;

@@ -96,7 +96,7 @@ TEST_CASE("a blob needs a component", "[shape]") {
     CHECK(vanishes(blob(1, {ball(o, 1, 1)})).empty());
     CHECK(vanishes(blob(1, {ball(o, 0, 1), ball(o, 1, -1)})) ==
           "no component has a radius and a strength above 0");
-    // One whose fields are all 0 is never met.
+    // A blob whose fields are all 0 is never hit.
     CHECK(hits(build(blob(1, {ball(o, 1, 0)})), {-5.0 * x, x}).empty());
 }
 

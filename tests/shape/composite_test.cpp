@@ -18,13 +18,13 @@ constexpr auto everything = [](std::uint32_t) { return true; };
 
 using Inside = std::function<bool(const Vec3&)>;
 
-/// A part with the plain answer to who is inside.
+/// A part with the plain definition of its inside.
 struct Tested {
     PartRef ref;
     Inside inside;
 };
 
-/// Builds composites beside their definition.
+/// Builds composites together with their definitions.
 struct Maker {
     CompositeBuilder builder;
     Draw draw;
@@ -89,7 +89,7 @@ Composite made(Combination how, const std::vector<CompositeLeaf>& leaves) {
     return made(builder, how, leaves);
 }
 
-/// Asks points and rays, and compares with who is inside. The number of meetings.
+/// Compares points and rays with the definition. Returns the number of meetings.
 std::size_t check_surface(const Composite& composite, const Tested& whole, Draw& draw, int rays) {
     std::size_t met_in_all = 0;
     for (int i = 0; i < rays; ++i) {
@@ -98,7 +98,7 @@ std::size_t check_surface(const Composite& composite, const Tested& whole, Draw&
         const Ray ray{p, draw.between(0.5, 2) * draw.direction()};
         const auto met = meetings(composite, ray);
         met_in_all += met.size();
-        // Between two meetings next to each other nothing changes; at each it does.
+        // Between two successive meetings the inside does not change; at each it does.
         double before = -100;
         for (std::size_t k = 0; k <= met.size(); ++k) {
             const double after = k < met.size() ? met[k].t : 100;
@@ -185,7 +185,7 @@ TEST_CASE("the surface of an open tube is kept where it is inside the others", "
     CHECK(met[0].t == 4);
     CHECK(met[1].t == 5);
     CHECK(met[1].leaf == 1);
-    // Through the open end it meets the plane within the tube, which is solid all the same.
+    // Through the open end the ray hits the plane within the tube, which is solid all the same.
     const auto from_above = meetings(cut, {Vec3(-0.45, 5, 0), -y + 0.1 * x});
     REQUIRE(from_above.size() == 1);
     CHECK(from_above[0].leaf == 1);
@@ -275,7 +275,7 @@ TEST_CASE("a composite of many parts asks few of them", "[shape]") {
 }
 
 TEST_CASE("faces of two parts in one place leave no holes in the skin between them", "[shape]") {
-    // The second box is scaled, so that its faces are met where rounding leads.
+    // The second box is scaled, so that rounding decides where its faces are hit.
     for (const double scale : {1.0, 1.001, 1.1}) {
         CompositeBuilder builder;
         const PartRef body = builder.add({Cuboid{Vec3(0), Vec3(1)}, nullptr, false});

@@ -14,7 +14,7 @@ namespace candelabra {
 
 namespace {
 
-/// y, as code of C++.
+/// The function y as C++ code.
 Isosurface ground() {
     Isosurface surface;
     surface.function = make_handle<Formula>(3, 1, [](const double* p, double* value) {

@@ -16,7 +16,7 @@ JuliaFractal fractal(int function, int max_iteration) {
     return result;
 }
 
-/// As POV-Ray's trace() gives it.
+/// Expected values are those of POV-Ray's trace().
 void slopes_along(const JuliaFractal& julia, const Vec3& p, const Vec3& expected) {
     const Vec3 slope = unit(formula_slope(JuliaSet(julia), p));
     for (int axis = 0; axis < 3; ++axis) CHECK(slope[axis] == Approx(expected[axis]).margin(1e-3));
@@ -51,7 +51,7 @@ TEST_CASE("slopes of formulas are POV-Ray's", "[shape]") {
     slopes_along(power, Vec3(-1.9796, 0.2, 0.8), Vec3(-0.98830703, -0.10781747, -0.10781747));
     slopes_along(fractal(julia_reciprocal, 2), Vec3(-0.178913007, 0.1, 0.2),
                  Vec3(0.313291839, -0.590561696, -0.743696919));
-    // Where the counted orbit escapes, the other one goes on.
+    // After the counted orbit escapes, the other one is used.
     slopes_along(fractal(julia_sin, 2), Vec3(1.3, 1.97757, 0.2), Vec3(0.655, 0.534, 0.534));
 }
 

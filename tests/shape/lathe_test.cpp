@@ -80,7 +80,7 @@ TEST_CASE("smooth lathes are met on their surface, for rays of any rise", "[shap
             for (const auto& part : built.parts)
                 for (const double u : sign_changes(part.piece.combined({0, 1}, -p.y), {0, 1}))
                     nearest = std::fmin(nearest, std::abs(part.piece.at(u).x - radius));
-            // Where the curve is nearly level, its radius there is known less well.
+            // Where the curve is nearly level, its radius is less precise.
             CHECK(nearest * std::hypot(c.normal.x, c.normal.z) < 1e-9);
         }
     }
@@ -95,7 +95,7 @@ TEST_CASE("the inside of a lathe is between curve and axis", "[shape]") {
     CHECK_FALSE(inside(ring, Vec3(1, 0.5, 0)));
     CHECK(inside(ring, Vec3(2, 0.5, 0)));
     CHECK_FALSE(inside(ring, Vec3(2.6, 0.5, 0)));
-    // Its normals are outward on both sides.
+    // Normals point outward on both sides.
     const auto found = hits(ring, {Vec3(0, 0.5, 0), x});
     REQUIRE(found.size() == 4);
     CHECK(length(found[2].normal - unit(Vec3(-1, 1, 0))) < 1e-12);

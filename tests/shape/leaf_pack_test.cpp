@@ -32,7 +32,7 @@ struct Things {
                 },
                 [this, last](std::uint32_t i) { return boxes[i - last]; }};
     }
-    /// Where the ray meets the item; range.max when it does not.
+    /// Parameter at which the ray hits the item; range.max when it does not.
     double meet(std::uint32_t item, const Ray& ray, const Interval& range) const {
         if (item >= spheres.size() + triangles.size()) {
             const Box& box = boxes[item - spheres.size() - triangles.size()];
@@ -46,7 +46,7 @@ struct Things {
     }
 };
 
-/// In a ball of that size around the centre; some are a thousand times larger or smaller.
+/// Things in a ball of this size around the centre; some are a thousand times larger or smaller.
 Things scattered(std::size_t count, const Vec3& centre, double size, Draw& draw) {
     Things made;
     for (std::size_t i = 0; i < count; ++i) {
@@ -61,7 +61,7 @@ Things scattered(std::size_t count, const Vec3& centre, double size, Draw& draw)
     return made;
 }
 
-/// All things, at most eight in a leaf; each leaf, as far as its box tells, may be anywhere.
+/// All things, at most eight in a leaf; by their boxes, each may be anywhere.
 WideTree packed(const Things& things, const Box& around) {
     WideTree tree = build_tree(std::vector<Box>(things.size(), around), {}, 1);
     tree.pack(leaf_packs(things.kinds()), 1);
@@ -87,7 +87,7 @@ Candidates candidates(const WideTree& tree, const Things& things, const Ray& ray
     return found;
 }
 
-/// Whether the leaf blocks the ray; what is in doubt is asked, and counted.
+/// Whether the leaf blocks the ray, and the number of items in doubt that were tested.
 struct Blocked {
     bool blocked = false;
     std::size_t asked = 0;
@@ -105,7 +105,7 @@ Blocked blocked(const WideTree& tree, const Things& things, const Ray& ray, cons
     return found;
 }
 
-/// From anywhere to a point in the middle, to a sphere's rim or to a triangle's edge.
+/// A ray from anywhere to a point in the middle, to a sphere's rim or to a triangle's edge.
 Ray aimed(const Things& things, const Vec3& centre, double size, Draw& draw) {
     const double far = std::pow(10, draw.between(-2, 4));
     const Vec3 from = centre + size * far * draw.direction();
@@ -142,7 +142,7 @@ void rule_out_nothing(std::size_t rays) {
             const double there = length(centre - ray.origin) / length(ray.direction);
             const Interval range{draw.between(-1, 1) * there, draw.between(0.5, 2) * there};
             const Candidates found = candidates(tree, things, ray, range);
-            // Rays that pass by the leaf ask nothing.
+            // Rays that miss the leaf test nothing.
             if (!(found.count > 0)) continue;
             bool blocks = false;
             for (std::uint32_t item = 0; item < things.size(); ++item) {
@@ -168,7 +168,7 @@ TEST_CASE("packs rule out nothing that millions of rays meet", "[.long]") {
 }
 
 TEST_CASE("tiny spheres far apart are met from far away", "[shape]") {
-    // Where a ray enters a leaf is known less exactly than the leaf is large.
+    // The entry point into a leaf is less exact than the leaf's size.
     Draw draw(3);
     for (const double radius : {1e-8, 1e-10, 1e-12}) {
         CAPTURE(radius);

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// Changes of a function whose slope is within these bounds.
+/// Sign changes of a function whose slope is within these bounds.
 template <class F>
 std::vector<double> changes(F f, double slope, const Interval& range, double detail = 1e-3) {
     const auto at = [&](double t) { return f(t); };

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// The cube from -1 to 1, each side two triangles that face outward.
+/// The cube from -1 to 1, with two outward triangles on each side.
 Mesh cube() {
     Mesh mesh;
     for (int i = 0; i < 8; ++i)
@@ -77,7 +77,7 @@ TEST_CASE("faces without area are not met", "[shape]") {
 
 TEST_CASE("a part of the line of a ray meets what the whole of it meets", "[shape]") {
     Draw draw(12);
-    Mesh cloud;  // of triangles across each other, which share corners
+    Mesh cloud;  // of intersecting triangles that share corners
     for (int i = 0; i < 300; ++i) cloud.vertices.push_back(draw.point(3));
     for (int i = 0; i < 298; ++i) cloud.faces.push_back({i, i + 1, i + 2});
     for (const Mesh& mesh : {cube(), cloud}) {

@@ -13,7 +13,7 @@ Outline outline(CurveKind kind, const std::vector<Vec2>& points) {
     return Outline(closed_curves(kind, points).loops);
 }
 
-/// A circle of two conics would not be one; four cubic Bezier curves nearly are.
+/// Two conics cannot form a circle; four cubic Bezier curves nearly do.
 Outline circle() {
     const double k = 0.5522847498;
     return outline(bezier_curve, {{1, 0},
@@ -57,7 +57,7 @@ TEST_CASE("points are within an odd number of loops", "[shape]") {
 }
 
 TEST_CASE("points are within one of several curves, or between two of them", "[shape]") {
-    // Each square has more sides than stand together in a group.
+    // Each square has more sides than fit in a group.
     const auto square = [](std::vector<Vec2>& points, const Vec2& low, double size) {
         constexpr int parts = 10;
         const std::array corners = {low, low + Vec2(size, 0), low + Vec2(size),

@@ -32,11 +32,11 @@ TEST_CASE("rays meet a parametric surface itself, not its facets", "[shape]") {
     const auto found = hits(built, {Vec3(0.123, 5, 0.321), Vec3(0, -1, 0)});
     REQUIRE(found.size() == 1);
     CHECK(found[0].t == Approx(5 - 0.123 * 0.123 - 0.321 * 0.321).epsilon(1e-12));
-    // Its u and v are found again, with the mesh of the net or without.
+    // u and v are recovered with the cell of the net or without it.
     const Vec3 met(0.123, 0.123 * 0.123 + 0.321 * 0.321, 0.321);
     CHECK(length(parameters_at(built, met, found[0].part) - Vec2(0.123, 0.321)) < 1e-9);
     CHECK(length(parameters_at(built, met, std::nullopt) - Vec2(0.123, 0.321)) < 1e-9);
-    // Cut off by the container, which goes from -1 to 1.
+    // Cut off by the container, which extends from -1 to 1.
     CHECK(hits(built, {Vec3(0.9, 5, 0.9), Vec3(0, -1, 0)}).empty());
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("a parametric surface with a pole has no facets across it", "[shape]")
     const BuiltParametric built = build(wall);
     const double pole = 0.523598775598;
     CHECK(hits(built, {Vec3(pole, 5, 0.1), Vec3(0, -1, 0)}).empty());
-    // Two branches of the tangent, and nothing between them.
+    // Two branches of the tangent with nothing between them.
     CHECK(hits(built, {Vec3(0.5, 0.95, 0.1), Vec3(1, 0, 0)}).size() == 2);
     for (const ParametricPiece& piece : built.pieces)
         CHECK(length(piece.corners[2] - piece.corners[0]) < 4);

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// The place of x^i y^j z^k among the factors.
+/// Index of the coefficient of x^i y^j z^k.
 std::size_t place(int degree, int i, int j, int k) {
     std::size_t n = 0;
     for (int a = degree; a >= 0; --a)
@@ -129,7 +129,7 @@ TEST_CASE("a polynomial written term by term is the poly of these factors", "[sh
     const Polynomial by_terms{5, {{2, 1, 2, 4}, {0, 5, 0, -2}, {1, 0, 0, 3}, {0, 0, 0, -0.5}}};
     const Poly same{5, factors(5, {{2, 1, 2, 4}, {0, 5, 0, -2}, {1, 0, 0, 3}, {0, 0, 0, -0.5}})};
     CHECK(build(by_terms).factors == build(same).factors);
-    // Of the same terms the last counts.
+    // Of repeated terms the last counts.
     const Polynomial again{2, {{1, 1, 0, 7}, {0, 0, 2, 1}, {1, 1, 0, 2}}};
     CHECK(build(again).factors == factors(2, {{1, 1, 0, 2}, {0, 0, 2, 1}}));
 

@@ -30,7 +30,7 @@ TEST_CASE("rays cross quadrics where they should", "[shape]") {
     const Quadric hyperboloid{Vec3(1, -1, 1), o, o, -1};
     CHECK(answers(hyperboloid, {{-5.0 * z, z}, {{4, -z, true}, {6, z, false}}}));
     CHECK(answers(hyperboloid, {{-5.0 * y, y}, {}}));
-    // Over both sheets of a cone: outside between them.
+    // Past both sheets of a cone: outside between them.
     const Quadric cone{Vec3(1, -1, 1), o, o, 0};
     const Vec3 up = unit(Vec3(1, -1, 0)), down = unit(Vec3(1, 1, 0));
     CHECK(answers(cone, {{Vec3(1, -5, 0), y}, {{4, down, false}, {6, up, true}}}));
@@ -49,7 +49,7 @@ TEST_CASE("bounds of a quadric are those of an ellipsoid, or of an elliptic cyli
     // x^2 + xy + y^2 + z^2 - 2x = 0.
     const Quadric turned{Vec3(1), x, -2.0 * x, 0};
     const Box around = bounds(turned);
-    // The least value in the plane of each side is 0: the side touches the solid.
+    // The minimum in the plane of each side is 0: the side touches the solid.
     for (int axis = 0; axis < 3; ++axis)
         for (const double end : {around.low[axis], around.high[axis]}) {
             double least = 1e9;
@@ -87,7 +87,7 @@ TEST_CASE("between planes, a quadric has bounds", "[shape]") {
     const Box bowl = bounds_within({Vec3(1, 0, 1), o, -y, 0}, layer);
     CHECK(bowl.low.y == Approx(0).margin(1e-8));
     CHECK(bowl.high.x == Approx(std::sqrt(2)));
-    // Nothing is known of a cylinder that lies in the layer.
+    // Nothing is known of a cylinder along the layer.
     CHECK(bounds_within({Vec3(0, 1, 1), o, o, -1}, layer).high.x == infinity);
 }
 

@@ -12,7 +12,7 @@ namespace {
 struct Case {
     std::string name;
     Shape shape;
-    double enough;  ///< the two halves of its box take no more than this share of its area
+    double enough;  ///< maximum area of the two halves of its box, as a fraction of its area
 };
 
 const std::vector<Case> cases = {

@@ -62,7 +62,7 @@ TEST_CASE("a sweep is the union of its spheres", "[shape]") {
                 CHECK(inside(sweep, ray.at(0.5 * (found[k].t + found[k + 1].t))));
                 if (k > 0) CHECK_FALSE(within(ray.at(0.5 * (found[k].t + found[k - 1].t))));
             }
-            // Nothing outside of what was found.
+            // There is nothing outside of the found stretches.
             for (double t = -6; t < 6; t += 0.05) {
                 const auto before = std::count_if(found.begin(), found.end(),
                                                   [&](const Crossing& c) { return c.t < t; });

@@ -79,7 +79,7 @@ TEST_CASE("the part of a sphere in a cell is bounded as closely as can be", "[sh
     const Box around = bounds(sphere);
     CHECK(clipped_bounds(sphere, around).low == around.low);
     CHECK(clipped_bounds(sphere, around).high == around.high);
-    // Through the middle of a side, beside it, and inside of it.
+    // Cells that the surface passes through, misses on the outside and contains.
     const Box cap = clipped_bounds(sphere, {Vec3(4, -9, -9), Vec3(9, 9, 9)});
     CHECK(cap.low.x == 4);
     CHECK(cap.high.x == Approx(6));

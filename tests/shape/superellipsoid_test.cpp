@@ -50,7 +50,7 @@ TEST_CASE("all signs that change along a ray are found, for exponents of any siz
                           Vec2(3, 3), Vec2(0.3, 4), Vec2(5, 0.5), Vec2(1, 3)})
         for (int i = 0; i < 100; ++i) {
             const Ray ray{draw.point(0.8), draw.direction()};
-            // Counted in small steps; ends at which it only touches may go unnoticed by them.
+            // Changes counted in small steps, which may miss stretches that the ray only touches.
             int changes = 0;
             bool before = false;
             for (double t = -3; t < 3; t += 1e-3) {

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Six times the volume, from the faces; the right sign tells that they look outward.
+/// Six times the volume, from the faces; its sign shows that they face outward.
 double volume(const Mesh& mesh) {
     double sum = 0;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -22,7 +22,7 @@ double volume(const Mesh& mesh) {
     return sum;
 }
 
-/// Whether each edge has one face on each of its sides.
+/// Whether each edge has exactly one face on each side.
 bool closed(const Mesh& mesh) {
     std::map<std::pair<int, int>, int> edges;
     for (const Face& each : mesh.faces)
@@ -78,7 +78,7 @@ TEST_CASE("corners of a marched surface lie on it", "[shape]") {
     REQUIRE(mesh.vertices.size() > 1000);
     int off = 0;
     for (const Vec3& v : mesh.vertices) off += inside(shape, 0.99 * v) == inside(shape, 1.01 * v);
-    // Corners are kept a little apart from those of the cells.
+    // Vertices are kept a small distance away from the corners of cells.
     CHECK(off < 0.05 * static_cast<double>(mesh.vertices.size()));
 }
 

@@ -9,8 +9,6 @@
 
 namespace candelabra {
 
-namespace {}  // namespace
-
 TEST_CASE("rays cross a torus where they should", "[shape]") {
     const Torus torus{2, 0.5};
     CHECK(answers(torus, {{-5.0 * x, x},
@@ -18,7 +16,7 @@ TEST_CASE("rays cross a torus where they should", "[shape]") {
     CHECK(answers(torus, {{Vec3(2, 5, 0), -y}, {{4.5, y, true}, {5.5, -y, false}}}));
     CHECK(answers(torus, {{5.0 * y, -y}, {}}));
     CHECK(answers(torus, {{Vec3(-5, 0.5001, 0), x}, {}}));
-    // Along the hole's rim and over the ring it only touches.
+    // Along the top of the ring the ray only touches it.
     CHECK(answers(torus, {{Vec3(-5, 0.5, 0), x}, {}}));
     CHECK(bounds(torus).high == Vec3(2.5, 0.5, 2.5));
     CHECK(bounds(torus).low == Vec3(-2.5, -0.5, -2.5));

@@ -75,7 +75,7 @@ TEST_CASE("fans of triangles leave no gap, and one of them is met when only one 
             rim.push_back(hub + std::cos(angle) * side + std::sin(angle) * other +
                           0.1 * draw.point());
         }
-        // Through the hub, a point of a spoke, or near them, as exactly as numbers allow.
+        // Through the hub or a point of a spoke, exactly or nearly, as far as numbers allow.
         const Vec3& spoke = rim[static_cast<std::size_t>(i) % 7];
         const Vec3 target = hub + (i % 3 == 0 ? 0 : draw.between(0, 0.3)) * (spoke - hub);
         const Vec3 direction = up + 0.2 * draw.direction();
@@ -169,7 +169,7 @@ TEST_CASE("a triangle needs an area, a smooth one also normals", "[shape]") {
     CHECK(vanishes(SmoothTriangle{}) == "");
     CHECK(vanishes(SmoothTriangle{o, z, x, z, 2.0 * x, z}) == flat);
     CHECK(problem(SmoothTriangle{o, o, x, o, 2.0 * x, o}) == "");
-    // As in POV-Ray, all normals have to be on one side.
+    // As in POV-Ray, all normals must be on one side.
     const std::string apart = "its normals are not all on one side of it";
     CHECK(vanishes(SmoothTriangle{o, -z, x, -z, y, -z}) == "");
     CHECK(vanishes(SmoothTriangle{o, z, x, -z, y, z}) == apart);

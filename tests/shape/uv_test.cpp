@@ -55,15 +55,15 @@ TEST_CASE("v follows the points of a lathe and of a sor", "[shape]") {
     sor.points = {{1, -1}, {1, 0}, {1, 4}, {1, 5}};
     const BuiltSor vase = build(sor);
     CHECK(close(uv(vase, Vec3(-1, 1, 0), 0), {.5, .25}));
-    // On its ends v goes on towards the middle.
+    // On its ends v continues towards the middle.
     CHECK(close(uv(vase, Vec3(.25, 4, 0), 0), {0, 1.75}));
     CHECK(close(uv(vase, Vec3(0, 0, .25), 0), {.25, -.75}));
-    // Pieces of different heights have the same part of v.
+    // Pieces of different heights have equal parts of v.
     sor.points = {{1, -1}, {1, 0}, {1, 4}, {1, 5}, {1, 6}};
     const BuiltSor tall = build(sor);
     CHECK(close(uv(tall, Vec3(-1, 2, 0), 0), {.5, .25}));
     CHECK(close(uv(tall, Vec3(-1, 4.5, 0), 0), {.5, .75}));
-    // By POV-Ray 3.7: each piece has an equal part, however high it is.
+    // Values of POV-Ray 3.7: each piece has an equal part, independent of its height.
     sor.points = {{.3, -1.2}, {.3, -1}, {.9, -.2}, {.4, .8}, {.3, 1}};
     const BuiltSor bottle = build(sor);
     for (const auto& [height, v] : {std::pair{-.975, .01563}, std::pair{-.525, .29688},

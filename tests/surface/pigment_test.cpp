@@ -83,4 +83,21 @@ TEST_CASE("nesting counts maps within maps", "[surface]") {
     CHECK_FALSE(nested.too_deep());
 }
 
+TEST_CASE("a pigment knows whether it looks different from elsewhere", "[surface]") {
+    struct Row {
+        const char* pigment;
+        bool by_view;
+    };
+    const Row rows[] = {{"rgb 1", false},
+                        {"slope { y }", false},
+                        {"aoi", true},
+                        {"average pigment_map { [1 rgb 1] [1 aoi] }", true},
+                        {"pigment_pattern { aoi } color_map { [0 rgb 0] [1 rgb 1] }", true},
+                        {"gradient x pigment_map { [0 pigment_pattern { aoi }] [1 rgb 1] }", true}};
+    for (const Row& row : rows) {
+        CAPTURE(row.pigment);
+        CHECK(nesting(pigment_of(row.pigment)).by_view == row.by_view);
+    }
+}
+
 }  // namespace candelabra

@@ -52,7 +52,7 @@ TEST_CASE("what does not match is reported once", "[syntax]") {
         {"#if (1) 1 #else 2 #else 3 #end", "1:19 error: `#else` cannot follow `#else`\n"},
         {"#if (1) 1 #else 2 #elseif (1) 3 #end", "1:19 error: `#elseif` cannot follow `#else`\n"},
         {"sphere { #if (1) 0 }", "1:20 error: `}` comes before the `#end` of `#if`\n"},
-        // A branch that opens a brace which another closes.
+        // A branch that opens a brace that another closes.
         {"#if (1) union { #end sphere { 0, 1 } #if (2) } #end",
          "1:15 error: this `{` is not closed before `#end`\n"},
         {"#if (a) union { #else merge { } #end 1 }",

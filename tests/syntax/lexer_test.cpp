@@ -76,6 +76,8 @@ TEST_CASE("a number has this value", "[syntax]") {
         {"1e+", 1},
         {"1e999", HUGE_VAL},
         {"1e-999", 0},
+        {"0." + std::string(330, '0') + "1", 0},
+        {"1" + std::string(330, '0') + ".5", HUGE_VAL},
     }));
     INFO(text);
     const Lexed lexed(text);

@@ -37,7 +37,7 @@ TEST_CASE("macros may open braces for each other", "[syntax]") {
         {"#macro M() } union { #end merge { a M() b }", "merge { a }, union { b }"},
         {"#macro A(p) union { p { #end A(sphere { 0, 1 }) } }",
          "#local p_of_A = sphere { 0, 1 };, union { p_of_A { } }"},
-        // Called by macros in front of their definitions.
+        // Called by macros before their definitions.
         {"#macro A() B() x1 #end #macro B() union { #end A() } ", "union { x1 }"},
         {"#macro A() B() #end #macro B() C() #end #macro C() union { #end A() }", "union { }"},
         {"#macro A() B() x1 C() #end #macro B() union { #end #macro C() } #end A()",
@@ -47,7 +47,7 @@ TEST_CASE("macros may open braces for each other", "[syntax]") {
          "#macro A9() union { #end A1() }",
          "union { }"},
         {"#macro A() b #end A() #macro A() union { #end A() }", "#macro A() b #end, A() union { }"},
-        // One in another, and one that is defined again.
+        // One called in another, and one that is redefined.
         {"#macro A() union { #end #macro B() A() merge { #end B() } }", "union { merge { } }"},
         {"#macro A() union { #end A() } #macro A() merge { #end A() }", "union { }, merge { }"},
         {"#macro A() #if (c) union { #else merge { #end #end A() b }",
@@ -69,14 +69,14 @@ TEST_CASE("macros may open braces for each other", "[syntax]") {
         {"#macro B(r) r, 3>.x * 2 #end (<c, B(d))", "(<c, d, 3>.x * 2)"},
         {"#macro A(r) (r < 2) f { r <1, c> } #end A(c)",
          "#macro A(r) (r < 2) f { r, <1, c> } #end, A(c)"},
-        // What is a value is called, unless it goes on with another one.
+        // A macro that is a value is called, unless it continues another value.
         {"#macro M() + 2 #end a(M()) (1 M())", "#macro M() +2 #end, a(M()), (1 + 2)"},
         {"#macro M(r) -r #end (1 M(a)) <1 M(2), 3>", "#macro M(r) -r #end, (1 - a), <1 - 2, 3>"},
         {"#macro M(r) -r #end (1 M(a + 1)) f { b M(a + 1) c }",
          "#macro M(r) -r #end, (1 - (a + 1)) f { b - (a + 1), c }"},
         {"#macro M(r) -r*r #end (1 M(a + 1))",
          "#macro M(r) -r * r #end, (1 #local r_of_M = a + 1; - r_of_M * r_of_M)"},
-        // Those whose braces match stay what they are.
+        // Macros whose braces match are not open.
         {"#macro A() union { } #end A()", "#macro A() union { } #end, A()"},
         {"#macro A() union { #end A() } #macro A() b #end A()", "union { } #macro A() b #end, A()"},
     }));
@@ -106,13 +106,13 @@ TEST_CASE("macros whose braces are an oversight are named", "[syntax]") {
         {"#macro A() <1, 2 #end", "this `<` is not closed before `#end`"},
         {"#macro A() 1, 2> #end", "`>` closes nothing that is open"},
         {"#macro A() { (1 } #end", "`}` comes before the end of `(`"},
-        // Called in front of their definitions.
+        // Called before their definitions.
         {"A() #macro A() union { #end", "this `{` is not closed before `#end`"},
         {"merge { A() b } #macro A() union { #end", "this `{` is not closed before `#end`"},
         // Not the macros' fault: they are called in pairs.
         {"#macro A() union { #end #macro B() } #end A() B() union {", "`{` has no end"},
         {"#macro A() #if (c) union { { #else } } #end #end", "`}` closes nothing that is open"},
-        // Which of two is meant is not known before the scene is walked.
+        // Whether this macro is defined is not known before the scene is walked.
         {"#if (a) #macro A() union { #end #end", "this `{` is not closed before `#end`"},
     }));
     INFO(text);

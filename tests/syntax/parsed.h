@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A text as a tree, with all that it takes, for tests.
+// A text parsed to a tree, with all that it needs, for tests.
 #pragma once
 
 #include "syntax/dump.h"

@@ -36,7 +36,7 @@ TEST_CASE("operators bind as in POV-Ray", "[syntax]") {
         {"(!a + b)", "((!a) + b)"},
     }));
     INFO(text);
-    // The same but for the groups.
+    // The same except for groups.
     const auto plain = [](std::string dumped) {
         std::string result;
         std::size_t from = 0;
@@ -137,7 +137,7 @@ TEST_CASE("depth and size are no obstacle", "[syntax]") {
 }
 
 TEST_CASE("any bytes give a tree", "[syntax]") {
-    // Pieces of the language in any order: no crash, and an end.
+    // Pieces of the language in random order: the parser neither crashes nor hangs.
     const std::vector<std::string> pieces = {
         "{",       "}",     "(",      ")",     "[",     "]",       "<",      ">",
         "1",       "a",     "sphere", "#if",   "#else", "#end",    "#macro", "#declare",

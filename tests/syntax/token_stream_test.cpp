@@ -52,6 +52,8 @@ TEST_CASE("of branches that are no whole elements only that for the version is r
         {"#if (version < 3.1) merge { #end b #if (version < 3.1) } #end c", "b, c"},
         {"#version 3; #if (version < 3.1) merge { #end b #if (version < 3.1) } #end",
          "#version 3;, merge { b }"},
+        {"#version unofficial 3; #if (version < 3.1) merge { #end b #if (version < 3.1) } #end",
+         "#version unofficial 3;, merge { b }"},
         {"a { #if (version = 3.7) merge #else union #end { b } }", "a { merge { b } }"},
         {"#if (version > 3.5) merge { union #else sphere #end { b } #if (version > 3.5) } #end",
          "merge { union { b } }"},

@@ -15,7 +15,7 @@ TEST_CASE("the case of ASCII letters, and of no others, makes no difference") {
     CHECK_FALSE(same_letters("width", "widths"));
     CHECK_FALSE(same_letters("Straße", "STRASSE"));
     CHECK_FALSE(same_letters("\xC4", "\xE4"));
-    CHECK_FALSE(same_letters("[", "{"));  // as far apart as letters of two cases
+    CHECK_FALSE(same_letters("[", "{"));  // as far apart as a letter's two cases
 }
 
 TEST_CASE("words begin and end where no letter is beside them") {

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Two files, of which the second is included by the first.
+/// Two files, the second included by the first.
 struct Scene {
     SourceStore sources;
     SourceId main = sources.add("main.pov",

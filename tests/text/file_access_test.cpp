@@ -142,7 +142,7 @@ TEST_CASE("pipes and devices are odd", "[file_access]") {
     CHECK_FALSE(access.is_special(folder / "a.txt"));
     CHECK_FALSE(access.is_special(folder / "."));
     CHECK_FALSE(access.is_special(folder / "none"));
-    CHECK_FALSE(access.is_special("/dev/zero"));  // not let through
+    CHECK_FALSE(access.is_special("/dev/zero"));  // may not be read
 }
 
 }  // namespace candelabra

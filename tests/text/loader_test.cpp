@@ -19,7 +19,7 @@ namespace {
 
 using Paths = std::vector<std::string>;
 
-/// A reader of files that hold their own path, so that the text tells which was found.
+/// Returns a reader of files that contain their own path, so that the text identifies the file.
 Reader files(const Paths& paths) {
     return [paths](const std::string& path) -> std::optional<std::string> {
         for (const std::string& each : paths) {
@@ -119,7 +119,7 @@ TEST_CASE("what may not be read is not read, and the message names the option") 
     CHECK_FALSE(loader.load("../b.inc"));
     CHECK(loader.refused("../b.inc"));
     CHECK_FALSE(loader.refused("c.inc"));
-    // Whether there is such a file is nobody's business.
+    // Do not reveal whether the file exists.
     CHECK(loader.refused("../c.inc"));
     const Diagnostic problem = loader.problem("../b.inc", {});
     CHECK(problem.fault == Fault::file_access);

@@ -15,7 +15,7 @@ struct MadePlace {
     Folder folder;
     std::string here = fs::canonical(folder.path()).string() + "/";
 
-    /// Writes the letter; whether that was let.
+    /// Writes the letter; returns whether that was permitted.
     bool write(MadeFiles& made, const std::string& name, char letter, bool append = false,
                bool any = false) const {
         CHECK(made.may_write(here + name, any) == bool(made.open(here + name, true, any)));
@@ -48,7 +48,7 @@ TEST_CASE("files of a scene are known in its next run, and by no other scene", "
     MadeFiles first(place.folder / "one.pov");
     REQUIRE(place.write(first, "a.txt", 'a'));
     MadeFiles again(place.folder / "one"), other(place.folder / "two.pov"), nobody("");
-    // Where the file system keeps no marks, each run has its own files only.
+    // Where the file system keeps no attributes, each run knows only its own files.
     if (place.write(again, "a.txt", 'b')) CHECK(place.folder.get("a.txt") == "b");
     CHECK_FALSE(place.write(other, "a.txt", 'c'));
     CHECK_FALSE(place.write(nobody, "a.txt", 'c'));
@@ -79,7 +79,7 @@ TEST_CASE("what ends in .tmp belongs to all scenes", "[file_access]") {
     MadeFiles one(place.folder / "one.pov"), two(place.folder / "two.pov"), nobody("");
     REQUIRE(place.write(one, "a.tmp", 'a'));
     REQUIRE(place.write(nobody, "b.tmp", 'b'));
-    if (place.write(two, "a.tmp", 'c')) {  // the file system keeps marks
+    if (place.write(two, "a.tmp", 'c')) {  // the file system keeps attributes
         CHECK(place.write(nobody, "a.tmp", 'c'));
         CHECK(place.write(two, "b.tmp", 'c'));
     }

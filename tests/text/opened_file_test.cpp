@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a path without links gives; "-" for nothing.
+/// Returns the content of a path without links; "-" if it cannot be opened.
 std::string opened_text(const std::string& path, std::size_t most = 1000) {
     return content_of(open_without_links(path, O_RDONLY), most).value_or("-");
 }
@@ -50,7 +50,7 @@ TEST_CASE("only regular files have a content, which is bounded", "[file_access]"
     CHECK(opened_text(here + "/a.txt", 8999) == "-");
     CHECK(opened_text(here + "/pipe") == "-");
     CHECK(opened_text("/dev/zero") == "-");
-    CHECK(opened_text("/proc/version").starts_with("Linux"));  // says that it is empty
+    CHECK(opened_text("/proc/version").starts_with("Linux"));  // reports a size of 0
     CHECK(is_regular_file(here + "/a.txt"));
     CHECK_FALSE(is_regular_file(here + "/pipe"));
     CHECK_FALSE(is_regular_file(here));
@@ -80,7 +80,7 @@ TEST_CASE("what comes into the place of a file is not waited for", "[file_access
     folder.put("file", "text");
     REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
     std::atomic<bool> ends = false;
-    // Two names that change places again and again: one of them is a pipe that nobody writes to.
+    // Two names that are exchanged again and again, one of them a pipe without a writer.
     std::thread swapper([&] {
         while (!ends)
             ::renameat2(AT_FDCWD, (folder / "file").c_str(), AT_FDCWD, (folder / "pipe").c_str(),

@@ -19,10 +19,10 @@ TEST_CASE("characters are decoded, and bytes of no character stand alone") {
         {"é", U'é', 2, true},
         {"€", U'€', 3, true},
         {"🙂", U'🙂', 4, true},
-        {"\x80", 0x80, 1, false},      // a continuation without a beginning
-        {"\xC3", 0xC3, 1, false},      // cut off
+        {"\x80", 0x80, 1, false},      // a continuation byte without a lead byte
+        {"\xC3", 0xC3, 1, false},      // truncated
         {"\xC3(", 0xC3, 1, false},     // not continued
-        {"\xC0\x80", 0xC0, 1, false},  // longer than needed
+        {"\xC0\x80", 0xC0, 1, false},  // overlong
         {"\xE0\x80\x80", 0xE0, 1, false},
         {"\xED\xA0\x80", 0xED, 1, false},      // half of a surrogate pair
         {"\xF4\x90\x80\x80", 0xF4, 1, false},  // above the last code point

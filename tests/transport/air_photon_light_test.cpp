@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// A clear pane over a box of haze, lit from above; and a ray through the haze.
+/// A clear pane over a box of haze, which is lit from above, and a camera ray through the haze.
 std::string haze_under_pane(const std::string& photons, const std::string& media,
                             const std::string& lamp =
                                 "light_source { <0, 50, 0>, rgb 0.6 "
@@ -47,7 +47,7 @@ TEST_CASE("haze below a pane is as bright as without the pane", "[transport]") {
                                        "media { scattering { 5, rgb 0.3 "
                                        "eccentricity 0.5 extinction 0 } }")) ==
           Approx(0.3 * 0.6 * 0.75 / std::pow(1.25, 1.5)).epsilon(0.03));
-    // A linear density, whose mean on the way is a half.
+    // The density is linear; its mean along the ray is a half.
     CHECK(seen_in_haze(haze_under_pane("count 10000 media 4",
                                        "media { scattering { 1, rgb 0.3 extinction 0 } density { "
                                        "gradient z translate -0.5*z } }"),
@@ -82,7 +82,7 @@ TEST_CASE("the light that photons bring to the air is their lamps'", "[transport
 }
 
 TEST_CASE("luminaires shoot photons into the air, too", "[transport]") {
-    // As bright, through a pane that bends nothing, as straight through it.
+    // A pane that does not refract leaves the brightness as it is.
     const std::string lamp =
         "sphere { <0, 4, 0>, 0.5 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 20 } }";
     std::string scene = haze_under_pane("count 20000 media 4", isotropic, lamp);

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// In a cube of side 1, evenly, that stand for light of colour 1 in all of it.
+/// Photons spread evenly over a cube of side 1, which stand for light of colour 1 in all of it.
 std::vector<Photon> cube_of(int count) {
     Draw draw(3);
     std::vector<Photon> photons;

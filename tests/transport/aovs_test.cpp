@@ -34,7 +34,7 @@ Vec3 light(const RenderState& state, const Aovs& aovs, std::size_t pixel, std::s
     return result;
 }
 
-/// Mirrors, glass with colours, layers, fog and facets, so that light has all ways to the camera.
+/// Mirrors, coloured glass, layers, fog and facets, so that light reaches the camera in all ways.
 const std::string room = R"(#version 3.7; global_settings { assumed_gamma 1 max_trace_level 8 }
 #default { finish { ambient 0 } }
 camera { location <0, 1, -6> look_at <0, 0.5, 0> }
@@ -131,7 +131,7 @@ box { <-9, -9, 0>, <0.01, 9, 1> pigment { rgb <1, 0, 0.5> } })";
     CHECK(sum(20, aovs.depth()) == 0);
     CHECK(sum(20, aovs.object()) == 0);
     CHECK(sum(20, aovs.albedo()) == 0);
-    // The edge covers a part of this pixel, but not its middle.
+    // The edge covers a part of this pixel, but not its centre.
     CHECK(sum(12, aovs.object()) == 0);
     CHECK(sum(12, aovs.albedo()) > 0);
     CHECK(sum(12, aovs.albedo()) < 8);

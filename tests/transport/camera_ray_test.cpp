@@ -11,7 +11,7 @@ namespace candelabra {
 TEST_CASE("the normal of a camera bends its rays as POV-Ray does", "[render]") {
     struct Case {
         const char* camera;
-        Vec3 along_x, along_y;  // by POV-Ray 3.7, in steps of 1/32768: of bumps along x, along y
+        Vec3 along_x, along_y;  // by POV-Ray 3.7, in steps of 1/32768: bumps along x, along y
     };
     const Case cases[] = {
         {"perspective angle 45", {0.1816, 0.2029, 0.9622}, {-0.1029, -0.0463, 0.9936}},

@@ -14,7 +14,7 @@ TEST_CASE("a ledger has the light of each statement until it is taken", "[transp
         sphere { 3, 1 pigment { rgb 1 } }
         sphere { 6, 1 pigment { rgb 1 } finish { emission 2 } })");
     LightLedger ledger;
-    record_seen(ledger, world, 0, Vec3(1));  // nobody asks
+    record_seen(ledger, world, 0, Vec3(1));  // lights are not counted
     CHECK(ledger.lights.empty());
     ledger.lights.resize(3);
     record_seen(ledger, world, 0, Vec3(1, 2, 3));

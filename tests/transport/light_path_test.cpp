@@ -38,10 +38,10 @@ TEST_CASE("in a closed room light keeps its power times the albedo at each refle
         "#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
         "box { <-3, -2, -4>, <4, 3, 5> pigment { rgb <0.5, 0.8, 0.2> } finish { diffuse 1 } }");
     const auto found = sent_into(world, 3, 40000);
-    // Radiance times area of a sphere that glows: its power over pi.
+    // Radiance times area of a glowing sphere, which is its power over pi.
     Vec3 expected = Vec3(8, 4, 2) * (4 * std::numbers::pi * 0.25 * 0.25);
     for (int n = 1; n <= 3; ++n) {
-        // A little of it comes back to the lamp, which is black.
+        // A little of the light returns to the lamp, which is black.
         expected *= Vec3(0.5, 0.8, 0.2);
         const Vec3 power = power_after(found, n);
         CAPTURE(n);
@@ -86,6 +86,9 @@ TEST_CASE("light that clear surfaces let pass is as a shadow ray finds it", "[tr
 TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in all directions",
           "[transport]") {
     const World world = world_of("sphere { 0, 1 }");
+    Material material = world.appearance.materials.front();
+    Vertex vertex;
+    vertex.material = &material;
     struct Row {
         const char* name;
         void (*change)(Shading&, Finish&);
@@ -109,8 +112,13 @@ TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in
         s.finish = &finish;
         row.change(s, finish);
         CAPTURE(row.name);
-        CHECK(is_lambertian(world, s) == row.lambertian);
+        CHECK(is_lambertian(world, vertex, s) == row.lambertian);
     }
+    Finish finish;
+    Shading s{};
+    s.finish = &finish;
+    material.by_view = true;
+    CHECK_FALSE(is_lambertian(world, vertex, s));
 }
 
 }  // namespace candelabra

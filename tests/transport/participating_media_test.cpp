@@ -28,7 +28,8 @@ const Ray along_z{Vec3(0, 0, -5), Vec3(0, 0, 1)};
 
 TEST_CASE("a luminaire lights the air as its light integrated over the ray", "[transport]") {
     // A small sphere of radiance L and radius r gives light of colour L r^2 / d^2 at distance d:
-    // from beside a ray without end that is L r^2 pi / (2 h), on half of it that of a half.
+    // beside an infinite ray at distance h that is L r^2 pi / (2 h), and half of that on half of
+    // the ray.
     const char* const lamps[] = {"", "global_settings { light_sampler { light_bvh } } ",
                                  "global_settings { light_sampler { light_bvh { mis } } } ",
                                  "global_settings { light_sampler { every_light } } ",
@@ -48,16 +49,22 @@ TEST_CASE("a luminaire lights the air as its light integrated over the ray", "[t
 }
 
 TEST_CASE("light in air is dimmed on both ways", "[transport]") {
-    // A lamp that is seen from the side, far away and bright: light of colour 1 in the slab.
+    // A bright lamp far away, seen from the side: light of colour 1 in the slab.
     const std::string slab =
         "camera { location -20*z } box { <-2, -9, -9>, <9, 9, 9> pigment { rgbt 1 } finish { "
         "ambient 0 diffuse 0 } hollow "
         "interior { media { scattering { 1, 0.3 extinction 1 } } } } ";
     const std::string lamp =
         "sphere { <-10002, 0, 0>, 100 pigment { rgb 1 } finish { emission 10000 } }";
-    const Vec3 found = seen_in_air(slab + lamp, 20000, {Vec3(0, 0, -20), Vec3(0, 0, 1)});
     const double expected = 0.3 * std::exp(-0.6) * (1 - std::exp(-0.3 * 18)) / 0.3;
-    CHECK(found.x == Approx(expected).epsilon(0.02));
+    for (const std::string sampler : {"", "light_bvh", "light_bvh { exponential }"}) {
+        CAPTURE(sampler);
+        const std::string chosen =
+            sampler.empty() ? "" : "global_settings { light_sampler { " + sampler + " } } ";
+        const Vec3 found =
+            seen_in_air(chosen + slab + lamp, 20000, {Vec3(0, 0, -20), Vec3(0, 0, 1)});
+        CHECK(found.x == Approx(expected).epsilon(0.02));
+    }
 }
 
 TEST_CASE("integrators see the same light in air", "[transport]") {

@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// Where a ray along z from that place meets the world.
+/// The vertex where the path's ray meets the world.
 Vertex met_from(const World& world, const PathState& path) {
     Hit hit;
     REQUIRE(world.first_hit(path.ray, 0, RayKind::camera, hit));

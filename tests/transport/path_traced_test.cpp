@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Mean of many samples of one ray.
+/// Returns the mean of many samples of one ray.
 Vec3 path_seen(const std::string& script, std::uint32_t count, const Ray& ray) {
     const World world = world_of(script);
     Integrator integrator(world, {});
@@ -32,7 +32,7 @@ std::string traced(int bounces) {
 }  // namespace
 
 TEST_CASE("a closed room that glows everywhere has the sum of all reflections", "[transport]") {
-    // L = e (1 + d + d^2 + ...), of so many bounces, whatever the shape.
+    // L = e (1 + d + d^2 + ...), with one term per bounce, for any shape of room.
     for (const char* const room : {"sphere { 0, 5 inverse", "box { -4, 5 inverse"})
         for (const int bounces : {0, 1, 2, 5}) {
             double expected = 0, power = 1;
@@ -47,8 +47,8 @@ TEST_CASE("a closed room that glows everywhere has the sum of all reflections", 
 }
 
 TEST_CASE("in a closed isothermal room all things look the same", "[transport]") {
-    // What reflects a share R emits 1 - R of what a black body does (Kirchhoff), so that each thing
-    // and each wall shows the black body's radiance, 1, from everywhere.
+    // A surface that reflects a share R emits 1 - R of the radiance of a black body (Kirchhoff), so
+    // that each thing and each wall shows the black body's radiance, 1, from everywhere.
     const World world = world_of(R"(#version 3.7; global_settings { max_trace_level 40
         integrator { path_traced { bounces 40 reflected_luminaires 0 } } }
         #macro Grey(R) pigment { rgb R } finish { ambient 0 diffuse 1 emission (1 - R) / R } #end
@@ -79,7 +79,8 @@ TEST_CASE("in a closed isothermal room all things look the same", "[transport]")
 }
 
 TEST_CASE("luminaires light by reflections as surfaces that glow do", "[transport]") {
-    // Once chosen by the light strategy, which looks one reflection further, once met by chance.
+    // Light of luminaires is sampled by the strategy, which looks one reflection further; light of
+    // other glowing surfaces is found by chance.
     const auto corner = [](int bounces, const std::string& finish) {
         return path_seen(traced(bounces) + R"(
             plane { y, 0 pigment { rgb 0.8 } } plane { x, 0 pigment { rgb <0.9, 0.3, 0.2> } }
@@ -154,7 +155,7 @@ TEST_CASE("light that photons bring by a mirror lights others as light that is m
 }
 
 TEST_CASE("a thin surface lets diffuse light through to what is behind", "[transport]") {
-    // A sheet that only sends light on to its other side, between the camera and a glowing wall.
+    // A sheet that only transmits light diffusely, between the camera and a glowing wall.
     const auto seen = [](const std::string& finish) {
         return path_seen(traced(1) +
                              "plane { z, 5 pigment { rgb 1 } finish { diffuse 0 emission 1 "

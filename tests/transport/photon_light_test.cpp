@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Mean radiance of points of a floor, at a distance from the axis, over some samples.
+/// Mean radiance over points of a floor, in a ring around the axis, over some samples.
 double seen_on_floor(Integrator& integrator, double from, double to, int samples,
                      const Vec3& above = Vec3(0, 0.5, 0)) {
     double sum = 0;
@@ -20,7 +20,7 @@ double seen_on_floor(Integrator& integrator, double from, double to, int samples
     for (int i = 0; i < places; ++i)
         for (int sample = 0; sample < samples; ++sample) {
             const double share = (i + 0.5) / places, angle = 2.4 * i;
-            // Evenly in the ring.
+            // Uniform in the ring.
             const double away = std::sqrt(from * from + share * (to * to - from * from));
             Key key;
             key.pixel = static_cast<std::uint64_t>(i);
@@ -49,7 +49,7 @@ TEST_CASE("a caustic is as bright as exact geometry says", "[transport][statisti
     const World world = world_of(
         lens_over_floor("count 20000", "light_source { 90*y, rgb 1 parallel point_at 0 }"));
     Integrator integrator(world, {});
-    // The ball's shadow ends at 1; beyond it the light comes straight as well.
+    // The ball's shadow ends at 1; beyond it, direct light arrives as well.
     for (const auto& [from, to, straight] :
          {std::tuple(0.2, 0.4, 0.0), std::tuple(0.5, 0.8, 0.0), std::tuple(1.2, 1.5, 1.0),
           std::tuple(1.6, 2.0, 1.0)}) {
@@ -60,7 +60,7 @@ TEST_CASE("a caustic is as bright as exact geometry says", "[transport][statisti
 }
 
 TEST_CASE("a caustic of 300 lamps is that of their sum", "[transport][statistics]") {
-    // Far lamps in a bundle, whose light is nearly parallel.
+    // A bundle of far lamps, whose light is nearly parallel.
     const World world = world_of(lens_over_floor("count 20000", R"(
         #for (I, 0, 299)
             sphere { <mod(I, 20) - 9.5, 2000, floor(I/20) - 7>, 0.4 hollow pigment { rgb 1 }
@@ -111,7 +111,7 @@ TEST_CASE("light that photons bring is counted for its lamp", "[transport]") {
 }
 
 TEST_CASE("what reflects light of lamps to targets shows them once", "[transport][statistics]") {
-    // Radiosity gathers a lamp by way of a mirror; photons bring its light that way, too.
+    // Radiosity gathers a lamp through a mirror; photons bring that light, too.
     const auto light = [](const std::string& photons) {
         const World world =
             world_of(R"(#version 3.7; #default { pigment { rgb 1 } } global_settings { radiosity {

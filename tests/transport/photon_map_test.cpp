@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// On a floor of side 1, evenly.
+/// Photons spread evenly over a floor of side 1.
 std::vector<Photon> floor_of(std::uint32_t count) {
     std::vector<Photon> photons;
     for (std::uint32_t i = 0; i < count; ++i) {

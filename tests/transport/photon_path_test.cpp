@@ -42,7 +42,7 @@ World with_photons(const std::string& objects, const std::string& more = "") {
 
 const std::string floor_below = "plane { y, 0 pigment { rgb 1 } } ";
 
-/// A ball of radius 1, with what its finish and its photons are.
+/// A ball of radius 1, with more of its finish and of its other attributes.
 std::string ball_at(double height, const std::string& finish = "", const std::string& more = "") {
     return "sphere { " + std::to_string(height) +
            "*y, 1 pigment { rgbt 1 } interior { ior 1.5 } finish { diffuse 0 " + finish +
@@ -68,7 +68,7 @@ TEST_CASE("a ball of glass sends light where exact geometry says", "[transport][
 }
 
 TEST_CASE("no light is lost in glass that also reflects", "[transport]") {
-    // Parts that a mirror sends up are lost; a shell around all holds them.
+    // Light that a mirror sends up would be lost; a shell around everything holds it.
     const World world = world_of(
         "#version 3.7; global_settings { photons { count 100 max_trace_level 50 adc_bailout 0 } } "
         "light_source { 20*y, rgb 1 parallel point_at 0 photons { refraction on reflection on } "
@@ -92,7 +92,7 @@ TEST_CASE("photons take the colours of what they pass", "[transport]") {
     }
     CHECK(red == Approx(4 * 0.81).epsilon(0.01));
     CHECK(green == Approx(4 * 0.25).epsilon(0.01));
-    // As far as the interior dims it.
+    // The interior attenuates light with distance.
     const auto dimmed = photons_in(
         with_photons(floor_below + "box { <-1, 3, -1>, <1, 4, 1> pigment { rgbt 1 } finish { "
                                    "diffuse 0 } interior { fade_distance 1 "
@@ -119,7 +119,7 @@ TEST_CASE("before its target a photon passes what is clear, and nothing else", "
     CHECK(below("box { <-9, 10, -9>, <9, 11, 9> pigment { rgb 0.5 } }") == 0);
     CHECK(below("box { <-9, 10, -9>, <9, 11, 9> pigment { rgb 0.5 } no_shadow }") ==
           Approx(pi).epsilon(0.01));
-    // Light that another target gets is shot at that one.
+    // Light that passes through another target is shot at that target.
     CHECK(below("box { <-9, 10, -9>, <9, 11, 9> pigment { rgbt 1 } photons { target } }") == 0);
 }
 
@@ -128,10 +128,9 @@ TEST_CASE("a photon meets as many surfaces as it may", "[transport]") {
     CHECK(photons_in(with_photons(scene, "max_trace_level 2")).empty());
     CHECK_FALSE(photons_in(with_photons(scene, "max_trace_level 3")).empty());
     CHECK(photons_in(
-              with_photons(
-                  floor_below + ball_at(5, "", "") +
-                      "plane { y, 1 hollow pigment { rgbt 0.1 } finish { diffuse 0 } }",
-                  "adc_bailout 0.5"))
+              with_photons(floor_below + ball_at(5, "", "") +
+                               "plane { y, 1 hollow pigment { rgbt 0.1 } finish { diffuse 0 } }",
+                           "adc_bailout 0.5"))
               .empty());
 }
 

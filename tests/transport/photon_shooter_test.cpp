@@ -21,8 +21,8 @@ World shooting_at_ball(const std::string& lamp) {
         lamp);
 }
 
-/// What arrives at the ball of radius 1 around 0, whatever the photons meet before: mean and
-/// standard error.
+/// Power that arrives at the ball of radius 1 around 0, whatever else the photons meet first: mean
+/// and standard error.
 struct Arriving {
     double power = 0, error = 0;
     int missed = 0;
@@ -57,7 +57,7 @@ TEST_CASE("a point light gives a ball what its cone holds, at any distance", "[t
         const Arriving found = arriving(
             shooting_at_ball("light_source { <0, " + std::to_string(far) + ", 0>, rgb 3 }"));
         const double steradians = 2 * pi * (1 - std::sqrt(1 - 1 / (far * far)));
-        // Photons that end in the plane through the middle have a way of distance / cosine.
+        // Photons that end in the plane through the centre travel distance / cosine.
         CHECK(found.power >= 3 * steradians * far * far * (1 - 1 / (far * far)) * 0.999);
         CHECK(found.power <= 3 * steradians * far * far * 1.001);
         CHECK(found.missed == 0);
@@ -67,7 +67,7 @@ TEST_CASE("a point light gives a ball what its cone holds, at any distance", "[t
 TEST_CASE("parallel light gives a ball what its shadow takes", "[transport]") {
     CHECK(arriving(shooting_at_ball("light_source { 9*y, rgb 3 parallel point_at 0 }")).power ==
           Approx(3 * pi).epsilon(1e-6));
-    // A narrower beam through the middle.
+    // A narrower beam through the centre.
     CHECK(arriving(shooting_at_ball("light_source { 9*y, rgb 3 cylinder point_at 0 radius 0.5 "
                                     "falloff 0.50001 }"))
               .power == Approx(3 * pi / 4).epsilon(1e-3));
@@ -85,13 +85,13 @@ TEST_CASE("a cone that is narrower than a target is aimed by itself", "[transpor
 }
 
 TEST_CASE("luminaires give a ball what they send there", "[transport]") {
-    // The power from a ball to another, far away: pi L times the area of the shadow of the one
-    // times the solid angle of the other; as colour of light, which is over pi.
+    // Power from one ball to another, far away: pi L times the area of the first one's shadow times
+    // the solid angle of the second; as a colour of light, this is divided by pi.
     const Arriving ball = arriving(shooting_at_ball("sphere { 50*y, 2 finish { emission 3 } }"));
     const double far = 3 * (pi * 4) * (pi / (50 * 50)) / pi;
     CHECK(ball.power == Approx(far).epsilon(0.01));
     CHECK(ball.missed == 0);
-    // One that holds it all the way round: all that leaves it to the inside through the ball.
+    // A ball around the target: all light that leaves it inwards and through the target.
     const Arriving around =
         arriving(shooting_at_ball("sphere { 0, 5 hollow pigment { rgb 1 } finish { emission 3 } }"),
                  1 << 16);
@@ -116,7 +116,7 @@ TEST_CASE("many lamps are as good as their sum", "[transport]") {
 }
 
 TEST_CASE("a lamp in a target shoots all around", "[transport]") {
-    // In a ball of glass; half of a disc's light goes to each side.
+    // The lamp is in a glass ball; half of a disc's light goes to each side.
     const Arriving found = arriving(
         shooting_at_ball("disc { 0, y, 0.1 pigment { rgb 1 } finish { emission 3 } }"), 1 << 15);
     CHECK(found.power == Approx(2 * 3 * pi * 0.01).epsilon(0.01));

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// The picture's only pixel, which shows the floor at the origin.
+/// Returns the picture's only pixel, which shows the floor at the origin.
 Vec3 floor_under(const std::string& lights) {
     const World world = world_of(
         "#version 3.7; camera { location 3*y look_at 0 right 0.001*x up 0.001*z }"

@@ -41,7 +41,7 @@ TEST_CASE("clear surfaces without refraction use up no level", "[render]") {
         global_settings { max_trace_level )";
     CHECK(seen(panes + "5 }").x == Approx(0.5));
     CHECK(seen(panes + "2 }").x == Approx(0.5));
-    CHECK(seen(panes + "1 }").x == 0);  // but need one that is left
+    CHECK(seen(panes + "1 }").x == 0);  // but they need one to be left
 }
 
 TEST_CASE("a glass sphere turns the picture upside down", "[render]") {
@@ -79,7 +79,7 @@ TEST_CASE("of what is clear only the grey of each surface counts", "[render]") {
 }
 
 TEST_CASE("bumps that turn away mirror and bend light as POV-Ray's do", "[render]") {
-    // Of a plane that is seen at 5 degrees, its normal tilted evenly by a slope map.
+    // A plane seen at 5 degrees, with its normal tilted evenly by a slope map.
     struct Case {
         double slope;
         bool mirror;
@@ -138,7 +138,7 @@ TEST_CASE("the textures of a blob's components flow into each other as POV-Ray's
             sphere { y, 1.6, -0.5 }
             pigment { rgb 1 }
         )";
-    const auto cases = std::array{// What is below adc_bailout is left out: here 0.0022 of white.
+    const auto cases = std::array{// Light below adc_bailout is left out: here 0.0022 of white.
                                   std::pair{Vec3(-0.9, 0.1, -5), Vec3(0.9978, 0, 0)},
                                   std::pair{Vec3(-0.2, 0, -5), Vec3(0.7227, 0.3063, 0.0541)},
                                   std::pair{Vec3(0.3, 0.2, -5), Vec3(0.2328, 0.7175, 0.2712)},
@@ -188,7 +188,7 @@ TEST_CASE("what is left of light by solids in each other is POV-Ray's", "[render
     const std::string two = "fade_distance 3 fade_power 1001 fade_color <0.2, 0.5, 0.8>";
     struct Case {
         std::string solids;
-        Vec3 seen, lit;  // by POV-Ray 3.7: of what is behind, and of light that comes from there
+        Vec3 seen, lit;  // by POV-Ray 3.7: transmittance for the view, and for light
     };
     const Case cases[] = {
         {box("0", "10", one) + box("3", "5", two),
@@ -200,7 +200,7 @@ TEST_CASE("what is left of light by solids in each other is POV-Ray's", "[render
         {box("0", "10", one) + box("5", "14", ""),
          {0.7788, 0.2865, 0.1054},
          {0.7788, 0.2865, 0.1054}},
-        // The insides of a union's parts are one: they end where the second begins.
+        // The parts of a union share one interior: it ends where the second part begins.
         {"union { box { <-9, -9, 0>, <9, 9, 6> } box { <-9, -9, 4>, <9, 9, 10> } "
          "pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { " +
              one + " } }",

@@ -45,7 +45,7 @@ TEST_CASE("what a ray meets first has a colour, a direction, a distance and an o
     CHECK(floor.albedo == Vec3(0.3));
     CHECK(floor.normal.y == Approx(1));
     const PrimaryHit clear = look({-0.7, 2.5, -5}, {-0.7, 2.5, 0});
-    CHECK(clear.albedo.x == Approx(0.6));  // as far as it is opaque
+    CHECK(clear.albedo.x == Approx(0.6));  // weighted by its opacity
     const PrimaryHit nothing = look({0, 0, -5}, {0, 9, -5});
     CHECK_FALSE(nothing.met);
     CHECK(nothing.object == 0);
@@ -59,7 +59,7 @@ TEST_CASE("objects have numbers in the order of the scene", "[render]") {
     };
     CHECK(number({0, -0.999, 0}) == 0);
     CHECK(primary_hit(world, {Vec3(5, 0, 0), Vec3(0, -1, 0)}).object == 1);
-    // Each sphere of a loop and each part of a union is one; a difference is one as a whole.
+    // Each sphere of a loop and each part of a union counts as one; a difference counts as one.
     CHECK(number({-2, 0, 0}) == 2);
     CHECK(number({2, 0, 0}) == 4);
     CHECK(number({-0.7, 2.5, 0}) == 5);

@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// Mean of many samples of one ray, with its standard deviation.
+/// Mean of many samples of one ray, and its standard deviation.
 struct Estimate {
     Vec3 mean = Vec3(0);
     Vec3 deviation = Vec3(0);
@@ -20,7 +20,7 @@ struct Estimate {
 Estimate estimate(const std::string& script, std::uint32_t generations, const Ray& ray) {
     const World world = world_of(script);
     Integrator integrator(world, {});
-    // Samples of one generation depend on each other: their mean is taken as one.
+    // Samples of one generation depend on each other, so their mean counts as one sample.
     constexpr std::uint32_t pixels = 24, served = 4;
     Vec3 sum(0), squares(0);
     for (std::uint32_t generation = 0; generation < generations; ++generation) {
@@ -65,6 +65,16 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
          bare_room +
              "sphere { <1.2, 0.6, 0>, 0.4 pigment { rgb 1 } finish { emission 1 no_luminaire } }"
              "light_source { <2, 2, -2>, 0.6 }"},
+        {"looks that depend on the direction of the ray",
+         "box { <-3, 0, -3>, <3, 3, 3> pigment { aoi color_map { [0.5 rgb <0.9, 0.2, 0.1>] "
+         "[0.9 rgb <0.3, 0.7, 0.9>] } } }"
+         "box { <-1, 0, 0>, <0, 1, 1> pigment { rgb <0.3, 0.4, 0.8> } }"},
+        {"faces between two looks",
+         bare_room +
+             "mesh2 { vertex_vectors { 4, <0.2, 0, 1>, <2, 0, 1>, <2, 2, 1.4>, <0.2, 2, 1.4> } "
+             "texture_list { 2, texture { pigment { rgb 0.7 } } texture { pigment { rgb <0.6, 0.3, "
+             "0.2> } finish { diffuse 0.5 reflection 0.6 } } } "
+             "face_indices { 2, <0, 1, 2>, 0, 0, 1, <0, 2, 3>, 0, 1, 1 } }"},
         {"sky over a yard",
          "plane { y, 0 pigment { rgb 0.6 } } box { <-1, 0, 0>, <0, 2, 1> pigment { rgb 0.8 } }"
          "sky_sphere { pigment { rgb <0.1, 0.15, 0.3> } }"},
@@ -89,7 +99,7 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
 TEST_CASE("a closed room that glows everywhere is as bright with reflected luminaires",
           "[transport]") {
     for (const int bounces : {1, 3}) {
-        // The last reflection is of light that comes straight from the walls.
+        // The last reflection is that of light directly from the walls.
         double expected = 0, power = 1;
         for (int i = 0; i <= bounces + 1; ++i, power *= 0.5) expected += power;
         const Estimate found = estimate(

@@ -37,7 +37,7 @@ TEST_CASE("reflected luminaires are there where a scene asks for them and has lu
     CHECK_FALSE(there(with_reflected(0, 2) + lamps_in_room + bare_room));
     CHECK_FALSE(there(with_reflected(100, 0) + lamps_in_room + bare_room));
     CHECK_FALSE(there(with_reflected(100, 2) + bare_room));
-    // One surface that reflects to no other.
+    // A single surface, whose light reaches no other.
     CHECK_FALSE(there(with_reflected(100, 2) + lamps_in_room + "plane { y, 0 pigment { rgb 1 } }"));
     CHECK_FALSE(
         there(with_reflected(100, 2) + lamps_in_room + bare_room + "fog { distance 9 rgb 0.1 }"));

@@ -6,7 +6,7 @@
 
 namespace candelabra {
 
-/// Of so many paths of light and reflections.
+/// Settings with that number of light paths and of bounces.
 inline std::string with_reflected(int paths, int bounces) {
     return "#version 3.7; global_settings { max_trace_level 12 integrator { path_traced { "
            "bounces " +

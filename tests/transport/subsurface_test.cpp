@@ -10,7 +10,8 @@ namespace candelabra {
 
 namespace {
 
-/// Straight at a solid of white light from the viewer's side. `solid` has no closing brace yet.
+/// Returns the light of a solid under white light from the viewer's side, seen straight on. `solid`
+/// has no closing brace yet.
 Vec3 seen(const std::string& solid, const std::string& settings, const std::string& finish) {
     const World world = world_of("global_settings { " + settings + R"( }
         light_source { -1000*z rgb 1 parallel point_at 0 } )" +
@@ -32,7 +33,7 @@ const std::string box = "box { <-9, -9, 0>, <9, 9, 9> pigment { rgb <0.8, 0.5, 0
 }  // namespace
 
 TEST_CASE("light comes out of a half space as in POV-Ray 3.7", "[render]") {
-    // Measured there for pigments of one grey and samples 400, 40.
+    // Measured with POV-Ray for pigments of one grey and samples 400, 40.
     const Vec3 expected(0.8128, 0.5215, 0.1188);
     for (const char* const translucency : {"0.3", "1", "<3, 1, 0.3>"}) {
         const Vec3 found =
@@ -82,7 +83,7 @@ TEST_CASE("light inside is as even as POV-Ray's with as many samples", "[render]
         squares += light * light;
     }
     const double mean = sum / count;
-    // There the deviation is 2.6 % of the mean.
+    // In POV-Ray the deviation is 2.6 % of the mean.
     CHECK(std::sqrt(squares / count - mean * mean) < 0.035 * mean);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 const WebKey own_key{80, "secret"};
 
-/// 0: more must come; 200: let in; else the status of the refusal.
+/// 0: incomplete; 200: accepted; otherwise the status of the refusal.
 int status(const std::string& bytes, const WebKey& key = own_key) {
     const ReadRequest read = read_request(bytes, key);
     if (std::holds_alternative<std::monostate>(read)) return 0;

@@ -16,7 +16,7 @@ namespace candelabra {
 
 namespace {
 
-/// A connection on which the message has been sent.
+/// Opens a connection and sends the message.
 int send_to(int port, const std::string& message) {
     const int connection = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in address{};
@@ -76,7 +76,7 @@ TEST_CASE("who does not read the answer holds up nobody") {
         for (int i = 0; i < 2; ++i)
             lazy.push_back(send_to(server.port(), "GET /large HTTP/1.1\r\n" + host));
         while (asked < 2) std::this_thread::yield();
-        // There is no room for more than the answers that nobody fetches.
+        // The unread answers leave no room for another one.
         CHECK(fetch(server.port(), "GET / HTTP/1.1\r\n" + host).starts_with("HTTP/1.1 503 "));
         ::close(lazy.back());
         lazy.pop_back();
@@ -160,7 +160,7 @@ TEST_CASE("who waits in vain is answered when the time is over") {
     const std::string get =
         "GET /news HTTP/1.1\r\nHost: localhost:" + std::to_string(server.port()) + "\r\n\r\n";
     CHECK(fetch(server.port(), get).ends_with("\r\n\r\nnothing"));
-    // Those who wait take no more places than others.
+    // Waiting requests take no more places than others.
     std::vector<int> waiting;
     for (int i = 0; i < 40; ++i) waiting.push_back(send_to(server.port(), get));
     CHECK(fetch(server.port(), get).ends_with("nothing"));

@@ -59,7 +59,6 @@ TEST_CASE("no path leads out of the folder of static files") {
                                    "links/secret.html",
                                    "directory.html",
                                    "directory.html/",
-                                   "secret.html\0.png",
                                    "index.html?x",
                                    "index.html#x",
                                    "~root/a.html",
@@ -70,6 +69,7 @@ TEST_CASE("no path leads out of the folder of static files") {
         CHECK(answer.body.find("secret") == std::string::npos);
     }
     CHECK(static_file(folder, std::string("a\0.html", 7)).status == 404);
+    CHECK(static_file(folder, std::string("secret.html\0.png", 16)).status == 404);
     CHECK(static_file(folder, std::string(5000, 'a') + ".html").status == 404);
 }
 

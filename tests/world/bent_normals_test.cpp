@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// Bent normals of the luminaires of a scene whose camera is at this place.
+/// Bent normals of the luminaires of a scene, with the camera at `eye`.
 std::vector<Vec3> bent_normals(const std::string& text, const std::string& eye = "<0, 20, -50>") {
     const World world =
         world_of("#version 3.7; camera { location " + eye + " look_at 0 }\n" +

@@ -97,7 +97,7 @@ TEST_CASE("parts of a union share the interior that it gives them", "[world]") {
     CHECK(solids("union { " + parts + "sphere { 2, 1 " + glass + glass) == 2);
     CHECK(solids("union { " + parts + "}") == 2);
     CHECK(solids("union { union { " + parts + "} difference { " + parts + "} " + glass) == 1);
-    // Parts of a composite are solids of their own where they have interiors of their own.
+    // Parts of a composite with their own interiors are separate solids.
     CHECK(solids("intersection { " + parts + glass) == 1);
     CHECK(solids("intersection { sphere { 0, 1 " + glass + "box { 0, 1 } }") == 2);
     CHECK(solids("difference { union { " + parts + glass + "box { 0, 1 " + glass + glass) == 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looks that depend on the place on a surface.
+// Appearance that depends on the place on a surface.
 #include "shape/uv.h"
 #include "support/scripts.h"
 
@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// The colour without light that a ray along z sees at x, y.
+/// Returns the unlit colour that a ray along z sees at x, y.
 Vec3 seen(const World& world, double x, double y) {
     Hit hit;
     if (!world.first_hit({Vec3(x, y, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit)) return Vec3(-1);

@@ -44,6 +44,39 @@ TEST_CASE("faces whose corners differ have a material for all that look so", "[w
     CHECK_FALSE(materials.glows(of_mesh[0]));
 }
 
+TEST_CASE("faces between two looks have what either of them has", "[world]") {
+    World world;
+    Materials materials(world);
+    auto grey = make_handle<Texture>(), shiny = make_handle<Texture>();
+    grey.edit().finish.ambient = shiny.edit().finish.ambient = Vec3(0);
+    shiny.edit().finish.phong = 1;
+    Inherited look;
+    look.texture = &grey;
+    std::vector<std::uint32_t> of_mesh = {materials.index(look)};
+    look.texture = &shiny;
+    of_mesh.push_back(materials.index(look));
+    CHECK_FALSE(world.appearance.materials[of_mesh[0]].other_light);
+    CHECK(world.appearance.materials[materials.of_face(of_mesh, {-1, 0, -1})].other_light);
+}
+
+TEST_CASE("materials know whether a pattern of any side depends on the ray", "[world]") {
+    const auto by_view = [](const std::string& looks) {
+        const Material material =
+            world_of("#version 3.7; sphere { 0, 1 " + looks + " }").appearance.materials.front();
+        CHECK(material.other_light == material.by_view);
+        return material.by_view;
+    };
+    CHECK_FALSE(by_view("pigment { slope { y } } finish { ambient 0 }"));
+    CHECK(by_view("pigment { aoi } finish { ambient 0 }"));
+    CHECK(by_view("pigment { rgb 1 } normal { aoi 0.3 } finish { ambient 0 }"));
+    CHECK(
+        by_view("texture { aoi texture_map { [0 pigment { rgb 1 } finish { ambient 0 }] "
+                "[1 pigment { rgb 0.5 } finish { ambient 0 }] } }"));
+    CHECK(
+        by_view("texture { pigment { rgb 1 } finish { ambient 0 } } "
+                "interior_texture { pigment { aoi } finish { ambient 0 } }"));
+}
+
 TEST_CASE("what differs in its lights or inside is another material", "[world]") {
     const auto materials = [](const std::string& looks) {
         return world_of("#version 3.7; " + looks).appearance.materials.size();

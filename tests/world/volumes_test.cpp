@@ -73,7 +73,7 @@ TEST_CASE("media glow within hollow solids only", "[world]") {
 }
 
 TEST_CASE("parts that share their media glow once", "[world]") {
-    // As a ray enters and leaves them in turn, nothing is where two are inside of each other.
+    // A ray enters and leaves them in turn, so nothing glows where two of them overlap.
     const World world = world_of(
         "#version 3.7; union { sphere { 0, 1 } sphere { x, 1 } pigment { rgbt 1 } hollow "
         "interior { media { emission 1 } luminaire } } merge { sphere { 9*x, 1 } sphere { 10*x, 1 "

@@ -107,13 +107,13 @@ TEST_CASE("a point knows the clear solids that it is in", "[world]") {
         world_of("sphere { 0, 2 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }");
     CHECK(world.containing(Vec3(1, 0, 0)).size() == 1);
     CHECK(world.containing(Vec3(2.5, 0, 0)).empty());
-    // Where there is fog, it also knows the others, which keep it out, unless they are hollow.
+    // With fog, it also finds the others, which keep fog out, unless they are hollow.
     const World foggy = world_of(
         "fog { distance 9 rgb 1 } sphere { 0, 2 hollow } sphere { 0, 3 } sphere { 0, 4 hollow }"
         "union { sphere { 0, 5 } sphere { 9*x, 2 } } difference { sphere { 0, 6 } box { 1, 9 } }");
     CHECK(foggy.containing(Vec3(1, 0, 0)).size() == 3);
-    // The rays of a parallel camera begin in many places, so it has an index of them; that of
-    // another camera is asked at one place only, and has none.
+    // Rays of a parallel camera begin in many places, so the world has an index. Other cameras are
+    // at one place, so the world has none.
     const std::string scene = R"(
         #for (I, 1, 20) sphere { 10*I*x, 3 pigment { rgbt 1 } } #end
         plane { y, -5 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/decimal.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace candelabra {
+
+bool underflows(std::string_view number) {
+    const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+    const std::string_view digits = number.substr(0, e);
+    const std::size_t first = digits.find_first_of("123456789");
+    if (first == digits.npos) return true;
+    const auto point = static_cast<long long>(std::min(digits.find('.'), digits.size()));
+    const auto place = static_cast<long long>(first);
+    const long long magnitude = place < point ? point - place - 1 : point - place;
+    std::string_view power = number.substr(std::min(e + 1, number.size()));
+    const bool negative = power.starts_with('-');
+    if (power.starts_with('+') || negative) power.remove_prefix(1);
+    int exponent = 0;
+    const auto [end, failure] =
+        std::from_chars(power.data(), power.data() + power.size(), exponent);
+    if (failure == std::errc::result_out_of_range) return negative;
+    return magnitude + (negative ? -exponent : exponent) < 0;
+}
+
+}  // namespace candelabra
