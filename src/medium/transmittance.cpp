@@ -16,8 +16,8 @@ constexpr double points_per_depth = 1, max_points = 8, share_of_greatest = 0.1;
 constexpr double max_parts = 16;
 /// Number of terms after which each term may be the last.
 constexpr double long_series = 64;
-/// Greatest optical depths up to which the series is used, and up to which a way is tracked: it
-/// takes so many steps where nearly all of it is clear. Beyond is the end of the air.
+/// Maximum optical depths for the series, and for tracking, which takes as many steps even where
+/// nearly all of the segment is clear. Only segments to the end of the air are deeper.
 constexpr double max_series = 64, max_tracked = 4096;
 /// Optical depth below which the series may end before its first term.
 constexpr double thin = 0.005;
