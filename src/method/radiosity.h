@@ -12,8 +12,7 @@ namespace candelabra {
 struct Radiosity {
     int recursion_limit = 2;    ///< diffuse reflections before the visible surface
     double brightness = 1;      ///< factor at each of them
-    double gray_threshold = 0;  ///< fraction of the gathered light that turns grey at each
-                                ///< reflection
+    double gray_threshold = 0;  ///< fraction of the light that turns grey at each of them
     double max_sample = -1;  ///< maximum channel of light from one direction; not above 0: no bound
     bool normal = false;     ///< gather light around the perturbed normal
     bool media = false;      ///< fog affects gathered light
