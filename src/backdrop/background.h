@@ -14,7 +14,7 @@ struct Background {
     Vec3 radiance() const { return colour.rgb * (1 - colour.transmit); }
     /// Radiance of camera rays in a picture with alpha, without the transparent fraction.
     Vec3 covering() const { return colour.rgb * colour.opacity(); }
-    /// Radiance in mirrors in a picture with alpha.
+    /// Radiance of all other rays, such as in mirrors, in a picture with alpha.
     Vec3 mirrored() const { return colour.rgb; }
 };
 

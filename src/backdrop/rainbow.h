@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rainbows: coloured arcs around a direction, seen by all rays outside solids that do not end
+// Rainbows: coloured arcs around a direction, seen by all rays in the atmosphere that do not end
 // nearby. Evaluated by the renderer for each part of such a ray.
 #pragma once
 

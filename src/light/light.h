@@ -40,8 +40,7 @@ struct PointLight {
     Vec3 area2 = Vec3(0);
     int size1 = 0;  ///< number of lights along the sides of the grid; 0: no grid
     int size2 = 0;
-    std::optional<double> adaptive;  ///< number of subdivisions that are always made; unset: all
-                                     ///< lights are asked
+    std::optional<double> adaptive;  ///< levels of subdivision in any case; unset: all levels
     bool jitter = false;
     bool circular = false;
     bool orient = false;

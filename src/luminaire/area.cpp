@@ -32,7 +32,7 @@ template <ShapeKind T>
 Vec3 flat_normal(const T&) {
     return Vec3(0);
 }
-/// Geometric normal where a ray crosses the surface; for other shapes, their normal.
+/// Geometric normal where a ray crosses the surface; the crossing's own may be a shading normal.
 Vec3 own_normal(const SmoothTriangle& t, const Crossing&) { return flat_normal(t); }
 Vec3 own_normal(const BuiltMesh& m, const Crossing& met) {
     const auto [a, b, c] = face(*m.mesh, met.part).corners;

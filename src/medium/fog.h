@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fog of constant density, or one that thins out above a height. Evaluated by the renderer for each
-// part of a ray outside solids.
+// part of a ray in the atmosphere.
 #pragma once
 
 #include "base/colour.h"

@@ -67,7 +67,7 @@ public:
 
     static double middle(std::size_t cell) { return (static_cast<double>(cell) + 0.5) / count; }
 
-    /// Makes a uniform density if the worth is 0 everywhere.
+    /// Makes a uniform density if `worth` is 0 everywhere.
     explicit MarchCells(const std::array<double, count>& worth) {
         double total = 0;
         for (const double each : worth) total += each;
