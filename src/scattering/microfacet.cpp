@@ -42,7 +42,7 @@ double unhidden(double width, double cosine) {
 
 /// Cosines of light, viewer and facet normal for one surface; all are above 0.
 struct FacetGeometry {
-    double light, viewer, facet, between;  ///< between the light and the facet's normal
+    double light, viewer, facet, between;  ///< `between`: light and facet normal
 };
 
 /// Reflected radiance of light of colour 1, without the Fresnel factor.
