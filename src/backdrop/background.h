@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a ray sees that meets nothing.
+// Light of rays that meet nothing.
 #pragma once
 
 #include "base/colour.h"
 
 namespace candelabra {
 
-/// One colour in all directions. How it is seen depends on the ray, as in POV-Ray 3.7.
+/// A constant colour in all directions. As in POV-Ray 3.7, its appearance depends on the ray.
 struct Background {
     Colour colour;
 
-    /// Its transmit dims it, and its filter has no effect.
+    /// Radiance in a picture without alpha: transmit dims it, filter has no effect.
     Vec3 radiance() const { return colour.rgb * (1 - colour.transmit); }
-    /// In a picture with alpha, straight on: what is clear is not seen.
+    /// Radiance of camera rays in a picture with alpha, without the transparent fraction.
     Vec3 covering() const { return colour.rgb * colour.opacity(); }
-    /// In a picture with alpha, in mirrors.
+    /// Radiance of all other rays, such as in mirrors, in a picture with alpha.
     Vec3 mirrored() const { return colour.rgb; }
 };
 

@@ -31,7 +31,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
     return std::acos(std::clamp(dot(a, b), -1.0, 1.0)) / radians_per_degree;
 }
 
-/// How far the arc has faded towards its ends: 0 to 1; above 1 where there is none.
+/// How far the arc has faded towards its ends: 0 to 1; above 1 beyond the arc.
 double faded(const Rainbow& rainbow, const Vec3& ahead, const Vec3& direction) {
     if (rainbow.arc_angle >= 360) return 0;
     const auto across = [&](const Vec3& v) { return unit(v - dot(v, ahead) * ahead); };
@@ -44,7 +44,7 @@ double faded(const Rainbow& rainbow, const Vec3& ahead, const Vec3& direction) {
     return x * x * (3 - 2 * x);
 }
 
-/// Nothing where the rainbow is not.
+/// Returns nothing outside the rainbow.
 std::optional<Veil> veil_of(const Rainbow& rainbow, const Ray& ray, double distance,
                             double chance) {
     const Vec3 ahead = unit(rainbow.direction);

@@ -14,11 +14,11 @@ namespace {
 
 using std::numbers::pi;
 
-// Cells have equal heights (the cosine of the angle from the top), so equal solid angles.
+// Cells have equal extents in height (the cosine of the angle from the top), so equal solid angles.
 constexpr int row_count = 256, column_count = 512;
 constexpr double cell_angle = 4 * pi / (row_count * column_count);
 
-/// The share of directions that are drawn evenly, whatever the map says.
+/// Fraction of the directions that are drawn uniformly.
 constexpr double even_share = 0.1;
 
 Vec3 direction_at(double height, double turn) {
@@ -33,12 +33,12 @@ double brightness(const Vec3& seen) {
 
 using Sums = std::span<const float>;
 
-/// The sums within a row of cells.
+/// Prefix sums within a row of cells.
 Sums columns_of(const std::vector<float>& all, std::size_t row) {
     return Sums(all).subspan(row * column_count, column_count);
 }
 
-/// How far from the left or the top so much of a row or a column ends, 0 to 1.
+/// Position in a row or a column from the left or the top, in [0, 1].
 double along(const DrawnShare& drawn, int count) {
     return (static_cast<double>(drawn.index) + drawn.within) / count;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sky as a luminaire: which directions light comes from, to be drawn in proportion. Built when a
-// world is compiled; immutable.
+// A sky as a luminaire: draws directions in proportion to their light. Built when a world is
+// compiled; immutable.
 #pragma once
 
 #include "base/function_ref.h"
@@ -12,10 +12,10 @@ namespace candelabra {
 
 class SkyLight {
 public:
-    /// Gives no light.
+    /// Makes a sky without light.
     SkyLight() = default;
-    /// `radiance` is asked once in each cell of a map of longitudes and latitudes. Where the map
-    /// misses light, directions are drawn as well, though rarely.
+    /// `radiance` is evaluated at two points of each cell of a map of longitudes and latitudes.
+    /// Directions in which the map misses light are drawn too, but rarely.
     explicit SkyLight(FunctionRef<Vec3(const Vec3& direction)> radiance);
 
     bool empty() const { return rows_.empty(); }
@@ -26,7 +26,7 @@ public:
     };
     /// `place` is uniform in [0, 1)^2.
     Drawn draw(Vec2 place) const;
-    /// The density of a unit direction in draw().
+    /// Density with which draw() returns a unit direction.
     double density(const Vec3& direction) const;
 
     std::size_t memory_bytes() const {
@@ -34,8 +34,7 @@ public:
     }
 
 private:
-    // Sums of the shares, so that they can be searched: of the rows up to each, and of the cells of
-    // each row.
+    // Prefix sums of the weights: of the rows, and of the cells of each row.
     std::vector<float> rows_;
     std::vector<float> columns_;
 };

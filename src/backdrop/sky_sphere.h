@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A sphere without size around the scene: pigments by the direction of the ray. Asked by the
+// An infinite sphere around the scene: pigments by the direction of the ray. Evaluated by the
 // renderer where a ray meets nothing.
 #pragma once
 
@@ -10,15 +10,15 @@
 namespace candelabra {
 
 struct SkySphere {
-    std::vector<Pigment> pigments;  ///< the last one is the nearest
-    Vec3 emission = Vec3(1);        ///< times all of them
-    bool luminaire = false;         ///< lights the scene
+    std::vector<Pigment> pigments;  ///< the last one is on top
+    Vec3 emission = Vec3(1);        ///< factor of all of them
+    bool luminaire = false;         ///< whether it lights the scene
 
     static const ItemInfo vocabulary;
 };
 
-/// Radiance from a unit direction, over the background's. Languages before 3.7 mixed their pigments
-/// by other rules: `old_rules`.
+/// Radiance from a unit direction, over the background's. `old_rules` selects the blending of
+/// pigments in languages before 3.7.
 Vec3 radiance(const SkySphere&, const Vec3& direction, const Vec3& background, const PatternScene&,
               bool old_rules);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Axis-aligned boxes: the only geometry that the index structures know.
+// Axis-aligned boxes: the only geometry that the index structures use.
 #pragma once
 
 #include "base/vector.h"
@@ -18,7 +18,7 @@ struct Box {
     Vec3 size() const { return high - low; }
 };
 
-/// Of what has no bounds.
+/// The box of an unbounded object.
 inline Box everywhere() {
     const double infinity = std::numeric_limits<double>::infinity();
     return {Vec3(-infinity), Vec3(infinity)};
@@ -43,7 +43,7 @@ inline bool contains(const Box& b, const Vec3& p) {
     return glm::all(glm::lessThanEqual(b.low, p)) && glm::all(glm::lessThanEqual(p, b.high));
 }
 
-/// Square of the distance from p to the nearest point of b (0 inside) and to its farthest corner.
+/// Squared distance from p to the nearest point of b (0 inside), and to its farthest corner.
 inline double nearest_distance2(const Box& b, const Vec3& p) {
     const Vec3 gap = glm::max(glm::max(b.low - p, p - b.high), Vec3(0));
     return dot(gap, gap);
@@ -53,7 +53,7 @@ inline double farthest_distance2(const Box& b, const Vec3& p) {
     return dot(far, far);
 }
 
-/// Not when a coordinate is no number.
+/// False if a coordinate is NaN, infinite or at least 1e30.
 inline bool finite(const Box& b) {
     const Vec3 limit(1e30);
     return glm::all(glm::lessThan(glm::abs(b.low), limit)) &&

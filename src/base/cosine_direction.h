@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Directions as a diffuse surface scatters light.
+// Cosine-weighted directions.
 #pragma once
 
 #include "base/vector.h"
@@ -9,8 +9,8 @@
 
 namespace candelabra {
 
-/// A unit direction about a unit axis, in proportion to the cosine to it: its density is that over
-/// pi. u is uniform in [0, 1)^2.
+/// Returns a unit direction around a unit axis, drawn with the density cosine / pi. u is uniform in
+/// [0, 1)^2.
 inline Vec3 cosine_direction(const Vec3& axis, const Vec2& u) {
     const auto [x, y] = perpendiculars(axis);
     const double across = std::sqrt(u.x), angle = 2 * std::numbers::pi * u.y;

@@ -17,7 +17,7 @@ struct Job {
     std::exception_ptr thrown = {};
 };
 
-/// What is left of the stack of this thread, if that is not the first one.
+/// Remaining stack of this thread in bytes; 0 for the main thread.
 std::size_t room() {
     pthread_attr_t attributes;
     if (getpid() == gettid() || pthread_getattr_np(pthread_self(), &attributes) != 0) return 0;
@@ -29,7 +29,7 @@ std::size_t room() {
     return known ? static_cast<std::size_t>(&here - static_cast<char*>(lowest)) : 0;
 }
 
-/// The first part of a stack, which all scenes need.
+/// The first part of a stack, which all scenes use.
 constexpr std::size_t usual = std::size_t{1} << 20;
 constexpr std::size_t guard = std::size_t{1} << 16;
 
@@ -57,7 +57,7 @@ bool run(Job& job) {
     if (stack == MAP_FAILED) return false;
     mprotect(stack, guard, PROT_NONE);
     char* const lowest = static_cast<char*>(stack) + guard;
-    // A deep recursion would else wait for each small page.
+    // Otherwise a deep recursion would wait for each small page.
     madvise(lowest, job.bytes - usual, MADV_HUGEPAGE);
     pthread_t thread;
     const bool started = start(job, lowest, thread);
@@ -77,7 +77,7 @@ void on_deep_stack(std::size_t bytes, FunctionRef<void(std::size_t)> function) {
         if (job.thrown) std::rethrow_exception(job.thrown);
         return;
     }
-    function(least);  // here: systems give the first thread at least this
+    function(least);  // here: systems give the main thread at least this
 }
 
 }  // namespace candelabra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs a function on a thread with a stack as big as it is told, because scenes recurse deeper than
-// the usual stack is. Memory is only taken as far as the stack is used. The program does all its
-// work on a scene so; the evaluator, which tests call alone, finds itself on such a stack or asks
-// for one.
+// Runs a function on a thread with a stack of a given size, because scenes recurse deeper than the
+// usual stack allows. Memory is only committed as far as the stack is used. The program does all
+// its work on a scene in this way. The evaluator, which tests call by itself, uses the deep stack
+// that it is on, or requests one.
 #pragma once
 
 #include "base/function_ref.h"
@@ -11,9 +11,9 @@
 
 namespace candelabra {
 
-/// Returns when the function has returned, and throws what it throws. It is told how many bytes of
-/// stack it has: less than asked for, possibly. Where half of that is left on a thread of this
-/// kind, it runs there.
+/// Returns when the function has returned, and rethrows its exceptions. The function gets the size
+/// of its stack in bytes, which may be less than requested. If the calling thread is of this kind
+/// and has half of the size left, the function runs on it.
 void on_deep_stack(std::size_t bytes, FunctionRef<void(std::size_t)>);
 
 }  // namespace candelabra

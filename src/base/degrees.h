@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The language counts angles in degrees, mathematics in radians. Used wherever one becomes the
-// other.
+// The language measures angles in degrees, mathematics in radians. Used for the conversion.
 #pragma once
 
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sum of many numbers that does not depend on their order: each is rounded once, to a multiple of
-// 2^-52, and added as a whole number. So samples may be taken by any thread, in any process and on
-// any machine, and still make the same picture. Used by the film.
+// 2^-52, and added as an integer. Samples may therefore be taken by any thread, process or machine,
+// and still make the same picture. Used by the film.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@ class ExactSum {
 public:
     __extension__ using Wide = __int128;
 
-    /// What is larger counts as this; not-a-number counts as 0. 2^31 of them have room.
+    /// Larger values are clamped to this; NaN counts as 0. 2^31 such values fit.
     static constexpr double greatest = 0x1p44;
 
     void add(double value) {
         if (std::isnan(value)) return;
         const double scaled = std::clamp(value, -greatest, greatest) * 0x1p52;
-        // Usual colours fit into a word, which machines convert at once.
+        // Usual colours fit into a word, which machines convert in one instruction.
         const bool usual = std::abs(scaled) < 0x1p63;
         sum_ += usual ? static_cast<std::int64_t>(scaled) : static_cast<Wide>(scaled);
     }
@@ -29,7 +29,7 @@ public:
     void subtract(const ExactSum& other) { sum_ -= other.sum_; }
     double value() const { return static_cast<double>(sum_) * 0x1p-52; }
 
-    /// Four groups of 32 bits, the lowest first: how sums travel in files.
+    /// Four groups of 32 bits, lowest first: the format of sums in files.
     std::uint32_t word(int i) const { return static_cast<std::uint32_t>(sum_ >> (32 * i)); }
     void set_word(int i, std::uint32_t bits) {
         __extension__ using Bits = unsigned __int128;

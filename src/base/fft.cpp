@@ -15,8 +15,8 @@ namespace {
 constexpr auto radices = std::array<std::size_t, 4>{4, 2, 3, 5};
 constexpr std::size_t max_radix = 5;
 
-/// The transform of rows of one length, by Stockham's scheme: each stage reads one row and writes
-/// another, whose order is right at the end.
+/// Transforms rows of one length by Stockham's scheme: each stage reads one row and writes another,
+/// and the final order is correct without a permutation.
 class RowTransform {
 public:
     explicit RowTransform(std::size_t length) : roots_(length) {
@@ -34,7 +34,7 @@ public:
                 }
     }
 
-    /// `other` has as much room as the row.
+    /// `other` is working space as large as the row.
     void operator()(Complex* row, Complex* other) const {
         Complex *from = row, *to = other;
         std::size_t rest = roots_.size(), stride = 1;
@@ -105,7 +105,7 @@ private:
     std::vector<std::size_t> stages_;
 };
 
-/// Rows that one thread takes at once.
+/// Number of rows that one thread takes at a time.
 constexpr std::size_t rows_at_once = 16;
 
 void transform_rows(ComplexPlane& plane, int threads) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A callback as an argument: refers to any callable without owning it, so it costs two pointers and
-// no allocation. Lives no longer than the call it is passed to.
+// A callback parameter: refers to any callable without owning it, so it costs two pointers and no
+// allocation. Valid only during the call to which it is passed.
 #pragma once
 
 #include <memory>

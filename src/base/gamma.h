@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between linear light and colours as a scene has them, which assumed_gamma says. Used where
+// Converts between linear light and a scene's colours, which assumed_gamma defines. Used where
 // pictures are read and written, and colours compared.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace candelabra {
 
-/// The gamma that stands for the curve of sRGB; others are powers.
+/// The gamma that stands for the sRGB curve; others are powers.
 inline constexpr double srgb_gamma = -1;
 
-/// Of the screens that pictures are looked at on, when nothing else is known.
+/// Gamma of the display on which pictures are viewed, unless known otherwise.
 inline constexpr double display_gamma = 2.2;
 
 inline double to_linear(double value, double gamma) {

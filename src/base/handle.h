@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A value that is made once and shared by all that hold a handle to it. Eight bytes and one
-// allocation, because scenes hold millions. Nobody changes what others hold, so any number of
-// threads may keep handles to one value; edit() copies when it has to. T may be incomplete where
+// A value that is created once and shared by all handles to it. It takes eight bytes and one
+// allocation, because scenes hold millions. Shared values are never modified, so any number of
+// threads may hold handles to one value; edit() copies if necessary. T may be incomplete where
 // handles are only held and passed on.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace candelabra {
 
 namespace handle_detail {
 
-/// In front of every shared value.
+/// Precedes every shared value.
 struct Header {
     mutable std::atomic<std::uint32_t> holders;
     void (*destroy)(const Header*);
@@ -32,7 +32,7 @@ struct Holder : Header {
     T value;
 };
 
-// What follows takes the place of a shared value, or null where nothing else is said.
+// In the functions below, `content` is a shared value, or null unless stated otherwise.
 
 inline const Header* header(const void* content) { return static_cast<const Header*>(content) - 1; }
 inline void hold(const void* content) {
@@ -42,7 +42,7 @@ inline void let_go(const void* content) {
     if (content && header(content)->holders.fetch_sub(1, std::memory_order_acq_rel) == 1)
         header(content)->destroy(header(content));
 }
-/// Not null.
+/// Precondition: not null.
 inline bool alone(const void* content) {
     return header(content)->holders.load(std::memory_order_acquire) == 1;
 }
@@ -70,12 +70,12 @@ public:
     const T& operator*() const { return *content_; }
     const T* operator->() const { return content_; }
     explicit operator bool() const { return content_ != nullptr; }
-    /// Whether both are the same value, not merely equal ones.
+    /// Whether both refer to the same value, not merely to equal ones.
     friend bool operator==(const Handle&, const Handle&) = default;
 
-    /// Whether nobody else holds the value. Precondition: not null.
+    /// Whether no other handle holds the value. Precondition: not null.
     bool alone() const { return handle_detail::alone(content_); }
-    /// The value for writing, which no other handle sees. Precondition: not null.
+    /// The value for writing, unshared. Precondition: not null.
     T& edit() {
         if (!alone()) copy();
         return *content_;
@@ -85,25 +85,25 @@ public:
     static Handle make(Arguments&&... arguments) {
         return adopt(new handle_detail::Holder<T>(std::forward<Arguments>(arguments)...));
     }
-    /// Takes over a holder that has just been made.
+    /// Takes over a new holder.
     static Handle adopt(handle_detail::Holder<T>* holder) { return Handle(&holder->value); }
 
 private:
     friend AnyHandle;
     [[gnu::noinline]] void copy() { *this = make(*content_); }
-    /// Takes over a share.
+    /// Takes over one count of the holders.
     explicit Handle(T* content) : content_(content) {}
 
     T* content_ = nullptr;
 };
 
-/// A handle to a new value.
+/// Returns a handle to a new value.
 template <class T, class... Arguments>
 Handle<T> make_handle(Arguments&&... arguments) {
     return Handle<T>::make(std::forward<Arguments>(arguments)...);
 }
 
-/// A handle of which only its user knows the type.
+/// A handle whose type only its user knows.
 class AnyHandle {
 public:
     template <class T>
@@ -120,13 +120,13 @@ public:
     /// Precondition: not null.
     bool alone() const { return handle_detail::alone(content_); }
 
-    // With the type that it was made of:
+    // T must be the type of the original handle:
     template <class T>
     Handle<T> as() const {
         handle_detail::hold(content_);
         return Handle<T>(static_cast<T*>(content_));
     }
-    /// As that of Handle.
+    /// See Handle::edit().
     template <class T>
     T& edit() {
         if (!alone()) *this = AnyHandle(make_handle<T>(*static_cast<const T*>(content_)));

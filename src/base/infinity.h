@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The number beyond all others, by a name that is short.
+// A short name for infinity.
 #pragma once
 
 #include <limits>

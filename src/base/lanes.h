@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eight numbers of single precision side by side, and what loops over them have in common. They are
-// compiled into the loops that CANDELABRA_TARGET_CLONES marks, for each instruction set. Called by
-// the index of boxes and by the packs of its leaves.
+// Eight single-precision numbers, and operations on them for vectorised loops. They are compiled
+// into the loops that CANDELABRA_TARGET_CLONES marks, for each instruction set. Used by the index
+// of boxes and by the packs of its leaves.
 #pragma once
 
 #include <array>
@@ -19,20 +19,20 @@ using Lanes [[gnu::vector_size(sizeof(float) * lane_count)]] = float;
 using Marks [[gnu::vector_size(sizeof(float) * lane_count)]] = std::int32_t;
 
 [[gnu::always_inline]] inline Lanes lanes_of(float x) {
-    // One instruction where there is one for it; of eight numbers it is made one by one.
+    // One instruction where the machine has one; a vector of eight would be filled one by one.
     using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
     const Four four{x, x, x, x};
     return __builtin_shufflevector(four, four, 0, 0, 0, 0, 0, 0, 0, 0);
 }
 
-/// From any address, of whatever type is stored there.
+/// Loads from any address, whatever type is stored there.
 [[gnu::always_inline]] inline Lanes load_lanes(const void* from) {
     Lanes lanes;
     std::memcpy(&lanes, from, sizeof lanes);
     return lanes;
 }
 
-/// The second operand where the first one is not a number. Of any vectors.
+/// These return the second operand if the first one is NaN. For any vector type.
 template <class Vector>
 [[gnu::always_inline]] inline Vector min_of(const Vector& a, const Vector& b) {
     return a < b ? a : b;
@@ -42,10 +42,10 @@ template <class Vector>
     return a > b ? a : b;
 }
 
-/// A bit for each marked lane.
+/// Returns a bit for each marked lane.
 [[gnu::always_inline]] inline std::uint32_t marked(const Marks& marks) {
 #ifdef __x86_64__
-    // Every machine of this kind has it; through the memory it takes twice as long.
+    // Every machine of this kind has this instruction; going through memory takes twice as long.
     using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
     const auto low = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 0, 1, 2, 3));
     const auto high = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 4, 5, 6, 7));

@@ -13,10 +13,10 @@ namespace candelabra {
 
 namespace {
 
-/// MADV_COLLAPSE of Linux 6.1 and later, which older headers do not name.
+/// MADV_COLLAPSE of Linux 6.1 and later, which older headers do not define.
 constexpr int collapse = 25;
 
-/// For the whole pages among the bytes.
+/// Advises the system about the whole pages among the bytes.
 void advise(void* begin, std::size_t bytes, std::uintptr_t page, int advice) {
     const auto first = reinterpret_cast<std::uintptr_t>(begin);
     const std::uintptr_t from = (first + page - 1) & ~(page - 1);
@@ -27,7 +27,7 @@ void advise(void* begin, std::size_t bytes, std::uintptr_t page, int advice) {
 }  // namespace
 
 void* new_pages(bool all) {
-    // Twice as much surely has an aligned block in it; the rest is given back.
+    // Twice the size certainly contains an aligned block; the rest is unmapped.
     void* const found = mmap(nullptr, 2 * page_block, PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (found == MAP_FAILED) throw std::bad_alloc();
@@ -49,7 +49,7 @@ void expect_huge_pages(void* begin, std::size_t bytes) {
 
 void use_huge_pages(void* begin, std::size_t bytes) {
     expect_huge_pages(begin, bytes);
-    advise(begin, bytes, page_block, collapse);  // now, and not when there is time
+    advise(begin, bytes, page_block, collapse);  // at once, instead of in the background
 }
 
 void give_back_freed() {

@@ -39,7 +39,7 @@ constexpr std::uint16_t checksum(double number) {
     return sum;
 }
 
-/// The nearest number with 6 significant decimal digits, for numbers of size 1e-5 to 1.
+/// Rounds to 6 significant decimal digits, for magnitudes from 1e-5 to 1.
 constexpr double six_digits(double x) {
     double scale = 1e5;
     for (double size = x < 0 ? -x : x; size < 1; size *= 10) scale *= 10;
@@ -48,8 +48,8 @@ constexpr double six_digits(double x) {
     return static_cast<double>(whole) / scale;
 }
 
-/// Coefficients in -1 to 1; the hash (0 to 255) plus the offset of the noise (up to 8) and the
-/// number of the coefficient (up to 3) is an index.
+/// Coefficients from -1 to 1. Their index is the hash (0 to 255) plus the offset of the noise (up
+/// to 8) plus the number of the coefficient (up to 3).
 constexpr auto make_coefficients() {
     std::array<double, 267> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -59,14 +59,14 @@ constexpr auto make_coefficients() {
     return table;
 }
 
-/// Only their address is taken at run time.
+/// Computed at compile time; only their address is taken at run time.
 struct Tables {
     HashTable hash = make_hash_table();
     std::array<double, 267> coefficients = make_coefficients();
 };
 constexpr Tables tables;
 
-/// Where a coordinate lies between two neighbours of the lattice.
+/// Position of a coordinate between two neighbours on the lattice.
 struct Place {
     std::array<std::uint32_t, 2> index{};
     std::array<double, 2> offset{};
@@ -75,16 +75,16 @@ struct Place {
 
 constexpr double smooth(double t) { return t * t * (3 - 2 * t); }
 
-/// Beyond this a double has no fraction that is worth anything.
+/// Beyond this, a double has no significant fraction.
 constexpr double farthest = 1e17;
 
 bool usable(const Vec3& p) {
-    // Written so that it is false for numbers that are none.
+    // Written so that it is false for NaN.
     return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest && std::abs(p.z) <= farthest;
 }
 
 Place place_of(double t) {
-    // The next whole number downwards, but 1e-10 below a negative one counts as on it.
+    // Rounds down, but values up to 1e-10 below a negative integer count as on it.
     const auto whole = static_cast<std::int64_t>(t >= 0 ? t : t - (1 - 1e-10));
     const double fraction = t - static_cast<double>(whole);
     const auto index = static_cast<std::uint32_t>(static_cast<std::uint64_t>(whole) + 10000);
@@ -92,7 +92,7 @@ Place place_of(double t) {
     return {{index & hash_mask, (index + 1) & hash_mask}, {fraction, fraction - 1}, {1 - far, far}};
 }
 
-/// The factors of the frequency of each octave, and the weights.
+/// Frequency factor and weight of each octave.
 struct OctaveTerms {
     std::array<double, Octaves::most> frequency, weight;
     std::size_t count;
@@ -107,12 +107,12 @@ struct OctaveTerms {
     }
 };
 
-/// Numbers that are computed with at once.
+/// Vector of numbers for simultaneous arithmetic.
 using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
 
 /// One or more noises at a point. At each corner of the lattice's cell a noise has four
-/// coefficients; their product with (1/2, offset from the corner) is weighed by how near the corner
-/// is.
+/// coefficients; their product with (1/2, offset from the corner) is weighted by the proximity of
+/// the corner.
 template <std::size_t count>
 [[gnu::always_inline]] inline void add_corners(const Vec3& point,
                                                std::array<double, count>& noises) {
@@ -174,7 +174,7 @@ CANDELABRA_TARGET_CLONES void sum_octaves(const Vec3& point, const OctaveTerms& 
     }
 }
 
-/// The tables of Perlin's noise: unit vectors, and the indices that choose among them.
+/// Tables of Perlin's noise: unit vectors, and the indices that select them.
 struct PerlinTables {
     static constexpr std::uint32_t count = 2048;
     std::array<Vec3, 2 * count + 2> gradients{};
@@ -193,7 +193,7 @@ struct PerlinTables {
             } while (square > 1 || square < 1e-5);
             gradients[i] /= std::sqrt(square);
         }
-        // One entry too many takes part in the shuffle, as in the original: 0 occurs twice.
+        // As in the original, the shuffle includes one entry too many: 0 occurs twice.
         for (std::uint32_t i = 0; i < count; ++i) indices[i] = static_cast<std::uint16_t>(i);
         for (std::uint32_t i = count; i > 0; i -= 2)
             std::swap(indices[i], indices[sequence.next() & (count - 1)]);
@@ -236,7 +236,7 @@ double perlin_noise(const Vec3& point) {
 
 double limited(double x) { return std::clamp(x, 0.0, 1.0); }
 
-/// By the range of the generator.
+/// Maps to the range of the generator.
 double in_range(double raw, NoiseGenerator generator) {
     return limited(generator == NoiseGenerator::original ? raw + 0.5
                                                          : (raw + 1.05242) * 0.48985582);
@@ -245,7 +245,7 @@ double in_range(double raw, NoiseGenerator generator) {
 }  // namespace
 
 NoiseGenerator noise_generator(double number) {
-    // Far from the integers there are no lowest bits to speak of.
+    // Numbers beyond the range of integers have no meaningful lowest bits.
     const auto bits = std::abs(number) < 2147483648.0 ? static_cast<std::int32_t>(number) & 3 : 0;
     return static_cast<NoiseGenerator>(std::max(bits, 1));
 }
@@ -279,8 +279,8 @@ Vec3 turbulence(const Vec3& point, const Octaves& octaves) {
 }
 
 double scalar_turbulence(const Vec3& point, const Octaves& octaves, NoiseGenerator generator) {
-    // The generators of full range are stretched to that of the original; only the first term is
-    // limited again.
+    // Generators of full range are stretched to the range of the original; only the first term is
+    // clamped again.
     const bool original = generator == NoiseGenerator::original;
     const auto stretched = [&](double value) { return original ? value : 2 * value - 0.5; };
     const OctaveTerms terms(octaves);

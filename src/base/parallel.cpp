@@ -14,7 +14,7 @@ int core_count() { return oneapi::tbb::this_task_arena::max_concurrency(); }
 
 void run_on_threads(int threads, const std::function<void()>& work) {
     if (threads == 1) return work();
-    // More threads than cores gain nothing, and very many would only wait for each other.
+    // More threads than cores gain nothing, and very many would only contend with each other.
     threads = threads <= 0 ? core_count() : std::min(threads, 4 * core_count());
     using Control = oneapi::tbb::global_control;
     const Control allowed(Control::max_allowed_parallelism, static_cast<std::size_t>(threads));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs independent jobs on several threads. Nothing that a caller can observe depends on their
-// number. With one thread TBB is not even started: its search for helpers takes longer than small
+// Runs independent jobs on several threads. Observable results do not depend on the number of
+// threads. With one thread TBB is not even started: creating its workers takes longer than small
 // scenes do.
 #pragma once
 
@@ -13,11 +13,11 @@ namespace candelabra {
 /// must not touch each other's data.
 void run_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& job);
 
-/// Calls work once; what it runs by run_both() uses that many threads.
+/// Calls work once; run_both() within it uses this many threads.
 void run_on_threads(int threads, const std::function<void()>& work);
 
-/// Calls both, side by side unless `threads` is 1. Called inside of run_on_threads() with the same
-/// number of threads.
+/// Calls both functions, in parallel unless `threads` is 1. Must be called within run_on_threads()
+/// with the same number of threads.
 void run_both(int threads, const std::function<void()>& first, const std::function<void()>& second);
 
 /// The number of threads that `threads` = 0 stands for.

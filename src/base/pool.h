@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes many shared values one behind the other in large blocks of memory: cheaper than one by one,
-// and a block goes back to the system as soon as the last value in it is gone. For values that are
-// made together and given up together, as the objects of a scene are.
+// Allocates many shared values consecutively in large blocks of memory. This is cheaper than
+// separate allocations, and a block returns to the system as soon as its last value is destroyed.
+// For values that are created and destroyed together, such as the objects of a scene.
 #pragma once
 
 #include "base/handle.h"
@@ -19,7 +19,7 @@ public:
     Pool& operator=(const Pool&) = delete;
     ~Pool() { leave_block(); }
 
-    /// A handle to a new value, which may outlive the pool.
+    /// Returns a handle to a new value, which may outlive the pool.
     template <class... Arguments>
     Handle<T> make(Arguments&&... arguments) {
         if (!block_ || used_ == capacity) start_block();
@@ -35,7 +35,7 @@ private:
             this->destroy = [](const handle_detail::Header* header) {
                 const auto* place = static_cast<const Place*>(header);
                 place->~Place();
-                // Blocks lie at multiples of their size.
+                // Blocks are aligned to their size.
                 release(reinterpret_cast<Block*>(reinterpret_cast<std::uintptr_t>(place) &
                                                  ~(block_size - 1)),
                         1);
@@ -45,7 +45,7 @@ private:
     static constexpr std::size_t block_size = page_block;
     static constexpr std::size_t capacity = (block_size - 16) / sizeof(Place);
     struct Block {
-        /// Places that hold a value, or may still get one.
+        /// Places that hold a value, or are still free.
         std::atomic<std::size_t> claimed = capacity;
         alignas(16) std::byte places[block_size - 16];
     };
@@ -68,7 +68,7 @@ private:
     }
 
     Block* block_ = nullptr;
-    std::size_t used_ = 0;  ///< places of the block that have been given away
+    std::size_t used_ = 0;  ///< places of the block in use
 };
 
 }  // namespace candelabra

@@ -12,9 +12,9 @@ std::uint32_t reversed(std::uint32_t x) {
     return __builtin_bswap32(x);
 }
 
-/// Owen's scrambling of a number whose bits are in reversed order: each bit is flipped or not by a
-/// hash of those that count more (Laine and Karras, "Stratified Sampling for Stochastic
-/// Transparency", 2011, with the constants of Vegdahl).
+/// Owen's scrambling of a number with reversed bits: each bit is flipped according to a hash of the
+/// more significant ones (Laine and Karras, "Stratified Sampling for Stochastic Transparency",
+/// 2011, with the constants of Vegdahl).
 std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
@@ -24,8 +24,8 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     return x;
 }
 
-/// The second dimension of Sobol's sequence, in reversed order of bits: the product with Pascal's
-/// triangle modulo 2, which is made of five equal steps.
+/// The second dimension of Sobol's sequence, with reversed bits: the product with Pascal's triangle
+/// modulo 2, in five similar steps.
 std::uint32_t pascal(std::uint32_t x) {
     x ^= x >> 1 & 0x55555555u;
     x ^= x >> 2 & 0x33333333u;
@@ -35,7 +35,7 @@ std::uint32_t pascal(std::uint32_t x) {
     return x;
 }
 
-/// Pairs of purposes make points in the plane; the others stand alone.
+/// Pairs of purposes form points in the plane; the others are one-dimensional.
 struct Dimension {
     std::uint32_t pair;
     bool second;
@@ -81,14 +81,14 @@ double uniform(const Key& key, Purpose purpose) {
     std::uint64_t h = mix(key.pixel);
     h = mix(h ^ (std::uint64_t{key.path} << 32 | key.branch));
     h = mix(h ^ pair);
-    // The order of the points is shuffled, so that pairs of dimensions that do not belong together
-    // stay independent (Burley, "Practical Hash-based Owen Scrambling", 2020).
+    // The order of the points is shuffled, so that unrelated pairs of dimensions stay independent
+    // (Burley, "Practical Hash-based Owen Scrambling", 2020).
     const std::uint32_t index =
         reversed(scrambled(reversed(key.sample), static_cast<std::uint32_t>(h)));
     const std::uint32_t point = second ? pascal(index) : index;
     h = mix(h ^ (second ? 2 : 1));
     const std::uint32_t high = reversed(scrambled(point, static_cast<std::uint32_t>(h)));
-    // The bits below 2^-32 are plain noise.
+    // The bits below 2^-32 are white noise.
     const std::uint64_t low = mix(h ^ std::uint64_t{key.sample} << 32) >> 43;
     return static_cast<double>(std::uint64_t{high} << 21 | low) * 0x1p-53;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays and what they meet.
+// Rays and their intersections.
 #pragma once
 
 #include "base/box.h"
@@ -15,8 +15,7 @@
 
 namespace candelabra {
 
-/// Half line: origin + t * direction. The direction need not have length 1; t is measured in its
-/// lengths.
+/// A half line: origin + t * direction. The direction may have any length; t is in units of it.
 struct Ray {
     Vec3 origin;
     Vec3 direction;
@@ -35,9 +34,9 @@ struct Interval {
 /// The line through the ray's origin, in both directions.
 inline constexpr Interval whole_line{-infinity, infinity};
 
-/// The part of the interval in which the ray is inside the box; empty (min > max) when it misses.
-/// A ray that runs along one of the box's planes gives NaN there, which the order of the
-/// comparisons ignores.
+/// Returns the part of the interval in which the ray is inside the box; empty (min > max) if it
+/// misses. A ray in one of the box's planes gives NaN there, which the order of the comparisons
+/// ignores.
 inline Interval clip(const Ray& ray, const Box& box, Interval range) {
     for (int axis = 0; axis < 3; ++axis) {
         const double inverse = 1 / ray.direction[axis];
@@ -55,15 +54,14 @@ struct Crossing {
     double t = 0;
     /// Unit, outward; for surfaces without an inside: as defined by the shape.
     Vec3 normal = Vec3(0);
-    bool entering = true;    ///< the ray goes from outside to inside here
-    std::uint32_t part = 0;  ///< which piece of the shape it is: the face of a mesh
+    bool entering = true;    ///< the ray goes from outside to inside
+    std::uint32_t part = 0;  ///< the part of the shape: the face of a mesh
 };
 
-/// All crossings of one ray with one shape, in any order. The first few need no memory from the
-/// heap.
+/// All crossings of one ray with one shape, in any order. The first few need no heap memory.
 class Crossings {
 public:
-    // What is not counted is not initialised: most rays that ask a shape find nothing, or little.
+    // The array is uninitialised: most rays that test a shape find few crossings or none.
     Crossings() {}
     Crossings(const Crossings&) = delete;
     Crossings& operator=(const Crossings&) = delete;
@@ -73,7 +71,7 @@ public:
         if (count_ >= inline_.size()) {
             spilled_.push_back(crossing);
         } else {
-            // Field by field, so that the argument need not be put together in memory first.
+            // Copied by field, so that the argument need not be assembled in memory first.
             Crossing& free = inline_[count_];
             free.t = crossing.t;
             free.normal = crossing.normal;

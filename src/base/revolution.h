@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Angles as shares of a whole turn, by which planes are wrapped around spheres, cylinders and
-// rings. Used by warps, by pictures and to lay u and v on shapes.
+// Angles in turns, by which planes are wrapped around spheres, cylinders and tori. Used by warps,
+// by pictures and for the uv coordinates of shapes.
 #pragma once
 
 #include "base/vector.h"
@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-/// The angle around the y axis, from the x axis towards z: 0 to 1 for a whole turn.
+/// Angle around the y axis, from the x axis towards z, in turns from 0 to 1.
 inline double turn(double x, double z) {
     using std::numbers::pi;
     if (z == 0) return x > 0 ? 0 : 0.5;
@@ -19,8 +19,9 @@ inline double turn(double x, double z) {
     return (z < 0 ? 2 * pi - angle : angle) / (2 * pi);
 }
 
-/// The angle around a tube, from its inner side on, downwards first: 0 to 1 for a whole turn.
-/// `outwards` is the distance from the tube's middle away from the ring's axis, `up` that along it.
+/// Angle around a torus's tube, from its inner side and at first downwards, in turns from 0 to 1.
+/// `outwards` is the distance from the tube's centre away from the ring's axis, `up` the one along
+/// it.
 inline double turn_of_tube(double outwards, double up) {
     using std::numbers::pi;
     const double distance = std::sqrt(outwards * outwards + up * up);

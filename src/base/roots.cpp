@@ -9,8 +9,8 @@ namespace {
 
 using Coefficients = std::array<double, greatest_degree + 1>;
 
-/// Calls use(c), where the number of coefficients is a constant for cubics and quartics: nearly all
-/// surfaces have it, and loops over them are unrolled then.
+/// Calls use(c) with a constant number of coefficients for cubics and quartics, so that loops over
+/// them are unrolled: nearly all surfaces have these degrees.
 template <class Use>
 auto with_known_size(std::span<const double> c, const Use& use) {
     if (c.size() == 4) return use(c.first<4>());
@@ -32,12 +32,12 @@ ValueAndSlope evaluate(std::span<const double, size> c, double x) {
     return {value, slope};
 }
 
-/// The root between two places at which the polynomial has different signs.
+/// The root between two places at which the polynomial has opposite signs.
 template <std::size_t size>
 double root_between(std::span<const double, size> c, double low, double high,
                     bool negative_at_low) {
     double x = 0.5 * (low + high);
-    double before = 0;  // how far Newton's last step went
+    double before = 0;  // length of Newton's last step
     for (int step = 0; step < 200; ++step) {
         const auto [value, slope] = evaluate(c, x);
         ((value < 0) == negative_at_low ? low : high) = x;
@@ -46,7 +46,8 @@ double root_between(std::span<const double, size> c, double low, double high,
         if (halves) next = 0.5 * (low + high);
         const double moved = std::abs(next - x);
         x = next;
-        // Near a root each step is the square of the one before, times what two of them tell.
+        // Near a root each step is proportional to the square of the step before, by a factor that
+        // two successive steps give.
         const double rounding = 0x1p-53 * std::abs(x);
         const bool is_last = !halves && moved * moved * moved <= 0.1 * rounding * before * before;
         if (moved <= 2 * rounding || is_last || !(low < x && x < high)) break;
@@ -55,7 +56,7 @@ double root_between(std::span<const double, size> c, double low, double high,
     return x;
 }
 
-/// Of c[0] + c[1] x + c[2] x^2, without loss of digits where its roots are far from each other.
+/// Roots of c0 + c1 x + c2 x^2, without loss of digits if they differ much in size.
 Roots of_quadratic(double c0, double c1, double c2, const Interval& range) {
     Roots found;
     const auto take = [&](double root) {
@@ -74,7 +75,7 @@ Roots of_quadratic(double c0, double c1, double c2, const Interval& range) {
     return found;
 }
 
-/// binomials[n][k]: n over k.
+/// binomials[n][k] is n over k.
 constexpr auto binomials = [] {
     std::array<std::array<double, greatest_degree + 1>, greatest_degree + 1> table{};
     for (std::size_t n = 0; n <= greatest_degree; ++n) {
@@ -84,14 +85,14 @@ constexpr auto binomials = [] {
     return table;
 }();
 
-/// The k-th derivative over k!, so that the numbers stay small.
+/// The k-th derivative over k!, which keeps the numbers small.
 std::span<double> derivative(std::span<const double> c, std::size_t k, Coefficients& space) {
     const std::size_t count = c.size() - k;
     for (std::size_t i = 0; i < count; ++i) space[i] = c[i + k] * binomials[i + k][k];
     return {space.data(), count};
 }
 
-/// The polynomial's coefficients in Bernstein's basis on the range.
+/// Coefficients of the polynomial in the Bernstein basis on the range.
 template <std::size_t size>
 void to_bernstein(std::span<const double, size> c, const Interval& range, Coefficients& b) {
     const std::size_t degree = c.size() - 1;
@@ -105,8 +106,8 @@ void to_bernstein(std::span<const double, size> c, const Interval& range, Coeffi
         for (std::size_t j = degree; j > i; --j) b[j] += b[j - 1];
 }
 
-/// How often those coefficients change their sign: none or once means as many roots (Descartes'
-/// rule). Nothing when rounding may have decided a sign.
+/// Number of sign changes of these coefficients: none or one is the exact number of roots
+/// (Descartes' rule). Nothing if rounding may have decided a sign.
 template <std::size_t size>
 std::optional<int> variations(std::span<const double, size> c, const Interval& range) {
     Coefficients b;
@@ -122,8 +123,8 @@ std::optional<int> variations(std::span<const double, size> c, const Interval& r
     return changes;
 }
 
-/// Whether the polynomial is below 0; where its value is not above its rounding error, what it was
-/// before. So it does not seem to cross zero where it only touches it.
+/// Whether the polynomial is below 0; within its rounding error, returns `before`. So it does not
+/// seem to cross zero where it only touches it.
 template <std::size_t size>
 bool negative_at(std::span<const double, size> c, double x, bool before) {
     double value = 0, greatest = 0;
@@ -134,7 +135,7 @@ bool negative_at(std::span<const double, size> c, double x, bool before) {
     return std::abs(value) <= 0x1p-51 * greatest ? before : value < 0;
 }
 
-/// The roots in a finite range, from those of the derivative.
+/// Finds the roots in a finite range, given those of the derivative.
 template <std::size_t size>
 void between(std::span<const double, size> c, const Roots& turns, const Interval& range,
              Roots& found) {
@@ -175,11 +176,11 @@ Roots in_finite_range(std::span<const double> c, const Interval& range) {
     return found;
 }
 
-/// Where infinite ranges are divided; roots at round numbers shall not lie on the border.
+/// Where infinite ranges are divided; not a round number, since roots often are.
 constexpr double border = 1.0371;
 
-/// Beyond the border the polynomial in 1 / x has its roots in a finite range; on the other side it
-/// is mirrored first.
+/// Beyond the border, the polynomial in 1 / x has its roots in a finite range; for the negative
+/// side it is mirrored first.
 Roots beyond_border(std::span<const double> c, const Interval& range, bool mirrored) {
     if (!(range.min < range.max)) return {};
     Coefficients reversed;
@@ -219,7 +220,7 @@ Roots sign_changes(std::span<const double> c, const Interval& range, double at_m
         if (!first) result.add(range.max);
         return result;
     }
-    // One too many lies near an end.
+    // One root too many lies near an end.
     const bool first = found[0] - range.min < range.max - found[found.size() - 1];
     for (std::size_t i = first ? 1 : 0; i + (first ? 0 : 1) < found.size(); ++i)
         result.add(found[i]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real roots of polynomials: where rays meet curved surfaces. Called by the shapes. A place counts
-// when the polynomial changes its sign there, so that a ray that only touches a surface does not
-// cross it, and crossings of a closed surface come in pairs.
+// Real roots of polynomials, for intersections of rays with curved surfaces. Used by the shapes.
+// Only sign changes count as roots, so that a ray that touches a surface does not cross it, and
+// crossings of a closed surface come in pairs.
 #pragma once
 
 #include "base/ray.h"
@@ -10,10 +10,10 @@
 
 namespace candelabra {
 
-/// The greatest degree that sign_changes() takes.
+/// Maximum degree for sign_changes().
 inline constexpr std::size_t greatest_degree = 35;
 
-/// Numbers in ascending order.
+/// Roots in ascending order.
 class Roots {
 public:
     Roots() = default;
@@ -24,7 +24,7 @@ public:
         return *this;
     }
 
-    /// Where rounding errors make more roots than a polynomial can have, the last are left out.
+    /// If rounding errors make more roots than a polynomial can have, the last ones are dropped.
     void add(double root) {
         if (count_ < at_.size()) at_[count_++] = root;
     }
@@ -47,17 +47,17 @@ inline double polynomial(std::span<const double> c, double x) {
     return sum;
 }
 
-/// Where the polynomial c changes its sign in the range, whose ends may be infinite. The degree is
-/// at most greatest_degree; leading zeros are allowed. Between two neighbouring roots of its
-/// derivative a polynomial has at most one root, which bisection finds for certain and Newton's
-/// method soon; so the roots of all derivatives are found, from the linear one up (Yuksel,
+/// Returns the sign changes of the polynomial c in the range, whose ends may be infinite. The
+/// degree is at most greatest_degree; leading zeros are allowed. Between two neighbouring roots of
+/// its derivative a polynomial has at most one root, which bisection finds reliably and Newton's
+/// method quickly. So the roots of all derivatives are found, from the linear one up (Yuksel,
 /// "High-Performance Polynomial Root Finding for Graphics", 2022), unless Descartes' rule of signs
-/// says that there is none, or one.
+/// says that there is no root, or only one.
 Roots sign_changes(std::span<const double> c, const Interval& range);
 
-/// The same in a finite range at whose ends the values are known, or their signs at least. There is
-/// an odd number of roots exactly when these signs differ, so that neighbours in a chain of
-/// polynomials, which share the values at their ends, never lose or repeat a root between them.
+/// The same in a finite range with known values, or at least signs, at its ends. The number of
+/// roots is odd exactly if these signs differ, so that neighbours in a chain of polynomials, which
+/// share the values at their ends, never lose or repeat a root between them.
 Roots sign_changes(std::span<const double> c, const Interval& range, double at_min, double at_max);
 
 }  // namespace candelabra

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers in single precision on the safe side of what they stand for. Called where boxes and packs
-// of leaves are made for rays.
+// Conservative rounding to single precision. Used where boxes and packs of leaves are made for
+// rays.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shares that are kept as sums, of each one and all before it: finds the one that a random number
-// falls to. For what is drawn in proportion: parts of a sky, of a screen, of a mesh.
+// Weights as prefix sums: finds the index that a random number selects. For draws in proportion to
+// weights, such as parts of a sky, of a screen or of a mesh.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace candelabra {
 
-/// A share, and how far into it the number lies: 0 to 1, without 1.
+/// An index, and the position of the number within its weight, in [0, 1).
 struct DrawnShare {
     std::size_t index;
     double within;
 };
 
-/// Precondition: the last sum is above 0; u from 0 to 1. Nothing falls to what has no share.
+/// Precondition: the last sum is above 0; u is in [0, 1]. Never selects an index of weight 0.
 template <class Sum>
 DrawnShare drawn_share(std::span<const Sum> sums, double u) {
     const double at = u * static_cast<double>(sums.back());
@@ -27,7 +27,7 @@ DrawnShare drawn_share(std::span<const Sum> sums, double u) {
     return {static_cast<std::size_t>(above - sums.begin()), std::clamp(within, 0.0, 1 - 0x1p-53)};
 }
 
-/// Of one of them, where all are 1. Precondition: the last sum is above 0.
+/// Fraction of the total weight at an index. Precondition: the last sum is above 0.
 template <class Sum>
 double share_of(std::span<const Sum> sums, std::size_t index) {
     const double before = index > 0 ? static_cast<double>(sums[index - 1]) : 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A value that is stored once and shared by its copies; editing one copy makes it its own.
+// A value that is stored once and shared by its copies; editing a copy unshares it.
 #pragma once
 
 #include "base/handle.h"
@@ -17,7 +17,7 @@ public:
 
     const T& operator*() const { return *value_; }
     const T* operator->() const { return value_.get(); }
-    /// The content for writing, which no other handle sees.
+    /// The value for writing, unshared.
     T& edit() { return value_.edit(); }
 
 private:

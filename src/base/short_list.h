@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A list that is short nearly always, and then needs no memory from the heap: what one ray is in or
-// passes.
+// A list that is nearly always short, and then needs no heap memory: for example the media that a
+// ray is in or passes.
 #pragma once
 
 #include <boost/container/small_vector.hpp>

@@ -11,7 +11,7 @@ using Components = Spline::Components;
 
 bool before(const Spline::Knot& knot, double t) { return knot.t < t; }
 
-/// The sum of points, each times a weight.
+/// Weighted sum of points.
 template <std::size_t N>
 Components mixed(const std::array<double, N>& weights, const std::array<const Components*, N>& at) {
     Components result{};
@@ -40,9 +40,9 @@ Spline::Spline(std::vector<Knot> knots, std::size_t components, Kind kind)
     bend();
 }
 
-/// The second derivatives of the natural spline: with h the distances and b the slopes between
-/// knots, h0 M0 + 2 (h0 + h1) M1 + h1 M2 = 6 (b1 - b0) for each three in a row, and 0 at both ends.
-/// A tridiagonal system, solved from the front and back again.
+/// Computes the second derivatives M of the natural spline. With h the distances and b the slopes
+/// between knots, h0 M0 + 2 (h0 + h1) M1 + h1 M2 = 6 (b1 - b0) for three successive knots, and M =
+/// 0 at both ends. The tridiagonal system is solved by forward elimination and back substitution.
 void Spline::bend() {
     const std::size_t n = knots_.size();
     if (n < 3) return;
@@ -62,7 +62,8 @@ void Spline::bend() {
             second_[i][c] -= factor[i] * second_[i + 1][c];
 }
 
-/// i with t between knots i and i + 1. Precondition: t is between the first and the last.
+/// Returns i with t between knots i and i + 1. Precondition: t is between the first and the last
+/// knot.
 std::size_t Spline::segment(double t) const {
     const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, t,
                                         [](double t, const Knot& knot) { return t < knot.t; });
@@ -75,7 +76,7 @@ Components Spline::linear(double t, std::size_t i) const {
     return mixed<2>({1 - u, u}, {&a.at, &b.at});
 }
 
-/// Lagrange's form of the parabola through the end of the segment and the two knots before it.
+/// Lagrange form of the parabola through the end of the segment and the two knots before it.
 Components Spline::quadratic(double t, std::size_t i) const {
     const std::size_t first = i > 0 ? i - 1 : 0;
     const Knot &a = knots_[first], &b = knots_[first + 1], &c = knots_[first + 2];
@@ -85,7 +86,7 @@ Components Spline::quadratic(double t, std::size_t i) const {
                     {&a.at, &b.at, &c.at});
 }
 
-/// Hermite's form; the tangent at a knot is the mean of the slopes to both sides.
+/// Hermite form; the tangent at a knot is the mean of the slopes on both sides.
 Components Spline::cubic(double t, std::size_t i) const {
     const Knot &a = knots_[i], &b = knots_[i + 1];
     const double h = b.t - a.t, u = (t - a.t) / h;
@@ -112,7 +113,7 @@ Components Spline::natural(double t, std::size_t i) const {
 Components Spline::at(double t, Kind kind) const {
     const std::size_t n = knots_.size();
     if (kind == Kind::cubic && n == 2) return mixed<2>({0.5, 0.5}, {&knots_[0].at, &knots_[1].at});
-    // Where the curve begins and ends.
+    // The knots at which the curve begins and ends.
     const std::size_t first = kind == Kind::cubic && n > 2 ? 1 : 0;
     const std::size_t last = n - 1 - first;
     if (!(t > knots_[first].t)) return knots_[first].at;

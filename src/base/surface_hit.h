@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a ray meets a surface: the answer of single objects to the language.
+// Intersection of a ray with a surface, as the language gets it from single objects.
 #pragma once
 
 #include "base/vector.h"
@@ -8,7 +8,7 @@ namespace candelabra {
 
 struct SurfaceHit {
     Vec3 position;
-    Vec3 normal;  ///< unit; not turned to where the ray comes from
+    Vec3 normal;  ///< unit; not flipped towards the ray's origin
 };
 
 }  // namespace candelabra

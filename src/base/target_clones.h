@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marks a loop that is compiled for several instruction sets, of which the widest that the machine
-// has is chosen when the program starts. The answers are the same to the last bit.
+// Marks a loop that is compiled for several instruction sets; the widest one of the machine is
+// selected at program start. The results are identical to the last bit.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)

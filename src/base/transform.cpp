@@ -25,7 +25,8 @@ Affine invert(const Affine& a) {
     return result;
 }
 
-/// Multiples of a quarter turn are exact, so that rotate 90*y leaves no dust in the coordinates.
+/// Exact for multiples of a quarter turn, so that rotate 90*y leaves no rounding errors in
+/// coordinates.
 std::pair<double, double> cos_sin(double degrees) {
     const double turn = std::fmod(degrees, 360);
     if (turn == 0) return {1, 0};
@@ -88,7 +89,7 @@ Transform Transform::rotation(const Vec3& axis, double degrees) {
 
 Box Transform::box(const Box& b) const {
     if (b.empty()) return b;
-    // An end at infinity stays where the map does not turn its axis away.
+    // An infinite end stays infinite unless the map turns its axis away.
     const auto scaled = [](double end, const Vec3& row) {
         Vec3 result(0);
         for (int axis = 0; axis < 3; ++axis)

@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-/// Three rows of a linear part (images of the x, y and z axes) and a translation.
+/// Three rows of the linear part (images of the x, y and z axes) and a translation.
 struct Affine {
     std::array<Vec3, 3> rows = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
     Vec3 translation = Vec3(0);
@@ -21,11 +21,11 @@ struct Affine {
     friend bool operator==(const Affine&, const Affine&) = default;
 };
 
-/// Determinant of the linear part: the factor by which volumes grow, negative for mirror images.
+/// Determinant of the linear part: the factor of volumes, negative for reflections.
 inline double determinant(const Affine& a) { return dot(cross(a.rows[0], a.rows[1]), a.rows[2]); }
 
-/// An invertible affine map. Both matrices are kept, because rays go backwards through it and hits
-/// forwards.
+/// An invertible affine map. Both matrices are stored, because rays are transformed backwards and
+/// hits forwards.
 class Transform {
 public:
     Transform() = default;
@@ -51,19 +51,20 @@ public:
     }
     Vec3 inverse_point(const Vec3& p) const { return backward_.point(p); }
     Vec3 inverse_direction(const Vec3& v) const { return backward_.direction(v); }
-    /// The ray in the coordinates before the map; its parameter t is unchanged.
+    /// Returns the ray in the space before the map; its parameter t is unchanged.
     Ray inverse_ray(const Ray& r) const {
         return {backward_.point(r.origin), backward_.direction(r.direction)};
     }
-    /// Smallest box around the image of a box, which may be infinite in some directions.
+    /// Returns the smallest box around the image of a box, which may be infinite in some
+    /// directions.
     Box box(const Box& b) const;
 
     Transform inverse() const { return Transform(backward_, forward_); }
-    /// First this, then next.
+    /// Returns the map that applies this one first, then `next`.
     Transform then(const Transform& next) const;
     const Affine& forward() const { return forward_; }
     double determinant() const { return candelabra::determinant(forward_); }
-    /// The factor by which every length grows, when the map is a similarity; 0 when it is not.
+    /// The factor of all lengths if the map is a similarity; 0 if it is not.
     double uniform_scale() const;
     friend bool operator==(const Transform&, const Transform&) = default;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points, directions and other small tuples of doubles. The one include of GLM; everyone else says
-// Vec3.
+// Points, directions and other small tuples of doubles. The only include of GLM; all other code
+// uses Vec3.
 #pragma once
 
 #include <glm/common.hpp>
@@ -34,8 +34,8 @@ inline double max_component(const Vec3& v) { return std::fmax(v.x, std::fmax(v.y
 inline double min_component(const Vec3& v) { return std::fmin(v.x, std::fmin(v.y, v.z)); }
 inline double max_abs_component(const Vec3& v) { return max_component(glm::abs(v)); }
 
-/// Two unit vectors that make a right-handed orthonormal frame with the unit vector n.
-/// Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017: no branch, no bad direction.
+/// Returns two unit vectors that make a right-handed orthonormal frame with the unit vector n. Duff
+/// et al., "Building an Orthonormal Basis, Revisited", JCGT 2017: no branch, no singular direction.
 inline std::pair<Vec3, Vec3> perpendiculars(const Vec3& n) {
     const double sign = std::copysign(1.0, n.z);
     const double a = -1 / (sign + n.z);
@@ -44,8 +44,8 @@ inline std::pair<Vec3, Vec3> perpendiculars(const Vec3& n) {
             Vec3(b, sign + n.y * n.y * a, -n.y)};
 }
 
-/// The unit vector that makes an angle of that cosine with a unit axis, turned about it by so many
-/// radians.
+/// Returns the unit vector at an angle of this cosine to a unit axis, turned around the axis by
+/// `turn` radians.
 inline Vec3 turned_from(const Vec3& axis, double cosine, double turn) {
     const double sine = std::sqrt(std::fmax(1 - cosine * cosine, 0));
     const auto [x, y] = perpendiculars(axis);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a ray has asked of late. Items stand in several leaves, and to ask some of them again takes
-// longer than to remember. Used by the world and by composites, for each ray anew.
+// The items that a ray has tested recently. Items may be in several leaves, and testing one again
+// takes longer than remembering it. Used by the world and by composites, anew for each ray.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace candelabra {
 
 class Asked {
 public:
-    /// Whether the item is among the last ones that this was called for.
+    /// Whether the item is among the last ones for which this was called.
     bool before(std::uint32_t item) {
         bool found = false;
         for (std::size_t i = 0; i < count_; ++i) found |= items_[i] == item;
@@ -23,7 +23,7 @@ public:
     }
 
 private:
-    std::array<std::uint32_t, 16> items_;  ///< of which the first count_ are in use
+    std::array<std::uint32_t, 16> items_;  ///< the first count_ are in use
     std::size_t count_ = 0, next_ = 0;
 };
 

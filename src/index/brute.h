@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The obvious index: every ray visits every item. The oracle that tests and benchmarks hold the
-// hierarchy against; it takes its place wherever that is a template parameter.
+// The trivial index: every ray visits every item. Tests and benchmarks compare the hierarchy
+// against it; it can replace the hierarchy wherever the index is a template parameter.
 #pragma once
 
 #include "base/ray.h"
@@ -20,7 +20,7 @@ public:
         std::iota(items_.begin(), items_.end(), 0u);
     }
 
-    /// As WideTree::traverse, with one leaf for everything.
+    /// As WideTree::traverse, with one leaf for all items.
     template <class Visit>
     bool traverse(const Ray&, Interval range, Visit&& visit) const {
         return !items_.empty() && visit(std::span<const std::uint32_t>(items_), range);

@@ -13,16 +13,16 @@ namespace candelabra {
 
 namespace {
 
-/// Up to so many items every end of a box is tried; above, the ends are counted in bins.
+/// Maximum number of items for which all ends of boxes are tried as planes; more are binned.
 constexpr std::size_t sweep_limit = 8;
 constexpr int max_cell_bins = 32;
-/// Fewer items are put into half as many bins.
+/// Fewer items than this are put into half as many bins.
 constexpr double few_in_cell = 64;
-/// Boxes may reach over planes by this share of the cell, and still be on one side: what touches
-/// does not stand twice.
+/// Fraction of the cell by which boxes may cross a plane and still count as on one side, so that
+/// touching items are not duplicated.
 constexpr double touching = 0x1p-20;
 
-/// The cell as it is divided along an axis.
+/// Extent of the cell along one axis.
 struct CellAxis {
     int number;
     double low, high;
@@ -44,14 +44,15 @@ public:
           item_cost_(costs.group_cost / costs.group) {
         const double whole = area(box);
         min_saving_ = (cost_of_items(count_, costs) - costs.node_cost) * whole;
-        // Many items have many more planes before them, and come to be in one place by these.
+        // Many items have many more planes to come, which will separate them again.
         const double late = std::min(1.0, few_in_cell / count_);
         reference_cost_ = costs.reference_cost * whole * late;
     }
 
     bool can_pay() const { return min_saving_ > 0; }
 
-    /// Of so many items on both sides, in boxes that the plane does not cut yet.
+    /// Considers a plane with these numbers of items on its sides, whose extents it does not cut
+    /// yet.
     [[gnu::always_inline]] void consider(const CellAxis& axis, double position, double below,
                                          double above, const Extent& low, const Extent& high) {
         if (below == count_ && above == count_) return;
@@ -60,7 +61,7 @@ public:
         above_box.low[axis.number] = std::max(above_box.low[axis.number], position);
         const double first = area(below_box), second = area(above_box);
         const double twice = reference_cost_ * (below + above - count_);
-        // Most planes are no better even without what rounding up to groups adds.
+        // Most planes can be rejected without rounding up to groups.
         if (!(item_cost_ * (first * below + second * above) + twice < min_saving_)) return;
         const double cost =
             first * cost_of_items(below, costs_) + second * cost_of_items(above, costs_) + twice;
@@ -100,7 +101,7 @@ public:
             above[i] = i + 1 < count_ ? above[i + 1] : Extent();
             above[i].join(Extent::of(boxes_[highs[i].second]));
         }
-        // Just behind where a box ends, and just before where one begins.
+        // Just behind the end of a box, and just before the beginning of one.
         const auto try_all = [&](const Order& ends, double offset) {
             std::size_t begun = 0, ended = 0;
             for (std::size_t i = 0; i < count_; ++i) {
@@ -119,7 +120,7 @@ public:
 private:
     using Order = std::array<std::pair<double, std::uint8_t>, sweep_limit>;
 
-    /// By insertion: they are few.
+    /// Insertion sort: there are few items.
     void sort(Order& ends) const {
         for (std::size_t i = 1; i < count_; ++i) {
             const auto end = ends[i];
@@ -135,7 +136,7 @@ private:
 };
 
 struct CellBin {
-    Extent begun, ended;  ///< of the boxes that begin in it, and of those that end in it
+    Extent begun, ended;  ///< of the boxes that begin in the bin, and of those that end in it
     std::uint32_t begins = 0, ends = 0;
 };
 
@@ -170,7 +171,8 @@ struct CellBin {
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (scale[axis] == 0) continue;
-        std::array<Extent, max_cell_bins> from;  ///< around what ends in this bin and those above
+        std::array<Extent, max_cell_bins> from;  ///< bounds of the boxes that end in this bin and
+                                                 ///< those above
         Extent above, below;
         for (int bin = bins - 1; bin > 0; --bin) {
             const auto i = static_cast<std::size_t>(bin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes that are joined by the million: what finds out how to divide items has one for each bin.
+// Boxes that can be joined quickly: split searches keep one for each bin and join millions.
 #pragma once
 
 #include "base/box.h"
@@ -9,14 +9,14 @@
 
 namespace candelabra {
 
-/// A box with its lower ends negated, so that joining takes the greater of all numbers: four lanes
-/// and two, in the order in which boxes are stored.
+/// A box with negated lower ends, so that joining takes the maximum of all numbers: vectors of four
+/// lanes and of two, in the order in which boxes are stored.
 struct Extent {
     using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
     using Two [[gnu::vector_size(2 * sizeof(double))]] = double;
 
     static constexpr double infinity = std::numeric_limits<double>::infinity();
-    Four four = Four{} - infinity;  ///< the lower ends, the upper one of x
+    Four four = Four{} - infinity;  ///< the lower ends, and the upper end of x
     Two two = Two{} - infinity;     ///< the upper ends of y and z
 
     [[gnu::always_inline]] static Extent of(const Box& box) {

@@ -16,16 +16,16 @@ namespace candelabra {
 
 namespace {
 
-/// Boxes with more items than this have their parts built side by side.
+/// Number of items above which the parts of a box are built in parallel.
 constexpr std::size_t fork_limit = 16384;
-/// Below so many levels items are halved, whatever it costs: the levels that are left do for all.
+/// Depth from which on items are halved regardless of cost, so that the remaining levels suffice.
 constexpr int careful_depth = WideTree::depth_limit - 12;
-/// Boxes that are smaller than this share of their frame's begin a new one.
+/// Boxes smaller than this fraction of their frame begin a new frame.
 constexpr double min_reach = 0x1p-10;
 
-/// Cells are divided until they have so many times as many items as there are, all together.
+/// Maximum number of references in cells, as a multiple of the number of items.
 constexpr double max_references = 16;
-/// And until they have this number altogether.
+/// Maximum number of references in cells.
 constexpr double references_limit = WideTree::item_limit / 2;
 
 /// A box and its items.
@@ -34,22 +34,22 @@ struct Part {
 
     Box box = {};
     std::span<PrimRef> items = {};
-    std::vector<PrimRef> own = {};      ///< of a cell: where the items are
-    double allowance = max_references;  ///< of a cell: the factor that is left of it
+    std::vector<PrimRef> own = {};      ///< of a cell: the storage of its items
+    double allowance = max_references;  ///< of a cell: its remaining factor of references
     Kind kind = Kind::unknown;
-    Split split = {};      ///< of what is divided
-    CellSplit plane = {};  ///< of what is cut
+    Split split = {};      ///< if divided
+    CellSplit plane = {};  ///< if cut
     OcclusionCost prospect = {};
-    TreeChild child = TreeChild::leaf(0);  ///< what it becomes
-    std::uint32_t node = 0;                ///< of what is no leaf
+    TreeChild child = TreeChild::leaf(0);  ///< the reference to it
+    std::uint32_t node = 0;                ///< if it is not a leaf
 
     bool inner() const { return kind != Kind::unknown && kind != Kind::leaf; }
 };
 using Parts = ShortList<Part, TreeNode::width>;
 
-/// Puts the parts in the order in which rays that ask for anything in their way visit them, the
-/// last one first: where a step stops them likeliest (Ize and Hansen, "RTSAH Traversal Order for
-/// Occlusion Rays", 2011).
+/// Sorts the parts by the order in which occlusion rays visit them, the last one first: by the
+/// probability of occlusion per step (Ize and Hansen, "RTSAH Traversal Order for Occlusion Rays",
+/// 2011).
 OcclusionCost put_in_order(Parts& parts, const Box& box) {
     std::ranges::stable_sort(parts, [](const Part& a, const Part& b) {
         return a.prospect.chance * b.prospect.steps < b.prospect.chance * a.prospect.steps;
@@ -67,7 +67,7 @@ OcclusionCost put_in_order(Parts& parts, const Box& box) {
     return result;
 }
 
-/// The node of some parts, without children.
+/// Returns a node with the boxes of some parts, without children.
 TreeNode node_around(const Parts& parts, const Vec3& origin) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     TreeNode node;
@@ -87,7 +87,7 @@ TreeFrame frame_around(const Box& box, std::uint32_t root) {
     return {box.centre(), 0.5 * max_component(box.size()), root};
 }
 
-/// A part with its items, to be built; what is left has its place and its box.
+/// Moves the parts' items out for building; the original keeps its place and its box.
 Part taken(Part& part) {
     Part result;
     result.box = part.box;
@@ -100,7 +100,7 @@ Part taken(Part& part) {
     return result;
 }
 
-/// So much of everything comes before what has been built apart.
+/// Amounts of data before a part that was built separately.
 struct Offset {
     std::uint32_t nodes, frames;
     std::size_t leaves;  ///< in words
@@ -120,7 +120,7 @@ class NodeBuilder {
 public:
     NodeBuilder(const NodeTask& task, bool cut) : task_(task), cut_(cut) {}
 
-    /// What is in a box, which begins so many levels deep.
+    /// Builds the nodes of a box at this depth.
     BuiltNodes build(Part, const TreeFrame&, int depth);
 
 private:
@@ -137,7 +137,7 @@ private:
     const TreeFrame& frame_of(const Part&, const TreeFrame& outer) const;
 
     const NodeTask& task_;
-    bool cut_;  ///< the items are pieces already
+    bool cut_;  ///< whether the items are cut into pieces already
     BuiltNodes made_;
 };
 
@@ -154,7 +154,7 @@ BuiltNodes NodeBuilder::build(Part whole, const TreeFrame& frame, int depth) {
     return std::move(made_);
 }
 
-/// Finds out what becomes of the part.
+/// Decides how the part is built.
 void NodeBuilder::decide(Part& part, int depth) const {
     const bool fits = part.items.size() <= leaf_limit;
     part.kind = fits ? Part::Kind::leaf : Part::Kind::halved;
@@ -169,7 +169,7 @@ void NodeBuilder::decide(Part& part, int depth) const {
     if (part.split.found()) part.kind = Part::Kind::divided;
 }
 
-/// Both are where the whole was.
+/// Divides the items in place.
 std::pair<Part, Part> NodeBuilder::halves(Part& part) const {
     const std::span<PrimRef> all = part.items;
     Part below, above;
@@ -194,7 +194,7 @@ std::pair<Part, Part> NodeBuilder::halves(Part& part) const {
     return {std::move(below), std::move(above)};
 }
 
-/// Of the plane that cuts a cell.
+/// Divides the cell by its plane.
 std::pair<Part, Part> NodeBuilder::sides(const Part& part) const {
     CellSides sides = divide(part.items, part.plane, task_.part, task_.slack);
     const auto references = sides.below.fragments.size() + sides.above.fragments.size();
@@ -210,14 +210,14 @@ std::pair<Part, Part> NodeBuilder::sides(const Part& part) const {
     return {part_of(sides.below), part_of(sides.above)};
 }
 
-/// What becomes of a part that is divided: its halves, of which the largest one is divided as long
-/// as there is room.
+/// Divides a part, and then its largest parts, until the node is full.
 Parts NodeBuilder::parts_of(Part whole, int depth) const {
     Parts parts;
     parts.push_back(std::move(whole));
     for (;;) {
         Part* largest = nullptr;
-        // Boxes may all be the same; and where parts are halved, only their number is sure to fall.
+        // Boxes may coincide, and where parts are halved, only the number of items is sure to
+        // decrease.
         const auto size = [&](const Part& part) {
             return std::pair(depth < careful_depth ? area(part.box) : 0, part.items.size());
         };
@@ -231,7 +231,7 @@ Parts NodeBuilder::parts_of(Part whole, int depth) const {
         }
         if (parts.size() == TreeNode::width) break;
         auto [below, above] = largest->kind == Part::Kind::cut ? sides(*largest) : halves(*largest);
-        // What passes through neither side is in none.
+        // Items that pass through neither side are dropped.
         const bool any_below = !below.items.empty();
         *largest = std::move(any_below ? below : above);
         if (largest->items.empty())
@@ -244,7 +244,7 @@ Parts NodeBuilder::parts_of(Part whole, int depth) const {
     return parts;
 }
 
-/// Readers of leaves count on the order of items. Pieces of one item are one again.
+/// Writes a leaf. Its readers rely on ascending items; pieces of one item are merged.
 void NodeBuilder::finish_leaf(Part& part) {
     std::span<PrimRef> held = part.items;
     const double whole = area(part.box);
@@ -267,7 +267,7 @@ OcclusionCost NodeBuilder::build(std::uint32_t node, Part whole, const TreeFrame
     const Box box = whole.box;
     const bool many = whole.items.size() > fork_limit;
     Parts parts = parts_of(std::move(whole), depth);
-    // Parts that are nodes come first, as long as these are numbered.
+    // Inner parts come first while they are numbered.
     std::stable_partition(parts.begin(), parts.end(),
                           [](const Part& part) { return part.inner(); });
     const auto count = static_cast<std::size_t>(std::ranges::count_if(parts, &Part::inner));
@@ -301,8 +301,8 @@ const TreeFrame& NodeBuilder::frame_of(const Part& part, const TreeFrame& outer)
     return part.child.is_frame() ? made_.frames[part.child.frame()] : outer;
 }
 
-/// Builds parts side by side, with the same result as one after the other: each apart, then
-/// appended in order.
+/// Builds parts in parallel, with the same result as sequentially: each separately, then appended
+/// in order.
 void NodeBuilder::build_apart(std::span<Part> parts, const TreeFrame& frame, int depth) {
     std::vector<BuiltNodes> built(parts.size());
     const std::function<void(std::size_t, std::size_t)> build_some = [&](std::size_t begin,
@@ -325,7 +325,7 @@ void NodeBuilder::build_apart(std::span<Part> parts, const TreeFrame& frame, int
     }
 }
 
-/// Its first node and its first frame are there already.
+/// Appends a separately built part, whose first node and first frame exist already.
 void NodeBuilder::adopt(const Part& part, const BuiltNodes& other) {
     const Offset up{static_cast<std::uint32_t>(made_.nodes.size() - 1),
                     static_cast<std::uint32_t>(made_.frames.size() - 1), made_.leaves.size()};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parameters of each index of what rays may meet: part of the scene, chosen by global_settings
-// { index ... } or --index. Both build a WideTree, so rays walk them by the same steps.
+// Parameters of each ray index: part of the scene, chosen by global_settings { index ... } or
+// --index. Both indices build a WideTree, so traversal is the same.
 #pragma once
 
 #include "index/wide_tree.h"
@@ -8,8 +8,8 @@
 
 namespace candelabra {
 
-/// Space is divided by planes into cells that do not overlap; items stand in all cells that they
-/// pass through (Bentley, "Multidimensional Binary Search Trees Used for Associative Searching",
+/// Divides space by planes into cells that do not overlap. Items are in all cells through which
+/// they pass (Bentley, "Multidimensional Binary Search Trees Used for Associative Searching",
 /// 1975).
 struct KdTree {
     double node_cost = 0.5;
@@ -18,17 +18,17 @@ struct KdTree {
 
     static const ItemInfo vocabulary;
 };
-/// Items are divided into groups, whose boxes may overlap.
+/// Divides items into groups, whose boxes may overlap.
 struct BoundingBoxes {
     double node_cost = 1;
     double group_cost = 1;
 
     static const ItemInfo vocabulary;
 };
-/// Every index there is; the first one is the default.
+/// All indices; the first one is the default.
 using RayIndex = std::variant<KdTree, BoundingBoxes>;
 
-/// How a tree is built by the index, over items of which so many are tested at once.
+/// Returns the build settings of the index, for items that are tested in groups of this size.
 TreeSettings tree_settings(const RayIndex&, int group = 8);
 
 }  // namespace candelabra

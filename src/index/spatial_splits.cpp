@@ -9,11 +9,12 @@ namespace candelabra {
 
 namespace {
 
-/// As many boxes of items a ray may meet before it is worth the while to make them smaller.
+/// Sum of the areas of the items' boxes, over the area around them, above which pieces are made. It
+/// is the mean number of boxes that a ray meets.
 constexpr double crowd = 16;
-/// So many pieces there are at most for each item, on average.
+/// Maximum number of pieces per item, on average.
 constexpr std::size_t max_pieces = 4;
-/// A cut is made when it takes away this share of a box's area; among long thin items it is half.
+/// Minimum fraction of a box's area that a cut must save; for long thin items it saves half.
 constexpr double min_gain = 0.2;
 
 double sum_of_areas(std::span<const PrimRef> fragments) {
@@ -22,8 +23,8 @@ double sum_of_areas(std::span<const PrimRef> fragments) {
     return sum;
 }
 
-/// What is left of the piece in both halves of its box, along its longest side; nothing when that
-/// is not worth it. One of the halves may be empty.
+/// Bounds of the piece in both halves of its box along the longest side; nothing if the gain is too
+/// small. One of the halves may be empty.
 std::optional<std::pair<Box, Box>> cut(const PrimRef& piece, const ItemPart& part, double slack) {
     const Vec3 size = piece.box.size();
     const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
@@ -53,7 +54,7 @@ std::vector<PrimRef> pieces_of(std::span<const PrimRef> fragments, const Box& ar
     for (bool more = true;
          more && sum > enough && 2 * pieces.size() <= max_pieces * fragments.size();) {
         more = false;
-        // Those with the larger boxes at a time, so that none is cut finer than others.
+        // Larger boxes first, so that none is cut finer than others.
         const double large = 0.5 * sum / static_cast<double>(pieces.size());
         for (std::size_t i = 0, count = pieces.size(); i < count; ++i) {
             if (area(pieces[i].box) < large) continue;

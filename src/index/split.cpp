@@ -15,7 +15,7 @@ namespace candelabra {
 namespace {
 
 constexpr int max_bins = 16;
-/// Fewer items are put into half as many bins.
+/// Fewer items than this are put into half as many bins.
 constexpr std::size_t few = 32;
 
 struct Bin {
@@ -23,7 +23,7 @@ struct Bin {
     std::uint32_t count = 0;
 };
 
-/// Where the items' centres are, in doubled coordinates.
+/// Bounds of the items' centres, in doubled coordinates.
 [[gnu::always_inline]] inline Box centres(std::span<const PrimRef> fragments) {
     Vec3 low(infinity), high(-infinity);
     for (const PrimRef& f : fragments) {
@@ -38,7 +38,7 @@ struct Bin {
 
 double cost_of_items(double items, const TreeSettings& costs) {
     const double groups = items / costs.group;
-    // std::ceil is a call on machines of the oldest kind.
+    // On the oldest machines std::ceil is a function call.
     double whole = static_cast<std::int32_t>(groups);
     if (whole < groups) ++whole;
     return costs.group_cost * 0.5 * (groups + whole);
@@ -46,7 +46,7 @@ double cost_of_items(double items, const TreeSettings& costs) {
 
 CANDELABRA_TARGET_CLONES Split find_split(std::span<const PrimRef> fragments, const Box& box,
                                           const TreeSettings& costs, bool forced) {
-    // Two boxes take a node at least.
+    // Two boxes need at least one node.
     const auto items = static_cast<double>(fragments.size());
     const double together = cost_of_items(items, costs) - costs.node_cost;
     if (!forced && !(together > 0)) return {};
@@ -55,7 +55,7 @@ CANDELABRA_TARGET_CLONES Split find_split(std::span<const PrimRef> fragments, co
     const int bins = fragments.size() < few ? max_bins / 2 : max_bins;
     std::array<double, 3> scale;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // A little less, so that the last centre falls into the last bin.
+        // Slightly less, so that the last centre falls into the last bin.
         scale[axis] = bins * (1 - 0x1p-40) / held.size()[static_cast<int>(axis)];
         if (!(scale[axis] < infinity)) scale[axis] = 0;  // all centres have one coordinate
     }
@@ -77,7 +77,7 @@ CANDELABRA_TARGET_CLONES Split find_split(std::span<const PrimRef> fragments, co
     Split best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (scale[axis] == 0) continue;
-        std::array<Extent, max_bins> from;  ///< around this bin and those above
+        std::array<Extent, max_bins> from;  ///< bounds of this bin and those above
         Extent above;
         for (int bin = bins - 1; bin > 0; --bin) {
             const auto i = static_cast<std::size_t>(bin);

@@ -13,8 +13,7 @@ TreeStatistics statistics(const WideTree& tree) {
     result.nodes = tree.nodes().size();
     result.frames = tree.frames().size();
     const TreeSettings& costs = tree.settings();
-    // A box without area is met with certainty by a ray that meets the bounds: they have none
-    // either.
+    // A box without area counts as met with certainty: then the bounds have no area either.
     const double whole = area(tree.bounds());
     const auto chance = [&](const Box& box) {
         return whole > 0 ? std::min(1.0, area(box) / whole) : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a built index looks like, as values: for --stats, reports, tests and benchmarks.
+// Statistics of a built index: for --stats, reports, tests and benchmarks.
 #pragma once
 
 #include "index/wide_tree.h"
@@ -14,9 +14,9 @@ struct TreeStatistics {
     std::size_t leaves = 0;
     int max_depth = 0;  ///< levels of nodes
     std::size_t max_items_per_leaf = 0;
-    std::size_t references = 0;  ///< items of all leaves
+    std::size_t references = 0;  ///< sum of the items of all leaves
     double mean_items_per_leaf = 0;
-    double cost = 0;  ///< expected cost of a ray that meets the bounds, in the settings' unit
+    double cost = 0;  ///< expected cost of a ray that meets the bounds, in the unit of the settings
     std::size_t bytes = 0;
 };
 

@@ -13,14 +13,14 @@ namespace candelabra {
 
 namespace {
 
-/// Who builds of so many items together keeps memory that is worth giving back.
+/// Number of items from which on a build uses enough memory to be worth giving back.
 constexpr std::uint32_t many_items = 16384;
-/// More items are not cut into pieces: these could be more than a hierarchy of boxes can hold.
+/// Maximum number of items that are cut: pieces of more could exceed the capacity of a hierarchy.
 constexpr std::uint32_t max_to_cut = 1u << 23;
 
 }  // namespace
 
-/// Makes what only the tree's owner may.
+/// Accesses the private parts of the tree.
 class TreeBuilder {
 public:
     static WideTree make(std::span<PrimRef> fragments, std::vector<std::uint32_t> endless,
@@ -41,10 +41,11 @@ public:
     }
 
 private:
-    /// Items that stop so many rays that asking them first spares more steps than it takes.
+    /// Chooses items that occlude so many rays that testing them first saves more steps than it
+    /// costs.
     static void choose_foremost(WideTree& made, std::span<const PrimRef> fragments, double steps) {
         constexpr std::size_t max_leaves = 4;
-        // A group in a row of others takes less than one alone.
+        // A group among others costs less than a single one.
         constexpr double cost = 0.5;
         const double whole = area(made.bounds_);
         std::vector<const PrimRef*> largest;

@@ -16,7 +16,7 @@ namespace candelabra {
 
 namespace {
 
-/// A little more than what rounding to single precision may cost, as a share of a number.
+/// Upper bound, with some margin, of the relative error of rounding to single precision.
 constexpr double rounding = 0x1p-22;
 
 float below(double x) {
@@ -28,8 +28,8 @@ float above(double x) {
     return f + static_cast<float>(rounding) * std::abs(f);
 }
 
-/// A ray as the nodes of a frame see it. t is counted in units of its greatest step along an axis,
-/// so that its numbers are those of coordinates.
+/// A ray relative to a frame. t is in units of the ray's greatest step along an axis, so that its
+/// magnitude is that of coordinates.
 class Probe {
 public:
     [[gnu::always_inline]] Probe(const TreeFrame& frame, const Ray& ray, const Interval& range) {
@@ -40,23 +40,23 @@ public:
         per_unit_ = 1 / unit_;
         const FourDoubles steps{d.x, d.y, d.z, 1};
         FourDoubles inverse = unit_ / steps;
-        // Planes that a ray runs along lie far away, on the side where they are: further than
-        // anything that it could meet.
+        // Planes parallel to the ray count as very distant, on the side where they are: further
+        // than anything that the ray could meet.
         constexpr double along = 1e30;
         inverse = inverse > along ? FourDoubles{} + along : inverse;
         inverse = inverse < -along ? FourDoubles{} - along : inverse;
 
         Vec3 from = ray.origin - frame.origin;
-        double lost = 0x1p-146;  // of the least numbers of single precision
-        // From far away, a ray begins near the frame.
+        double lost = 0x1p-146;  // for the smallest numbers of single precision
+        // A distant origin is moved along the ray to near the frame.
         if (const double distance = max_abs(from); distance > far_away * frame.reach) {
             skipped_ = -dot(from, d) / dot(d, d);
             from += skipped_ * d;
             lost += 0x1p-50 * distance;
         }
-        // Distances have errors of their own size, and that of the origin in single precision. Both
-        // make boxes larger: near planes nearer, and far ones further. The signs are those for t
-        // above 0; what lies behind the origin gets as much more of it.
+        // Distances have a relative error, and the origin has that of single precision. Both
+        // enlarge boxes: near planes move nearer, and far ones further. The signs are those for t
+        // above 0; a range that begins behind the origin gets a larger error to make up for it.
         const double least = (range.min - skipped_) * unit_;
         if (least < 0) lost += 4 * rounding * (frame.reach + max_abs(from));
         const FourDoubles origin{from.x, from.y, from.z, 0};
@@ -85,11 +85,11 @@ public:
     void set_end(const Interval& range) { most_ = above((range.max - skipped_) * unit_); }
     float begin() const { return least_; }
     bool beyond(float t) const { return t > most_; }
-    /// The ray's own parameter.
+    /// Parameter along the original ray.
     double parameter(float t) const { return skipped_ + t * per_unit_; }
 
-    /// The slots whose boxes the ray meets, a bit each, and where it enters all of them. For what
-    /// is not a number no box is ruled out.
+    /// Returns a bit for each slot whose box the ray meets, and the entry parameter of every slot.
+    /// NaN rules out no box.
     [[gnu::always_inline]] std::uint32_t meet(const TreeNode& node, Lanes& entry) const {
         const auto* const bytes = reinterpret_cast<const std::byte*>(&node);
         std::array<Lanes, 3> in, out;
@@ -98,7 +98,7 @@ public:
             in[axis] = (load_lanes(bytes + first_[axis]) - near_[axis]) * sooner_[axis];
             out[axis] = (load_lanes(bytes + last_[axis]) - far_[axis]) * later_[axis];
         }
-        // The last operand is taken where the other is not a number.
+        // The second operand is the result if the first one is NaN.
         entry = greatest_of(greatest_of(in[0], in[1]), greatest_of(in[2], lanes_of(least_)));
         const Lanes exit = min_of(min_of(out[0], out[1]), min_of(out[2], lanes_of(most_)));
         return marked(~(entry > exit));
@@ -107,7 +107,7 @@ public:
 private:
     using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
     using FourDoubles [[gnu::vector_size(4 * sizeof(double))]] = double;
-    static constexpr double far_away = 64;  ///< in reaches of the frame
+    static constexpr double far_away = 64;  ///< in units of the frame's reach
 
     static double max_abs(const Vec3& v) {
         const Vec3 size = glm::abs(v);
@@ -115,21 +115,21 @@ private:
         return size.z > most ? size.z : most;
     }
 
-    double unit_, per_unit_;  ///< units of t for one of the ray's parameter, and the other way
-    double skipped_ = 0;      ///< the ray's parameter where t is 0
-    std::array<Lanes, 3> near_, far_;          ///< the origin, for near planes and for far ones
-    std::array<Lanes, 3> sooner_, later_;      ///< the inverse of the direction, for the same
-    std::array<std::size_t, 3> first_, last_;  ///< where a node has the near ends, and the far ones
+    double unit_, per_unit_;                   ///< from the ray's parameter to t, and back
+    double skipped_ = 0;                       ///< the ray's parameter at t = 0
+    std::array<Lanes, 3> near_, far_;          ///< the origin, for near and far planes
+    std::array<Lanes, 3> sooner_, later_;      ///< the inverse direction, for near and far planes
+    std::array<std::size_t, 3> first_, last_;  ///< offsets of the near and far ends in a node
     float least_, most_;
 };
 
-/// What is still to be visited.
+/// A child still to be visited.
 struct Pending {
     float entry;
     TreeChild child;
 };
 
-/// Of the children in some slots the one to visit first; the others are put on a stack.
+/// Returns the child in `slots` to visit first, and pushes the others onto the stack.
 template <bool likely_first>
 [[gnu::always_inline]] inline Pending take_first(const TreeNode& node, std::uint32_t slots,
                                                  const Lanes& entry, Pending*& top) {
@@ -140,7 +140,7 @@ template <bool likely_first>
     };
     Pending next = take_lowest();
     if constexpr (likely_first) {
-        // The likelier one has the higher slot.
+        // Likelier children have higher slots.
         for (; slots != 0; next = take_lowest()) *top++ = next;
     } else if (slots != 0) {
         Pending* const first = top;
@@ -203,7 +203,7 @@ CANDELABRA_TARGET_CLONES bool WideTree::walk_likely(const TreeFrame& frame, cons
 
 bool WideTree::visit_foremost(const Ray& ray, Interval& range, Visit visit) const {
     if (foremost_.empty()) return false;
-    // Where the ray is nearest to the middle of all; few rays wait for a division.
+    // The point nearest to the centre of the bounds; only few rays wait for this division.
     double entry = 0;
     if (!contains(bounds_, ray.origin)) {
         const double length2 = dot(ray.direction, ray.direction);
@@ -215,7 +215,7 @@ bool WideTree::visit_foremost(const Ray& ray, Interval& range, Visit visit) cons
 }
 
 bool WideTree::visit_endless(Interval& range, Visit visit) const {
-    // As few at a time as a leaf has.
+    // In groups as large as a leaf.
     for (std::size_t first = 0; first < endless_.size(); first += TreeNode::width) {
         const std::size_t count = std::min(TreeNode::width, endless_.size() - first);
         if (visit({std::span(endless_).subspan(first, count), nullptr, range.min}, range))
@@ -257,7 +257,7 @@ void WideTree::pack(const LeafPacks& packs, int threads) {
     });
     for (TreeChild& child : foremost_) add(child, bounds_);
 
-    // Those who read packs in lanes may read beyond the last one.
+    // Vectorised readers of packs may read beyond the end of the last one.
     words += 2 * lane_count;
     std::vector<std::uint32_t> made;
     made.reserve(words);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tree of boxes: finds the items that a ray may meet. Its boxes are those of a kd-tree's cells,
-// or those of a hierarchy of bounding boxes: the builders differ, rays walk both by the same steps.
-// The world builds one over its objects; it knows no shapes, only their boxes.
-// A node has up to eight children, whose boxes a ray is held against at once, in single precision.
-// Where boxes become so small that this does not tell them apart any more, a new frame begins,
-// whose coordinates are counted from its own origin. Immutable once built, and the same for any
-// number of threads. Every item whose box the ray meets is visited, rounding errors included; see
-// build_tree for what that promises. Items without end are visited by every ray.
+// A tree of boxes that finds the items a ray may meet. The boxes are the cells of a kd-tree, or a
+// hierarchy of bounding boxes: the builders differ, traversal is the same. The world builds one
+// over its objects. The tree knows only boxes, no shapes.
+// A node has up to eight children, whose boxes are tested at once, in single precision. Where boxes
+// become too small for that precision, a new frame begins, with coordinates relative to its own
+// origin. The tree is immutable once built, and the same for any number of threads. Every item
+// whose box the ray meets is visited in spite of rounding errors, within the limits that build_tree
+// gives. Items without finite bounds are visited by every ray.
 #pragma once
 
 #include "base/box.h"
@@ -25,29 +25,29 @@ namespace candelabra {
 
 /// How items are divided.
 enum class Division : std::uint8_t {
-    boxes,  ///< each into one group, whose boxes may overlap: a hierarchy of bounding boxes
-    cells,  ///< by planes: an item stands in each cell that it passes through, as in a kd-tree
+    boxes,  ///< each is in one group, and boxes may overlap: a bounding volume hierarchy
+    cells,  ///< by planes: an item is in each cell through which it passes, as in a kd-tree
 };
 
-/// What steers the build. Costs are relative to each other.
+/// Build parameters. Costs are relative to each other.
 struct TreeSettings {
     Division by = Division::boxes;
-    double node_cost = 1;       ///< of holding a ray against the boxes of a node
+    double node_cost = 1;       ///< of testing a ray against the boxes of a node
     double group_cost = 1;      ///< of testing a group of items
-    double reference_cost = 0;  ///< of an item that comes to be in one cell more
-    int group = 8;              ///< so many items of a leaf are tested at once
+    double reference_cost = 0;  ///< of each additional cell that an item is in
+    int group = 8;              ///< number of items of a leaf that are tested at once
 };
 
-/// What a slot of a node refers to. Rays wait for where the next node is, so a child that is a node
-/// has its place in eights of bytes, and nothing else in it.
+/// Reference in a slot of a node. Rays wait for the address of the next node, so a reference to a
+/// node is its offset divided by eight, without any tag bits set.
 class TreeChild {
 public:
     static constexpr std::uint32_t node_size = 7 * 32;
 
     static TreeChild node(std::uint32_t number) { return TreeChild(number * (node_size / 8)); }
     static TreeChild frame(std::uint32_t number) { return TreeChild(number << 2 | frame_kind); }
-    /// Where the number of the leaf's items stands, which these follow: counted in words, and in
-    /// fours of them in a tree that is packed.
+    /// `place` is the index of the leaf's item count, which its items follow: in words, or in
+    /// groups of four words once the tree is packed.
     static TreeChild leaf(std::size_t place) {
         return TreeChild(static_cast<std::uint32_t>(place) << 1 | leaf_kind);
     }
@@ -58,7 +58,7 @@ public:
     bool is_frame() const { return (bits_ & (leaf_kind | frame_kind)) == frame_kind; }
     bool is_node() const { return (bits_ & (leaf_kind | frame_kind)) == 0; }
     std::uint32_t node() const { return bits_ / (node_size / 8); }
-    /// In bytes.
+    /// Offset in bytes.
     std::size_t node_place() const { return std::size_t{bits_} * 8; }
     std::uint32_t frame() const { return bits_ >> 2; }
     std::size_t leaf() const { return bits_ >> 1; }
@@ -69,18 +69,18 @@ private:
     static constexpr std::uint32_t leaf_kind = 1, frame_kind = 2;
     explicit TreeChild(std::uint32_t bits) : bits_(bits) {}
 
-    std::uint32_t bits_;  // not initialised: stacks of them are long
+    std::uint32_t bits_;  // uninitialised, because stacks of them are long
 };
 
-/// Eight boxes, counted from the frame's origin, and what is in them. Of slots that are not in use,
-/// the lower ends are infinite.
+/// Eight boxes relative to the frame's origin, and their contents. The lower ends of unused slots
+/// are infinite.
 struct alignas(32) TreeNode {
     static constexpr std::size_t width = 8;
     using Row = std::array<float, width>;
 
-    // The children are between the ends of the boxes, and so in a line of the cache that is asked
-    // for before it is known which of them are wanted.
-    std::array<Row, 3> low;  ///< of each axis
+    // The children lie between the ends of the boxes, and so in a cache line that is fetched before
+    // it is known which of them are needed.
+    std::array<Row, 3> low;  ///< for each axis
     std::array<TreeChild, width> children;
     std::array<Row, 3> high;
 
@@ -96,11 +96,11 @@ struct alignas(32) TreeNode {
 };
 static_assert(sizeof(TreeNode) == TreeChild::node_size);
 
-/// A part of the tree whose coordinates are counted from a point of its own.
+/// A part of the tree with its own coordinate origin.
 struct TreeFrame {
-    Vec3 origin;         ///< in the middle
-    double reach;        ///< largest distance from there on an axis
-    std::uint32_t root;  ///< the node with the first boxes
+    Vec3 origin;         ///< the centre
+    double reach;        ///< maximum distance from it along any axis
+    std::uint32_t root;  ///< index of the root node
 
     bool operator==(const TreeFrame&) const = default;
 };
@@ -108,17 +108,17 @@ struct TreeFrame {
 /// A leaf whose box a ray meets.
 struct TreeLeaf {
     std::span<const std::uint32_t> items;  ///< at most 8, in ascending order
-    /// What WideTree::pack() was given for them; null in a tree that is not packed.
+    /// The words that WideTree::pack() stored for the items; null in a tree that is not packed.
     const std::uint32_t* pack;
-    double entry;  ///< the ray's parameter somewhere near: where it enters the leaf's box, or its
-                   ///< range
+    double entry;  ///< approximate ray parameter of the entry into the leaf's box, or of the start
+                   ///< of the range
 };
 
-/// What is to be kept for the items of leaves. Called from several threads.
+/// Data to be stored beside the items of leaves. Called from several threads.
 struct LeafPacks {
-    /// In so many words.
+    /// Returns the number of words.
     std::function<std::size_t(std::span<const std::uint32_t> items)> size;
-    /// Fills these in; `box` is around the items.
+    /// Fills in the words; `box` bounds the items.
     std::function<void(std::span<const std::uint32_t> items, const Box& box,
                        std::span<std::uint32_t> words)>
         fill;
@@ -126,19 +126,19 @@ struct LeafPacks {
 
 class WideTree {
 public:
-    /// More levels of nodes there never are.
+    /// Maximum number of levels of nodes.
     static constexpr int depth_limit = 32;
-    /// As many items there may be, and one less: what their leaves and nodes can count.
+    /// Limit of the number of items, exclusive, which the references to leaves and nodes impose.
     static constexpr std::uint32_t item_limit = 1u << 28;
 
-    /// No items: no ray meets anything.
+    /// Makes a tree without items, which no ray meets.
     WideTree() = default;
 
     /// Calls visit(const TreeLeaf&, Interval& range) -> bool, or visit(std::span<const
     /// std::uint32_t> items, Interval& range), for each leaf whose box the ray meets within the
-    /// range, nearer ones first where boxes do not overlap. visit may lower range.max when it found
-    /// a hit; leaves behind it are left out. When visit returns true, traversal stops and returns
-    /// true. An item of several leaves may be visited several times.
+    /// range, nearer ones first where boxes do not overlap. visit may lower range.max after a hit;
+    /// leaves behind it are skipped. If visit returns true, traversal stops and returns true. An
+    /// item of several leaves may be visited several times.
     template <class Visit>
     bool traverse(const Ray& ray, Interval range, Visit&& visit) const {
         const auto own = as_leaf_visit(visit);
@@ -146,8 +146,8 @@ public:
                (!frames_.empty() && walk(frames_[0], ray, range, own));
     }
 
-    /// The same to find only whether anything is met: first where the ray, for its
-    /// steps, is likeliest to be stopped. visit leaves range as it is. Any item may be visited
+    /// The same for occlusion tests: visits first the boxes that are likeliest to occlude the ray,
+    /// relative to their number of steps. visit must not change the range. Any item may be visited
     /// several times.
     template <class Visit>
     bool traverse_likely(const Ray& ray, Interval range, Visit&& visit) const {
@@ -157,25 +157,26 @@ public:
                 (visit_foremost(ray, range, own) || walk_likely(frames_[0], ray, range, own)));
     }
 
-    /// Around all items but those without end.
+    /// Bounds of all items with finite boxes.
     const Box& bounds() const { return bounds_; }
     std::span<const TreeNode> nodes() const { return nodes_; }
     std::span<const TreeFrame> frames() const { return frames_; }
-    /// Calls use(number, frame, level) for each node, those above others first; the root's level is
+    /// Calls use(number, frame, level) for each node, parents before children; the root's level is
     /// 1.
     void for_each_node(
         FunctionRef<void(std::uint32_t number, const TreeFrame&, int level)> use) const;
-    /// The items of a child that is a leaf.
+    /// Returns the items of a child that is a leaf.
     std::span<const std::uint32_t> items(TreeChild leaf) const;
-    /// Leaves that are visited before all others when anything will do: large things, which stop
-    /// many rays. Their items are in the tree as well.
+    /// Leaves that occlusion rays visit first: large items, which occlude many rays. Their items
+    /// are in the tree as well.
     std::span<const TreeChild> early_occluders() const { return foremost_; }
     /// Items whose boxes are not finite: in no leaf, and visited by every ray.
     std::span<const std::uint32_t> endless() const { return endless_; }
     const TreeSettings& settings() const { return settings_; }
     std::size_t memory_bytes() const;
 
-    /// Has each leaf keep something beside its items. Once. threads = 0 means one per core.
+    /// Stores data beside the items of each leaf. May be called once. threads = 0 means one per
+    /// core.
     void pack(const LeafPacks&, int threads = 0);
 
 private:
@@ -206,12 +207,12 @@ private:
     }
 
     Box bounds_;
-    std::vector<TreeFrame> frames_;  ///< the first is the whole
+    std::vector<TreeFrame> frames_;  ///< the first is that of the root
     std::vector<TreeNode> nodes_;
-    /// For each leaf the number of its items, and the items; nothing once packed. The first one has
-    /// none.
+    /// The number of items of each leaf, followed by the items; empty once packed. The first leaf
+    /// has no items.
     std::vector<std::uint32_t> leaves_;
-    /// The same, and what is kept for them.
+    /// The same with the packed data.
     std::vector<std::uint32_t> packs_;
     std::vector<TreeChild> foremost_;
     std::vector<std::uint32_t> endless_;

@@ -65,11 +65,11 @@ double faded(const PointLight& light, double distance) {
     if (light.fade_power <= 0 || light.fade_distance == 0) return 1;
     const double share = distance / light.fade_distance, power = light.fade_power;
     const double amount = 2 / (1 + (power == 2 ? share * share : std::pow(share, power)));
-    // Negative distances have no broken powers, and one that makes too much of odd powers.
+    // A negative base has no fractional powers, and with odd powers the divisor may be 0.
     return std::isfinite(amount) ? amount : 0;
 }
 
-/// The share of a cone's light in the direction of a point.
+/// Fraction of a cone's light in a direction at this cosine to the axis.
 double in_cone(const PointLight& light, double cosine) {
     if (cosine <= 0) return 0;
     const double bright = cosine_of(light.radius.value_or(30));
@@ -80,7 +80,7 @@ double in_cone(const PointLight& light, double cosine) {
     return share;
 }
 
-/// The share of a beam's light at a distance from its axis.
+/// Fraction of a beam's light at a distance from its axis.
 double in_beam(const PointLight& light, double away) {
     const double bright = light.radius.value_or(0.75), dark = light.falloff.value_or(1);
     if (away >= dark) return 0;
@@ -126,7 +126,7 @@ Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point
             const double ahead = dot(beam, along);
             result.colour *= ahead < 0 ? 0 : in_beam(light, length(beam - ahead * along));
         }
-        // Each light of a grid has an axis of its own to the same point.
+        // Each light of a grid has its own axis to the common `point_at`.
         result.direction = -unit(light.point_at - from);
         result.distance = dot(offset, result.direction);
     }

@@ -18,7 +18,7 @@ template <ShapeKind T>
 bool closed(const T&) {
     return false;
 }
-/// Whether it is a convex solid, of which a point outside sees only what faces it.
+/// Whether the shape is a convex solid, so that only faces turned to an outside point are visible.
 bool closed(const AreaEmitter& e) {
     return visit_shape([](const auto& s) { return closed(s); }, e.shape);
 }
@@ -32,7 +32,7 @@ template <ShapeKind T>
 Vec3 flat_normal(const T&) {
     return Vec3(0);
 }
-/// The normal of the surface where a ray crosses it; others are as smooth as the shape looks.
+/// Geometric normal where a ray crosses the surface; the crossing's own may be a shading normal.
 Vec3 own_normal(const SmoothTriangle& t, const Crossing&) { return flat_normal(t); }
 Vec3 own_normal(const BuiltMesh& m, const Crossing& met) {
     const auto [a, b, c] = face(*m.mesh, met.part).corners;
@@ -65,15 +65,14 @@ double volume_scale(const AreaEmitter& e) {
     return e.transform ? std::abs(e.transform->determinant()) : 1;
 }
 
-/// World area for each unit of the shape's own area around a point, times the world's unit normal
-/// there.
+/// World area per unit of the shape's own area around a point, times the unit normal in the world.
 Vec3 stretched_normal(const AreaEmitter& e, const Vec3& normal) {
     return volume_scale(e) * to_world_normal(e, normal);
 }
 
-/// Which points of the surface shine on a point: solids hide their far side from outside, their
-/// near one from within. A point on the surface looks at it from within, as what is convex turns
-/// away from itself outside.
+/// Which points of the surface shine on a receiver: solids hide their far side from outside, and
+/// their near side from inside. A receiver on the surface counts as inside, since the outside of a
+/// convex surface does not see itself.
 class TurnedSide {
 public:
     TurnedSide(const AreaEmitter& e, const Receiver& from)
@@ -84,7 +83,7 @@ public:
     }
 
 private:
-    /// Whether it is inside, or on the surface as far as rounding lets it be known.
+    /// Whether the receiver is inside, or on the surface within rounding error.
     static bool within(const AreaEmitter& e, const Receiver& from) {
         const Vec3 here = to_shape_point(e, from.position);
         if (inside(e.shape, here)) return true;
@@ -99,8 +98,8 @@ private:
     bool solid_, within_;
 };
 
-/// The greatest factor by which the map stretches any length, or a little more (Gershgorin's
-/// circles); exact for similarities.
+/// Upper bound, close to the least one (Gershgorin circles), of the factor by which the map
+/// stretches lengths; exact for similarities.
 double greatest_stretch(const Transform& transform) {
     const auto& rows = transform.forward().rows;
     double greatest = 0;
@@ -110,7 +109,7 @@ double greatest_stretch(const Transform& transform) {
     return std::sqrt(greatest);
 }
 
-/// A sphere around the shape in its own space.
+/// A bounding sphere of the shape in its own space.
 std::pair<Vec3, double> sphere_around(const Disc& d) { return {d.centre, d.radius}; }
 template <ShapeKind T>
 std::pair<Vec3, double> sphere_around(const T& shape) {
@@ -118,7 +117,7 @@ std::pair<Vec3, double> sphere_around(const T& shape) {
     return {box.centre(), length(box.size()) / 2};
 }
 
-/// The faces of a box that are seen above the horizon; nothing for other shapes.
+/// The faces of a box that are visible above the horizon; nothing for other shapes.
 std::optional<SeenFaces> seen_faces(const AreaEmitter& e, const Vec3& from, const Vec3* normal) {
     const Cuboid* box = std::get_if<Cuboid>(&e.shape);
     if (!box) return {};
@@ -126,7 +125,7 @@ std::optional<SeenFaces> seen_faces(const AreaEmitter& e, const Vec3& from, cons
     return faces.any() ? std::optional(faces) : std::nullopt;
 }
 
-/// A box that is thin shows its broad side's area times the cosine, and a little more.
+/// Gives a thin box the axis and the area of its broad side, with some evenness for the others.
 void flatten(const AreaEmitter& e, const Cuboid& box, LightBounds& result) {
     const Vec3 size = bounds(box).size();
     const Vec3 areas(size.y * size.z, size.z * size.x, size.x * size.y);
@@ -177,13 +176,13 @@ std::vector<BrightFace> own_faces(const T&) {
     return {};
 }
 
-/// Density per steradian of a point with this share per area of the shape's own space.
+/// Converts a density per area in the shape's own space to one per steradian.
 double solid_angle_density(double per_area, double distance, double seen) {
     return per_area * distance * distance / seen;
 }
 
-/// The normal of the plane below which nothing counts; null: everything does, as where there is no
-/// surface.
+/// Normal of the plane below which no light counts; null if all directions count, as where there is
+/// no surface.
 const Vec3* horizon_of(const Receiver& point) {
     return point.horizon == Horizon::one_side ? &point.normal : nullptr;
 }
@@ -202,8 +201,8 @@ LightBounds bounds(const AreaEmitter& e, double luminance) {
         std::fmax(max_abs_component(result.box.low), max_abs_component(result.box.high));
     result.radius = stretched * (1 + 1e-12) + 16 * std::numeric_limits<double>::epsilon() * size;
     result.axis = unit(to_world_normal(e, flat_normal(e)));
-    // A convex solid shows a quarter of its surface on average (Cauchy); an open one shines on both
-    // sides.
+    // The mean projected area of a convex solid is a quarter of its surface (Cauchy); an open
+    // surface shines on both sides.
     const double seen = result.axis != Vec3(0) ? 1 : closed(e) ? 0.25 : 0.5;
     result.intensity = luminance * seen * emitting_area(e);
     result.luminance = luminance;
@@ -276,8 +275,8 @@ double emitting_area(const AreaEmitter& e) {
     if (!(area > 0)) return 0;
     const double scale = e.transform ? e.transform->uniform_scale() : 1;
     if (scale > 0) return area * scale * scale;
-    // The mean stretch of the surface, over a grid: exact for flat shapes, and only steers choices
-    // for others.
+    // Mean stretch of the surface over a grid. Exact for flat shapes; for others it only guides
+    // sampling.
     constexpr int steps = 16;
     double sum = 0;
     for (int i = 0; i < steps; ++i)

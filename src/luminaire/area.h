@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any other glowing shape. Called through luminaire.h, which states what each function promises.
+// Glowing shapes other than spheres and triangles. Called through luminaire.h, which documents each
+// function.
 #pragma once
 
 #include "luminaire/brightness.h"

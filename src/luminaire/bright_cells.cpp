@@ -10,15 +10,15 @@ namespace candelabra {
 
 namespace {
 
-/// Points that each cell is asked at, in each direction.
+/// Sample points of each cell, in each direction.
 constexpr std::size_t asked = 2;
-/// Share of a cell's brightness that is what its neighbours have: bright spots reach into cells
-/// whose points miss them.
+/// Weight of its neighbours in a cell's brightness: bright spots may reach into cells whose sample
+/// points miss them.
 constexpr double neighbours = 0.3;
 
 using Sums = std::span<const double>;
 
-/// The sums within a row of cells.
+/// Prefix sums within a row of cells.
 Sums columns_of(const std::vector<double>& all, std::size_t row, std::size_t count) {
     return Sums(all).subspan(row * count, count);
 }
@@ -86,7 +86,7 @@ double BrightCells::density(const Vec2& at) const {
                  cell_at(std::clamp(at.y, 0.0, 1.0), column_count_));
 }
 
-/// A cell's, over that of all cells alike.
+/// Probability of a cell relative to that under a uniform choice.
 double BrightCells::share(std::size_t row, std::size_t column) const {
     const Sums columns = columns_of(columns_, row, column_count_);
     if (!(columns.back() > 0)) return 0;

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The patches of a sphere, from its lower pole to the upper one and around it.
+/// Numbers of patches of a sphere: from the lower pole to the upper one, and around it.
 constexpr std::size_t bands = 6, sectors = 12;
 
 bool within(const BrightFace& face, const Vec2& place) {
@@ -27,13 +27,13 @@ bool within(const BrightFace& face, const Vec2& place) {
     }
 }
 
-/// The point of a sphere of radius 1.
+/// Point of the unit sphere.
 Vec3 direction_at(double height, double turn) {
     const double across = std::sqrt(std::fmax(0, 1 - height * height));
     return {across * std::cos(2 * pi * turn), height, across * std::sin(2 * pi * turn)};
 }
 
-/// The share of a whole turn that leads to a direction, from 0 to 1.
+/// Angle around the y axis to a direction, in turns from 0 to 1.
 double turn_of(const Vec3& direction) {
     const double turn = std::atan2(direction.z, direction.x) / (2 * pi);
     return turn < 0 ? turn + 1 : turn;
@@ -118,7 +118,7 @@ double Brightness::Patch::height(const Vec3& point) const {
     const Vec3 offset = point - centre;
     const double along = dot(offset, outwards), square = dot(offset, offset);
     if (square <= radius * radius) return along - radius;
-    // Over the point of the patch that is nearest; on average it is less.
+    // Height above the nearest point of the patch, which is the maximum; the mean is lower.
     const double distance = std::sqrt(square);
     double most = distance - radius;
     if (along < distance * reach_cosine) {
@@ -146,7 +146,7 @@ Brightness::View::View(const Brightness& map, const Vec3& from)
     for (const Face& face : map_.faces_) weights_.push_back(sum += weight(face));
 }
 
-/// By what each face gives, roughly.
+/// Rough estimate of the irradiance from the face.
 double Brightness::View::weight(const Face& face) const {
     return std::visit(
         [&](const auto& shape) {
@@ -159,7 +159,7 @@ double Brightness::View::weight(const Face& face) const {
         face.shape);
 }
 
-/// `of_face`: the density of the position among those of the face, 1 where all are alike.
+/// `of_face` is the relative density of the position within its face, 1 where it is uniform.
 double Brightness::View::density(std::size_t index, const Vec3& position, double of_face) const {
     const Face& face = map_.faces_[index];
     const Vec3 offset = position - from_;
@@ -188,8 +188,8 @@ double Brightness::View::density(const Vec3& position) const {
     return density(index, position, face.cells.density(place));
 }
 
-/// Of the faces that are turned here, the one in whose plane the point lies; of a sphere, the
-/// patch. Behind the last one when there is none.
+/// Index of the face in whose plane the point lies, among those turned to the receiver; for
+/// spheres, of the patch. The number of faces if there is none.
 std::size_t Brightness::View::face_at(const Vec3& position) const {
     if (const auto* patch = std::get_if<Patch>(&map_.faces_.front().shape)) {
         const Vec3 direction = patch->normal_at(position);

@@ -16,11 +16,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rays start this share of the size away from where they are asked from, so that a point of the
-/// luminaire itself does not see itself.
+/// Offset of ray origins as a fraction of the luminaire's size, so that a point of the luminaire
+/// does not see itself.
 constexpr double clearance = 1e-9;
 
-/// Around the box in which the leaf is seen.
+/// Bounding sphere of the leaf's bounding box.
 struct Around {
     Vec3 centre;
     double radius;
@@ -30,7 +30,7 @@ struct Around {
           radius(0.5 * length(e.composite->leaf_bounds(e.leaf).size()) * (1 + 1e-9)) {}
 };
 
-/// The cone of directions that may meet the ball: 1 - cos of its half angle; 2 from within.
+/// 1 - cos of the half angle of the cone of directions that may meet the ball; 2 from inside.
 double rim(const Around& ball, double distance) {
     if (!(distance > ball.radius)) return 2;
     const double sine = ball.radius / distance;
@@ -43,7 +43,7 @@ std::optional<double> intersect(const CompositeEmitter& e, const Ray& ray, doubl
     return met ? std::optional(met->t) : std::nullopt;
 }
 
-/// The direction for u, uniform over the cone around the middle.
+/// Returns the direction for u, uniform in the cone around `middle`.
 Vec3 in_cone(const Vec3& middle, double widest, const Vec2& u) {
     const double versine = u.x * widest, sine = std::sqrt(versine * (2 - versine));
     const auto [x, y] = perpendiculars(middle);
@@ -51,24 +51,24 @@ Vec3 in_cone(const Vec3& middle, double widest, const Vec2& u) {
     return (1 - versine) * middle + sine * (std::cos(angle) * x + std::sin(angle) * y);
 }
 
-/// Shares of the drawn directions that are looked for in the whole cone when there is a guide, and
-/// with it.
+/// Fractions of the directions that are drawn, if there is a guide, in the whole cone and by the
+/// guide.
 constexpr double astray = 0.125, guided = 1 - astray;
 
-/// Of luminaires whose glow varies: triangles have no edge longer than this share of the size, and
-/// have so much of the luminance from those around them.
+/// For varying radiance: maximum edge of a triangle as a fraction of the size, and weight of the
+/// neighbours in a triangle's luminance.
 constexpr double longest_edge = 1.0 / 12, neighbour_share = 0.25;
-/// Of these, too: a mesh with more triangles gives way to one of larger cells.
+/// For varying radiance: a mesh with more triangles than this is replaced by one of larger cells.
 constexpr std::size_t many_faces = 1 << 15;
 
-/// Of a direction that meets the leaf, which is within the ball.
+/// Density of a direction that meets the leaf, which is inside the ball.
 double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
                const Vec3& direction) {
     const double around = 1 / (2 * pi * rim(ball, length(ball.centre - from)));
     return e.guide ? astray * around + guided * e.guide->density(from, direction) : around;
 }
 
-/// Parallel rays through the ball from all sides, and those of them that meet the leaf.
+/// Parallel rays through the ball from all sides, of which those that meet the leaf are kept.
 struct SeenRays {
     static constexpr std::uint32_t rays = 512;
     std::vector<Ray> met;
@@ -90,8 +90,8 @@ struct SeenRays {
     }
 };
 
-/// The mesh with its corners moved outwards: triangles between points of a round surface do not
-/// reach its rim.
+/// Returns the mesh with its vertices moved outwards: triangles between points of a round surface
+/// do not reach its silhouette.
 Mesh grown(Mesh mesh, double by) {
     std::vector<Vec3> outward(mesh.vertices.size(), Vec3(0));
     for (const Face& face : mesh.faces) {
@@ -103,10 +103,10 @@ Mesh grown(Mesh mesh, double by) {
     return mesh;
 }
 
-/// Adds the guide of triangles that nearly all rays meet which meet the leaf, the first of those
-/// with so many cells that does. Parts of the leaf that it does not cover make noise, and what it
-/// covers beyond the leaf costs rays. `make` returns no guide where the next number of cells is to
-/// be tried; its second argument is whether there is a next one.
+/// Adds a guide that nearly all rays that meet the leaf meet too, from the first number of cells
+/// that gives one. Parts of the leaf outside the guide make noise, and parts of the guide outside
+/// the leaf waste rays. `make` returns nothing if the next number is to be tried; its second
+/// argument is whether there is a next one.
 void guide(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
            std::initializer_list<int> cell_numbers,
            FunctionRef<std::optional<Guide>(const Mesh&, bool)> make) {
@@ -129,7 +129,7 @@ void guide(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
     }
 }
 
-/// The mesh with its long triangles divided, so that no edge is longer.
+/// Returns the mesh with long triangles divided so that no edge exceeds `longest`.
 Mesh divided(const Mesh& mesh, double longest) {
     Mesh result;
     result.vertices = mesh.vertices;
@@ -161,11 +161,11 @@ Mesh divided(const Mesh& mesh, double longest) {
     return result;
 }
 
-/// What is found at some points of each face.
+/// Luminance sampled at some points of each face.
 struct Brightnesses {
-    std::vector<double> mean;    ///< luminance
-    std::vector<double> square;  ///< mean of its square, and some of what the neighbours have:
-                                 ///< bright spots reach into faces whose points miss them
+    std::vector<double> mean;    ///< mean luminance
+    std::vector<double> square;  ///< mean squared luminance, blended with the neighbours': bright
+                                 ///< spots may reach into faces whose sample points miss them
 
     Brightnesses(const Mesh& mesh, FunctionRef<double(const Vec3&)> luminance) {
         const auto at = [](int i) { return static_cast<std::size_t>(i); };
@@ -195,7 +195,7 @@ struct Brightnesses {
     }
 };
 
-/// An emitter without a guide yet, and the rays that it was measured by.
+/// An emitter without a guide, and the rays by which it was measured.
 struct Measured {
     CompositeEmitter emitter;
     Around ball;
@@ -213,7 +213,7 @@ struct Measured {
 CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t leaf, bool guided) {
     Measured made(std::move(composite), leaf);
     const auto met = static_cast<double>(made.survey.met.size());
-    // What nearly fills the cone is found there soon enough.
+    // The cone finds a leaf that nearly fills it soon enough.
     if (guided && met > 0 && met < 0.75 * SeenRays::rays)
         guide(made.emitter, made.ball, made.survey, {12, 24, 48},
               [](const Mesh& mesh, bool) { return Guide(mesh); });
@@ -233,7 +233,7 @@ CompositeEmitter bright_composite_emitter(Handle<Composite> composite, std::uint
               if (!(sum > 0)) return Guide(mesh);
               made.emitter.mean = sum / area;
               made.emitter.unevenness = MeshArea(mesh, found.square).total() * area / (sum * sum);
-              // What the least noise asks for where the luminance changes within a face.
+              // This weight minimises the noise where the luminance varies within a face.
               std::vector<double> worth;
               for (const double square : found.square) worth.push_back(std::sqrt(square));
               return Guide(mesh, std::move(worth));
@@ -295,7 +295,7 @@ void intersect(const CompositeEmitter& e, const Receiver& point, const Vec3& dir
 
 std::optional<EmittedRay> emit(const CompositeEmitter& e, const Vec2& where,
                                const Vec2& direction) {
-    // As seen from far away: a line through the ball, from its first point on the leaf back out.
+    // As seen from far away: a line through the ball, reversed from its first point on the leaf.
     const Around ball(e);
     const Vec3 inward = in_cone(Vec3(0, 0, 1), 2, direction);
     const auto [x, y] = perpendiculars(inward);
@@ -307,7 +307,7 @@ std::optional<EmittedRay> emit(const CompositeEmitter& e, const Vec2& where,
     if (!met) return {};
     Vec3 normal = unit(met->normal);
     if (dot(normal, inward) > 0) normal = -normal;
-    // Lines are drawn evenly per area that they cross at a right angle.
+    // Lines have a uniform density per area perpendicular to them.
     const double per_crossed_area = 1 / (pi * ball.radius * ball.radius);
     return EmittedRay{
         {line.at(met->t), -inward}, normal, per_crossed_area * -dot(normal, inward) / (4 * pi)};

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A glowing leaf of a composite: any shape at all, whole or cut. Called through luminaire.h, which
-// states what each function promises. Its points are found by looking: rays towards triangles near
-// its surface, and within the cone of a sphere around it, or all around from within.
+// A glowing leaf of a composite: any shape, whole or cut. Called through luminaire.h, which
+// documents each function. Its points are found by tracing rays: towards triangles near its
+// surface, and within the cone to a bounding sphere (from inside the sphere, in all directions).
 #pragma once
 
 #include "luminaire/luminaire.h"
 
 namespace candelabra {
 
-/// The emitter, with its size as seen from far away, which is measured once by some rays. With
-/// `guided` it also gets triangles to look at, if its surface can be made of some; that takes
-/// milliseconds and some hundred kilobytes.
+/// Returns the emitter with its mean projected area, which is measured once by tracing some rays.
+/// If `guided` is set, the emitter also gets triangles to aim at, if its surface can be
+/// tessellated; this takes milliseconds and some hundred kilobytes.
 CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf, bool guided = true);
 
-/// Of a luminaire whose glow varies: the triangles are smaller, and looked at as much as they are
-/// bright. `luminance` is asked at points near the surface. Some megabytes.
+/// The same for a luminaire whose radiance varies: the triangles are smaller and are chosen in
+/// proportion to their brightness. `luminance` is evaluated at points near the surface. Takes some
+/// megabytes.
 CompositeEmitter bright_composite_emitter(Handle<Composite>, std::uint32_t leaf,
                                           FunctionRef<double(const Vec3&)> luminance);
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ray that leaves a surface which is as bright in all directions; used by the emitters that draw
-// points of their area.
+// A ray that leaves a surface whose radiance is the same in all directions. Used by the emitters
+// that sample points by area.
 #pragma once
 
 #include "luminaire/luminaire.h"
 
 namespace candelabra {
 
-/// From a point of a surface that was drawn with that density per area: in proportion to the cosine
-/// to the normal, on its side, or on both when `both_sides` is set. The normal is a unit vector.
+/// Returns a ray from a point that was drawn with the density `per_area`. Its direction is drawn in
+/// proportion to the cosine to the unit normal, on the normal's side, or on both sides if
+/// `both_sides` is set.
 EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area, Vec2 direction,
                        bool both_sides);
 

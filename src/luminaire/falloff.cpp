@@ -9,8 +9,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// The share of a cone's light in a direction whose angle to the axis has this cosine, when the
-/// sources fill this angle as seen from the point.
+/// Fraction of a cone's light in a direction whose angle to the axis has this cosine, where
+/// `sine_of_ball` is the sine of the ball's angular radius as seen from the point.
 double in_cone(const Falloff& f, double cosine, double sine_of_ball) {
     const double ball = std::asin(sine_of_ball), dark = std::cos(f.dark);
     const double angle = std::fmax(std::acos(std::clamp(cosine, -1.0, 1.0)) - ball, 0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the light of POV-Ray's sources changes on its way, besides the square law that all estimates
-// of luminaires have: it fades as the source says, and may fill a cone only. Of one source, or of
-// a cluster of them in a ball. Used by the light samplers to weigh sources; never 0 at a point that
-// one of them lights.
+// How the light of POV-Ray's light sources changes with distance and direction, besides the inverse
+// square law that all estimates of luminaires include: it may fade, and it may fill only a cone.
+// Describes one source, or a cluster of sources in a ball. Used by the light samplers to weight
+// sources; never 0 at a point that one of the sources lights.
 #pragma once
 
 #include "base/vector.h"
@@ -12,26 +12,27 @@
 namespace candelabra {
 
 struct Falloff {
-    double fade_distance = 0;  ///< 0: it does not fade
-    double fade_power = 0;     ///< 0: it does not fade
-    Vec3 axis = Vec3(0);       ///< unit, of the cone
-    /// Half angles of the cone: there is no light beyond the first (pi: it shines all around), and
-    /// all of it within the second.
+    double fade_distance = 0;  ///< 0: no fading
+    double fade_power = 0;     ///< 0: no fading
+    Vec3 axis = Vec3(0);       ///< unit axis of the cone
+    /// Half angles of the cone: no light beyond `dark` (pi: light in all directions), and full
+    /// light within `bright`.
     double dark = std::numbers::pi, bright = std::numbers::pi;
 
     bool fades() const { return fade_distance > 0 && fade_power > 0; }
     bool all_around() const { return dark >= std::numbers::pi; }
 };
 
-/// Room for rounding in the cosine of the angle to a cone's axis, and the share of the light that
-/// points at the very edge of the cone are thought to get at least.
+/// Allowance for rounding in the cosine of the angle to a cone's axis, and minimum fraction of the
+/// light that points at the edge of a cone are estimated to receive.
 inline constexpr double cone_slack = 1e-5, cone_edge = 1e-3;
 
-/// What the square law, for the distance that `v` leads to the middle of the ball, must be
-/// multiplied by. Within the ball the distance is its radius, and the cone is everywhere.
+/// Factor by which the falloff deviates from the inverse square law at the distance from a point to
+/// the middle of the ball, to which `v` leads. Within the ball the distance counts as its radius,
+/// and the cone does not matter.
 double against_square_law(const Falloff&, const Vec3& v, double radius);
 
-/// Of both together in one ball: as the one that reaches further; not 0 where one of them is not.
+/// Falloff of both in one ball, as far-reaching as either; not 0 where either is not 0.
 Falloff join(const Falloff&, const Falloff&);
 
 }  // namespace candelabra

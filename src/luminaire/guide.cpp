@@ -5,7 +5,7 @@
 
 namespace candelabra {
 
-// Boxes are made sooner than a kd-tree, and take a fraction of its memory.
+// Bounding boxes are built faster than a kd-tree, and take a fraction of its memory.
 Guide::Guide(const Mesh& mesh, std::vector<double> luminance)
     : mesh_(build(mesh, BoundingBoxes{})),
       luminance_(std::move(luminance)),

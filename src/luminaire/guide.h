@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles near a glowing surface that has no formula: where its points are looked for. The
-// surface itself says where they are; so the guide need not be exact, and whoever uses it also
-// looks elsewhere now and then. Called by the composite emitter.
+// Triangles near a glowing surface without a formula, at which rays are aimed to find its points.
+// The rays find the exact points on the surface, so the guide is approximate, and its users also
+// aim elsewhere at times. Used by the composite emitter.
 #pragma once
 
 #include "shape/mesh_area.h"
@@ -10,18 +10,20 @@ namespace candelabra {
 
 class Guide {
 public:
-    /// `luminance`: of each face, for luminaires whose glow varies; none: they are all the same.
-    /// Precondition: some face has an area, and if there are luminances, one that is above 0.
+    /// `luminance` has one value for each face if the radiance varies, and is empty if all faces
+    /// are equally bright. Precondition: some face has an area, and if there are luminances, one
+    /// such face has a luminance above 0.
     explicit Guide(const Mesh&, std::vector<double> luminance = {});
 
-    /// The point for u, which is uniform in [0, 1)^2: uniform over the area of the triangles, times
-    /// their luminance.
+    /// Returns the point for u, uniform in [0, 1)^2. Its density is uniform over the triangles'
+    /// area, times their luminance.
     Vec3 point(const Vec2& u) const;
 
-    /// Whether some triangle is on the line, ahead.
+    /// Whether the ray meets any triangle.
     bool met_by(const Ray&) const;
 
-    /// Probability per steradian with which the points lie in this unit direction from there.
+    /// Density per steradian, as seen from a position, with which points lie in this unit
+    /// direction.
     double density(const Vec3& from, const Vec3& direction) const;
 
 private:

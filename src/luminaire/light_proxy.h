@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A luminaire reduced to a few numbers, and the estimate of its irradiance that is made from them,
-// many millions of times a second. Used by the luminaires and by the light samplers; the formula
-// stands here only.
+// A luminaire reduced to a few numbers, and the estimate of its irradiance from them, which is
+// evaluated many millions of times a second. Used by the luminaires and by the light samplers, so
+// that the formula exists only once.
 #pragma once
 
 #include "luminaire/luminaire.h"
 
 namespace candelabra {
 
-/// A luminaire as a sphere that glows all over, or, when it is flat, more in the direction of its
-/// axis.
+/// A luminaire as a sphere that glows evenly; a flat one emits more along its axis.
 struct LightProxy {
     Vec3 centre = Vec3(0);
     double radius = 1;           ///< above 0
     double strength = 0;         ///< intensity / radius
-    Vec3 axis = Vec3(0);         ///< 0: the same in all directions
-    double evenness = 1;         ///< share of the intensity that goes in all directions
-    Vec3 half = Vec3(1e300);     ///< of a box around it, from the centre: some are thinner than the
-                                 ///< sphere
+    Vec3 axis = Vec3(0);         ///< 0: same intensity in all directions
+    double evenness = 1;         ///< fraction of the intensity that is the same in all directions
+    Vec3 half = Vec3(1e300);     ///< half the size of a bounding box around the centre, which may
+                                 ///< be thinner than the sphere
     Vec3 bent_normal = Vec3(0);  ///< see with_bent_normal()
 };
 
-/// Flat luminaires are thought to shine a little along their plane too, since the estimate looks at
-/// their centre only.
+/// Evenness of flat luminaires: they are estimated to emit a little along their plane too, since
+/// the estimate takes them to be at their centre.
 inline constexpr double flat_evenness = 0.05;
 
 inline LightProxy light_proxy(const LightBounds& b) {
@@ -36,8 +35,9 @@ inline LightProxy light_proxy(const LightBounds& b) {
             glm::max(b.box.high - b.centre, b.centre - b.box.low)};
 }
 
-/// The same with what it is set into taken into account: towards a unit vector d it has the
-/// strength that it had times (1 - |bent_normal|), and dot(bent_normal, d) of the strength face on.
+/// Returns the proxy with the occlusion by its surroundings: in the unit direction d, its strength
+/// is (1 - |bent_normal|) times the unoccluded strength, plus dot(bent_normal, d) times the
+/// strength face-on.
 inline LightProxy with_bent_normal(LightProxy g, const Vec3& bent_normal) {
     const double rest = 1 - length(bent_normal);
     g.axis *= rest;
@@ -46,18 +46,18 @@ inline LightProxy with_bent_normal(LightProxy g, const Vec3& bent_normal) {
     return g;
 }
 
-/// The share of its bent normal's length that a luminaire keeps from every direction: the rays of
-/// find_bent_normals() do not find every gap, and from nearby a luminaire is seen in several
-/// directions at once.
+/// Fraction of the length of its bent normal that a luminaire keeps in every direction: the rays of
+/// find_bent_normals() do not find every gap, and a nearby luminaire is seen in several directions
+/// at once.
 inline constexpr double min_unoccluded = 0.1;
 
-/// Radius over distance at which rounding may still lift a luminaire over the horizon.
+/// Ratio of radius to distance at which rounding may still lift a luminaire above the horizon.
 inline constexpr double horizon_slack = 1e-14;
-/// Points whose squared distance from the centre is below this share of the squared radius are
+/// Fraction of the squared radius; points whose squared distance from the centre is below it are
 /// inside.
 inline constexpr double inside_share = 1 - 2e-9;
 
-/// How far a luminaire reaches towards a plane with this normal: not beyond its box, nor beyond its
+/// Extent of a luminaire along this normal from its centre: the smaller of those of its box and its
 /// sphere. Never quite 0.
 [[gnu::always_inline]] inline double reach_along(const Vec3& n, const Vec3& half, double radius) {
     const double of_box = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
@@ -65,16 +65,17 @@ inline constexpr double inside_share = 1 - 2e-9;
     return reach < radius ? reach : radius;
 }
 
-/// What one sphere gives: elementwise arithmetic without branches, so that loops over it are
-/// vectorised, and so that every instruction set gives the same bits. v goes from the point to the
-/// centre, n is the point's normal.
+/// Irradiance from one sphere. Elementwise arithmetic without branches, so that loops over it are
+/// vectorised, and so that every instruction set gives the same bits. v points from the receiver to
+/// the centre, n is the receiver's normal.
 ///
-/// With h = n.v the irradiance is strength r h r / d^3 when the whole sphere is above the horizon,
-/// and strength (h + r)^2 r / 4 d^3 is put in the place of the exact formula where the horizon cuts
-/// it: the two meet at h = r, the second is zero only where all of the sphere is below, and never
-/// below the first. What is flatter than its sphere is cut by the horizon within its reach instead:
-/// strength (h + reach)^2 r^2 / (4 reach d^3). Inside, all directions meet the surface. Without a
-/// horizon it is strength r / d^2, and four times that of one side from inside.
+/// With h = n.v, the irradiance is strength r h r / d^3 if the whole sphere is above the horizon.
+/// Where the horizon cuts the sphere, strength (h + r)^2 r / 4 d^3 replaces the exact formula: the
+/// two agree at h = r, and the second is zero only if the whole sphere is below, and never smaller
+/// than the first. Luminaires flatter than their sphere are cut by the horizon within their reach
+/// instead: strength (h + reach)^2 r^2 / (4 reach d^3). Inside the sphere, light arrives from all
+/// directions. Without a horizon the estimate is strength r / d^2, and inside four times that of
+/// one side.
 template <Horizon horizon>
 [[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
                                                 double strength, double reach) {
@@ -100,14 +101,14 @@ template <Horizon horizon>
     return strength * seen * inverse * inverse * inverse;
 }
 
-/// The same for a sphere.
+/// The same for a luminaire as thick as its sphere.
 template <Horizon horizon>
 [[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
                                                 double strength) {
     return irradiance<horizon>(v, n, radius, strength, radius);
 }
 
-/// The factor for the direction in which a flat luminaire is seen; 1 for others.
+/// Factor for the direction in which a flat luminaire is seen; 1 for other luminaires.
 [[gnu::always_inline]] inline double facing(const Vec3& v, double radius, const Vec3& axis,
                                             double evenness) {
     const double r2 = radius * radius;
@@ -116,14 +117,14 @@ template <Horizon horizon>
     return evenness + std::abs(axis.x * v.x + axis.y * v.y + axis.z * v.z) / std::sqrt(outside2);
 }
 
-/// The factor for the direction in which something is seen that may have a bent normal.
+/// Factor for the direction in which a luminaire that may have a bent normal is seen.
 inline double turned(const LightProxy& g, const Vec3& v, double radius) {
     const double distance = std::sqrt(std::fmax(dot(v, v), radius * radius));
     const double seen = g.evenness + (std::abs(dot(g.axis, v)) - dot(g.bent_normal, v)) / distance;
     return std::fmax(seen, length(g.bent_normal) * (min_unoccluded + radius / distance));
 }
 
-/// Estimate of the irradiance of one luminaire; see unoccluded().
+/// Estimates the irradiance from one luminaire; see unoccluded().
 inline double irradiance(const LightProxy& g, const Receiver& point) {
     const Vec3 v = g.centre - point.position;
     const double reach = reach_along(point.normal, g.half, g.radius);

@@ -16,13 +16,13 @@ namespace candelabra {
 
 namespace {
 
-/// Share of the points of a luminaire that are drawn as if it glowed evenly when a map says where
-/// it is bright. What the map misses makes noise by one over this.
+/// Fraction of a luminaire's points that are drawn as if it glowed evenly, when it has a map of its
+/// brightness. Light that the map misses is noisier by one over this.
 constexpr double evenly = 0.25;
-/// The least that the mean brightness counts for, as a share of the greatest.
+/// Lower bound of the mean brightness as a fraction of the maximum.
 constexpr double min_mean = 1e-3;
 
-/// What the luminance of the brightest point must be multiplied by to have the mean.
+/// Ratio of the mean luminance to that of the brightest point.
 double mean_share(const Luminaire& luminaire) {
     const auto* e = std::get_if<CompositeEmitter>(&luminaire.emitter);
     if (!luminaire.brightness && !(e && e->mean)) return 1;
@@ -45,7 +45,7 @@ void intersect_evenly(const Luminaire& luminaire, const Receiver& point, const V
     std::visit([&](const auto& e) { intersect(e, point, direction, met); }, luminaire.emitter);
 }
 
-/// By the map or evenly, with the density that both have together.
+/// Samples by the map or evenly; the density is that of the mixture.
 std::optional<LightPoint> sample_bright(const Luminaire& luminaire, const Brightness::View& view,
                                         const Receiver& point, const Vec2& u) {
     if (u.x < evenly) {
@@ -81,8 +81,8 @@ double luminance(const Vec3& radiance) {
     const Vec3 shining(std::fmax(radiance.x, 0), std::fmax(radiance.y, 0),
                        std::fmax(radiance.z, 0));
     if (shining == Vec3(0)) return 0;
-    // Wide enough for any scene, narrow enough that no product of it with lengths leaves the range
-    // of a double.
+    // Wide enough for any scene, and narrow enough that products with lengths stay in the range of
+    // a double.
     return std::fmin(std::fmax(grey(shining), 1e-100), 1e100);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One thing that emits light, whatever its shape: how bright it may look from afar, and points on
-// it with their density. The light samplers choose among luminaires; the renderer then asks the
-// chosen one for a point.
+// A luminaire of any shape: an estimate of its irradiance, and points on it with their density. The
+// light samplers choose among luminaires; the renderer then asks the chosen one for a point.
 #pragma once
 
 #include "base/box.h"
@@ -21,20 +20,20 @@
 
 namespace candelabra {
 
-/// From where light counts at a point.
+/// Directions from which a point receives light.
 enum class Horizon : std::uint8_t {
-    one_side,    ///< above its plane, by the cosine to the normal
-    both_sides,  ///< above and below the plane, by the same
-    none         ///< from everywhere alike: the point is in the air, and its normal is 0
+    one_side,    ///< above its plane, weighted by the cosine to the normal
+    both_sides,  ///< above and below its plane, weighted in the same way
+    none         ///< all directions equally: the point is in the air, and its normal is 0
 };
 
-/// A point to be lit.
+/// A point that receives light.
 struct Receiver {
     Vec3 position;
     Vec3 normal;  ///< unit, on the side that is seen; 0 in the air
     Horizon horizon = Horizon::one_side;
 
-    /// How much light from a unit direction counts: 0 to 1, and below 0 where none does.
+    /// Weight of light from a unit direction: 0 to 1; below 0 where it does not count.
     double cosine(const Vec3& direction) const {
         if (horizon == Horizon::none) return 1;
         const double height = dot(direction, normal);
@@ -47,10 +46,10 @@ struct LightPoint {
     Vec3 position;
     Vec3 direction;  ///< unit, from the shading point
     double distance;
-    double density;  ///< probability per steradian, of volumes also per length; above 0
+    double density;  ///< per steradian, for volumes also per unit of length; above 0
 };
 
-/// A glowing sphere, sampled uniformly in the cone that it fills (by its area from inside).
+/// A glowing sphere, sampled uniformly in the cone that it fills (from inside, by its area).
 struct SphereEmitter {
     Vec3 centre;
     double radius;
@@ -65,7 +64,7 @@ struct TriangleEmitter {
 /// Any other shape whose area can be sampled, under any affine map.
 struct AreaEmitter {
     BuiltShape shape;
-    Handle<Transform> transform;  ///< null: none
+    Handle<Transform> transform;  ///< null: identity
 };
 
 class Guide;
@@ -73,15 +72,15 @@ class Guide;
 /// Any other shape, whole or cut by others.
 struct CompositeEmitter {
     Handle<Composite> composite;
-    std::uint32_t leaf = 0;           ///< of the composite: the part that glows
-    double seen_area = 0;             ///< the area of its shadow, on average over all directions
-    Handle<Guide> guide = nullptr;    ///< where most of its points are looked for; null: all around
+    std::uint32_t leaf = 0;           ///< index of the glowing part in the composite
+    double seen_area = 0;             ///< projected area, averaged over all directions
+    Handle<Guide> guide = nullptr;    ///< where most of its points are sought; null: all around
     std::optional<double> mean = {};  ///< luminance over the surface, if the guide knows it
-    double unevenness = 1;  ///< of luminance: the mean of its square over the square of its mean
+    double unevenness = 1;            ///< mean of the squared luminance over the squared mean
 };
 
-/// A light source of POV-Ray's, which has no size: all its light comes through a ball, of whose
-/// middle there is one point. The renderer asks the source itself for the light that arrives.
+/// A POV-Ray light source, which has no size. All its light passes through a ball, of which only
+/// the centre is ever sampled. The renderer asks the source itself for the light that arrives.
 struct SourceEmitter {
     Vec3 centre;
     double radius = 0;
@@ -90,7 +89,7 @@ struct SourceEmitter {
 
 class EmissionGrid;
 
-/// A box, or a part of one, that is filled with what glows: see volume.h.
+/// A box, or part of one, filled with an emitting medium: see volume.h.
 struct VolumeEmitter {
     Box box;
     Handle<EmissionGrid> grid;
@@ -101,75 +100,76 @@ class Brightness;
 using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter,
                              SourceEmitter, VolumeEmitter>;
 
-/// A luminaire as the samplers see it. Surfaces emit on both sides, as they look in POV-Ray.
+/// A luminaire as the samplers see it. Surfaces emit on both sides, as they do in POV-Ray.
 struct Luminaire {
     Emitter emitter;
-    /// Greatest radiance anywhere on it, per channel; a source's colour; of a volume all that may
-    /// be emitted along a line through it.
+    /// Maximum radiance anywhere on it, per channel; for sources, their colour; for volumes, the
+    /// maximum emitted along a line through them.
     Vec3 radiance;
     bool varying = false;                     ///< whether the radiance changes over the surface
-    Handle<Brightness> brightness = nullptr;  ///< where it is bright; null: not known
-    std::uint32_t primitive;  ///< the world's primitive that it is; of sources: its light; of
-                              ///< volumes: one of the solid that it is in
-    /// Where its light gets out of what it is set into (a window's not into its own house):
-    /// towards this, with all its strength, and the other way by twice its length less. Length 0:
-    /// all around. At most half.
+    Handle<Brightness> brightness = nullptr;  ///< null: unknown
+    std::uint32_t primitive;  ///< index of its primitive in the world; for sources, of the light;
+                              ///< for volumes, of one primitive of the enclosing solid
+    /// Main direction in which light escapes from the luminaire's surroundings (a window does not
+    /// light its own house). The luminaire has full strength in this direction, and in the opposite
+    /// one a fraction smaller by twice the vector's length. Length 0: all directions alike; maximum
+    /// 0.5.
     Vec3 bent_normal = Vec3(0);
 
-    /// Whether its points lie between surfaces, and not on one.
+    /// Whether its points lie between surfaces instead of on one.
     bool is_volume() const { return std::holds_alternative<VolumeEmitter>(emitter); }
 };
 
-/// Where a luminaire (or a cluster of them) is, where it shines, and how much: enough to estimate
-/// and to bound what it gives.
+/// Place, directions and amount of the emission of a luminaire or a cluster of them: enough to
+/// estimate and to bound its irradiance.
 struct LightBounds {
     Box box;
-    Vec3 centre = Vec3(0);  ///< of a sphere around it, for a glowing sphere the sphere itself
+    Vec3 centre = Vec3(0);  ///< of a bounding sphere; for a glowing sphere, of the sphere itself
     double radius = 0;
-    /// Unit normal when it is flat (either sign: both sides shine), 0 when it is not.
+    /// Unit normal of flat luminaires (of either sign: both sides shine), 0 for others.
     Vec3 axis = Vec3(0);
-    /// Luminance times the area seen: face on when flat, else the mean over all directions.
+    /// Luminance times projected area: face-on if flat, else averaged over all directions.
     double intensity = 0;
     double luminance = 0;  ///< of its brightest point
-    double evenness = 0;   ///< what a flat one with some thickness shows in all directions, as a
-                           ///< share of its intensity
+    double evenness = 0;   ///< fraction of its intensity that a flat luminaire of some thickness
+                           ///< has in all directions
     Vec3 bent_normal = Vec3(0);  ///< see Luminaire
 };
 
-/// Luminance that steers the choice of luminaires: grey(), but never 0 where any channel is above
-/// 0.
+/// Luminance for choosing luminaires: grey(), but above 0 if any channel is.
 double luminance(const Vec3& radiance);
 
 LightBounds bounds(const Luminaire&);
 
-/// An estimate of the irradiance (times luminance) at the point as if nothing were between; exact
-/// for triangles and for spheres above the horizon. Never 0 when any part of the luminaire is above
-/// the point's tangent plane: the paper's Figure 4 shows what happens otherwise.
+/// Estimates the unoccluded irradiance at the point, as luminance; exact for triangles, and for
+/// spheres above the horizon. Never 0 if any part of the luminaire is above the point's tangent
+/// plane: the paper's Figure 4 shows the consequences otherwise.
 double unoccluded(const Luminaire&, const Receiver&);
 
-/// A point of the luminaire that may be seen from the shading point, with its density; u in
-/// [0,1)^2. Nothing when the drawn point cannot be seen (it faces away, or lies on the horizon).
+/// Returns a point of the luminaire that may be visible from the shading point, with its density; u
+/// is in [0, 1)^2. Returns nothing if the drawn point cannot be visible (it faces away, or lies on
+/// the horizon).
 std::optional<LightPoint> sample(const Luminaire&, const Vec3& from, const Vec2& u);
 
-/// The same where the surface's normal is known: spheres that are wholly above the horizon are
-/// sampled in proportion to the cosine, so that a diffuse surface sees no noise of it at all.
+/// The same for a known surface normal: spheres wholly above the horizon are sampled in proportion
+/// to the cosine, so that they make no noise on a diffuse surface.
 std::optional<LightPoint> sample(const Luminaire&, const Receiver&, const Vec2& u);
 
-/// A direction in which a luminaire may be seen; and the density with which it is drawn, per
-/// steradian.
+/// A direction in which a luminaire may be visible, and its density per steradian.
 struct LightDirection {
     Vec3 direction;  ///< unit
     double density;
 };
 
-/// Luminaires that are found by looking: the density of a point of theirs is that of its direction,
-/// if nothing else of them is met before. A ray in a drawn direction does all of the work.
+/// A luminaire whose points are found by tracing rays. The density of a point is that of its
+/// direction if the luminaire is not met before, so one ray in a drawn direction does all of the
+/// work.
 class SearchedLuminaire {
 public:
-    /// Nothing when the luminaire is of another kind.
+    /// Returns nothing if the luminaire is of another kind.
     static std::optional<SearchedLuminaire> of(const Luminaire&);
 
-    /// Nothing when the drawn direction cannot be followed.
+    /// Returns nothing if no ray can be traced in the drawn direction.
     std::optional<LightDirection> draw(const Vec3& from, const Vec2& u) const;
     double density(const Vec3& from, const Vec3& direction) const;
 
@@ -178,40 +178,41 @@ private:
     const CompositeEmitter* emitter_;
 };
 
-/// Where a direction meets a luminaire.
+/// A point where a ray meets a luminaire.
 struct LightHit {
     double distance;
-    double density;  ///< with which sample() gives this point for the shading point, per steradian
+    double density;  ///< per steradian, with which sample() returns this point for the shading
+                     ///< point
 };
 using LightHits = std::vector<LightHit>;
 
-/// Appends the points that sample() may give in this direction from the shading point.
+/// Appends the points that sample() may return in this direction from the shading point.
 void intersect(const Luminaire&, const Receiver&, const Vec3& direction, LightHits&);
 
 /// A ray that leaves a luminaire.
 struct EmittedRay {
-    Ray ray;      ///< from its surface; the direction is a unit vector
-    Vec3 normal;  ///< unit, of the surface there, on the side of the ray; 0 of sources, and the
-                  ///< direction itself where there is no surface
-    /// Of point and direction together, per area (of volumes per volume) and steradian; of sources,
-    /// which have no area, per steradian.
+    Ray ray;      ///< from the surface; its direction is a unit vector
+    Vec3 normal;  ///< unit normal of the surface, on the side of the ray; 0 for sources, and the
+                  ///< direction itself for volumes
+    /// Joint density of point and direction, per area (for volumes, per volume) and steradian; for
+    /// sources, which have no area, per steradian.
     double density;
 };
 
-/// A point of the luminaire and a direction that leaves it there, about in proportion to the power
-/// that goes there; points of `where` and `direction` are in [0, 1)^2. The radiance along the ray
-/// times the cosine to the normal, over the density, is an unbiased estimate of the power. Nothing
-/// when nothing leaves the drawn point. All sides of a surface emit.
+/// Returns a point of the luminaire and a direction in which it emits, drawn roughly in proportion
+/// to the emitted power; `where` and `direction` are in [0, 1)^2. The radiance along the ray times
+/// the cosine to the normal, over the density, is an unbiased estimate of the power. Returns
+/// nothing if the drawn point does not emit. Surfaces emit on all sides.
 std::optional<EmittedRay> emit(const Luminaire&, const Vec2& where, const Vec2& direction);
 
-/// Area of the emitting surface in world units; 0 when it cannot glow (a degenerate triangle).
+/// Area of the emitting surface in world units; 0 if it cannot glow (a degenerate triangle).
 double emitting_area(const Emitter&);
 
-/// How many faces a map of the brightness has, which boxes, discs, triangles and spheres can have
-/// (a sphere's counts as many); 0 for other emitters.
+/// Number of faces of a map of the brightness. Boxes, discs, triangles and spheres can have a map
+/// (a sphere's counts as several faces); 0 for other emitters.
 std::size_t face_count(const Emitter&);
-/// A map of the brightness of a luminaire that has these faces: see there. Null for a sphere that
-/// glows so evenly that its formula is better. Precondition: face_count() > 0.
+/// Returns a map of the brightness of a luminaire (see Brightness), or null for a sphere that glows
+/// so evenly that its formula is better. Precondition: face_count() > 0.
 Handle<Brightness> brightness_of(const Luminaire&, int cells,
                                  FunctionRef<double(const Vec3&)> luminance);
 

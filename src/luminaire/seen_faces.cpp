@@ -9,18 +9,18 @@ namespace candelabra {
 
 namespace {
 
-/// Squared diagonal over squared distance from which on a face is sampled by solid angle: below,
-/// points spread evenly over the area are as good.
+/// Ratio of squared diagonal to squared distance above which a face is sampled by solid angle;
+/// below, sampling by area is as good.
 constexpr double large = 0.1;
-/// Points this near to the plane of a face, as a share of all lengths, lie on it: rounding says
-/// where they would see it.
+/// Points nearer to the plane of a face than this, relative to all lengths, count as on it: only
+/// rounding decides on which side they are.
 constexpr double surface = 1e-9;
-/// What a face counts for that is seen along the surface, as if it stood so much higher (a sine):
-/// it may light what is not matt.
+/// Sine that is added to a face's elevation, so that faces seen along the surface have a weight
+/// too: they may light surfaces that are not matt.
 constexpr double min_height = 0.05;
 
-/// The part of a side that has something above the horizon, where it begins and ends as shares of
-/// the side: height + share * rise is the greatest height there.
+/// The part of a side that may be above the horizon, as fractions of the side; the maximum height
+/// at a fraction is height + fraction * rise.
 Interval above_horizon(double height, double rise) {
     if (rise == 0) return height > 0 ? Interval{0, 1} : Interval{1, 0};
     const double level = -height / rise;
@@ -51,7 +51,7 @@ double SeenFaces::Face::height(const Vec3& from, const Vec3& normal) const {
 
 double SeenFaces::weight(Face& f, const Vec3* normal) const {
     if (normal && !f.rise_above(from_, *normal)) return 0;
-    // What it fills of the view, exactly or as seen from its middle.
+    // Solid angle of the face: exact, or as seen from its middle.
     const Vec3 offset = f.corner + 0.5 * (f.side1 + f.side2) - from_;
     const double distance2 = dot(offset, offset), distance = std::sqrt(distance2);
     const double side2 = dot(f.side1, f.side1) + dot(f.side2, f.side2);

@@ -10,7 +10,7 @@ LightBounds bounds(const SourceEmitter& source, double luminance) {
     result.box = {source.centre - source.radius, source.centre + source.radius};
     result.centre = source.centre;
     result.radius = source.radius;
-    // Light of colour 1 is a perpendicular irradiance of pi.
+    // Light of colour 1 has a perpendicular irradiance of pi.
     result.intensity = std::numbers::pi * luminance;
     result.luminance = luminance;
     return result;

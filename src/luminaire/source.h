@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A light source of no size. Called through luminaire.h, which states what each function promises;
-// rays never meet one.
+// A light source of no size. Called through luminaire.h, which documents each function; rays never
+// meet one.
 #pragma once
 
 #include "luminaire/luminaire.h"

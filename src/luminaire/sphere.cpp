@@ -12,13 +12,13 @@ namespace {
 
 using std::numbers::pi;
 
-/// From here on inwards the sphere is sampled by its area: a cone that is (almost) a half space
-/// would miss the far side, which is what a point on the surface sees of a hollow lamp.
+/// Whether the sphere is sampled by its area: from a point on the surface, a cone that is (almost)
+/// a half space would miss the far side of a hollow lamp.
 bool inside_or_on(const SphereEmitter& s, double distance) {
     return distance <= s.radius * (1 + 1e-9);
 }
 
-/// 1 - cos of the angle between the middle and the rim of the sphere; exact also when it is tiny.
+/// 1 - cos of the angle between the centre and the rim of the sphere; exact also if tiny.
 double rim(const SphereEmitter& s, double distance) {
     const double sine = s.radius / distance;
     return sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
@@ -38,7 +38,7 @@ std::optional<LightPoint> sample_area(const SphereEmitter& s, const Vec3& from, 
     return LightPoint{position, offset / distance, distance, area_density(s, distance, cosine)};
 }
 
-/// How a point outside sees the sphere.
+/// The sphere as seen from a point outside.
 struct SphereView {
     Vec3 middle;  ///< unit
     double distance, sine2;
@@ -50,9 +50,9 @@ struct SphereView {
     }
 };
 
-/// The point that is met in a direction that makes this angle with the middle, across being its
-/// part at right angles. Near root and place on the sphere in forms that lose no digits, neither
-/// close to the sphere nor far from it.
+/// Returns the point of the sphere in a direction that makes an angle of this cosine with the
+/// middle; `across` is the direction's part perpendicular to the middle. The nearer intersection
+/// and the position are computed in forms that lose no digits close to the sphere or far from it.
 LightPoint point_towards(const SphereEmitter& s, const SphereView& view, double cosine,
                          const Vec3& across, double density) {
     const double d = view.distance, across2 = dot(across, across);
@@ -72,10 +72,10 @@ LightPoint sample_cone(const SphereEmitter& s, const SphereView& view, const Vec
     return point_towards(s, view, cosine, across, 1 / (2 * pi * widest));
 }
 
-/// Height of the sphere's centre over the horizon, as a cosine, when all of the sphere is above
-/// (or, for surfaces that are lit from behind, all below: then it is negative); else 0.
+/// Cosine between the normal and the sphere's centre if the whole sphere is above the horizon;
+/// negative if it is wholly below, on surfaces lit from behind; else 0.
 double clear_height(const SphereView& view, const Receiver& point) {
-    // At the horizon itself the density of a direction loses its digits.
+    // At the horizon itself the density loses its digits.
     constexpr double margin = 1.0001;
     const double height = dot(view.middle, point.normal);
     const bool clear = height * height > margin * view.sine2 &&
@@ -83,8 +83,8 @@ double clear_height(const SphereView& view, const Receiver& point) {
     return clear ? height : 0;
 }
 
-/// Probability per steradian for each unit of the cosine: the sphere's cap of directions, seen from
-/// above, is an ellipse in the unit disc (Nusselt), and its points are drawn evenly.
+/// Density per steradian and unit of cosine: the projection of the sphere's cap of directions onto
+/// the tangent plane is an ellipse in the unit disc (Nusselt analog), sampled uniformly.
 double projected_density(const SphereView& view, double height) {
     return 1 / (pi * view.sine2 * std::abs(height));
 }
@@ -98,8 +98,8 @@ LightPoint sample_projected(const SphereEmitter& s, const SphereView& view, cons
     const Vec3 sideways = cross(normal, outward);
     const double radius = sine * std::sqrt(u.x), angle = 2 * pi * u.y;
     const double along = radius * std::cos(angle), beside = radius * std::sin(angle);
-    // The point of the ellipse from its middle, which is the cap's middle times the cosine of its
-    // angle; then up to the sphere of directions.
+    // The ellipse's centre is the cap's centre times the cosine of the cap's half angle. The point
+    // of the ellipse is then projected up to the sphere of directions.
     const double cosine_rim = std::sqrt(1 - view.sine2);
     const double a = cosine_rim * length(level) + up * along;
     const double lifted = std::sqrt(std::fmax(0, 1 - a * a - beside * beside));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The glowing sphere. Called through luminaire.h, which states what each function promises.
+// The glowing sphere. Called through luminaire.h, which documents each function.
 #pragma once
 
 #include "luminaire/luminaire.h"

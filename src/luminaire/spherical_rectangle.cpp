@@ -27,7 +27,7 @@ SphericalRectangle::SphericalRectangle(const Vec3& from, const Vec3& corner, con
     y0_ = dot(offset, y_);
     x1_ = x0_ + length(side1);
     y1_ = y0_ + length(side2);
-    // Normals of the planes through the point and each edge; the angles between them.
+    // Normals of the planes through the point and each edge, and the angles between them.
     const Vec3 v00(x0_, y0_, z0_), v01(x0_, y1_, z0_), v10(x1_, y0_, z0_), v11(x1_, y1_, z0_);
     const Vec3 n0 = unit(cross(v00, v10)), n1 = unit(cross(v10, v11)), n2 = unit(cross(v11, v01)),
                n3 = unit(cross(v01, v00));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rectangle as a point sees it, sampled uniformly in solid angle (Urena, Fajardo and King, "An
+// A rectangle as seen from a point, sampled uniformly in solid angle (Urena, Fajardo and King, "An
 // Area-Preserving Parametrization for Spherical Rectangles", 2013). Used for the faces of boxes.
 #pragma once
 
@@ -9,12 +9,12 @@ namespace candelabra {
 
 class SphericalRectangle {
 public:
-    /// The sides must be at right angles, and the point not in the rectangle's plane.
+    /// The sides must be at right angles, and `from` must not be in the rectangle's plane.
     SphericalRectangle(const Vec3& from, const Vec3& corner, const Vec3& side1, const Vec3& side2);
 
-    /// In steradians. Digits are lost where it is far below 0.001; 0 when it cannot be computed.
+    /// In steradians. Loses digits far below 0.001; 0 if it cannot be computed.
     double solid_angle() const { return solid_angle_; }
-    /// The point for u in [0, 1)^2. Precondition: the solid angle is above 0.
+    /// Returns the point for u in [0, 1)^2. Precondition: the solid angle is above 0.
     Vec3 sample(const Vec2& u) const;
 
 private:

@@ -14,15 +14,15 @@ namespace {
 
 using std::numbers::pi;
 
-/// Outside these solid angles the triangle is sampled by its area: a small one looks the same all
-/// over, and angles of spherical triangles lose their digits there; a huge one is as good as a
+/// Outside these solid angles the triangle is sampled by its area. A small triangle looks the same
+/// all over, and the angles of its spherical triangle lose their digits; a huge one is as good as a
 /// plane through the point.
 constexpr double min_solid_angle = 3e-4, greatest_solid_angle = 6.22;
-/// Radius over distance from which on the irradiance is that of a small patch, which by then is
-/// right to six digits.
+/// Ratio of radius to distance below which the irradiance is that of a small patch, then correct to
+/// six digits.
 constexpr double small = 1e-3;
 
-/// The triangle as a point sees it.
+/// The triangle as seen from a point.
 struct TriangleView {
     TriangleView(const TriangleEmitter& t, const Vec3& from)
         : corners{t.corner1 - from, t.corner2 - from, t.corner3 - from},
@@ -31,7 +31,7 @@ struct TriangleView {
           scaled_normal(cross(edge1, edge2)) {}
 
     /// Formula of van Oosterom and Strackee (1983), with the edges in the triple product so that
-    /// far triangles keep their digits.
+    /// distant triangles keep their digits.
     double solid_angle() const {
         const auto& [a, b, c] = corners;
         const double la = length(a), lb = length(b), lc = length(c);
@@ -41,12 +41,12 @@ struct TriangleView {
                std::atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
     }
 
-    std::array<Vec3, 3> corners;  ///< from the point
+    std::array<Vec3, 3> corners;  ///< relative to the point
     Vec3 edge1, edge2;
     Vec3 scaled_normal;  ///< twice the area long
 };
 
-/// The solid angle if it is what the triangle is sampled by, else 0.
+/// The solid angle if the triangle is sampled by it, else 0.
 double sampled_solid_angle(const TriangleView& view) {
     const double solid_angle = view.solid_angle();
     return solid_angle > min_solid_angle && solid_angle < greatest_solid_angle ? solid_angle : 0;
@@ -57,18 +57,18 @@ double area_density(const TriangleView& view, const Vec3& direction, double dist
     return twice_seen > 0 ? 2 * distance * distance / twice_seen : 0;
 }
 
-/// v without its part along the unit vector u, of length 1.
+/// The part of v perpendicular to the unit vector u, normalised.
 Vec3 away(const Vec3& v, const Vec3& u) { return unit(v - dot(v, u) * u); }
 
-/// Angle between two planes through u: those that contain v and w.
+/// Angle between the planes through u that contain v and w.
 double angle_at(const Vec3& u, const Vec3& v, const Vec3& w) {
     const Vec3 a = cross(u, v), b = cross(u, w);
     return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
-/// A direction in the triangle, uniform in solid angle (Arvo 1995): first the part of the triangle
-/// up to a new corner on the third edge, then a point on the arc from the second corner to that
-/// one.
+/// Returns a direction in the triangle, uniform in solid angle (Arvo 1995): u.x cuts off part of
+/// the triangle by a new corner on the third edge, and u.y chooses a point on the arc from the
+/// second corner to the new one.
 Vec3 direction_in(const TriangleView& view, double solid_angle, const Vec2& u) {
     const Vec3 a = unit(view.corners[0]), b = unit(view.corners[1]), c = unit(view.corners[2]);
     const double alpha = angle_at(a, b, c), cos_alpha = std::cos(alpha),
@@ -84,8 +84,8 @@ Vec3 direction_in(const TriangleView& view, double solid_angle, const Vec2& u) {
     return (1 - versine) * b + std::sqrt(versine * (2 - versine)) * away(corner, b);
 }
 
-/// Where the direction meets the triangle's plane, moved into the triangle if rounding put it
-/// outside; from the point.
+/// Where the direction meets the triangle's plane, relative to the point; moved into the triangle
+/// if rounding put it outside.
 Vec3 on_triangle(const TriangleView& view, const Vec3& direction) {
     const Vec3 p = cross(direction, view.edge2);
     const double determinant = dot(view.edge1, p);
@@ -101,7 +101,7 @@ Vec3 on_triangle(const TriangleView& view, const Vec3& direction) {
     return view.corners[0] + v * view.edge1 + w * view.edge2;
 }
 
-/// A triangle cut by the horizon: at most four corners.
+/// A triangle clipped by the horizon: at most four corners.
 struct Polygon {
     std::array<Vec3, 4> corners;
     std::size_t count = 0;
@@ -122,8 +122,8 @@ Polygon above_horizon(const std::array<Vec3, 3>& corners, const Vec3& normal) {
     return result;
 }
 
-/// Lambert's formula: the sum over the edges of their angle times the cosine of the plane through
-/// edge and point.
+/// Lambert's formula: the sum over the edges of their angle times the cosine between the receiver's
+/// normal and that of the plane through edge and point.
 double polygon_irradiance(const Polygon& polygon, const Vec3& normal) {
     double sum = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -135,8 +135,7 @@ double polygon_irradiance(const Polygon& polygon, const Vec3& normal) {
     return std::abs(sum) / 2;
 }
 
-/// The same for a polygon so far away that all of it is seen alike: Lambert's formula would lose
-/// its digits.
+/// The same for a small distant polygon, for which Lambert's formula would lose its digits.
 double patch_irradiance(const Polygon& polygon, const Vec3& normal) {
     double result = 0;
     for (std::size_t i = 1; i + 1 < polygon.count; ++i) {
@@ -162,7 +161,7 @@ LightBounds bounds(const TriangleEmitter& t, double luminance) {
     const double radius =
         std::fmax(length(t.corner1 - centre),
                   std::fmax(length(t.corner2 - centre), length(t.corner3 - centre)));
-    // The centre is rounded, the sphere must hold the triangle all the same.
+    // The centre is rounded, but the sphere must still contain the triangle.
     const double rounding = 4 * std::numeric_limits<double>::epsilon() *
                             std::fmax(max_abs_component(box.low), max_abs_component(box.high));
     return {box,
@@ -175,13 +174,13 @@ LightBounds bounds(const TriangleEmitter& t, double luminance) {
 
 double unoccluded(const TriangleEmitter& t, double luminance, const Receiver& point) {
     const LightBounds b = bounds(t, luminance);
-    // The estimate keeps the answer above 0 where the exact one is lost in rounding.
+    // The estimate keeps the result above 0 where the exact one is lost in rounding.
     const double estimate = irradiance(light_proxy(b), point);
     if (estimate == 0) return 0;
     const TriangleView view(t, point.position);
     const bool far = b.radius < small * length(b.centre - point.position);
     if (point.horizon == Horizon::none) {
-        // Where its solid angle loses its digits, the estimate is as good.
+        // Where the solid angle loses its digits, the estimate is as good.
         const double solid_angle = far ? 0 : sampled_solid_angle(view);
         return solid_angle > 0 ? luminance * solid_angle : estimate;
     }

@@ -12,13 +12,13 @@ namespace {
 
 using std::numbers::pi;
 
-/// Share of the points that are spread evenly over all cells.
+/// Fraction of the points that are spread evenly over all cells.
 constexpr double in_any_cell = 0.25;
-/// Points that are nearer than so many radii of the box draw directions as well, and how often:
-/// the light of what is very near has no bound otherwise.
+/// Distance in radii of the box below which directions are sampled as well, and the fraction of
+/// points drawn so: without it, the light of nearby emission is unbounded.
 constexpr double near_volume = 3, by_direction = 0.5;
 
-/// A number in [0, 1) that is independent of u for all that matters: its later digits.
+/// A number in [0, 1) from the later digits of u, in practice independent of u.
 double second_number(double u) {
     constexpr double steps = 1 << 20;
     return u * steps - std::floor(u * steps);
@@ -29,7 +29,7 @@ double volume_of(const Box& box) {
     return size.x * size.y * size.z;
 }
 
-/// The cell in which a place of the box is, whose coordinates are in [0, 1].
+/// The cell of a place in the box; its coordinates are in [0, 1].
 std::size_t cell_at(const Vec3& place) {
     std::size_t cell = 0;
     for (int axis = 2; axis >= 0; --axis) {
@@ -60,12 +60,12 @@ PlaceInVolume draw_place(const VolumeEmitter& e, Vec2 u) {
             cell_density(e, cell)};
 }
 
-/// The part of a ray from a point that is in the box; empty when it misses it.
+/// The part of a ray inside the box; empty if the ray misses it.
 Interval chord(const Box& box, const Vec3& from, const Vec3& direction) {
     return clip({from, direction}, box, {});
 }
 
-/// How a point sees the ball around the box.
+/// The bounding sphere of the box as seen from a point.
 class BallView {
 public:
     BallView(const VolumeEmitter& e, const Vec3& from) : middle_(e.box.centre() - from) {
@@ -77,9 +77,9 @@ public:
         middle_ /= distance;
     }
 
-    /// Of the points: those that are drawn by direction.
+    /// Fraction of the points that are drawn by direction.
     double share() const { return share_; }
-    /// Per steradian, in the cone to the ball.
+    /// Density per steradian in the cone to the sphere.
     double density() const { return 1 / (2 * pi * widest_); }
     Vec3 draw(const Vec2& u) const {
         const double versine = u.x * widest_, cosine = 1 - versine;

@@ -32,12 +32,12 @@ const ItemInfo Fog::vocabulary = described<Fog>([] {
 
 namespace {
 
-/// The integral of the density over height, in units of fog_alt.
+/// Integral of the density over height, in units of fog_alt.
 double column(double height) { return height <= 0 ? height : std::atan(height); }
 
 double density(double height) { return height <= 0 ? 1 : 1 / (1 + height * height); }
 
-/// Mean density along a part of a ray.
+/// Mean density along the ray up to a distance.
 double mean_density(const Fog& fog, const Ray& ray, double distance) {
     if (fog.fog_type == 1) return 1;
     const Vec3 up = unit(fog.up);
@@ -46,13 +46,13 @@ double mean_density(const Fog& fog, const Ray& ray, double distance) {
     };
     const double start = height(dot(ray.origin, up));
     const double rise = dot(ray.direction, up);
-    // Very far is as good as infinitely far, and has a mean.
+    // A very large distance is as good as an infinite one, and has a mean.
     const double end = height(dot(ray.origin, up) + std::min(distance, 1e7) * rise);
     if (std::abs(end - start) < 1e-9) return density(start);
     return (column(end) - column(start)) / (end - start);
 }
 
-/// The share of what is behind that is left.
+/// Transmittance of the fog.
 double share_left(const Fog& fog, const Ray& ray, double distance, NoiseGenerator generator) {
     double way = std::min(distance, 1e7);
     if (fog.turbulence != Vec3(0) && distance < 1e7) {
@@ -66,7 +66,7 @@ double share_left(const Fog& fog, const Ray& ray, double distance, NoiseGenerato
                     fog.colour.transmit);
 }
 
-/// The share of light that is left, coloured by what the fog filters.
+/// Transmittance coloured by the fog's filter.
 Vec3 tinted(const Fog& fog, double share) {
     return share * (Vec3(1 - fog.colour.filter) + fog.colour.filter * fog.colour.rgb);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fog: the same everywhere, or thinning out above a height. Asked by the renderer for each part of
-// a ray that is in the open.
+// Fog of constant density, or one that thins out above a height. Evaluated by the renderer for each
+// part of a ray in the atmosphere.
 #pragma once
 
 #include "base/colour.h"
@@ -29,15 +29,15 @@ struct Fog {
     static const ItemInfo vocabulary;
 };
 
-/// What is wrong with it as a whole, as a sentence; empty when nothing is.
+/// Returns a sentence about an error in the fog as a whole; empty if there is none.
 std::string problem(const Fog&);
 
-/// The share of light that all fogs leave on a way of the length; they add nothing of their own.
+/// Transmittance of all fogs along the ray up to a distance, without the light they add.
 /// Precondition: no fog has a problem.
 Vec3 left_by(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
 
-/// What all fogs make of the radiance that comes along the ray, from its origin to the distance,
-/// which may be infinite. Precondition: no fog has a problem.
+/// Transmittance and added radiance of all fogs along the ray, from its origin to a distance, which
+/// may be infinite. Precondition: no fog has a problem.
 Veil veil_of(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
 
 }  // namespace candelabra

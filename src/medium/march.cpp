@@ -11,22 +11,23 @@ namespace candelabra {
 
 namespace {
 
-/// Share of the points that are far away, where a ray has such a part.
+/// Fraction of the points that lie in the far part of a ray, if it has one.
 constexpr double far_share = 0.25;
-/// A way that is longer than so many times what is near has a far part.
+/// A segment longer than this multiple of the near distance has a far part.
 constexpr double far_from = 4;
 
-/// Distances of one part of a ray, spread by one random number: in equal steps, denser where
-/// the light is that comes through, or by equal ratios.
+/// Distances along a segment of a ray for stratified random numbers: in equal steps, in proportion
+/// to the transmittance, or in equal ratios.
 class Spread {
 public:
     enum class Kind { even, exponential, ratios };
 
-    /// `rate` of exponential spreads: mean extinction, above 0. Of ratios `from` is above 0.
+    /// `rate`, for exponential spreads, is the mean extinction, above 0. For ratios, `from` is
+    /// above 0.
     Spread(Kind kind, double from, double to, double rate)
         : kind_(kind), from_(from), to_(to), rate_(rate) {}
 
-    /// For u in [0, 1].
+    /// Precondition: u is in [0, 1].
     double distance(double u) const {
         switch (kind_) {
             case Kind::exponential:
@@ -38,7 +39,7 @@ public:
         }
         return from_ + u * length();
     }
-    /// One over the density there.
+    /// One over the density at a distance.
     double per_density(double distance) const {
         switch (kind_) {
             case Kind::exponential:
@@ -59,14 +60,14 @@ private:
     double from_, to_, rate_;
 };
 
-/// A density over [0, 1) that is the same in each of several cells.
+/// A density over [0, 1) that is constant in each of several cells.
 class MarchCells {
 public:
     static constexpr std::size_t count = 16;
 
     static double middle(std::size_t cell) { return (static_cast<double>(cell) + 0.5) / count; }
 
-    /// Even where the worth is 0 everywhere.
+    /// Makes a uniform density if `worth` is 0 everywhere.
     explicit MarchCells(const std::array<double, count>& worth) {
         double total = 0;
         for (const double each : worth) total += each;
@@ -76,18 +77,19 @@ public:
         }
     }
 
-    /// Where the integral of the density is v, which is in [0, 1); never moves backwards.
+    /// Inverts the integral of the density at v in [0, 1). Successive values of v must not
+    /// decrease.
     double place(double v) {
         while (cell_ + 1 < count && below_ + density_[cell_] / count <= v)
             below_ += density_[cell_++] / count;
         const double within = (v - below_) / density_[cell_];
         return std::min(static_cast<double>(cell_) / count + within, 1.0);
     }
-    /// At the last place.
+    /// Density at the last place.
     double density() const { return density_[cell_]; }
 
 private:
-    /// Share of the points that are spread evenly.
+    /// Fraction of the points that are spread evenly.
     static constexpr double even_share = 0.3;
 
     std::array<double, count> density_;
@@ -95,7 +97,7 @@ private:
     double below_ = 0;  ///< the integral before the cell
 };
 
-/// One channel of emission along a way, where it is the same everywhere.
+/// Emission of one channel along a segment with constant coefficients.
 double emitted(double emission, double extinction, double way) {
     const double depth = extinction * way;
     return std::abs(depth) < 1e-12 ? emission * way : -emission * std::expm1(-depth) / extinction;
@@ -130,7 +132,7 @@ public:
     }
 
 private:
-    /// What is emitted along the whole way, where it is the same everywhere.
+    /// Emission along the whole segment, if the coefficients are constant.
     Vec3 whole(const Vec3& e) const {
         const Vec3& x = first_.extinction;
         const double way = stretch_.distance;
@@ -190,7 +192,7 @@ private:
             result_.places.push_back({distance, way * left_, here.scattering});
     }
 
-    /// Goes on to there, and says what the media are like.
+    /// Advances to a distance, and returns the coefficients there.
     MediumPoint pass_to(double distance) {
         const MediumPoint here = coefficients(media_, ray_.at(distance), scene_);
         left_ *= segment_transmittance(media_, {ray_, passed_, distance, before_, here.extinction},
@@ -212,7 +214,7 @@ private:
     double shift_, greatest_ = 0;
     MediaMarch& result_;
     double passed_ = 0;
-    bool opaque_ = false;  ///< nothing comes from further on
+    bool opaque_ = false;  ///< nothing arrives from further on
     Vec3 before_ = first_.extinction, left_ = Vec3(1), emitted_ = Vec3(0), of_luminaires_ = Vec3(0);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A walk along a part of a ray through media: what they leave of the light behind them, what they
-// emit, and points at which they may be asked for light that they scatter to the viewer.
+// Ray marching through media: returns their transmittance, their emission, and points at which to
+// evaluate the light that they scatter towards the viewer.
 #pragma once
 
 #include "base/function_ref.h"
@@ -12,35 +12,35 @@
 
 namespace candelabra {
 
-/// A point of a ray where media scatter light to the viewer.
+/// A point of a ray where media scatter light towards the viewer.
 struct MediaPlace {
     double distance = 0;
-    /// By what the radiance that is scattered there, per unit of length, counts for the viewer:
-    /// the transmittance from there, times the length that the point stands for.
+    /// Weight of the radiance scattered there per unit of length: the transmittance between viewer
+    /// and point, times the length that the point represents.
     Vec3 weight = Vec3(0);
     Vec3 scattering = Vec3(0);  ///< coefficient, without phase functions
 };
 
 struct MediaMarch {
-    Veil veil;                     ///< emission is what it adds
-    Vec3 of_luminaires = Vec3(0);  ///< the part of it that is luminaires'
-    /// Empty where nothing is scattered. The sum of weight times a function of the distance over
-    /// them is an unbiased estimate of that function's integral times the transmittance.
+    Veil veil;                     ///< adds the emission
+    Vec3 of_luminaires = Vec3(0);  ///< the part of the emission that belongs to luminaires
+    /// Empty if nothing is scattered. The sum over the places of weight times a function of the
+    /// distance is an unbiased estimate of the integral of that function times the transmittance.
     ShortList<MediaPlace, 64> places;
 };
 
-/// A part of a ray, from its origin on, and how it is walked.
+/// A part of a ray, starting at its origin, and how it is marched.
 struct MediaStretch {
     const Ray& ray;  ///< its direction is a unit vector
     double distance;
-    double near = 0;  ///< how far most of the scene lies: beyond, points are rare; 0: all is near
-    int count = 8;    ///< about the number of points
-    /// Fills the second span with what points at the places of the first are worth, on any scale,
-    /// not below 0: points are denser where they are worth more. Null: all are worth the same. What
-    /// is 0 does not stay without points.
+    double near = 0;  ///< extent of most of the scene: points beyond are sparse; 0: no limit
+    int count = 8;    ///< approximate number of points
+    /// Fills the second span with the importance of the positions in the first one, on any scale,
+    /// not below 0. Points are denser where the importance is higher, and never absent where it is
+    /// 0. Null: constant importance.
     using Worth = FunctionRef<void(std::span<const Vec3>, std::span<double>)>;
     const Worth* worth = nullptr;
-    bool counted = false;  ///< what luminaires emit does not count here
+    bool counted = false;  ///< luminaires' emission is counted elsewhere
 };
 
 void march(MediaView, const MediaStretch&, const PatternScene&, const Key&, MediaMarch&);

@@ -8,24 +8,24 @@ namespace candelabra {
 
 namespace {
 
-/// Points of one estimate of an optical depth, for each unit of the depth that is expected, and at
-/// most. What is expected is at least a share of the greatest depth: densities are mostly far below
-/// their bounds.
+/// Sample points of one estimate of an optical depth, per unit of the expected depth, and their
+/// maximum. The expected depth is at least a fraction of the greatest depth, since densities are
+/// mostly far below their bounds.
 constexpr double points_per_depth = 1, max_points = 8, share_of_greatest = 0.1;
-/// Parts of a way that is estimated as a whole, at most.
+/// Maximum number of segments into which a longer interval is divided.
 constexpr double max_parts = 16;
-/// Terms after which each may be the last.
+/// Number of terms after which each term may be the last.
 constexpr double long_series = 64;
-/// Greatest optical depths up to which the series is used, and up to which a way is tracked: it
-/// takes so many steps where nearly all of it is clear. Beyond is the end of the air.
+/// Maximum optical depths for the series, and for tracking, which takes as many steps even where
+/// nearly all of the segment is clear. Only segments to the end of the air are deeper.
 constexpr double max_series = 64, max_tracked = 4096;
-/// Where the optical depth is at most this, the series may end before its first term.
+/// Optical depth below which the series may end before its first term.
 constexpr double thin = 0.005;
 /// A term of the series that is smaller than one over this may be the last.
 constexpr double kept_terms = 2;
 
-/// The share of light that is left by ratio tracking (Novak, Selle and Jarosz, "Residual Ratio
-/// Tracking for Estimating Attenuation in Participating Media", 2014).
+/// Transmittance by ratio tracking (Novak, Selle and Jarosz, "Residual Ratio Tracking for
+/// Estimating Attenuation in Participating Media", 2014).
 Vec3 tracked(MediaView media, const MediaSegment& segment, double greatest,
              const PatternScene& scene, RandomStream& random) {
     Vec3 left(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a medium without scattering samples makes of the radiance from behind it.
+// Effect of a medium without scattering samples on the radiance from behind it.
 #pragma once
 
 #include "base/vector.h"
@@ -11,7 +11,7 @@ struct Veil {
     Vec3 added = Vec3(0);  ///< radiance
 
     Vec3 through(const Vec3& behind) const { return added + transmittance * behind; }
-    /// Both: this one in front of the other.
+    /// Returns the combination of both, with this one in front.
     Veil before(const Veil& other) const {
         return {transmittance * other.transmittance, through(other.added)};
     }

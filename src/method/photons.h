@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// POV-Ray's `photons` blocks: light that gets to surfaces by way of mirrors and glass. Photons are
-// shot in generations, each of them anew, so that words about one map and about its search have
-// little meaning here.
+// POV-Ray's `photons` blocks: light that reaches surfaces by mirrors and glass. Each generation
+// shoots its photons anew, so parameters of a single map and its search have little meaning here.
 #pragma once
 
 #include "vocabulary/item_info.h"
@@ -11,57 +10,58 @@
 
 namespace candelabra {
 
-/// Of the scene: in global_settings.
+/// The block in global_settings.
 struct PhotonSettings {
-    double count = 0;          ///< of photons in a generation; 0 and less: by `spacing`
-    double spacing = 0;        ///< mean distance of photons on a target; 0 and less: by `count`
+    double count = 0;          ///< photons in a generation; not above 0: by `spacing`
+    double spacing = 0;        ///< mean distance between photons on a target; not above 0: by
+                               ///< `count`
     double gather = 20;        ///< has no effect
-    double gather_most = 100;  ///< photons within the first radius, about
-    double radius = 0;         ///< the first radius; 0 and less: by `gather`
+    double gather_most = 100;  ///< approximate number of photons within the first radius
+    double radius = 0;         ///< the first radius; not above 0: by `gather`
     double radius_more = 0, media_radius = 0, media_radius_more = 0;
-    /// Surfaces that a photon may meet, and the least share that it is worth; unset: as of rays.
+    /// Maximum number of surfaces on a photon's path, and its minimum weight; unset: as for rays.
     std::optional<double> max_trace_level = {}, adc_bailout = {};
     double media = 0;
     double media_factor = 1;
     double jitter = 0.4, autostop = 0;
     double expand_thresholds = 0.2, expand_most = 40;
     std::string save_file = {}, load_file = {};
-    bool on = false;  ///< the block is there
+    bool on = false;  ///< the block is present
 
     static const ItemInfo vocabulary;
 
-    /// Whether it says how many photons there are.
+    /// Whether the number of photons is given.
     bool shoots() const { return on && (count > 0 || spacing > 0); }
 };
 
-/// What is said of a way of light.
+/// Setting of a light or object for reflection or refraction.
 enum class PhotonWay : std::uint8_t { unsaid, off, on };
 
-/// Whether photons go that way, by what the light and the object say.
+/// Whether photons are reflected (or refracted), given the settings of the light and the object.
 constexpr bool is_open(PhotonWay light, PhotonWay object) {
     const bool on = light == PhotonWay::on || object == PhotonWay::on;
     return on && light != PhotonWay::off && object != PhotonWay::off;
 }
 
-/// What a light or an object says of both ways.
+/// Settings of a light or an object.
 struct PhotonWays {
     PhotonWay reflection = PhotonWay::unsaid, refraction = PhotonWay::unsaid;
 
     friend bool operator==(const PhotonWays&, const PhotonWays&) = default;
 };
 
-/// Whether photons go any of both ways.
+/// Whether photons are reflected or refracted.
 constexpr bool any_open(const PhotonWays& light, const PhotonWays& object) {
     return is_open(light.reflection, object.reflection) ||
            is_open(light.refraction, object.refraction);
 }
 
-/// Of an object.
+/// The block of an object.
 struct ObjectPhotons {
     std::optional<double> target = {};  ///< factor of the spacing, if above 0; unset: no target
     std::optional<double> reflection = {}, refraction = {};
-    bool collect = true;        ///< it shows light that photons bring
-    bool pass_through = false;  ///< photons pass it in a straight line
+    bool collect = true;        ///< whether it receives the light of photons
+    bool pass_through = false;  ///< whether photons pass through it in a straight line
 
     static const ItemInfo vocabulary;
 
@@ -69,10 +69,10 @@ struct ObjectPhotons {
     friend bool operator==(const ObjectPhotons&, const ObjectPhotons&) = default;
 };
 
-/// Of a light source.
+/// The block of a light source.
 struct LightPhotons {
     std::optional<double> reflection = {}, refraction = {};
-    bool area_light = false;  ///< photons start from all of its grid
+    bool area_light = false;  ///< photons start from its whole grid
 
     static const ItemInfo vocabulary;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// POV-Ray's `radiosity` block: the light that diffuse surfaces get from each other. It is computed
-// without a cache, so that words about the cache have no meaning here.
+// POV-Ray's `radiosity` block: interreflection between diffuse surfaces. It is computed without a
+// cache, so the parameters of the cache have no effect.
 #pragma once
 
 #include "vocabulary/item_info.h"
@@ -10,13 +10,13 @@
 namespace candelabra {
 
 struct Radiosity {
-    int recursion_limit = 2;  ///< diffuse reflections on the way of light to a surface that is seen
-    double brightness = 1;    ///< factor at each of them
-    double gray_threshold = 0;  ///< share of the gathered light that becomes grey at each of them
-    double max_sample = -1;  ///< greatest channel of light from one direction; 0 and less: no bound
-    bool normal = false;     ///< light is gathered about the disturbed normal
-    bool media = false;      ///< fog is there for light that is gathered
-    // Words of POV-Ray's cache and of its effort.
+    int recursion_limit = 2;    ///< diffuse reflections before the visible surface
+    double brightness = 1;      ///< factor at each of them
+    double gray_threshold = 0;  ///< fraction of the light that turns grey at each of them
+    double max_sample = -1;  ///< maximum channel of light from one direction; not above 0: no bound
+    bool normal = false;     ///< gather light around the perturbed normal
+    bool media = false;      ///< fog affects gathered light
+    // Parameters of POV-Ray's cache and its effort.
     int count = 35;
     int directions = 1600;
     double error_bound = 1.8;
@@ -29,15 +29,15 @@ struct Radiosity {
     bool always_sample = false;
     bool subsurface = false;
     std::string save_file = {}, load_file = {};
-    bool on = false;  ///< the block is there
+    bool on = false;  ///< the block is present
 
     static const ItemInfo vocabulary;
 };
 
-/// What of the radiance from one direction is gathered: with the bound, the brightness and the loss
-/// of colour that the block says.
+/// Returns the gathered part of the radiance from one direction: bounded by `max_sample`, scaled by
+/// `brightness` and partly turned grey.
 Vec3 gathered_light(const Radiosity&, const Vec3& radiance);
-/// The same without the bound: of light that is not known direction by direction.
+/// The same without the bound, for light whose directions are not known.
 Vec3 reflected_light(const Radiosity&, const Vec3& light);
 
 }  // namespace candelabra

@@ -15,13 +15,13 @@ namespace {
 
 using std::numbers::pi;
 
-/// Sharper highlights are drawn as these, so that densities stay numbers.
+/// Maximum exponent with which highlights are sampled, so that densities stay finite.
 constexpr double sharpest = 1e6;
-/// Surfaces without a diffuse part are drawn from as if they had some: away from its middle, a
+/// Surfaces without a diffuse term are sampled as if they had one: away from its centre, a
 /// highlight falls off slower than its density.
 constexpr double max_specular_probability = 0.9;
 
-/// A direction about an axis, in proportion to a power of the cosine.
+/// Draws a direction around an axis in proportion to a power of the cosine.
 Vec3 draw_about(const Vec3& axis, double exponent, Vec2 u) {
     const auto [x, y] = perpendiculars(axis);
     const double cosine2 = std::pow(1 - u.x, 2 / (exponent + 1)), angle = 2 * pi * u.y;
@@ -45,7 +45,7 @@ Bsdf::Bsdf(const Shading& s, const ShadingRules& rules, Part part, double ior)
         diffuse_ = light.base;
         for (const auto& [width, amount] : light.wide) add(Lobe::facets, width, amount);
     } else {
-        // A highlight's integral over all directions, as a share of that of a white surface.
+        // The integral of a highlight over all directions, relative to that of a white surface.
         const double size = std::clamp(f.phong_size, 0.0, sharpest),
                      exponent = f.roughness > 1 / sharpest ? 1 / f.roughness : sharpest;
         const double cosine = std::fmax(-dot(s.view, s.normal), 0);
@@ -69,7 +69,8 @@ BsdfLobes Bsdf::lobes() const {
     for (std::size_t i = 0; i < count_; ++i) {
         const auto& [kind, extent, share] = lobes_[i];
         const double light = share * highlights_ / specular_probability_;
-        // The half vector turns half as far as the light, and so its cosine changes by a quarter.
+        // The half vector turns half as far as the light, so its cosine changes by a quarter as
+        // much.
         double sharpness = extent, peak = light * (extent + 1) / 2;
         if (kind == Lobe::about_normal) {
             sharpness = extent / 4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The BSDF of one layer of a surface at one point: how it scatters light to the viewer, and
-// directions drawn as it does so. Lobes that send light in one direction only are in mirror.h.
+// The BSDF of one layer of a surface at one point: evaluates and samples how it scatters light
+// towards the viewer. Delta lobes (mirror and refraction) are in mirror.h.
 #pragma once
 
 #include "lighting/light_query.h"
@@ -12,33 +12,33 @@
 
 namespace candelabra {
 
-/// Which facets are asked for. Scattered rays find luminaires better than lobes of facets that are
-/// very narrow.
+/// Which facet lobes to evaluate. Scattered rays find luminaires better than very narrow lobes do.
 enum class FacetLobes { all, wide, none };
 
-/// What light is asked for; by default all.
+/// Which terms to evaluate; all by default.
 struct BsdfTerms {
     bool highlights = true;  ///< phong and specular
-    bool brilliance = true;  ///< of the diffuse part; false: as if it were 1
+    bool brilliance = true;  ///< of the diffuse term; false: as if it were 1
     FacetLobes facets = FacetLobes::all;
 };
 
-/// Throughout, light of colour 1 is that of a perpendicular irradiance of pi, as in POV-Ray, and
-/// the cosine is in what is answered: pi times the BSDF times the cosine.
+/// Throughout, light of colour 1 has a perpendicular irradiance of pi, as in POV-Ray, and values
+/// include the cosine: pi times the BSDF times the cosine.
 class Bsdf {
 public:
     Bsdf(const Shading& shading, const ShadingRules& rules)
         : Bsdf(shading, rules, Part::whole, 0) {}
 
-    /// Without diffuse reflection.
+    /// Returns the BSDF without diffuse reflection.
     static Bsdf highlights_of(const Shading& shading, const ShadingRules& rules) {
         return {shading, rules, Part::highlights, 0};
     }
-    /// Of light that goes into a solid with that index of refraction, above 0, whatever the finish.
+    /// Returns the BSDF of light that enters a solid of this index of refraction, above 0, whatever
+    /// its finish.
     static Bsdf entering(const Shading& shading, const ShadingRules& rules, double ior) {
         return {shading, rules, Part::entering, ior};
     }
-    /// The same of a surface that is lit from both sides.
+    /// Returns the BSDF of a surface that is lit from both sides.
     Bsdf on_both_sides() const {
         Bsdf result = *this;
         result.shading_.both_sides = true;
@@ -47,31 +47,31 @@ public:
 
     const Shading& shading() const { return shading_; }
 
-    /// Whether light from anywhere would change what is seen.
+    /// Whether light from any direction is scattered towards the viewer.
     bool answers_light() const;
 
-    /// Radiance towards the viewer by light of colour 1 from a unit direction. `grain` is the
-    /// random number of `crand`, the same for all channels.
+    /// Radiance towards the viewer due to light of colour 1 from a unit direction. `grain` is the
+    /// random number for `crand`, the same for all channels.
     Vec3 evaluate(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
         return film(to_light) * evaluate_without_film(to_light, terms, grain);
     }
-    /// The same without the colours of a thin film, which are apart: POV-Ray asks them once for all
-    /// lights of a grid.
+    /// The same without the colours of a thin film, which film() returns: POV-Ray evaluates them
+    /// once for all lights of a grid.
     Vec3 evaluate_without_film(const Vec3& to_light, const BsdfTerms&, double grain) const;
     Vec3 film(const Vec3& to_light) const;
 
-    /// A unit direction, drawn about as the surface scatters light that comes from everywhere; u is
-    /// in [0, 1)^2. Nothing where a highlight leads below the surface.
+    /// Returns a unit direction drawn roughly in proportion to the scattering of uniform light; u
+    /// is in [0, 1)^2. Returns nothing if a highlight's direction is below the surface.
     std::optional<Vec3> sample(Vec2 u) const;
-    /// Probability per steradian of that direction.
+    /// Density of sample() per steradian.
     double pdf(const Vec3& direction) const;
 
-    /// Share of the directions that are drawn from highlights: about that of the light which they
-    /// send on when it comes from everywhere. 0 of surfaces without highlights.
+    /// Fraction of the directions that are drawn from highlights: about their fraction of the
+    /// scattered uniform light. 0 for surfaces without highlights.
     double specular_probability() const { return specular_probability_; }
-    /// What highlights send to the viewer of light of colour 1 that comes from everywhere, roughly.
+    /// Approximate radiance from highlights due to uniform light of colour 1.
     double highlights() const { return highlights_; }
-    /// The same as the choice of luminaires knows it.
+    /// The lobes as the light samplers represent them.
     BsdfLobes lobes() const;
 
 private:
@@ -79,13 +79,13 @@ private:
     /// A highlight.
     struct Lobe {
         enum Kind {
-            about_mirrored,  ///< a power of the cosine to the mirrored view
-            about_normal,    ///< of the cosine of the half vector to the normal
+            about_mirrored,  ///< power of the cosine to the mirrored view
+            about_normal,    ///< power of the cosine between half vector and normal
             facets
         };
         Kind kind = facets;
-        double extent = 0;  ///< the exponent; of facets their width
-        double share = 0;   ///< of all directions
+        double extent = 0;  ///< the exponent; for facets, their width
+        double share = 0;   ///< fraction of all drawn directions
     };
 
     Bsdf(const Shading&, const ShadingRules&, Part, double ior);
@@ -98,7 +98,7 @@ private:
     Shading shading_;
     const ShadingRules* rules_;
     Part part_;
-    double ior_;  ///< of the solid that light enters
+    double ior_;  ///< of the solid that the light enters
     double specular_probability_ = 0, highlights_ = 0, diffuse_ = 0;
     std::array<Lobe, 2> lobes_;
     std::size_t count_ = 0;

@@ -12,11 +12,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// A clear coat's reflection straight on: of an index of refraction of 1.5.
+/// Reflectance of a clear coat at normal incidence: that of an index of refraction of 1.5.
 constexpr double coat_facing = 0.04;
 constexpr double max_specular = 0.08;
 
-/// Wider lobes are left to the sampling of luminaires.
+/// Width from which on lobes are left to the sampling of luminaires.
 constexpr double narrow = 0.1;
 
 double width(double roughness) { return std::max(roughness * roughness, 1e-3); }
@@ -26,26 +26,26 @@ double grazing(double cosine) {
     return x * x * x * x * x;
 }
 
-/// Schlick's fit of Fresnel's equations.
+/// Schlick's approximation of Fresnel's equations.
 double schlick(double facing, double cosine) { return facing + (1 - facing) * grazing(cosine); }
 
-/// The GGX density of facets, whose normal has that cosine to the surface's.
+/// GGX density of facets at this cosine between their normal and the surface's.
 double density(double width, double cosine) {
     const double d = cosine * cosine * (width * width - 1) + 1;
     return width * width / (pi * d * d);
 }
 
-/// The share of facets that are not hidden in a direction, over twice its cosine.
+/// Smith's masking of facets in a direction, over twice its cosine.
 double unhidden(double width, double cosine) {
     return 1 / (cosine + std::sqrt(width * width + (1 - width * width) * cosine * cosine));
 }
 
-/// One surface of facets with the light and the viewer; all cosines are above 0.
+/// Cosines of light, viewer and facet normal for one surface; all are above 0.
 struct FacetGeometry {
-    double light, viewer, facet, between;  ///< between: the light and the facet's normal
+    double light, viewer, facet, between;  ///< `between`: light and facet normal
 };
 
-/// What is reflected of light of colour 1, without Fresnel's share.
+/// Reflected radiance of light of colour 1, without the Fresnel factor.
 double reflected(double width, const FacetGeometry& g) {
     return density(width, g.facet) * unhidden(width, g.light) * unhidden(width, g.viewer) * pi *
            g.light;
@@ -53,7 +53,7 @@ double reflected(double width, const FacetGeometry& g) {
 
 double viewer_cosine(const Shading& s) { return std::max(-dot(s.normal, s.view), 1e-4); }
 
-/// What the layers of one surface are.
+/// The layers of one surface.
 struct Layers {
     explicit Layers(const Shading& s)
         : material(s.finish->microfacet),
@@ -66,11 +66,11 @@ struct Layers {
 
     const Microfacet& material;
     Vec3 base;
-    Vec3 facing;  ///< reflected straight on
+    Vec3 facing;  ///< reflectance at normal incidence
 };
 
-/// The normal of a facet, drawn in proportion to how much of it is seen: Heitz, "Sampling the GGX
-/// Distribution of Visible Normals", 2018. In a space whose z is the surface's normal.
+/// Draws the normal of a facet in proportion to its visible area: Heitz, "Sampling the GGX
+/// Distribution of Visible Normals", 2018. In a space whose z axis is the surface's normal.
 Vec3 seen_facet(const Vec3& viewer, double width, Vec2 place) {
     const Vec3 stretched = unit(Vec3(width * viewer.x, width * viewer.y, viewer.z));
     const double flat = stretched.x * stretched.x + stretched.y * stretched.y;
@@ -86,7 +86,7 @@ Vec3 seen_facet(const Vec3& viewer, double width, Vec2 place) {
     return unit(Vec3(width * n.x, width * n.y, std::max(1e-9, n.z)));
 }
 
-/// What the base sends on, below facets that send on a share, without a coat.
+/// Light scattered by the base without a coat, below facets that reflect the fraction `inner`.
 Vec3 base_response(const Shading& s, const Layers& layers, double inner, double light) {
     return layers.base * ((1 - layers.material.metallic) * (1 - inner) * light * s.opacity);
 }
@@ -170,7 +170,7 @@ std::optional<Scattered> scatter(const Shading& s, double choice, Vec2 place) {
     const auto direction = draw_mirrored(s, w, place);
     if (!direction) return std::nullopt;
     const double between = dot(*direction, unit(*direction - s.view));
-    // Drawn as seen, what is left of the light is Fresnel's share and what facets hide of it.
+    // With visible normals, the weight is the Fresnel factor times the masking of the light.
     const double up = std::max(dot(*direction, s.normal), 0.0), unseen = 2 * up * unhidden(w, up);
     const Vec3 share = on_coat
                            ? Vec3(layers.coat(between) / by_coat)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light at a surface of small facets: what of it goes to the viewer, and from where most of it
-// comes. GGX facets that shade each other (Walter and others 2007), drawn as they are seen (Heitz
-// 2018), over a diffuse base, under a clear coat.
+// Microfacet reflection: GGX facets with shadowing and masking (Walter and others 2007), sampled by
+// visible normals (Heitz 2018), over a diffuse base and under a clear coat.
 #pragma once
 
 #include "scattering/shading.h"
@@ -11,16 +10,16 @@
 
 namespace candelabra {
 
-/// Radiance towards the viewer by light of colour 1 from a unit direction, in the sense of
-/// finish_response(). With `wide_only` without the lobes that are so narrow that scattered rays
-/// find luminaires better. Precondition of all functions here: the finish has facets.
+/// Radiance towards the viewer due to light of colour 1 from a unit direction, as in
+/// finish_response(). `wide_only` omits lobes so narrow that scattered rays find luminaires better.
+/// Precondition of all functions here: the finish has facets.
 Vec3 facet_response(const Shading&, const Vec3& to_light, bool wide_only);
 
-/// The part of it that the diffuse base below the facets sends on.
+/// The part of it that the diffuse base below the facets scatters.
 Vec3 facet_base_response(const Shading&, const Vec3& to_light);
 
-/// What goes to the viewer of light of colour 1 that comes from everywhere, roughly, as a share: by
-/// the diffuse base, and by the wide lobes (0: there is none).
+/// Approximate fraction of uniform light of colour 1 that is scattered to the viewer: by the
+/// diffuse base, and by the wide lobes (amount 0: no lobe).
 struct FacetLight {
     struct Lobe {
         double width, amount;
@@ -30,21 +29,23 @@ struct FacetLight {
 };
 FacetLight facet_light(const Shading&);
 
-/// A direction from which facets of that width mirror light to the viewer, with the density per
-/// steradian that this has. Nothing when the facets reflect into the surface.
+/// Returns a direction from which facets of this width mirror light to the viewer;
+/// mirrored_density() is its density per steradian. Returns nothing if the facets reflect into the
+/// surface.
 std::optional<Vec3> draw_mirrored(const Shading&, double width, Vec2 place);
 double mirrored_density(const Shading&, double width, const Vec3& to_light);
-/// facet_response() by such facets for light from the mirrored view, if they reflect all of it.
+/// facet_response() by these facets for light from the mirrored view direction, if they reflect all
+/// of it.
 double mirrored_peak(const Shading&, double width);
 
-/// A direction from which light is reflected, and by what its radiance is multiplied.
+/// A direction from which light is reflected, and the weight of its radiance.
 struct Scattered {
     Vec3 direction;
     Vec3 weight;
-    bool narrow;  ///< facet_response() of the wide lobes leaves it out
+    bool narrow;  ///< omitted by facet_response() with wide_only
 };
 
-/// Numbers are uniform in [0, 1). Nothing when the facets reflect into the surface.
+/// Arguments are uniform in [0, 1). Returns nothing if the facets reflect into the surface.
 std::optional<Scattered> scatter(const Shading&, double choice, Vec2 place);
 
 }  // namespace candelabra

@@ -9,8 +9,8 @@ namespace candelabra {
 
 namespace {
 
-/// POV-Ray's fit of the metallic Fresnel curve: 0 straight on, 1 at grazing angles, and less again
-/// beyond them, where a disturbed normal looks away.
+/// POV-Ray's fit of the metallic Fresnel curve: 0 at normal incidence, 1 at grazing angles, and
+/// less again beyond them, where a perturbed normal faces away.
 double metal_fresnel(double cosine) {
     const double x = std::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2);
     return std::clamp(0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903, 0.0, 1.0);
@@ -22,7 +22,7 @@ Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine) {
     return Vec3(1) + metallic * (1 - metal_fresnel(cosine)) * (pigment - Vec3(1));
 }
 
-// By Fresnel's equations.
+// Fresnel's equations.
 double fresnel(double cosine, double n) {
     if (n == 1) return 0;
     const double g2 = n * n + cosine * cosine - 1;
@@ -36,7 +36,7 @@ double fresnel(double cosine, double n) {
 Vec3 reflectivity(const Shading& s, double ior_ratio) {
     const Reflection& r = s.finish->reflection;
     if (r.greatest == Vec3(0) && r.least == Vec3(0)) return Vec3(0);
-    // Below 0 where a disturbed normal looks away: POV-Ray reflects more there than at grazing
+    // Below 0 where a perturbed normal faces away: POV-Ray reflects more there than at grazing
     // angles.
     const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
     const double grazing = !r.fresnel
@@ -55,15 +55,15 @@ double greatest_reflectivity(const Reflection& reflection, const Vec3& amount) {
 
 Vec3 reflected_direction(const Shading& s) {
     Vec3 direction = mirrored(s.view, s.normal);
-    // Where the bump looks away from the viewer, POV-Ray does as if there were none. A ray that a
-    // smooth normal alone mirrors into the surface goes there.
+    // Where the bump faces away from the viewer, POV-Ray ignores it. A ray that the smooth normal
+    // alone reflects into the surface goes there.
     if (dot(direction, s.smooth_normal) < 0)
         direction = mirrored(dot(direction, s.normal) < 0 ? s.view : direction, s.smooth_normal);
     return unit(direction);
 }
 
 Vec3 refracted_direction(const Shading& s, double ior_ratio) {
-    // A disturbed normal that looks away from the viewer counts from its other side.
+    // A perturbed normal that faces away from the viewer is flipped.
     const Vec3 normal = dot(s.view, s.normal) > 0 ? -s.normal : s.normal;
     const double cosine = -dot(s.view, normal);
     const double behind = std::sqrt(1 - ior_ratio * ior_ratio * (1 - cosine * cosine));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lobes of a surface that send light in one direction only: mirror reflection and refraction.
-// They are kept apart from the BSDF, whose density would be infinite there.
+// Delta lobes of a surface: mirror reflection and refraction. They are separate from the BSDF,
+// whose density would be infinite there.
 #pragma once
 
 #include "scattering/shading.h"
@@ -9,30 +9,29 @@
 
 namespace candelabra {
 
-/// Share of unpolarised light that a smooth surface reflects; n is the index of refraction behind
-/// it over the one in front.
+/// Fraction of unpolarised light that a smooth surface reflects; n is the index of refraction
+/// behind it over the one in front.
 double fresnel(double cosine, double n);
 
-/// Share of the light from the mirror direction that is reflected to the viewer. The ratio is the
-/// index of refraction in front of the surface over the one behind it.
+/// Fraction of the light from the mirror direction that is reflected to the viewer. `ior_ratio` is
+/// the index of refraction in front of the surface over the one behind it.
 Vec3 reflectivity(const Shading&, double ior_ratio);
 
-/// The greatest share of the pixel that a reflection of that amount counts for: of one that does
-/// not follow Fresnel's equations, in the direction that reflects most.
+/// Upper bound of the weight in the pixel of a reflection of this amount. For reflections without
+/// `fresnel`, this is the weight in the direction that reflects most.
 double greatest_reflectivity(const Reflection&, const Vec3& amount);
 
-/// Where the ray that sees the surface is reflected to, as a unit direction. A bump may mirror the
-/// ray into the surface; the normal without bumps brings it out again.
+/// Unit direction in which the viewing ray is reflected. A bump may reflect the ray into the
+/// surface; the normal without bumps then brings it out again.
 Vec3 reflected_direction(const Shading&);
 
-/// Where the ray that sees the surface goes behind it, as a unit direction. Precondition: it is
-/// not reflected in total.
+/// Unit direction of the refracted viewing ray. Precondition: no total internal reflection.
 Vec3 refracted_direction(const Shading&, double ior_ratio);
 
-/// Whether the surface reflects all light, because none can go on behind it.
+/// Whether the reflection is total.
 bool reflects_totally(const Shading&, double ior_ratio);
 
-/// What metallic makes of a highlight's or a reflection's colour.
+/// Colour of a highlight or reflection tinted by `metallic`.
 Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine);
 
 }  // namespace candelabra

@@ -28,14 +28,14 @@ double mean_phase(const Scattering& s) {
     return 1;
 }
 
-/// The cosine of a lobe that falls like a power of (1 + cosine) / 2, or of an even one beside it
-/// with that share.
+/// Draws a cosine from a lobe in proportion to a power of (1 + cosine) / 2, mixed with a uniform
+/// lobe that has the fraction `even`.
 double even_or_power(double u, double even, double power) {
     if (u < even) return 2 * (u / even) - 1;
     return 2 * std::pow((u - even) / (1 - even), 1 / (power + 1)) - 1;
 }
 
-/// The cosine to the view of a direction that is drawn in proportion to phase().
+/// Draws the cosine between the view and a direction, in proportion to phase().
 double drawn_cosine(const Scattering& s, double u) {
     switch (static_cast<PhaseKind>(s.type)) {
         case PhaseKind::mie_haze:

@@ -10,8 +10,8 @@ namespace candelabra {
 
 namespace {
 
-/// Whether a highlight's cosine to that power is above 10^-20, as far as is quickly told; far from
-/// highlights it is not, and powers take long.
+/// Quick test whether a power of a highlight's cosine exceeds 10^-20: away from highlights it does
+/// not, and powers are expensive.
 bool shows(double cosine, double power) { return cosine > 0 && (1 - cosine) * power < 46; }
 
 }  // namespace

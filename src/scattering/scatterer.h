@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What answers light at a point of a path: a layer of a surface, or the media between surfaces.
+// A scattering vertex of a path: a layer of a surface, or the media between surfaces.
 #pragma once
 
 #include "scattering/bsdf.h"
@@ -7,11 +7,11 @@
 
 namespace candelabra {
 
-/// Refers to one of the two, which outlives it. Throughout, light of colour 1 is that of a
-/// perpendicular irradiance of pi; of media the answer is radiance per unit of length.
+/// Refers to a BSDF or a phase function, which outlives it. Throughout, light of colour 1 has a
+/// perpendicular irradiance of pi; values for media are radiance per unit of length.
 class Scatterer {
 public:
-    // NOLINTNEXTLINE(google-explicit-constructor): it stands for what it refers to
+    // NOLINTNEXTLINE(google-explicit-constructor): it stands for the object it refers to
     Scatterer(const Bsdf& bsdf) : bsdf_(&bsdf) {}
     // NOLINTNEXTLINE(google-explicit-constructor)
     Scatterer(const PhaseFunction& phase) : phase_(&phase) {}
@@ -22,24 +22,25 @@ public:
     /// Precondition: in the air.
     const PhaseFunction& phase() const { return *phase_; }
 
-    /// Whether light from anywhere would change what is seen.
+    /// Whether light from any direction is scattered towards the viewer.
     bool answers_light() const { return bsdf_ ? bsdf_->answers_light() : phase_->answers_light(); }
-    /// Radiance towards the viewer by light of colour 1 from a unit direction. `grain` is the
-    /// random number of `crand`.
+    /// Radiance towards the viewer due to light of colour 1 from a unit direction. `grain` is the
+    /// random number for `crand`.
     Vec3 evaluate(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
         return bsdf_ ? bsdf_->evaluate(to_light, terms, grain) : phase_->evaluate(to_light);
     }
-    /// A unit direction, drawn about as light from everywhere is scattered; u is in [0, 1)^2.
+    /// Returns a unit direction drawn roughly in proportion to the scattering of uniform light; u
+    /// is in [0, 1)^2.
     std::optional<Vec3> sample(Vec2 u) const {
         return bsdf_ ? bsdf_->sample(u) : phase_->sample(u);
     }
-    /// Probability per steradian of that direction.
+    /// Density of sample() per steradian.
     double pdf(const Vec3& direction) const {
         return bsdf_ ? bsdf_->pdf(direction) : phase_->pdf(direction);
     }
-    /// Share of the directions that are drawn from highlights.
+    /// Fraction of the directions that are drawn from highlights.
     double specular_probability() const { return bsdf_ ? bsdf_->specular_probability() : 0; }
-    /// The same as the choice of luminaires knows it.
+    /// The lobes as the light samplers represent them.
     BsdfLobes lobes() const { return bsdf_ ? bsdf_->lobes() : BsdfLobes{}; }
 
 private:

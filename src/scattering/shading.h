@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A point of a surface with the look of one of its layers, as it is seen from a direction: all that
-// a BSDF is made of. Knows no world.
+// A point of a surface with the look of one of its layers, as seen from a direction: all inputs of
+// a BSDF. Independent of the world.
 #pragma once
 
 #include "base/colour.h"
@@ -12,24 +12,24 @@ namespace candelabra {
 
 struct Shading {
     Vec3 position;
-    Vec3 view;              ///< unit, direction of the ray that sees it
-    Vec3 normal;            ///< unit, as shaded, on the side that is seen
-    Vec3 smooth_normal;     ///< unit, as shaded without bumps, on the side that is seen
-    Vec3 geometric_normal;  ///< unit, of the surface as it is, on the side that is seen
+    Vec3 view;              ///< unit, direction of the viewing ray
+    Vec3 normal;            ///< unit shading normal, on the side that is seen
+    Vec3 smooth_normal;     ///< unit shading normal without bumps, on the side that is seen
+    Vec3 geometric_normal;  ///< unit normal of the actual surface, on the side that is seen
     const Finish* finish = nullptr;
     Colour colour;
-    double opacity = 1;       ///< share of the surface that is not transparent
-    bool both_sides = false;  ///< lit from behind as well
+    double opacity = 1;       ///< fraction of the surface that is not transparent
+    bool both_sides = false;  ///< also lit from behind
 };
 
-/// Settings of the scene that all surfaces are shaded by.
+/// Settings of the scene for the shading of all surfaces.
 struct ShadingRules {
     Vec3 irid_wavelength = Vec3(0.7, 0.52, 0.48);  ///< of the colour channels, for thin films
     Vec3 ambient_light = Vec3(1);
     NoiseGenerator noise_generator = NoiseGenerator::full_range;
 };
 
-/// A direction after a mirror with that unit normal.
+/// The direction reflected by a mirror with this unit normal.
 inline Vec3 mirrored(const Vec3& direction, const Vec3& normal) {
     return direction - 2 * dot(direction, normal) * normal;
 }

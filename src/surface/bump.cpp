@@ -25,19 +25,19 @@ const ItemInfo BumpSettings::vocabulary = described<BumpSettings>([] {
 
 namespace {
 
-/// A place in the pattern's space with all that is known there.
+/// A place in the pattern's space with the context of its evaluation.
 struct BumpPoint {
     const PatternedBump& bump;
     Vec3 normal;
     Vec3 place;
     const PatternScene& scene;
-    bool keep_length;  ///< normals are not made unit on the way
+    bool keep_length;  ///< intermediate normals are not normalised
 
     double amount() const { return single_precision(bump.settings.bump_size); }
     const PatternModifiers& modifiers() const { return bump.use.modifiers; }
 };
 
-// One function for each kind of pattern that has a formula of its own for normals: the new normal.
+// For each kind of pattern that has its own formula for normals, a function returns the new normal.
 
 Vec3 tilted(const Bumps&, const BumpPoint& at) {
     return at.normal + at.amount() * vector_noise(at.place);
@@ -60,7 +60,7 @@ Vec3 tilted(const Quilted& quilted, const BumpPoint& at) {
     return at.normal + at.amount() * quilted_tilt(quilted, at.place);
 }
 
-/// The rings of all sources; `own` whether each has a frequency of its own.
+/// Rings of all sources; `own` is whether each source has its own frequency.
 Vec3 tilted_by_rings(const BumpPoint& at, bool own) {
     Vec3 normal = at.normal;
     const auto sources = wave_sources(at.scene.number_of_waves);
@@ -101,8 +101,8 @@ Vec3 tilted(const BumpMap& map, const BumpPoint& at) {
     return bump->x * across + bump->y * up - bump->z * unit(cross(across, up));
 }
 
-/// What a normal becomes whose pattern has only a value: the slope of that value, measured towards
-/// the corners of a tetrahedron.
+/// Perturbs a normal by a pattern that has only a value: by the slope of the value, measured
+/// towards the corners of a tetrahedron.
 Vec3 tilted_by_slope(const BumpPoint& at) {
     using std::numbers::sqrt2;
     constexpr double third = 1.0 / 3, wide = 2 * sqrt2 / 3, deep = 0.816496581;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Normals that patterns disturb: what makes a smooth surface look bumpy. POV-Ray's normal { }.
+// Normals perturbed by patterns, which make a smooth surface look bumpy. POV-Ray's normal { }.
 #pragma once
 
 #include "base/handle.h"
@@ -9,26 +9,27 @@
 
 namespace candelabra {
 
-struct PatternedBump;  // this, its settings and the entries of maps: normal_map.h
+struct PatternedBump;  // this, its settings and map entries: normal_map.h
 struct BumpSettings;
 struct NormalStop;
 struct SlopeStop;
 using NormalMap = std::vector<NormalStop>;
 using SlopeMap = std::vector<SlopeStop>;
 
-/// How the normal of a surface is changed. Default: not at all.
+/// How a surface's normal is perturbed. Default: not at all.
 struct Bump {
     Handle<PatternedBump> pattern;  ///< null: smooth
     Transform transform;            ///< after all steps of the pattern: to the object's space
     bool uv = false;                ///< as in Pigment
-    Handle<BumpSettings> settings;  ///< of a smooth one, for patterns that follow; null: none
-    Handle<Transform> frame = {};   ///< what normals pass besides on u and v; null: nothing
+    Handle<BumpSettings> settings;  ///< of a smooth bump, for patterns that follow; null: none
+    Handle<Transform> frame = {};   ///< further transform of normals of uv mapped bumps; null:
+                                    ///< identity
 };
 
 Nesting nesting(const Bump&);
 
-/// The unit normal at a point of the surface, in the space that the bump's transform leads to.
-/// `normal` is unit and on the side of the viewer.
+/// Returns the unit normal at a point of the surface, in the space to which the bump's transform
+/// leads. `normal` is a unit vector on the viewer's side.
 Vec3 bumped(const Bump&, const Vec3& normal, const Vec3& point, const PatternScene& = {});
 
 }  // namespace candelabra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours by value: what turns a pattern's number into a colour.
+// Maps from the value of a pattern to a colour.
 #pragma once
 
 #include "base/colour.h"
@@ -15,13 +15,13 @@ struct ColourStop {
     friend bool operator==(const ColourStop&, const ColourStop&) = default;
 };
 
-/// Stops in the order of the text. Never empty where it is looked up.
+/// Stops in textual order. Never empty when looked up.
 using ColourMap = std::vector<ColourStop>;
 
-/// The colour at a value, by the rules of map_place.h.
+/// The colour at a value, according to map_place.h.
 Colour look_up(const ColourMap&, double value);
 
-/// From one colour to another, all components linearly.
+/// Interpolates all components linearly.
 Colour mixed(const Colour& from, const Colour& to, double share);
 
 }  // namespace candelabra

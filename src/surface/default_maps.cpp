@@ -7,7 +7,7 @@ namespace {
 
 Colour rgb(double red, double green, double blue) { return {Vec3(red, green, blue)}; }
 
-/// Blue, green, red for two and three choices; from red on for more.
+/// Blue, green, red for two and three entries; starts with red for more.
 ColourMap list_of(int length) {
     const Colour red = rgb(1, 0, 0), green = rgb(0, 1, 0), blue = rgb(0, 0, 1);
     const std::vector<Colour> few = {blue, green, red};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colours that patterns have when a scene gives none: POV-Ray 3.7's. Called by the readers of
+// Default colours of patterns, for scenes that give none: POV-Ray 3.7's. Used by the readers of
 // pigments.
 #pragma once
 
@@ -8,8 +8,7 @@
 
 namespace candelabra {
 
-/// Never empty. For a pattern that takes a list, the colours of the list, with their places as
-/// values.
+/// Never empty. For a pattern that takes a list, the list's colours, with their indices as values.
 ColourMap default_map(const Pattern&);
 
 }  // namespace candelabra

@@ -8,7 +8,7 @@ namespace candelabra {
 
 namespace {
 
-/// Mean colours of POV-Ray's spectrum, in steps of 5 nm from 380 nm on, as measured.
+/// Measured mean colours of POV-Ray's spectrum, in steps of 5 nm from 380 nm.
 constexpr auto spectrum =
     std::array{Vec3(0.13942, 0, 0.52507), Vec3(0.20351, 0, 0.76343), Vec3(0.25185, 0, 0.98718),
                Vec3(0.28671, 0, 1.19631), Vec3(0.30133, 0, 1.40094), Vec3(0.31482, 0, 1.58196),

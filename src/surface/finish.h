@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a surface answers light. Meanings and defaults are POV-Ray 3.7's.
+// How a surface responds to light. Meanings and defaults are POV-Ray 3.7's.
 #pragma once
 
 #include "surface/subsurface.h"
 
 namespace candelabra {
 
-/// The block form of reflection: from straight on to grazing.
+/// The block form of reflection, which changes from normal to grazing incidence.
 struct Reflection {
-    Vec3 least = Vec3(0);     ///< seen straight on
-    Vec3 greatest = Vec3(0);  ///< seen at grazing angles
+    Vec3 least = Vec3(0);     ///< at normal incidence
+    Vec3 greatest = Vec3(0);  ///< at grazing angles
     bool fresnel = false;
     double falloff = 1;
     double exponent = 1;
@@ -19,7 +19,7 @@ struct Reflection {
     friend bool operator==(const Reflection&, const Reflection&) = default;
 };
 
-/// Colours as of a film of oil: by interference, at the angles of light and view.
+/// Colours of a film of oil: interference that depends on the angles of light and view.
 struct Irid {
     double amount = 0;  ///< 0: none
     double thickness = 0;
@@ -29,13 +29,14 @@ struct Irid {
     friend bool operator==(const Irid&, const Irid&) = default;
 };
 
-/// How much light a surface of small facets scatters: the material of today's programs. The pigment
-/// is its base colour; it takes the place of diffuse, phong and specular.
+/// A microfacet material, as in today's modelling programs. The pigment is its base colour; it
+/// replaces diffuse, phong and specular.
 struct Microfacet {
-    double roughness = 0.5;  ///< the facets' directions vary by its square
-    double metallic = 0;     ///< 1: all is reflected, with the base colour
-    double specular = 0.5;   ///< of what is no metal: 8 % of this are reflected straight on
-    double coat = 0;         ///< of a clear layer above, as of lacquer
+    double roughness = 0.5;  ///< its square is the width of the facets' distribution
+    double metallic = 0;     ///< 1: reflects all light, tinted with the base colour
+    double specular = 0.5;   ///< of the non-metallic part, which reflects 8 % of this at normal
+                             ///< incidence
+    double coat = 0;         ///< strength of a clear coat, such as lacquer
     double coat_roughness = 0.03;
     bool on = false;
 
@@ -46,9 +47,9 @@ struct Microfacet {
 struct Finish {
     Vec3 ambient = Vec3(0.1);
     Vec3 emission = Vec3(0);
-    bool no_luminaire = false;  ///< the emission makes no luminaire
+    bool no_luminaire = false;  ///< its emission is not a luminaire
     double diffuse = 0.6;
-    double diffuse_back = 0;  ///< for light that comes from behind
+    double diffuse_back = 0;  ///< for light from behind
     double brilliance = 1;
     double phong = 0;
     double phong_size = 40;
@@ -57,10 +58,10 @@ struct Finish {
     double crand = 0;
     double metallic = 0;
     bool conserve_energy = false;
-    double ior = 0;  ///< instead of the interior's; 0: not
-    /// Of the top layer, instead of the interior's: an exponent; below 0: not.
+    double ior = 0;  ///< replaces the interior's index; 0: unset
+    /// For the top layer, an exponent that replaces the interior's caustics; below 0: unset.
     double caustics = -1;
-    double refraction = 1;  ///< share of what is seen through it
+    double refraction = 1;  ///< fraction of the light from behind that shows through
     Reflection reflection;
     Irid irid;
     Microfacet microfacet;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a value lies in a map: between which entries, and how far. The same for maps of colours,
-// pigments, normals and slopes.
+// Place of a value in a map: the entries around it, and the fraction between them. Shared by maps
+// of colours, pigments, normals and slopes.
 #pragma once
 
 #include <cstddef>
@@ -8,17 +8,18 @@
 
 namespace candelabra {
 
-/// The result is entry `below` and, by the share, entry `above`; the share is 0 where one entry
-/// counts alone, and both are it.
+/// Blends entry `below` with entry `above` by the weight `share` of the latter. At a single entry,
+/// both are equal to it and the share is 0.
 struct MapPlace {
     std::size_t below = 0;
     std::size_t above = 0;
     double share = 0;
 };
 
-/// The first entry below all, the last above all; between two entries linear. Where entries share a
-/// value, the first counts at the value itself and the last just above it. Precondition: not empty,
-/// and each entry has a `value`, in the order of the text.
+/// Returns the first entry below the map's values, the last one above them, and linear
+/// interpolation between. Where entries share a value, the first one counts at the value itself and
+/// the last one just above it. Precondition: the map is not empty, and each entry has a `value`, in
+/// textual order.
 template <class Entry>
 MapPlace place_in(const std::vector<Entry>& map, double value) {
     const std::size_t last = map.size() - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a disturbed normal consists of, for those who make, evaluate or write one.
+// The parts of a perturbed normal, for code that makes, evaluates or writes one.
 #pragma once
 
 #include "pattern/use.h"
@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-/// Height and slope that a pattern's value stands for.
+/// Height and slope at a value of the pattern.
 struct SlopeStop {
     double value = 0;
     double height = 0;
@@ -29,7 +29,7 @@ struct BumpSettings {
     static const ItemInfo vocabulary;
 };
 
-/// A pattern with what it does to normals.
+/// A pattern with its effect on normals.
 struct PatternedBump {
     using Map = std::variant<std::monostate, SlopeMap, NormalMap>;
     /// Precondition: no map is empty; weights of an average are not negative and not all 0.
@@ -41,7 +41,7 @@ struct PatternedBump {
     Nesting nesting;
 };
 
-/// The height at a value: along cubic curves between the stops.
+/// The height at a value, by cubic interpolation between the stops.
 double look_up(const SlopeMap&, double value);
 
 }  // namespace candelabra

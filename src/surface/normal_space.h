@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How normals come into the space of a pattern and out of it: through its transformations, not its
+// Transforms normals into the space of a pattern and out of it: by its transformations, but not its
 // warps. Used by bumps and by textures with a pattern.
 #pragma once
 
@@ -9,7 +9,7 @@ namespace candelabra {
 
 class NormalSpace {
 public:
-    /// `frame` is around all; it may be null.
+    /// `frame` is the outermost transform; null: identity.
     NormalSpace(const std::vector<WarpStep>& steps, const Transform& outside,
                 const Transform* frame)
         : steps_(steps), outside_(outside), frame_(frame) {}

@@ -12,7 +12,7 @@ namespace {
 
 bool passes_light(const Colour& c) { return c.filter != 0 || c.transmit != 0; }
 
-/// Cubic interpolation goes beyond the values that it goes through, by up to this.
+/// Cubic interpolation overshoots the values that it interpolates, by up to this factor.
 constexpr double overshoot = 1.6;
 
 Vec3 greatest(const ImageMap& map) {
@@ -60,7 +60,7 @@ Vec3 own_place(const Pigment& pigment, const Vec3& point, const PatternScene& sc
     return pigment.transform.inverse_point(pigment.uv ? uv_place(scene) : point);
 }
 
-/// Whether there is no colour at a point: it lies beside a picture that is there once only.
+/// Whether there is no colour at a point, because it is outside an image that is not repeated.
 bool misses(const Pigment& pigment, const Vec3& point, const PatternScene& scene) {
     if (!pigment.pattern) return false;
     const PatternUse& use = pigment.pattern->use;

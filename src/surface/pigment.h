@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colour of a surface: plain, or a pattern that chooses from colours or from other pigments.
+// The colour of a surface: plain, or a pattern that selects colours or other pigments.
 #pragma once
 
 #include "base/handle.h"
@@ -10,7 +10,7 @@
 
 namespace candelabra {
 
-struct PatternedPigment;  // this and the entries of maps: pigment_map.h
+struct PatternedPigment;  // this and map entries: pigment_map.h
 struct PigmentStop;
 using PigmentMap = std::vector<PigmentStop>;
 struct PigmentGrey;  // pattern/scene_patterns.h
@@ -20,19 +20,20 @@ struct Pigment {
     Colour colour;                     ///< where there is no pattern
     Handle<PatternedPigment> pattern;  ///< null: one colour everywhere
     Transform transform;               ///< after all steps of the pattern: to the object's space
-    bool uv = false;                   ///< that space is u, v, 0, and does not move with the object
-    Handle<Colour> quick = {};         ///< instead of all this at low quality; null: none
+    bool uv = false;                   ///< the object's space is (u, v, 0), and does not move with
+                                       ///< it
+    Handle<Colour> quick = {};         ///< replaces all of these at low quality; null: none
 };
 
 Nesting nesting(const Pigment&);
 
-/// The colour at a point in the space that the pigment's transform leads to.
+/// The colour at a point in the space to which the pigment's transform leads.
 Colour evaluate(const Pigment&, const Vec3& point, const PatternScene& = {});
 
-/// The point in the space of a surface's u and v.
+/// The point (u, v, 0) of a surface.
 inline Vec3 uv_place(const PatternScene& scene) { return {scene.uv.x, scene.uv.y, 0}; }
 
-/// No channel is greater anywhere: what a luminaire of this pigment can emit at most.
+/// Upper bound of each channel everywhere, for the emission of a luminaire of this pigment.
 Vec3 brightest(const Pigment&);
 
 /// Whether light can pass through it anywhere.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a pigment with a pattern consists of, for those who make, evaluate or write one.
+// The parts of a pigment with a pattern, for code that makes, evaluates or writes one.
 #pragma once
 
 #include "pattern/use.h"
@@ -13,7 +13,7 @@ struct PigmentStop {
     Pigment pigment;
 };
 
-/// A pattern with what it chooses from.
+/// A pattern with the colours or pigments that it selects.
 struct PatternedPigment {
     using Map = std::variant<ColourMap, PigmentMap>;
     /// Precondition: the map is not empty; weights of an average are not negative and not all 0.
@@ -22,8 +22,8 @@ struct PatternedPigment {
     PatternUse use;
     Map map;
     Nesting nesting;
-    Vec3 brightest;      ///< see below
-    bool clear = false;  ///< light can pass somewhere
+    Vec3 brightest;      ///< see brightest() in pigment.h
+    bool clear = false;  ///< light can pass through it somewhere
 };
 
 }  // namespace candelabra

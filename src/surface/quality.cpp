@@ -15,13 +15,13 @@ Handle<Texture> simplified(const Handle<Texture>& texture, int quality) {
         made.choice.edit().map = std::move(map);
     }
     made.normal = Bump();
-    // Where energy is conserved, what would be reflected is missing behind all the same.
+    // With conserve_energy, the reflected light is missing from the transmitted light all the same.
     if (!made.finish.conserve_energy) made.finish.reflection = Reflection();
     made.finish.microfacet.coat = 0;
     const bool quick = made.pigment.quick != nullptr;
     if (quality < quality_pigments && quick)
         made.pigment = Pigment{*made.pigment.quick, nullptr, {}};
-    // Without light one layer is seen: the uppermost with a quick colour, or the last.
+    // Without light one layer is shown: the uppermost with a quick colour, or else the last.
     if (quality < quality_light && quick) made.below = nullptr;
     if (made.below) made.below = simplified(made.below, quality);
     return result;

@@ -29,19 +29,19 @@ const ItemInfo SubsurfaceSettings::vocabulary = described<SubsurfaceSettings>([]
 
 namespace {
 
-/// What share of diffuse light from inside the surface throws back, by POV-Ray's fit.
+/// Internal diffuse reflectance of the surface, by POV-Ray's fit.
 double inner_reflectance(double ior) {
     const double x = 1 - 1 / ior;
     return (x + 3 * std::pow(x, 4.5)) / 4;
 }
 
-/// The whole light that a half space of that reduced albedo gives back.
+/// Diffuse reflectance of a half space of this reduced albedo.
 double given_back(double albedo, double boundary) {
     const double root = std::sqrt(3 * (1 - albedo));
     return 0.5 * albedo * (1 + std::exp(-4.0 / 3.0 * boundary * root)) * std::exp(-root);
 }
 
-/// The reduced albedo of a half space that gives so much back; it grows with that.
+/// Reduced albedo of a half space with this diffuse reflectance, which grows with it.
 double reduced_albedo(double wanted, double boundary) {
     double low = 0, high = 1;
     for (int step = 0; step < 50; ++step) {

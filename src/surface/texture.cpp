@@ -13,7 +13,7 @@ namespace candelabra {
 
 namespace {
 
-/// Calls use(share, texture) for the entries that count at a place; the shares add up to 1.
+/// Calls use(share, texture) for the entries with a weight at a place; the shares add up to 1.
 template <class Use>
 void for_entries(const PatternedTexture& choice, const Vec3& place, const PatternScene& scene,
                  Use use) {
@@ -33,7 +33,7 @@ Vec3 place_of(const PatternedTexture& choice, const Vec3& point, const PatternSc
     return choice.use.place(choice.transform.inverse_point(choice.uv ? uv_place(scene) : point));
 }
 
-/// The spaces of the patterns around a texture, the innermost first.
+/// The spaces of the patterns around a texture, innermost first.
 struct Around {
     NormalSpace space;
     const Around* next;
@@ -41,12 +41,12 @@ struct Around {
 
 struct Visit {
     const PatternScene& scene;
-    const Vec3& normal;  ///< outside of all patterns
+    const Vec3& normal;  ///< outside all patterns
     UseLayers use;
 };
 
-/// `normal` is in the space of the patterns around. As in POV-Ray, a layer without bumps has its
-/// normal from outside, and patterns that depend on the normal see that one.
+/// `normal` is in the space of the surrounding patterns. As in POV-Ray, a layer without bumps takes
+/// the normal outside all patterns, and patterns that depend on the normal use the layer's normal.
 Layer layer_at(const Texture& texture, const Vec3& point, const Vec3& normal, const Around* around,
                const Visit& to) {
     const PatternScene& scene = to.scene;
@@ -127,7 +127,7 @@ Nesting nesting(const Texture& texture) {
 
 namespace {
 
-/// A bump, or the choice of textures, after a transformation of the object.
+/// Transforms a bump, or the choice of textures, with its object.
 template <class Part>
 void move(Part& part, const Transform& transform) {
     if (!part.uv)
@@ -163,7 +163,7 @@ Texture uv_mapped_with_frame(Texture texture) {
 
 namespace {
 
-/// Of the finishes that count.
+/// Upper bound of the radiance emitted by the finishes for which `counts` is true.
 Vec3 max_emitted(const Texture& texture, bool (*counts)(const Finish&)) {
     if (texture.choice) {
         Vec3 greatest(0);

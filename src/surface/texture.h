@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface's look: pigment, normal and finish, or others that a pattern chooses from; and what
-// lies below, where it can be seen through. Made by the evaluator, asked by world and renderer.
+// A surface's look: pigment, normal and finish, or other textures selected by a pattern; and the
+// layer below, where it shows through. Made by the evaluator, used by world and renderer.
 #pragma once
 
 #include "base/function_ref.h"
@@ -12,39 +12,40 @@
 
 namespace candelabra {
 
-struct PatternedTexture;  // this and the entries of maps: texture_map.h
+struct PatternedTexture;  // this and map entries: texture_map.h
 
 struct Texture {
     Pigment pigment;
     Bump normal;
     Finish finish;
-    Handle<PatternedTexture> choice;  ///< instead of the three above; null: none
+    Handle<PatternedTexture> choice;  ///< replaces the three above; null: none
     Handle<Texture> below;            ///< the next layer; null: this is the lowest
 
-    /// Looks the same wherever it is moved to, and is all there is.
+    /// Whether it is a single layer that looks the same wherever it is moved.
     bool plain() const { return !pigment.pattern && !normal.pattern && !choice && !below; }
 };
 
-/// The texture after a transformation of the object that carries it; what is on u and v stays.
+/// Returns the texture after a transformation of its object; uv mapped parts stay.
 Texture transformed(Texture, const Transform&);
 
-/// The texture with all its layers on u and v.
+/// Returns the texture with all its layers uv mapped.
 Texture uv_mapped(Texture);
 
-/// The same for a texture that asks for it itself. As in POV-Ray, its bumps turn with the object,
-/// although their places stay on u and v.
+/// The same for a texture with its own uv_mapping. As in POV-Ray, its bumps turn with the object,
+/// although their positions are uv coordinates.
 Texture uv_mapped_with_frame(Texture);
 
-/// Radiance that the surface emits at most.
+/// Upper bound of the radiance that the surface emits.
 Vec3 greatest_emission(const Texture&);
 
-/// The same of what makes a luminaire of it: without finishes that say no_luminaire.
+/// The same without finishes that have no_luminaire, for the surface as a luminaire.
 Vec3 lighting_emission(const Texture&);
 
-/// The texture with all ambient light of 1 or more as emission; the same one when it has none.
+/// Returns the texture with ambient light of 1 or more turned into emission; the same handle if it
+/// has none.
 Handle<Texture> ambient_as_emission(const Handle<Texture>&, const Vec3& ambient_light);
 
-/// Whether its emission differs from place to place.
+/// Whether its emission varies over the surface.
 bool varied(const Texture&);
 
 /// Whether light can pass through it anywhere.
@@ -59,42 +60,42 @@ struct Layer {
     const Finish* finish = nullptr;
 };
 
-/// The layers of one plain texture, the top one first; the weights of all at a point add up to 1.
+/// The layers of one plain texture, top first; the weights at a point add up to 1.
 using UseLayers = FunctionRef<void(double weight, std::span<const Layer>)>;
 
-/// Calls `use` for each plain texture that counts at a point of the surface. `normal` is unit and
-/// on the side of the viewer.
+/// Calls `use` for each plain texture with a weight at a point of the surface. `normal` is a unit
+/// vector on the viewer's side.
 void for_layers(const Texture&, const Vec3& point, const Vec3& normal, const PatternScene&,
                 UseLayers use);
 
-/// The share of light that passes through all layers at a point, per channel.
+/// Fraction of light that passes through all layers at a point, per channel.
 Vec3 passing(const Texture&, const Vec3& point, const PatternScene&);
 
-/// Light on its way through a surface that focuses it where it comes straight on.
+/// Light through a surface that focuses it at normal incidence.
 struct FocusedLight {
     Vec3 direction;
-    Vec3 normal;   ///< of the surface; unit, on the side that the direction points away from
-    double power;  ///< not 0
+    Vec3 normal;   ///< of the surface; unit, opposite to the direction's side
+    double power;  ///< exponent of the focus, not 0
 };
 
-/// The same with bright spots in the shadow, by the angle to each layer's own normal.
+/// The same with bright spots in the shadow, by the angle to the normal of each layer.
 Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const FocusedLight&);
 
-/// Whether one of its finishes has facets.
+/// Whether one of its finishes is a microfacet material.
 bool scatters(const Texture&);
 
-/// Whether one of its finishes sends light to other surfaces that is no diffuse reflection: it has
+/// Whether one of its finishes sends light to other surfaces other than by diffuse reflection: by
 /// highlights, mirrors, or an ambient part.
 bool has_other_light(const Texture&);
 
-/// Whether one of its finishes has light spread below the surface, if the scene wants that.
+/// Whether one of its finishes has subsurface scattering, if the scene enables it.
 bool lets_light_in(const Texture&);
 
-/// Whether one of its finishes raises what it reflects to a power.
+/// Whether one of its finishes has a reflection exponent.
 bool reflects_to_a_power(const Texture&);
 
-/// The radiance that all layers emit at a point. `opacity` is the share of a layer's colour that is
-/// its own, which depends on the version of the language.
+/// Radiance that all layers emit at a point. `opacity` returns the opaque fraction of a layer's
+/// colour, which depends on the language version.
 Vec3 emission(const Texture&, const Vec3& point, const PatternScene&,
               FunctionRef<double(const Colour&)> opacity);
 

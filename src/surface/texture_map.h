@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a texture with a pattern consists of, for those who make, evaluate or write one.
+// The parts of a texture with a pattern, for code that makes, evaluates or writes one.
 #pragma once
 
 #include "pattern/use.h"
@@ -14,7 +14,7 @@ struct TextureStop {
 };
 using TextureMap = std::vector<TextureStop>;
 
-/// A pattern with the textures that it chooses from.
+/// A pattern with the textures that it selects.
 struct PatternedTexture {
     /// Precondition: the map is not empty; weights of an average are not negative and not all 0.
     PatternedTexture(PatternUse, const Transform&, TextureMap);

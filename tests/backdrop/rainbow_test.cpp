@@ -20,7 +20,7 @@ Rainbow band() {
     return bow;
 }
 
-/// What is seen of black at an angle from z, so far turned away from y.
+/// Radiance over black at an angle from z, turned away from y by `turned` degrees.
 Vec3 seen(const Rainbow& bow, double degrees, double turned = 0, double chance = 0.5) {
     const double angle = degrees * std::numbers::pi / 180, turn = turned * std::numbers::pi / 180;
     const Ray ray{Vec3(0), Vec3(std::sin(angle) * std::sin(turn), std::sin(angle) * std::cos(turn),

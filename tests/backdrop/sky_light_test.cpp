@@ -19,7 +19,7 @@ Vec2 place(std::uint32_t i) {
     return {uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
 }
 
-/// A bright disc about straight up, a dim sky around it.
+/// A bright disc around the zenith, and a dim sky around it.
 constexpr auto sun = [](const Vec3& direction) { return Vec3(direction.y > 0.98 ? 200 : 1); };
 
 }  // namespace

@@ -13,7 +13,7 @@ TEST_CASE("the pigments of a sky lie over each other and the background", "[back
     sky.pigments = {below, above};
     const Vec3 background(0.3, 0.6, 0.9);
     const auto near = [](const Vec3& a, const Vec3& b) { return length(a - b) < 3e-5; };
-    // By the rules of language 3.7 and of those before it, as POV-Ray prints them.
+    // By the rules of language 3.7 and of earlier ones, as printed by POV-Ray.
     CHECK(
         near(radiance(sky, Vec3(0, 0, 1), background, {}, false), Vec3(0.39194, 0.36339, 0.29574)));
     CHECK(

@@ -12,7 +12,7 @@ namespace {
 
 struct Unknown;
 
-/// Counts how many of it there are.
+/// Counts its live instances.
 struct Counted {
     explicit Counted(int& count) : count(count) { ++count; }
     Counted(const Counted& other) : count(other.count) { ++count; }

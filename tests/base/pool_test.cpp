@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// Counts how many of it there are.
+/// Counts its live instances.
 struct CountedItem {
     explicit CountedItem(int& count) : count(count) { ++count; }
     ~CountedItem() { --count; }

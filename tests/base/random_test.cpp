@@ -10,8 +10,7 @@
 namespace candelabra {
 
 TEST_CASE("the mixer is the finaliser of SplitMix64", "[base]") {
-    // The first values of the generator with seed 0: the state grows by the same constant each
-    // time.
+    // The first values of the generator with seed 0: its state grows by a constant each time.
     CHECK(mix(0) == 0xe220a8397b1dcdafu);
     CHECK(mix(0x9e3779b97f4a7c15u) == 0x6e789e6aa1b965f4u);
     CHECK(mix(2 * 0x9e3779b97f4a7c15u) == 0x06c45d188009454fu);
@@ -61,8 +60,8 @@ TEST_CASE("numbers are uniform, also in pairs", "[base]") {
 }
 
 TEST_CASE("the samples of a pixel are spread evenly", "[base]") {
-    // Owen-scrambled Sobol points: 2^n points have one in each part of every division of the square
-    // into 2^n equal rectangles, and one in each part of the line.
+    // Owen-scrambled Sobol points: of 2^n points, one lies in each part of every division of the
+    // square into 2^n equal rectangles, and one in each part of the line.
     for (std::uint64_t pixel = 0; pixel < 20; ++pixel)
         for (int wide = 0; wide <= 8; ++wide) {
             std::set<int> cells, places, parts;

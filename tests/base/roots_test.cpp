@@ -18,7 +18,7 @@ std::vector<double> multiplied(const std::vector<double>& a, const std::vector<d
     return product;
 }
 
-/// The polynomial with these roots, times others without real ones.
+/// The polynomial with these roots, times others without real roots.
 std::vector<double> with_roots(const std::vector<double>& roots, int pairs, Draw& draw) {
     std::vector<double> c = {draw.number() < 0.5 ? 3.0 : -0.2};
     for (const double root : roots) c = multiplied(c, {-root, 1});
@@ -29,7 +29,7 @@ std::vector<double> with_roots(const std::vector<double>& roots, int pairs, Draw
     return c;
 }
 
-/// Different enough that rounding in the coefficients moves none of them much.
+/// Roots far enough apart that rounding in the coefficients moves none of them much.
 std::vector<double> drawn_roots(std::size_t count, double low, double high, Draw& draw) {
     std::vector<double> roots;
     const double step = (high - low) / static_cast<double>(count);
@@ -126,7 +126,7 @@ TEST_CASE("zeros, infinities and what is no number give no roots", "[base]") {
 }
 
 TEST_CASE("all roots of the highest degrees are found", "[base]") {
-    // Chebyshev's polynomials have all their roots between -1 and 1, and keep small between them.
+    // Chebyshev polynomials have all their roots between -1 and 1, and stay small between them.
     std::vector<double> before = {1}, last = {0, 1};
     for (std::size_t degree = 2; degree <= greatest_degree; ++degree) {
         std::vector<double> next = multiplied({0, 2}, last);

@@ -87,7 +87,7 @@ TEST_CASE("a spline passes through its points and knows no gaps", "[base]") {
 
 TEST_CASE("knots are put in order", "[base]") {
     check(spline({{2, 4, 4}, {0, 0, 0}, {1, 1, 1}}, Kind::linear), 1.5, 2.5, 2.5);
-    // One at the same place replaces another, but not the last.
+    // A knot replaces another one at the same place, but not the last.
     check(spline({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {1, 5, 5}}, Kind::linear), 1, 5, 5);
     check(spline({{0, 0, 0}, {1, 1, 1}, {1, 3, 3}}, Kind::linear), 1, 1, 1);
 }

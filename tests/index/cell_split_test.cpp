@@ -29,7 +29,8 @@ struct Cell {
     }
 };
 
-/// The definition: cost of the sides, each with the chance that a ray through the whole meets it.
+/// The definition: cost of a side times its area, to which the probability of meeting it is
+/// proportional.
 double side_cost(const CellSide& side) {
     return area(side.box) * cost_of_items(static_cast<double>(side.fragments.size()), single_costs);
 }
@@ -38,7 +39,7 @@ double split_cost(const Cell& cell, const CellSplit& split) {
     return side_cost(sides.below) + side_cost(sides.above);
 }
 
-/// Of all planes at the ends of boxes.
+/// Minimum cost over all planes at the ends of boxes.
 double min_split_cost(const Cell& cell) {
     double least = no_hit;
     for (int axis = 0; axis < 3; ++axis)
@@ -101,7 +102,7 @@ TEST_CASE("cells stay whole where planes cost more", "[index]") {
     TreeSettings dear = single_costs;
     dear.node_cost = 1000;
     CHECK_FALSE(Cell(row).split(dear).found());
-    // Long ones side by side would all be on both sides.
+    // Long planks side by side would all be on both sides.
     std::vector<Item> planks;
     for (int i = 0; i < 40; ++i) planks.push_back({{Vec3(0, 0.001 * i, 0), Vec3(1, 0.001 * i, 1)}});
     dear = single_costs;

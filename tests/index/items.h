@@ -18,7 +18,7 @@ namespace candelabra {
 
 constexpr double no_hit = std::numeric_limits<double>::infinity();
 
-/// A sphere when the radius is positive, else the box.
+/// A sphere if the radius is positive, else the box.
 struct Item {
     Box box;
     double radius = 0;
@@ -112,13 +112,13 @@ inline std::vector<Box> boxes_of(const std::vector<Item>& items) {
     return boxes;
 }
 
-/// What of the item's surface is in a cell; of a box, what of it.
+/// Bounds of the part of the item in a cell: of a ball's surface, or of the whole box.
 inline Box part_of(const Item& item, const Box& cell) {
     return item.radius > 0 ? clipped_bounds(Sphere{item.centre(), item.radius}, cell)
                            : clip(item.box, cell);
 }
 
-/// Balls are cut where cells are; boxes of a hierarchy have them in whole.
+/// Balls are cut in trees with cells; hierarchies of boxes keep them whole.
 inline WideTree tree_of(const std::vector<Item>& items, const TreeSettings& settings = {},
                         int threads = 1) {
     const auto part = [&](std::uint32_t item, const Box& cell) {
@@ -133,8 +133,7 @@ inline WideTree tree_of(const std::vector<Item>& items, const TreeSettings& sett
 /// Both ways to divide items, with the usual costs.
 inline const std::array both_divisions = {tree_settings(KdTree()), tree_settings(BoundingBoxes())};
 
-/// In the order of the leaves, each as often as it is there; not those that are asked before all
-/// others.
+/// Items in the order of the leaves, including duplicates; without the early occluders.
 inline std::vector<std::uint32_t> items_of(const WideTree& tree) {
     std::vector<std::uint32_t> items;
     for (const TreeNode& node : tree.nodes())
@@ -146,7 +145,7 @@ inline std::vector<std::uint32_t> items_of(const WideTree& tree) {
     return items;
 }
 
-/// The same, each once, in order.
+/// The same without duplicates, in ascending order.
 inline std::vector<std::uint32_t> different_items_of(const WideTree& tree) {
     std::vector<std::uint32_t> items = items_of(tree);
     std::ranges::sort(items);
@@ -166,8 +165,8 @@ inline std::vector<Item> random_balls(std::size_t count, double low_radius, doub
     return items;
 }
 
-/// Boxes, each without thickness along one to three axes, with coordinates on a coarse grid so that
-/// many coincide.
+/// Boxes that are flat along one to three axes, with coordinates on a coarse grid so that many
+/// coincide.
 inline std::vector<Item> flat_boxes(std::size_t count, std::uint64_t seed) {
     Random random(seed);
     const auto grid = [&] { return std::round(uniform(random, -8, 8)) / 8; };
@@ -198,7 +197,7 @@ inline std::vector<Item> touching_balls(int side) {
     return items;
 }
 
-/// Radii from 1e-6 to 1e6, each ball in the neighbourhood of its size.
+/// Radii from 1e-6 to 1e6; the distance of each ball is of the order of its radius.
 inline std::vector<Item> all_scales(std::size_t count, std::uint64_t seed) {
     Random random(seed);
     std::vector<Item> items;

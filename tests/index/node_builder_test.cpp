@@ -13,10 +13,10 @@ namespace {
 struct Row {
     Vec3 centre;
     double half;
-    std::uint32_t count;  ///< so many items in the same place
+    std::uint32_t count;  ///< number of items in the same place
 };
 
-/// Numbered one after the other.
+/// Items are numbered in order.
 BuiltNodes nodes_of(const std::vector<Row>& rows, const NodeTask& task = {}) {
     std::vector<PrimRef> fragments;
     Box around;
@@ -40,7 +40,7 @@ std::span<const std::uint32_t> items_of(const BuiltNodes& built, TreeChild leaf)
     return std::span(built.leaves).subspan(place + 1, built.leaves[place]);
 }
 
-/// Of all leaves.
+/// Items of all leaves.
 std::vector<std::uint32_t> items_of(const BuiltNodes& built) {
     std::vector<std::uint32_t> items;
     for (const TreeNode& node : built.nodes)

@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// From one end to another, without thickness.
+/// A line segment without thickness.
 struct Stick {
     Vec3 from, to;
 

@@ -26,7 +26,8 @@ Box around(std::span<const PrimRef> fragments) {
     return box;
 }
 
-/// The definition: cost of the sides, each with the chance that a ray through the whole meets it.
+/// The definition: cost of both sides, each times the probability that a ray through the whole
+/// meets it.
 double cost_of(std::span<const PrimRef> below, std::span<const PrimRef> above) {
     const auto side = [](std::span<const PrimRef> part) {
         return area(around(part)) * cost_of_items(static_cast<double>(part.size()), costs);
@@ -42,7 +43,7 @@ double cost_of(const std::vector<PrimRef>& fragments, const Split& split) {
     return cost_of(std::span(sides).first(below), std::span(sides).subspan(below));
 }
 
-/// The least cost of all divisions along an axis.
+/// Minimum cost of all divisions along an axis.
 double min_cost(std::vector<PrimRef> fragments) {
     double least = no_hit;
     for (int axis = 0; axis < 3; ++axis) {

@@ -22,7 +22,7 @@ bool same(const WideTree& a, const WideTree& b) {
 }  // namespace
 
 TEST_CASE("the tree is the same for any number of threads", "[index]") {
-    // Otherwise no more threads would start than there are cores.
+    // Otherwise at most as many threads as cores would start.
     const oneapi::tbb::global_control allowed(oneapi::tbb::global_control::max_allowed_parallelism,
                                               7);
     const std::vector<Item> items = random_balls(20000, 0.005, 0.05, 14);
@@ -59,7 +59,7 @@ TEST_CASE("items without end are visited by every ray", "[index]") {
         std::size_t visited = 0;
         const auto count = [&](std::span<const std::uint32_t> items, Interval&) {
             CHECK(items.size() <= 8);
-            // What is asked before all others is so by rays that pass it, too.
+            // Early occluders are visited even by rays that miss them.
             visited += static_cast<std::size_t>(std::ranges::count_if(
                 items, [&](std::uint32_t i) { return i >= static_cast<std::uint32_t>(others); }));
             return false;
@@ -101,7 +101,7 @@ TEST_CASE("what is large among many is asked before all others", "[index]") {
     REQUIRE(tree.early_occluders().size() == 1);
     CHECK(std::ranges::equal(tree.items(tree.early_occluders()[0]),
                              std::vector<std::uint32_t>{2000, 2001}));
-    // It is in the tree as well.
+    // The early occluder is in the tree as well.
     CHECK(std::ranges::count(different_items_of(tree), 2000u) == 1);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("cells of the kd-tree do not overlap, and boxes of items in them fill 
         });
         twice += cells > 1;
     }
-    // Where planes tell nothing apart, more than eight items are in one cell.
+    // Where planes cannot separate items, a cell has more than eight of them.
     CHECK(twice < 200);
 }
 

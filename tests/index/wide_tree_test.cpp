@@ -13,10 +13,10 @@ namespace candelabra {
 
 namespace {
 
-/// A length from 1e-3 to 1e3: t is measured in it.
+/// Scales a direction by 1e-3 to 1e3; t is in units of its length.
 Vec3 stretched(Random& random, const Vec3& v) { return v * std::pow(10, uniform(random, -3, 3)); }
 
-/// The box's size, or the scene's where the item is a point.
+/// The size of the item's box, or of the scene's if the item is a point.
 double size_of(const Item& item, const Box& bounds) {
     const double size = max_component(item.box.size());
     return size > 0 ? size : max_component(bounds.size());
@@ -28,8 +28,8 @@ Ray random_ray(Random& random, const std::vector<Item>&, const WideTree& tree) {
     return {origin, stretched(random, unit(point_in(random, tree.bounds()) - origin))};
 }
 
-/// Touches an item, as nearly as doubles allow: a ball's tangent, or a line through a box's corner
-/// or edge.
+/// A ray that touches an item as precisely as doubles allow: tangent to a ball, or through a corner
+/// or edge of a box.
 Ray grazing_ray(Random& random, const std::vector<Item>& items, const WideTree& tree) {
     const Item& item = items[random() % items.size()];
     const Vec3 normal = direction(random);
@@ -46,8 +46,8 @@ Ray grazing_ray(Random& random, const std::vector<Item>& items, const WideTree& 
             stretched(random, along)};
 }
 
-/// Runs along an axis, with other coordinates that are those of items or of the nodes' boxes, and
-/// zeros of both signs.
+/// A ray along an axis, whose other coordinates are those of items or of nodes' boxes, with zeros
+/// of both signs.
 Ray axis_ray(Random& random, const std::vector<Item>& items, const WideTree& tree) {
     const Item& item = items[random() % items.size()];
     Ray ray{point_in(random, item.box), Vec3(0)};
@@ -69,7 +69,7 @@ Ray axis_ray(Random& random, const std::vector<Item>& items, const WideTree& tre
     return ray;
 }
 
-/// Starts in an item's box or on its surface.
+/// A ray that starts in an item's box or on its surface.
 Ray inner_ray(Random& random, const std::vector<Item>& items, const WideTree&) {
     const Item& item = items[random() % items.size()];
     const Vec3 on_surface = item.centre() + item.radius * direction(random);
@@ -87,7 +87,7 @@ constexpr RayKind ray_kinds[] = {{"random", random_ray},
                                  {"along an axis", axis_ray},
                                  {"from inside", inner_ray}};
 
-/// The rays, of `count`, for which the two indices disagree on the first or on any hit.
+/// Number of rays, out of `count`, for which the two indices disagree on the first or on any hit.
 int disagreements(const WideTree& tree, const std::vector<Item>& items, const RayKind& kind,
                   int count) {
     const BruteForce brute(items.size());
@@ -176,7 +176,7 @@ TEST_CASE("rays that cannot meet anything visit nothing", "[index]") {
         {{Vec3(0.5), Vec3(1, 0, 0)}, {5, 1}},
     };
     for (const Case& c : cases) CHECK_FALSE(tree.traverse(c.ray, c.range, never));
-    // Of a ray that does not go anywhere nothing is known.
+    // Nothing is known about a ray with a zero direction.
     CHECK(tree.traverse({Vec3(2), Vec3(0)}, {}, never));
 }
 
@@ -228,7 +228,7 @@ TEST_CASE("items in a row of growing distances stay within the limit of depth", 
 }
 
 TEST_CASE("small things far from the middle have frames of their own", "[index]") {
-    // Two clouds of crumbs, each of the size of a single digit of the other's place.
+    // Two clouds of tiny balls, each as small as the last digit of the other's coordinates.
     std::vector<Item> items = moved(random_balls(500, 0.01, 0.1, 31), 1e-7, Vec3(1, 2, 3));
     for (const Item& item : moved(random_balls(500, 0.01, 0.1, 32), 1e-7, Vec3(-3, 1, -2)))
         items.push_back(item);
@@ -236,7 +236,7 @@ TEST_CASE("small things far from the middle have frames of their own", "[index]"
     CHECK(tree.frames().size() > 2);
     CHECK(tree.frames().size() <= 1 + TreeNode::width);
     for (const RayKind& kind : ray_kinds) CHECK(disagreements(tree, items, kind, 1000) == 0);
-    // Seen from the other cloud, and passed through, few of them are near a ray.
+    // A ray from one cloud through the other passes near few of its balls.
     Random random(33);
     std::size_t asked = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -252,7 +252,7 @@ TEST_CASE("small things far from the middle have frames of their own", "[index]"
 
 TEST_CASE("rays that ask for anything in their way pass the same leaves, the likely ones first",
           "[index]") {
-    // Crumbs between the origin and a wall.
+    // Tiny balls between the origin and a wall.
     std::vector<Item> items = random_balls(400, 0.001, 0.01, 21);
     items.push_back({{Vec3(2, -1, -1), Vec3(2.1, 1, 1)}});
     const WideTree tree = tree_of(items, GENERATE(from_range(both_divisions)));
@@ -269,7 +269,7 @@ TEST_CASE("rays that ask for anything in their way pass the same leaves, the lik
     CHECK(near.back() == 400);
     const auto wall = std::ranges::find(likely, 400u);
     CHECK(wall - likely.begin() < 8);
-    // What was asked first may be asked again in its place.
+    // Items that were visited early may be visited again in order.
     for (std::vector<std::uint32_t>* found : {&near, &likely}) {
         std::ranges::sort(*found);
         const auto again = std::ranges::unique(*found);

@@ -15,7 +15,7 @@ TEST_CASE("a light fades as POV-Ray 3.7's", "[light]") {
                           {3, 2, 6, 0.4},
                           {3, 1, 0, 2},
                           {2, 4, 4, 2.0 / 17},
-                          // Behind the light, so to say.
+                          // As if the points were behind the light.
                           {-4, 2, 7, 2 / (1 + 49.0 / 16)},
                           {-9, 1, 7, 9},
                           {-4, 1, 7, -8.0 / 3},

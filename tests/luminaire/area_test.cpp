@@ -18,7 +18,7 @@ struct Lamp {
     bool solid;
 };
 
-/// A pyramid whose normals make it look round, without its ground.
+/// A pyramid without its base, with normals that make it look round.
 BuiltShape shade() {
     Mesh mesh;
     for (int i = 0; i < 4; ++i) {
@@ -53,18 +53,18 @@ std::vector<Handle<Transform>> maps() {
             make_handle<Transform>(Transform::scaling(Vec3(0.5, 1.5, -1)).then(turn))};
 }
 
-/// Densities have poles at the rim, which sums over directions resolve slowly, so they are cut off.
+/// Cut-off of densities: they have poles at the rim, which sums over directions resolve slowly.
 constexpr double highest = 1;
 
-/// Sums over evenly spread directions: of the density, and of the cosine for each crossing that has
-/// a density.
+/// Sums over evenly spread directions: of the density, and of the cosine over the density of each
+/// crossing.
 struct ByDirection {
     double density = 0, irradiance = 0;
 };
 
 ByDirection by_direction(const AreaEmitter& e, const Receiver& point, bool solid) {
     constexpr int steps = 160;
-    // From outside, only the directions to the sphere around it are looked at; from inside, all.
+    // From outside, only directions to the bounding sphere are tested; from inside, all.
     const LightBounds b = bounds(e, 1);
     const bool outside = length(b.centre - point.position) > b.radius * 1.01;
     const Luminaire around =
@@ -82,7 +82,7 @@ ByDirection by_direction(const AreaEmitter& e, const Receiver& point, bool solid
             crossings(e.shape, e.transform ? e.transform->inverse_ray(ray) : ray, met);
             int ahead = 0;
             for (std::size_t c = 0; c < met.size(); ++c) ahead += met[c].t > 0;
-            // Of a solid only the near side counts; of an open surface every layer does, as if it
+            // Only the near side of a solid counts; every layer of an open surface does, as if it
             // did not shadow itself.
             sum.irradiance += (solid ? 1 : ahead) *
                               std::fmax(0, dot(looked->direction, point.normal)) / looked->density;
@@ -107,7 +107,7 @@ TEST_CASE("density and samples of area emitters tell the same story", "[luminair
                     for (int j = 0; j < steps; ++j)
                         if (const auto s = sample(e, from, {(i + 0.5) / steps, (j + 0.5) / steps}))
                             given += std::fmin(1, highest / s->density);
-                // Open shapes have several layers in one direction, each with a density of its own.
+                // Open shapes have several layers in one direction, each with its own density.
                 if (lamp.solid || bounds(e, 1).axis != Vec3(0))
                     CHECK(expected.density == Approx(given / (steps * steps)).epsilon(0.05));
                 CHECK(sampled_irradiance(glowing(e), point, steps) ==
@@ -127,7 +127,7 @@ TEST_CASE("each sample of an area emitter has the density that its direction has
                 INFO(lamp.name);
                 CHECK(length(s->direction) == Approx(1));
                 CHECK(length(from + s->distance * s->direction - s->position) < 1e-12);
-                // The line may meet other layers, which can be sampled as well; a grazing one may
+                // The line may meet other layers, which can be sampled as well. A grazing one may
                 // be missed by rounding.
                 const double all = density(e, from, s->direction);
                 CHECK((all >= s->density * (1 - 1e-6) || s->density > 100));

@@ -9,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-/// A triangle, of which half is bright.
+/// A triangle with one bright half.
 const auto glow = [](const Vec2& at) -> std::optional<double> {
     if (at.x + at.y > 1) return {};
     return at.x < 0.5 && at.y < 0.5 ? 3.0 : 1.0;

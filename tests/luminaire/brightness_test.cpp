@@ -30,7 +30,7 @@ Luminaire lamp(const Emitter& emitter, bool mapped) {
 struct LampMoments {
     double mean = 0, relative_variance = 0;
 };
-/// Of the light that samples bring to a point.
+/// Moments of the light that samples bring to a point.
 LampMoments moments(const Luminaire& luminaire, const Receiver& point, int steps,
                     FunctionRef<double(const Vec3&)> glow = pattern) {
     double sum = 0, squares = 0;
@@ -91,7 +91,7 @@ TEST_CASE("a globe with few bright spots makes little noise, and the same light,
     Luminaire known = glowing(globe, 100);
     known.brightness = brightness_of(known, 128, glow);
     REQUIRE(known.brightness);
-    // A point that nearly touches the globe sees so little of it that the map may be no gain.
+    // A point that nearly touches the globe sees so little of it that the map may gain nothing.
     const std::vector<std::pair<Vec3, double>> places = {
         {Vec3(0.5, 0.3, -4), 8},    {Vec3(-60, 30, 50), 8},    {Vec3(0.4, -2.4, -0.7), 2.5},
         {Vec3(0.4, -2.22, 0.1), 0}, {Vec3(0.8, 0.5, -0.7), 5}, {Vec3(1.5, 0.9, -0.8), 5}};
@@ -114,7 +114,7 @@ TEST_CASE("a curved lamp with few bright spots makes less noise, and the same li
           "[luminaire][claim-26]") {
     const auto spots = [](const Vec3& p) { return std::cos(9 * p.x) * std::cos(9 * p.y) > 0.9; };
     const auto glow = [&](const Vec3& p) { return spots(p) ? 100 : 0.01; };
-    // Of a torus much is hidden behind itself from everywhere, bright or not.
+    // Much of a torus is hidden behind itself from everywhere, bright or not.
     const std::vector<std::pair<BuiltShape, double>> shapes = {
         {built(Sphere{Vec3(0), 1}), 4},
         {built(Cylinder{Vec3(-1, 0, 0), Vec3(1, 0.3, 0), 0.6, false}), 4},

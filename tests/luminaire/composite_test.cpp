@@ -17,7 +17,7 @@ CompositeEmitter alone(const BuiltShape& shape) {
     return composite_emitter(make_handle<Composite>(builder.finish(leaf)), leaf.index);
 }
 
-/// What draws give, and the square of their spread over that of the mean.
+/// Mean and relative variance of the draws.
 struct Drawn {
     double mean = 0, variance = 0;
 };
@@ -73,7 +73,7 @@ TEST_CASE("samples of a composite lie on the leaf, with the density that they sa
 }
 
 TEST_CASE("its size is that of its shadow", "[luminaire]") {
-    // An estimate from a coarse grid, which is what luminaires are compared by.
+    // A coarse estimate, which is good enough to compare luminaires.
     CHECK(alone(Sphere{o, 2}).seen_area == Approx(4 * 3.14159).epsilon(0.15));
     CHECK(alone(Cuboid{o, Vec3(1)}).seen_area == Approx(1.5).epsilon(0.15));
     CHECK(alone(Torus{1, 0.3}).seen_area > 0);

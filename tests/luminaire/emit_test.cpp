@@ -12,7 +12,7 @@ namespace candelabra {
 
 namespace {
 
-/// The power of a luminaire of radiance 1, by its own rays.
+/// Power of a luminaire of radiance 1, estimated by its own rays.
 double emitted_power(const Luminaire& luminaire, std::uint32_t count) {
     double sum = 0;
     Key key;

@@ -12,8 +12,8 @@ TEST_CASE("a guide's density is that of its points", "[luminaire]") {
     const Guide guide(tessellation(built(Torus{1, 0.3}), 8));
     Draw draw(1);
     const Vec3 from(0.5, 2, 0.3);
-    // The mean of 1 over the density is the solid angle that the triangles fill, counted once for
-    // each pair of sides: hold it against directions that are drawn evenly.
+    // The mean of 1 over the density is the solid angle that the triangles fill, where each pair of
+    // sides counts once: compare it with evenly drawn directions.
     double by_points = 0, by_directions = 0;
     constexpr int count = 40000;
     for (int i = 0; i < count; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("a guide looks where it is told that the surface is bright", "[luminai
         by_directions += (guide.density(from, draw.direction()) > 0) * 4 * std::numbers::pi / count;
     }
     CHECK(by_points == Approx(by_directions).epsilon(0.05));
-    // A quarter of the sphere has eight times the rest's luminance.
+    // A quarter of the sphere has eight times the luminance of the rest.
     CHECK(bright == Approx(count * 8.0 / 11).epsilon(0.08));
 }
 

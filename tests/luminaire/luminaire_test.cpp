@@ -56,7 +56,7 @@ TEST_CASE("in the air a luminaire counts by the solid angle that it fills", "[lu
         const Receiver point{b.centre + away * draw.direction(), Vec3(0), Horizon::none};
         const double found = sampled_irradiance(luminaire, point, 60);
         CAPTURE(i % emitter_kinds, away);
-        // The choice of luminaires needs no more than the order of size.
+        // Choosing luminaires needs no more than the order of magnitude.
         if (found > 0) CHECK(unoccluded(luminaire, point) > 0.2 * found);
         CHECK(unoccluded(luminaire, point) < 5 * found + b.intensity / (away * away));
     }

@@ -43,8 +43,8 @@ TEST_CASE("drawn points have the density that is stated for them", "[luminaire]"
             const Vec3 from = map ? map->point(own) : own;
             const SeenFaces faces(box, map, from, nullptr);
             if (!faces.any()) continue;
-            // The mean of 1 / density is the solid angle; that of points seen through a wide
-            // cone around a direction is at most the cone's.
+            // The mean of 1 / density is the solid angle. For points seen through a wide cone
+            // around a direction it is at most the cone's.
             double solid_angle = 0;
             constexpr int steps = 24;
             for (int a = 0; a < steps; ++a)
@@ -75,7 +75,7 @@ TEST_CASE("what is below the horizon is not drawn, and all above it is", "[lumin
     Draw draw(5);
     for (int i = 0; i < 200; ++i) {
         const Vec3 from = std::pow(10, draw.between(-0.4, 0.6)) * draw.direction();
-        // Horizons that cut the box, and some along its faces.
+        // Horizons that cut the box, some of them along its faces.
         Vec3 normal = unit(cross(draw.direction(), from));
         if (i % 3 == 0) normal = i % 2 == 0 ? Vec3(0, 0, 1) : Vec3(0, -1, 0);
         const SeenFaces faces(box, nullptr, from, &normal);
@@ -86,7 +86,7 @@ TEST_CASE("what is below the horizon is not drawn, and all above it is", "[lumin
             REQUIRE(faces.any());
             CHECK(faces.density(drawn->face, drawn->point.direction, drawn->point.distance) > 0);
         }
-        // Their share of what is drawn: all of it where the horizon runs along an edge.
+        // Fraction of the draws above the horizon: all of them if it runs along an edge.
         int above = 0, count = 0;
         for (int k = 0; k < 100 && faces.any(); ++k)
             if (const auto drawn = faces.draw({draw.number(), draw.number()})) {

@@ -12,8 +12,7 @@ namespace {
 using std::numbers::pi;
 constexpr double degree = pi / 180;
 
-/// A point below a unit sphere of which the sphere fills a cone of half angle sigma, at the zenith
-/// angle t.
+/// A point below a unit sphere that fills a cone of half angle sigma, at the zenith angle t.
 struct Seen {
     SphereEmitter sphere{Vec3(0), 1};
     Receiver point;
@@ -43,8 +42,8 @@ SphereMoments moments(const SphereEmitter& sphere, const Receiver& point, int st
 }  // namespace
 
 TEST_CASE("a sphere's cone has the variance that the closed form says", "[luminaire][claim-3]") {
-    // Relative variance of the cosine over a cone, for a diffuse receiver: what the paper's Figure
-    // 2 shows.
+    // Relative variance of the cosine over a cone for a diffuse receiver, as in the paper's Figure
+    // 2.
     const std::vector<std::array<double, 3>> rows = {
         {5, 0, 1.2e-6}, {5, 45, .0019}, {5, 75, .027},  {15, 0, .0001}, {15, 30, .0059},
         {15, 75, .243}, {30, 0, .0017}, {30, 30, .026}, {30, 45, .075}, {30, 60, .222},
@@ -179,7 +178,7 @@ TEST_CASE("a point on a glowing sphere gets no light from it, and one in its mid
 
 TEST_CASE("a sphere above the horizon lights a diffuse surface without any noise",
           "[luminaire][claim-7]") {
-    // The paper's Figure 2 with projected solid angle: every sample gives the irradiance itself.
+    // The paper's Figure 2 with projected solid angle: every sample is the irradiance itself.
     Draw draw(11);
     int projected = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -197,7 +196,7 @@ TEST_CASE("a sphere above the horizon lights a diffuse surface without any noise
         CHECK(cosine / s->density == Approx(pi * sine * sine * height).epsilon(1e-6));
         CHECK(length(s->direction) == Approx(1));
         CHECK(length(s->position - sphere.centre) == Approx(sphere.radius));
-        // It is the near side.
+        // The point is on the near side.
         CHECK(dot(s->position - sphere.centre, s->direction) <= 1e-6 * sphere.radius);
     }
     CHECK(projected > 3000);

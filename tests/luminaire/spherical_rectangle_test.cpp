@@ -14,7 +14,7 @@ struct Means {
     Vec3 direction = Vec3(0);
 };
 
-/// By sums over a grid on the rectangle.
+/// Sums over a grid on the rectangle.
 Means summed(const Vec3& from, const Vec3& corner, const Vec3& side1, const Vec3& side2) {
     constexpr int steps = 200;
     const Vec3 area = cross(side1, side2) / double{steps} / double{steps};

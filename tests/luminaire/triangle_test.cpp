@@ -13,7 +13,7 @@ using std::numbers::pi;
 
 TriangleEmitter random_triangle(Draw& draw) { return {draw.point(), draw.point(), draw.point()}; }
 
-/// Irradiance by summing over small parts of the area.
+/// Irradiance summed over small parts of the area.
 double quadrature(const TriangleEmitter& t, const Receiver& point, int steps) {
     const Vec3 e1 = t.corner2 - t.corner1, e2 = t.corner3 - t.corner1, scaled = cross(e1, e2);
     double sum = 0;
@@ -108,7 +108,7 @@ TEST_CASE("a triangle's samples give its irradiance", "[luminaire]") {
 
 TEST_CASE("a triangle overhead is seen with the variance that solid angle sampling has",
           "[luminaire]") {
-    // A right triangle with legs 1, h above a floor point under its centroid.
+    // A right triangle with legs of length 1, at height h above a floor point under its centroid.
     const TriangleEmitter t{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
     for (const auto& [h, expected] :
          std::vector<std::pair<double, double>>{{0.1, 0.117}, {0.3, 0.026}, {1, 0.00143}}) {

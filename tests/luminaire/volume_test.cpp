@@ -21,7 +21,8 @@ VolumeEmitter two_halves(const Vec3& size) {
     return {{-0.5 * size, 0.5 * size}, make_handle<EmissionGrid>(cells, 1e-3)};
 }
 
-/// Irradiance (from everywhere, if the receiver is in the air) by the luminaire's points.
+/// Irradiance (from all directions, if the receiver is in the air) estimated by the luminaire's
+/// points.
 double sampled(const VolumeEmitter& e, const Receiver& point, int count, Draw& draw) {
     const Luminaire luminaire = glowing(e);
     double sum = 0;
@@ -34,7 +35,7 @@ double sampled(const VolumeEmitter& e, const Receiver& point, int count, Draw& d
     return sum / count;
 }
 
-/// The same by a fine grid of directions, each with the integral along it.
+/// The same by a fine grid of directions, with the integral along each.
 double by_directions(const VolumeEmitter& e, const Receiver& point) {
     constexpr int rings = 400, sectors = 400, steps = 60;
     double sum = 0;
@@ -77,7 +78,7 @@ TEST_CASE("points of a volume give its light from near, far and within", "[lumin
         CAPTURE(point.position.x, point.position.y, point.normal.y);
         const double expected = by_directions(e, point);
         CHECK(sampled(e, point, 200000, draw) == Approx(expected).epsilon(0.01));
-        // What steers the choice of luminaires is no worse than a rough guess.
+        // The estimate for choosing luminaires is no worse than a rough guess.
         const double guessed = unoccluded(glowing(e), point);
         CHECK(guessed > expected / 8);
         CHECK(guessed < expected * 8);
@@ -90,7 +91,7 @@ TEST_CASE("near a volume no point gives much more than others", "[luminaire]") {
     for (int i = 0; i < 100000; ++i) {
         const Vec3 from = draw.point(0.6);
         const auto s = sample(e, from, {draw.between(0, 1), draw.between(0, 1)});
-        // Twice the longest line through it, over the density of directions.
+        // Twice the longest line through the volume, over the density of directions.
         if (s) CHECK(1 / s->density <= 2 * std::sqrt(3.0) * 4 * pi * (1 + 1e-9));
     }
 }

@@ -38,7 +38,7 @@ TEST_CASE("ground fog thins out upwards", "[medium]") {
     const Vec3 along(0, 0, 1);
     CHECK(seen(fog, {Vec3(0, 1, 0), along}, 4) == Approx(1 - std::exp(-1)));
     CHECK(seen(fog, {Vec3(0, 3, 0), along}, 4) == Approx(1 - std::exp(-0.5)));
-    // From the ground up: one unit of full density, then an arc tangent.
+    // From the ground up: one unit of full density, then an arctangent.
     const double column = 1 + 2 * std::atan(2.0);
     CHECK(seen(fog, {Vec3(0), Vec3(0, 1, 0)}, 5) == Approx(1 - std::exp(-column / 4)));
 }

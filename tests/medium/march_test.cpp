@@ -16,8 +16,8 @@ struct Means {
     Vec3 left = Vec3(0), emitted = Vec3(0), first = Vec3(0), second = Vec3(0);
 };
 
-/// Means over many marches; `first` and `second` are integrals of scattering, and of that times
-/// the distance.
+/// Means over many marches; `first` and `second` are the integrals of scattering, and of scattering
+/// times the distance.
 Means marched(const Media& media, double distance, double near, std::uint32_t count,
               const MediaStretch::Worth* worth = nullptr) {
     const std::array<const Media*, 1> view = {&media};

@@ -14,7 +14,7 @@ namespace {
 
 struct Estimate {
     Vec3 mean = Vec3(0);
-    double deviation = 0;  ///< of one sample, of red
+    double deviation = 0;  ///< standard deviation of one sample of the red channel
 };
 
 Estimate left_behind(const Media& media, const Ray& ray, double distance, std::uint32_t count) {

@@ -60,7 +60,7 @@ const std::vector<Finish>& looks() {
     return all;
 }
 
-/// The bin of a direction: 8 of height, 16 around.
+/// Bin of a direction: 8 by height, 16 around.
 std::size_t bin(const Vec3& d) {
     const auto row = std::min<std::size_t>(static_cast<std::size_t>((d.y + 1) * 4), 7),
                column = static_cast<std::size_t>((std::atan2(d.z, d.x) / pi + 1) * 8) % 16;
@@ -92,7 +92,8 @@ TEST_CASE("directions are drawn with the density that is said", "[render]") {
                         const Vec3 d(across * std::cos(turn), y, across * std::sin(turn));
                         said[bin(d)] += bsdf.pdf(d) * 4 * pi / (rows * columns);
                     }
-                // Below the surface nothing answers, and facets that would lead there give nothing.
+                // Below the surface the response is 0, and facets that would reflect there give
+                // nothing.
                 for (std::size_t b = both ? 0 : 64; b < 128; ++b) {
                     CAPTURE(b, both, view.x, finish.phong, finish.specular, finish.microfacet.on,
                             finish.microfacet.roughness);

@@ -29,7 +29,7 @@ struct MicrofacetBench {
     }
 };
 
-/// The light that a white sky sends by the surface, by even directions.
+/// Light from a white sky reflected by the surface, by uniform directions.
 double by_response(const Shading& s, bool wide_only) {
     double sum = 0;
     const int rows = 300, columns = 300;
@@ -44,7 +44,7 @@ double by_response(const Shading& s, bool wide_only) {
     return sum / pi * 2 * pi / (rows * columns);
 }
 
-/// The same by drawn directions.
+/// The same by sampled directions.
 double by_scattering(const Shading& s) {
     double sum = 0;
     const int count = 20000;

@@ -34,7 +34,7 @@ TEST_CASE("directions are drawn as media scatter light", "[render]") {
     for (const auto& mixture : mixtures) {
         const PhaseFunction phase(mixture, Vec3(0), view, {});
         CAPTURE(mixture.size(), mixture.front()->scattering.type);
-        // The density is that of the directions, and the answer over it is the same everywhere.
+        // The density matches the directions, and the response divided by it is constant.
         constexpr std::uint32_t count = 20000;
         double weight = 0, towards = 0, expected = 0;
         Key key;
@@ -44,7 +44,7 @@ TEST_CASE("directions are drawn as media scatter light", "[render]") {
             CHECK(length(direction) == Approx(1));
             weight += phase.evaluate(direction).x / phase.pdf(direction) / count;
             towards += dot(direction, view) / count;
-            // The same mean with directions from everywhere.
+            // The same mean by uniform directions.
             const double cosine = 2 * u.x - 1;
             const auto [x, y] = perpendiculars(view);
             const Vec3 any = cosine * view + std::sqrt(1 - cosine * cosine) * x;

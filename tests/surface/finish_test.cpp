@@ -14,7 +14,7 @@ TEST_CASE("a finish starts with POV-Ray 3.7's values", "[surface]") {
     CHECK(finish.phong_size == 40);
     CHECK(finish.roughness == 0.05);
     CHECK(finish.reflection == Reflection{});
-    // What a finish does not say is not written.
+    // Unset fields of a finish are not written.
     CHECK(written_fields(Finish::vocabulary, &finish).empty());
 }
 

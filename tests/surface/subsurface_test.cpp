@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-/// All light that comes out of a plane where flux of 1 goes in.
+/// All light that leaves a plane for an incident flux of 1.
 Vec3 total(const Dipole& dipole) {
     Vec3 sum(0);
     const double step = 0.002;
