@@ -61,6 +61,11 @@ double cosine_of(double degrees) { return std::cos(degrees * radians_per_degree)
 
 Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.location); }
 
+LightConeShape cone_shape(const PointLight& light) {
+    return {axis_of(light), cosine_of(light.radius.value_or(30)),
+            cosine_of(light.falloff.value_or(45))};
+}
+
 double faded(const PointLight& light, double distance) {
     if (light.fade_power <= 0 || light.fade_distance == 0) return 1;
     const double share = distance / light.fade_distance, power = light.fade_power;
@@ -70,13 +75,11 @@ double faded(const PointLight& light, double distance) {
 }
 
 /// Fraction of a cone's light in a direction at this cosine to the axis.
-double in_cone(const PointLight& light, double cosine) {
-    if (cosine <= 0) return 0;
-    const double bright = cosine_of(light.radius.value_or(30));
-    const double dark = cosine_of(light.falloff.value_or(45));
+double in_cone(const PointLight& light, const LightConeShape& shape, double cosine) {
+    const double bright = shape.bright, dark = shape.dark;
+    if (cosine <= 0 || (bright > 0 && cosine < bright && cosine < dark)) return 0;
     double share = light.tightness == 0 ? 1 : std::pow(cosine, light.tightness);
-    if (bright > 0 && cosine < bright)
-        share *= cosine < dark ? 0 : smooth((cosine - dark) / (bright - dark));
+    if (bright > 0 && cosine < bright) share *= smooth((cosine - dark) / (bright - dark));
     return share;
 }
 
@@ -113,13 +116,18 @@ PointLight transformed(PointLight light, const Transform& transform) {
     return light;
 }
 
+void settle(PointLight& light) { light.shape = cone_shape(light); }
+
 Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point) {
     const Vec3 offset = from - point;
     const double distance = length(offset);
     if (distance == 0) return {Vec3(0, 1, 0), 0, Vec3(0)};
     Incidence result{offset / distance, distance, light.colour};
-    if (light.kept_to() == cone && !light.along_axis())
-        result.colour *= in_cone(light, -dot(axis_of(light), result.direction));
+    if (light.kept_to() == cone && !light.along_axis()) {
+        const LightConeShape shape = light.shape ? *light.shape : cone_shape(light);
+        result.colour *= in_cone(light, shape, -dot(shape.axis, result.direction));
+        if (result.colour == Vec3(0)) return result;
+    }
     if (light.along_axis()) {
         if (light.kept_to() == parallel_beam) {
             const Vec3 beam = point - light.location, along = axis_of(light);
@@ -132,6 +140,16 @@ Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point
     }
     result.colour *= faded(light, std::abs(result.distance));
     return result;
+}
+
+bool is_beside_cone(const PointLight& light, const Vec3& point) {
+    constexpr double rounding = 1e-9;
+    if (!light.shape || light.kept_to() != cone || light.along_axis()) return false;
+    const Vec3 offset = point - light.location;
+    const double ahead = dot(light.shape->axis, offset);
+    if (ahead <= 0) return true;
+    const double least = std::fmin(light.shape->bright, light.shape->dark) - rounding;
+    return least > 0 && ahead * ahead < least * least * dot(offset, offset);
 }
 
 Vec3 grid_point(const PointLight& light, double place1, double place2, const Vec3& direction) {

@@ -18,6 +18,13 @@ enum Beam : int {
     parallel_beam  ///< a cylinder around the axis from the location to point_at
 };
 
+/// The geometry of a cone of light, by which it is evaluated.
+struct LightConeShape {
+    Vec3 axis;  ///< unit
+    double bright,
+        dark;  ///< cosines to the axis: light is even up to the one, none beyond the other
+};
+
 /// A light source. It lights a perpendicular surface with an irradiance of pi times its colour, so
 /// that the surface shows the colour as its finish says. Without fading, the distance does not
 /// matter.
@@ -45,6 +52,7 @@ struct PointLight {
     bool circular = false;
     bool orient = false;
     bool area_illumination = false;
+    std::optional<LightConeShape> shape = {};  ///< set by settle(); unset: derived at each use
 
     static const ItemInfo vocabulary;
 
@@ -55,6 +63,9 @@ struct PointLight {
     /// cylinder.
     int kept_to() const { return shadowless ? all_around : beam; }
 };
+
+/// Prepares a light that does not change any more, so that it is evaluated faster.
+void settle(PointLight&);
 
 /// Every kind of light source.
 using Light = std::variant<PointLight>;
@@ -76,6 +87,10 @@ struct Incidence {
 
 /// Light from one of the light's points: `from` is the location, or another point of its grid.
 Incidence incidence(const PointLight&, const Vec3& from, const Vec3& point);
+
+/// Whether the point is outside the light's cone, as far as that is certain without a square root.
+/// True: incidence() has no colour there.
+bool is_beside_cone(const PointLight&, const Vec3& point);
 
 /// Returns a place in the light's grid: whole numbers from 0 to size - 1 are its lights.
 /// `direction` is the unit direction from the lit point to the location.

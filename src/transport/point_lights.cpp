@@ -15,6 +15,11 @@ namespace {
 /// things in a glass, are not darker for it.
 constexpr double apart_for_light = 1e-3;
 
+/// Whether each light of the grid is evaluated by itself, not only its shadow.
+bool lit_by_grid(const PointLight& light, const Scatterer& scatterer) {
+    return light.is_area() && light.area_illumination && !scatterer.in_air();
+}
+
 /// Light of one source at a point, with the data to evaluate it.
 class SourceLight {
 public:
@@ -38,13 +43,10 @@ public:
     }
     SourceLight(const SourceLight&) = delete;
 
-    Vec3 seen() {
-        if (scatterer_.in_air() && (light_.shadowless || !light_.media_interaction)) return Vec3(0);
-        const Incidence central = incidence(light_, light_.location, vertex_.position());
+    /// `central` is the light from its location.
+    Vec3 seen(const Incidence& central) {
         direction_ = central.direction;
-        const Vec3 answer = light_.is_area() && light_.area_illumination && !scatterer_.in_air()
-                                ? grid_answer()
-                                : answer_to(central);
+        const Vec3 answer = lit_by_grid(light_, scatterer_) ? grid_answer() : answer_to(central);
         if (answer == Vec3(0)) return answer;
         if (light_.shadowless) return window_ && !seen_through(central) ? Vec3(0) : answer;
         return answer * (light_.is_area() ? grid_shadow() : passed(central));
@@ -175,9 +177,17 @@ private:
 
 Vec3 source_light(const World& world, std::uint32_t light, const LitLayer& layer, const Key& key,
                   LightLedger& ledger) {
-    const Key own = key.branched(Branch::source, light);
+    const bool in_air = layer.scatterer.in_air();
     return std::visit(
-        [&](const auto& l) { return SourceLight(world, l, light, layer, own, ledger).seen(); },
+        [&](const auto& l) {
+            if (in_air && (l.shadowless || !l.media_interaction)) return Vec3(0);
+            const bool by_grid = lit_by_grid(l, layer.scatterer);
+            if (!by_grid && is_beside_cone(l, layer.vertex.position())) return Vec3(0);
+            const Incidence central = incidence(l, l.location, layer.vertex.position());
+            if (!by_grid && central.colour == Vec3(0)) return Vec3(0);
+            const Key own = key.branched(Branch::source, light);
+            return SourceLight(world, l, light, layer, own, ledger).seen(central);
+        },
         world.lights.sources[light]);
 }
 

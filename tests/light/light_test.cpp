@@ -51,6 +51,32 @@ TEST_CASE("beams are bright in the middle and end at their falloff", "[light]") 
     CHECK(incidence(light, light.location, Vec3(0.9, 0, 0)).direction == Vec3(0, 0, -1));
 }
 
+TEST_CASE("a settled cone gives the same light, and none beside it", "[light]") {
+    for (const auto& [radius, falloff] :
+         {std::pair{5.0, 9.0}, {30.0, 45.0}, {40.0, 20.0}, {95.0, 100.0}, {70.0, 110.0}}) {
+        PointLight light;
+        light.beam = cone;
+        light.colour = Vec3(1, 2, 3);
+        light.location = Vec3(1, 2, 3);
+        light.point_at = Vec3(-1, 0, 2);
+        light.radius = radius;
+        light.falloff = falloff;
+        PointLight settled = light;
+        settle(settled);
+        int beside = 0;
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 point(i % 10 - 4.5, i / 10 % 10 - 4.5, i / 100 - 4.5);
+            const Vec3 colour = incidence(light, light.location, point).colour;
+            CHECK(incidence(settled, light.location, point).colour == colour);
+            CHECK_FALSE(is_beside_cone(light, point));
+            if (!is_beside_cone(settled, point)) continue;
+            ++beside;
+            CHECK(colour == Vec3(0));
+        }
+        CHECK(beside > 100);
+    }
+}
+
 TEST_CASE("each light of a parallel grid has an axis of its own", "[light]") {
     PointLight light;
     light.colour = Vec3(1);
