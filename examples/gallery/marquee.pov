@@ -4,6 +4,7 @@
 // Some 690 luminaires.
 #version 3.7;
 #include "light_arrays.inc"
+#include "people.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 5 }
 background { rgb <0.006, 0.01, 0.025> }
 
@@ -160,7 +161,7 @@ box { <-2.8, 2.5, -0.12>, <2.8, 2.66, 0.1> texture { Brass } }
 #macro Window(Place, Glow)
     union {
         box { <-0.55, -0.06, -0.14>, <0.55, 0, 0.1> pigment { rgb 0.35 } finish { Matt } }
-        box { <-0.4, 0, -0.03>, <0.4, 1.6, 0> 
+        box { <-0.4, 0, -0.03>, <0.4, 1.6, 0>
             pigment { gradient y color_map { [0 Glow*0.35] [1 Glow] } scale 1.6 }
             finish { ambient 0 diffuse 0.2 emission 0.2 reflection 0.05 }
         }
@@ -237,156 +238,17 @@ union {
     translate 4.3*x
 }
 
-// People. Each looks to -z, is 1.75 high before it is scaled, and has its hands where they are
-// told to be; elbows and knees follow.
-#macro Limb(From, To, Pole, Upper, Lower, Thick, Middle, Thin)
-    #local Way = To - From;
-    #local Far = min(vlength(Way), 0.999*(Upper + Lower));
-    #local Ahead = vnormalize(Way);
-    #local Part = (Upper*Upper - Lower*Lower + Far*Far)/(2*Far);
-    #local Out = vnormalize(Pole - vdot(Pole, Ahead)*Ahead);
-    #local Joint = From + Part*Ahead + sqrt(max(0, Upper*Upper - Part*Part))*Out;
-    sphere_sweep {
-        linear_spline
-        3, From, Thick, Joint, Middle, From + Far*Ahead, Thin
-    }
-#end
-#declare Bare = 0;
-#declare Fedora = 1;
-#declare Long_hair = 2;
-#declare Bun = 3;
-#declare Cap = 4;
-#macro Head(Top, Skin, Hair)
-    union {
-        union {
-            sphere { 0, 1 scale <0.077, 0.108, 0.094> translate 1.645*y }
-            sphere { 0, 1 scale <0.058, 0.062, 0.066> translate <0, 1.583, -0.028> }
-            cone { <0, 1.66, -0.09>, 0.008, <0, 1.625, -0.112>, 0.015 }
-            sphere { <0, 1.622, -0.098>, 0.017 }
-            sphere { 0, 1 scale <0.012, 0.03, 0.02> translate <-0.077, 1.635, 0.01> }
-            sphere { 0, 1 scale <0.012, 0.03, 0.02> translate <0.077, 1.635, 0.01> }
-            pigment { Skin }
-            finish { Matt }
-        }
-        union {
-            sphere { 0, 1 scale <0.086, 0.098, 0.097> translate <0, 1.668, 0.018> }
-            #switch (Top)
-                #case (Fedora)
-                    sphere { 0, 1 scale <0.155, 0.014, 0.18> rotate 5*x translate <0, 1.70, 0> }
-                    lathe {
-                        linear_spline
-                        5, <0.098, 0>, <0.094, 0.07>, <0.08, 0.105>, <0.04, 0.1>, <0, 0.085>
-                        scale <0.95, 1, 1.1>
-                        translate <0, 1.70, 0.005>
-                    }
-                #break
-                #case (Long_hair)
-                    sphere_sweep {
-                        linear_spline
-                        3, <0, 1.66, 0.035>, 0.088, <0, 1.53, 0.06>, 0.08, <0, 1.38, 0.085>, 0.06
-                    }
-                #break
-                #case (Bun)
-                    sphere { <0, 1.75, 0.085>, 0.048 }
-                #break
-                #case (Cap)
-                    sphere { 0, 1 scale <0.093, 0.1, 0.105> translate <0, 1.69, 0.006> }
-                    sphere { <0, 1.80, 0.01>, 0.032 }
-                #break
-            #end
-            pigment { Hair }
-            finish { Matt }
-        }
-    }
-#end
-#macro Person(Top, Skin, Hair, Coat, Legs, Hem, Left, Right, Step, Turned)
-    object { Head(Top, Skin, Hair) rotate Turned*y }
-    union {
-        sphere_sweep { linear_spline 2, <0, 1.42, 0.015>, 0.06, <0, 1.57, 0.005>, 0.05 }
-        #for (Side, -1, 1, 2)
-            #local Hand = (Side < 0 ? Left : Right);
-            sphere_sweep {
-                linear_spline
-                2, Hand, 0.034, Hand + vnormalize(Hand - <0.2*Side, 1.2, 0>)*0.075, 0.028
-            }
-        #end
-        pigment { Skin }
-        finish { Matt }
-    }
-    union {
-        lathe {
-            cubic_spline
-            9,
-            <0.24, Hem - 0.2>, <0.15 + 0.1*(1.1 - Hem), Hem>, <0.188, 0.86>, <0.158, 1.07>,
-            <0.182, 1.28>, <0.17, 1.40>, <0.085, 1.475>, <0.06, 1.53>, <0.05, 1.6>
-            scale <1, 1, 0.7>
-        }
-        Limb(<-0.178, 1.385, 0>, Left, <-0.8, -0.4, 0.8>, 0.285, 0.26, 0.068, 0.054, 0.041)
-        Limb(<0.178, 1.385, 0>, Right, <0.8, -0.4, 0.8>, 0.285, 0.26, 0.068, 0.054, 0.041)
-        sphere_sweep { linear_spline 2, <-0.15, 1.39, 0>, 0.075, <0.15, 1.39, 0>, 0.075 }
-        torus { 0.07, 0.028 scale <1, 1.2, 0.9> rotate 12*x translate <0, 1.495, 0.01> }
-        pigment { Coat }
-        normal { wrinkles 0.35 scale <0.08, 0.25, 0.08> }
-        finish { Matt }
-    }
-    union {
-        #for (Side, -1, 1, 2)
-            #local Foot = <0.085*Side, 0.075, Side*Step>;
-            Limb(<0.085*Side, 0.87, 0>, Foot, -z, 0.402, 0.402, 0.082, 0.06, 0.043)
-            sphere_sweep {
-                linear_spline
-                3, Foot + <0, -0.035, 0.035>, 0.04, Foot + <0.01*Side, -0.035, -0.09>, 0.042,
-                Foot + <0.02*Side, -0.045, -0.17>, 0.03
-            }
-        #end
-        pigment { Legs }
-        finish { Matt }
-    }
-#end
-// Eight cloths between ribs, which sag between them
-#macro Umbrella(Cloth)
-    #local Rim = function(R, A) { 0.62*sin(1.25*R)/sin(1.25)*(1 - 0.07*R*R*pow(sin(4*A), 2)) };
-    #local Rise = function(R, A) { 0.3*cos(1.45*R) - 0.035*R*pow(sin(4*A), 2) };
-    #local Steps = 48;
-    mesh {
-        #for (I, 0, Steps - 1)
-            #for (J, 0, 5)
-                #local A = 2*pi*I/Steps;
-                #local B = 2*pi*(I + 1)/Steps;
-                #local S = J/6;
-                #local T = (J + 1)/6;
-                #local P = <Rim(S, A)*cos(A), Rise(S, A), Rim(S, A)*sin(A)>;
-                #local Q = <Rim(S, B)*cos(B), Rise(S, B), Rim(S, B)*sin(B)>;
-                #local U = <Rim(T, A)*cos(A), Rise(T, A), Rim(T, A)*sin(A)>;
-                #local V = <Rim(T, B)*cos(B), Rise(T, B), Rim(T, B)*sin(B)>;
-                triangle { P, U, V }
-                #if (J > 0) triangle { P, V, Q } #end
-            #end
-        #end
-        pigment { Cloth }
-        finish { ambient 0 diffuse 0.9 specular 0.3 roughness 0.02 }
-    }
-    cylinder { -0.75*y, 0.38*y, 0.011 pigment { rgb 0.2 } finish { Matt } }
-#end
-#declare Pale = rgb <0.52, 0.33, 0.25>;
-#declare Dark = rgb <0.20, 0.11, 0.07>;
-#declare Black = rgb 0.02;
-#declare Navy = rgb <0.03, 0.04, 0.08>;
-#declare Hang = <0.27, 0.84, -0.02>;
-#declare Pocket = <0.235, 0.97, -0.11>;
-#declare Mirror = <-1, 1, 1>;
-
 // A couple arm in arm before the open doors
 union {
     Person(Fedora, Pale, rgb 0.03, rgb <0.10, 0.075, 0.05>, Black, 0.52,
-        Pocket*Mirror, Pocket, 0.03, -35)
+           Pocket*Mirror, Pocket, 0.03, -35)
     scale 1.05
     rotate 165*y
     translate <-0.02, 0, -1.5>
 }
 union {
     Person(Long_hair, Pale, rgb <0.22, 0.09, 0.03>, rgb <0.42, 0.03, 0.04>, Black, 0.6,
-        <-0.13, 1.03, -0.2>, Hang, 0.02, 28)
+           <-0.13, 1.03, -0.2>, Hang, 0.02, 28)
     scale 0.97
     rotate 190*y
     translate <0.5, 0, -1.52>
@@ -394,7 +256,7 @@ union {
 // One who waits, with a telephone that lights the face
 union {
     Person(Cap, Pale, rgb <0.35, 0.16, 0.03>, rgb <0.06, 0.12, 0.13>, Navy, 0.78,
-        Pocket*Mirror, <0.06, 1.2, -0.27>, 0.02, 0)
+           Pocket*Mirror, <0.06, 1.2, -0.27>, 0.02, 0)
     box {
         <-0.037, -0.075, -0.004>, <0.037, 0.075, 0.004>
         pigment { rgb <0.5, 0.75, 1> }
@@ -408,14 +270,14 @@ union {
 // A mother, and a child who points at the sign
 union {
     Person(Bun, Dark, rgb 0.015, rgb <0.30, 0.22, 0.10>, Black, 0.45,
-        <-0.3, 0.9, -0.03>, Hang, 0.04, 15)
+           <-0.3, 0.9, -0.03>, Hang, 0.04, 15)
     scale 0.98
     rotate 20*y
     translate <2.15, 0, -2.2>
 }
 union {
     Person(Cap, Dark, rgb <0.5, 0.06, 0.04>, rgb <0.12, 0.2, 0.36>, Navy, 0.8,
-        <-0.36, 1.74, -0.3>, <0.33, 1.22, -0.02>, 0.03, 0)
+           <-0.36, 1.74, -0.3>, <0.33, 1.22, -0.02>, 0.03, 0)
     scale 0.64
     rotate 170*y
     translate <1.6, 0, -2.3>
@@ -423,7 +285,7 @@ union {
 // Two who talk under the canopy
 union {
     Person(Bare, Pale, rgb <0.12, 0.06, 0.03>, rgb 0.07, Black, 0.74,
-        Pocket*Mirror, <0.3, 1.12, -0.26>, 0.02, 0)
+           Pocket*Mirror, <0.3, 1.12, -0.26>, 0.02, 0)
     scale 1.03
     rotate 80*y
     translate <-1.05, 0, -0.8>
@@ -436,7 +298,7 @@ union {
 // One who comes late, with an umbrella, across the road
 union {
     Person(Long_hair, Pale, rgb 0.02, rgb <0.05, 0.05, 0.07>, Black, 0.5,
-        <-0.32, 0.86, -0.12>, <0.16, 1.2, -0.22>, 0.2, 0)
+           <-0.32, 0.86, -0.12>, <0.16, 1.2, -0.22>, 0.2, 0)
     union {
         Umbrella(rgb <0.35, 0.02, 0.025>)
         rotate 10*y
@@ -467,14 +329,14 @@ plane {
         scale <1.8, 1, 0.9>
         texture_map {
             [0.40
-                pigment { rgb 0.015 }
-                normal { bumps 0.06 scale <0.2, 1, 0.2> }
-                finish { Water }
+             pigment { rgb 0.015 }
+             normal { bumps 0.06 scale <0.2, 1, 0.2> }
+             finish { Water }
             ]
             [0.47
-                pigment { granite color_map { [0 rgb 0.02] [1 rgb 0.06] } scale 0.3 }
-                normal { granite 0.3 scale 0.12 }
-                finish { Damp }
+             pigment { granite color_map { [0 rgb 0.02] [1 rgb 0.06] } scale 0.3 }
+             normal { granite 0.3 scale 0.12 }
+             finish { Damp }
             ]
         }
     }
