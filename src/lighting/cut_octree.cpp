@@ -21,7 +21,7 @@ constexpr double divided_above = 20;
 /// small part of all rays.
 constexpr double coarse_pixels = 32;
 /// Factor on this size for cells between surfaces, where light varies less.
-constexpr double coarser_in_air = 4;
+constexpr double coarser_in_air = 2;
 /// Bounds on this size as an angle (size over distance), for large and for small pictures.
 constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
 /// Probability below which the random number that is reused level by level is replaced by a new
@@ -192,20 +192,22 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
 BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cut,
                                                   const LightProbe& probe) const {
     const Box& box = cell.box;
-    const std::vector<SurveyPlace> receivers =
-        cell.in_air ? air_places_in(box) : survey_places_in(box, state_->eye, probe);
+    const std::vector<SurveyPlace> receivers = cell.in_air
+                                                   ? air_places_in(box, state_->eye, probe)
+                                                   : survey_places_in(box, state_->eye, probe);
     cut.scale(counted(arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), cut,
                       box));
     CellSurvey result;
-    // Directions cannot hit light sources, and luminaires look small from points in the air.
-    if (state_->tree.falloff(state_->tree.root()) || cell.in_air) return result;
+    // Directions cannot hit light sources.
+    if (state_->tree.falloff(state_->tree.root())) return result;
     const Found by_choice = found_by_choice(cut, receivers, probe);
     const double found = by_choice.noise, choice = doubt * found + min_noise;
-    if (state_->any_volume && by_choice.irradiance > 0) {
+    if ((state_->any_volume || cell.in_air) && by_choice.irradiance > 0) {
         result.irradiance = by_choice.irradiance;
         result.noise = by_choice.irradiance * std::sqrt(found + min_noise);
     }
-    if (state_->only_volumes) return result;
+    // Luminaires look small from points in the air.
+    if (state_->only_volumes || cell.in_air) return result;
     result.outlook.emplace(box, state_->ball, receivers, probe);
     const double outlook = result.outlook->noise() + min_noise;
     const double share =

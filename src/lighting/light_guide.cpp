@@ -158,6 +158,18 @@ Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
     return found;
 }
 
+/// Whether a surface that lets no light pass is between a place and the eye.
+bool is_hidden(const Vec3& position, const Vec3& eye, const LightProbe& probe) {
+    const double distance = length(position - eye);
+    bool blocked = false;
+    look_along({eye, (position - eye) / distance}, 0, probe, [&](const ProbeHit& sight, double) {
+        if (sight.distance >= distance) return true;
+        blocked = sight.passes == 0;
+        return blocked;
+    });
+    return blocked;
+}
+
 }  // namespace
 
 LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
@@ -179,13 +191,18 @@ std::vector<double> balanced(std::span<const double> arriving) {
     return result;
 }
 
-std::vector<SurveyPlace> air_places_in(const Box& cell) {
-    std::vector<SurveyPlace> places;
-    for (std::uint32_t i = 0; i < enough; ++i) {
+std::vector<SurveyPlace> air_places_in(const Box& cell, const std::optional<Vec3>& eye,
+                                       const LightProbe& probe) {
+    std::vector<SurveyPlace> seen, hidden;
+    for (std::uint32_t i = 0; i < lines && seen.size() < enough; ++i) {
         const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
-        places.push_back({{cell.low + place * cell.size(), Vec3(0), Horizon::none}, 0});
+        const Vec3 position = cell.low + place * cell.size();
+        (eye && is_hidden(position, *eye, probe) ? hidden : seen)
+            .push_back({{position, Vec3(0), Horizon::none}, 0});
     }
-    return places;
+    if (!seen.empty()) return seen;
+    hidden.resize(enough);
+    return hidden;
 }
 
 std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<Vec3>& eye,

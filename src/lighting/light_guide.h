@@ -52,7 +52,8 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<V
                                           const LightProbe&);
 
 /// Returns places anywhere in a cell, between surfaces. Deterministic.
-std::vector<SurveyPlace> air_places_in(const Box& cell);
+std::vector<SurveyPlace> air_places_in(const Box& cell, const std::optional<Vec3>& eye,
+                                       const LightProbe& probe);
 
 /// Returns factors on the light that arrives at several places, for averages over these: none
 /// counts much more than the place with the least light. Otherwise light on a few places would

@@ -149,6 +149,7 @@ std::optional<LightPoint> sample(const VolumeEmitter& e, const Vec3& from, const
     if (u.x < share) {
         direction = view.draw({u.x / share, u.y});
         inside = chord(e.box, from, direction);
+        if (!(inside.max > inside.min)) return {};
         distance = inside.min + (inside.max - inside.min) * second_number(u.y);
         const Vec3 part = (from + distance * direction - e.box.low) / e.box.size();
         by_place = cell_density(e, cell_at(part));

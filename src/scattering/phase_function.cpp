@@ -86,6 +86,12 @@ Vec3 PhaseFunction::evaluate(const Vec3& to_light) const {
     return sum;
 }
 
+Vec3 PhaseFunction::mean() const {
+    Vec3 sum(0);
+    for (const Part& part : parts_) sum += part.coefficient * mean_phase(*part.scattering);
+    return sum;
+}
+
 Vec3 PhaseFunction::sample(Vec2 u) const {
     std::size_t number = 0;
     while (number + 1 < parts_.size() && u.x >= parts_[number].share) u.x -= parts_[number++].share;

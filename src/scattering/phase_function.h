@@ -24,6 +24,8 @@ public:
     /// Radiance towards the viewer per unit of length, times the weight, due to light of colour 1
     /// from a unit direction.
     Vec3 evaluate(const Vec3& to_light) const;
+    /// Mean of evaluate() over all directions.
+    Vec3 mean() const;
     /// Returns a unit direction drawn in proportion to the scattering of uniform light; u is in
     /// [0, 1)^2. Precondition: answers_light().
     Vec3 sample(Vec2 u) const;

@@ -46,7 +46,8 @@ Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, 
                                : std::pow(std::fmax(cosine, 1e-10), f.brilliance);
     const bool back = behind && !s.both_sides;
     const double diffuse = !terms.diffuse ? 0 : back ? f.diffuse_back : std::fmax(f.diffuse, 0);
-    Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - f.crand * grain);
+    const double crand = terms.diffuse ? f.crand * grain : 0;
+    Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - crand);
     if (back || !terms.highlights || (f.phong <= 0 && f.specular <= 0)) return result;
 
     const Vec3 tint =

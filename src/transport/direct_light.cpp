@@ -99,7 +99,9 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
             const auto answer = strategy.at({point, lobes, &sampler, &scene});
             int count = shadow_rays_.usual;
             double chance = 1;
-            if (answer.noise() >= 0 && !scatterer.in_air()) {
+            if (answer.noise() >= 0 && scatterer.in_air()) {
+                count = rays_at(answer, layer, scatterer.phase().mean());
+            } else if (answer.noise() >= 0) {
                 const Bsdf& bsdf = scatterer.bsdf();
                 const Vec3 straight =
                     answer_to(layer, bsdf.shading().normal, key) + Vec3(bsdf.highlights());

@@ -73,11 +73,19 @@ TEST_CASE("places in a cell lie on the outsides of what is in it", "[lighting]")
 
 TEST_CASE("places in the air of a cell have no horizon", "[lighting]") {
     const Box cell{Vec3(1, 2, 3), Vec3(2, 4, 4)};
-    const std::vector<SurveyPlace> places = air_places_in(cell);
+    const std::vector<SurveyPlace> places = air_places_in(cell, {}, sight);
     REQUIRE_FALSE(places.empty());
     for (const SurveyPlace& each : places) {
         CHECK(contains(cell, each.point.position));
         CHECK(each.point.horizon == Horizon::none);
+    }
+    // An eye above the floor sees none of those below it, unless all are.
+    const Vec3 eye(5, 3, 5);
+    for (const double top : {0.0, -2.0}) {
+        const std::vector<SurveyPlace> seen =
+            air_places_in({Vec3(2, -3, 2), Vec3(4, top, 4)}, eye, sight);
+        REQUIRE(seen.size() > 3);
+        for (const SurveyPlace& each : seen) CHECK((each.point.position.y > -1.5) == (top == 0));
     }
 }
 

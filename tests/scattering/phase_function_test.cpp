@@ -36,7 +36,7 @@ TEST_CASE("directions are drawn as media scatter light", "[render]") {
         CAPTURE(mixture.size(), mixture.front()->scattering.type);
         // The density matches the directions, and the response divided by it is constant.
         constexpr std::uint32_t count = 20000;
-        double weight = 0, towards = 0, expected = 0;
+        double weight = 0, towards = 0, expected = 0, mean = 0;
         Key key;
         for (key.sample = 0; key.sample < count; ++key.sample) {
             const Vec2 u{uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)};
@@ -49,7 +49,9 @@ TEST_CASE("directions are drawn as media scatter light", "[render]") {
             const auto [x, y] = perpendiculars(view);
             const Vec3 any = cosine * view + std::sqrt(1 - cosine * cosine) * x;
             expected += cosine * phase.pdf(any) * 4 * std::numbers::pi / count;
+            mean += phase.evaluate(any).x / count;
         }
+        CHECK(mean == Approx(phase.mean().x).epsilon(0.01));
         const PhaseFunction again(mixture, Vec3(0), view, {});
         CHECK(weight == Approx(again.evaluate(Vec3(view)).x / again.pdf(view)).epsilon(0.02));
         CHECK(towards == Approx(expected).margin(0.01));

@@ -30,6 +30,14 @@ TEST_CASE("diffuse light goes with a power of the cosine", "[render]") {
           1e-12);
 }
 
+TEST_CASE("grain belongs to the diffuse part", "[render]") {
+    Bench b;
+    b.finish.crand = 0.2;
+    const Vec3 up(0, 1, 0);
+    CHECK(finish_response(b.shading, up, {}, 0.5).x == Approx(0.8 * (0.6 - 0.1)));
+    CHECK(finish_response(b.shading, up, {.diffuse = false}, 0.5) == Vec3(0));
+}
+
 TEST_CASE("light from below the horizon counts only for both_sides", "[render]") {
     Bench b;
     CHECK(finish_response(b.shading, Vec3(0, -1, 0)) == Vec3(0));

@@ -45,6 +45,9 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
         {"camera { location -z } light_source { 0, 1 } union { triangle { 0, x, 2*x } pigment { "
          "rgb 1 } finish { emission 1 } }",
          "no-object "},
+        {"camera { location -z } light_source { 9, 1 } sphere { 9*z, 1 } plane { y, -5 pigment { "
+         "rgbt 1 } hollow interior { media { emission 1 } luminaire } }",
+         "degenerate "},
         {"light_source { 9*y, 1 } sphere { 0, 2 } camera { location z look_at 0 }",
          "camera-inside "},
         {"light_source { 9*y, 1 } sphere { 0, 2 hollow } camera { location z look_at 0 }", ""},
