@@ -3,6 +3,7 @@
 // let them go, and each is there once more in the water.
 #version 3.7;
 #include "light_arrays.inc"
+#include "people.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
 
 camera {
@@ -83,34 +84,34 @@ plane {
 object { Light_Scatter(Window, 150, <-75, 0.3, 86>, <75, 2.4, 94>, 1, 31) }
 
 // Two boats with people who hold a lantern
-#declare Person = union {
-    sphere { 0.72*y, 0.11 }
-    cone { 0, 0.2, 0.6*y, 0.1 }
-    sphere_sweep {
-        linear_spline 3 <0.1, 0.52, 0>, 0.05 <0.24, 0.62, -0.12>, 0.045 <0.12, 0.86, -0.2>, 0.04
-    }
-    sphere_sweep {
-        linear_spline 3 <-0.1, 0.52, 0>, 0.05 <-0.24, 0.62, -0.12>, 0.045 <-0.12, 0.86, -0.2>, 0.04
-    }
-}
+#declare Raised = <0.15, 1.74, -0.3>;
 #declare Boat = union {
     // Planks between a rising keel and rising ends
     #for (I, -12, 12)
         #local Wide = 0.5*sqrt(1 - I*I/170);
         box { <-Wide, 0.0016*I*I - 0.05, 0.15*I - 0.08>, <Wide, 0.2 + 0.0022*I*I, 0.15*I + 0.08> }
     #end
-    object { Person translate <0, 0.2, 0.5> }
-    object { Person scale 0.92 rotate 160*y translate <0, 0.2, -0.7> }
+    union {
+        Person(Bun, Pale, Black, rgb <0.5, 0.1, 0.1>, Black, 0.25, Raised*Mirror, Raised, 0.02, 0)
+        scale 0.64
+        translate <0, 0.14, 0.45>
+    }
+    union {
+        Person(Bare, Pale, Black, rgb <0.12, 0.16, 0.3>, Black, 0.7, Hang*Mirror, Raised, 0.02, 0)
+        scale 0.68
+        rotate 160*y
+        translate <0, 0.14, -0.75>
+    }
     pigment { rgb <0.4, 0.2, 0.12> }
     finish { Matt }
 }
 union {
-    object { Boat } object { Lantern scale 0.8 translate <0, 1.1, 0.2> }
+    object { Boat } object { Lantern scale 0.8 translate <0, 1.25, 0.26> }
     rotate 62*y
     translate <2.9, 0, -1.8>
 }
 union {
-    object { Boat } object { Lantern scale 0.8 translate <0, 1.1, 0.2> }
+    object { Boat } object { Lantern scale 0.8 translate <0, 1.25, 0.26> }
     rotate -48*y
     translate <-4.4, 0, 2.2>
 }

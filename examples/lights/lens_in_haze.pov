@@ -1,32 +1,39 @@
 // SPDX-License-Identifier: CC0-1.0
-// A glass ball gathers the light of a lamp into a beam that shows in the haze below it: photons
+// A glass ball gathers the light of three lamps into beams that cross the haze below it: photons
 // light the air as well, because of the word media in the photons of global_settings.
 #version 3.7;
 global_settings {
     assumed_gamma 1.0
-    max_trace_level 8
-    photons { count 30000 media 4 }
+    max_trace_level 6
+    photons { count 60000 media 4 }
 }
 
 camera {
-    location <0, 1.6, -7>
+    location <0, 1.9, -7>
     right 4/3*x
     up y
-    angle 44
-    look_at <0.2, 1.45, 0>
+    angle 43
+    look_at <0, 1.72, 0>
+    film { exposure 0.7 response agx vignette 0.25 glare { veil 0.08 halo 0.006 } }
 }
 
-light_source {
-    <-3, 9, -1>, rgb <1.5, 1.4, 1.2>
-    spotlight
-    point_at <0, 2.4, 0>
-    radius 8
-    falloff 13
-    photons { refraction on reflection on }
-}
+#declare Ball = <0, 2.35, 0>;
+#macro Lamp(Place, Colour)
+    light_source {
+        Place, Colour
+        spotlight
+        point_at Ball
+        radius 6.2
+        falloff 7.4
+        photons { refraction on reflection on }
+    }
+#end
+Lamp(<-4.6, 7.6, -0.8>, 3.4*<1, 0.42, 0.08>)
+Lamp(<0, 9, -1.2>, 2.6*<1, 0.12, 0.4>)
+Lamp(<4.6, 7.6, -0.8>, 3.4*<0.06, 0.42, 1>)
 
 sphere {
-    <0, 2.4, 0>, 0.7
+    Ball, 0.7
     pigment { rgbt 1 }
     finish {
         ambient 0
@@ -36,12 +43,12 @@ sphere {
         reflection { 0.02, 1 fresnel }
         conserve_energy
     }
-    interior { ior 1.5 }
+    interior { ior 1.46 }
     photons { target refraction on reflection on }
 }
 
-#declare Dull = finish { ambient 0 diffuse 0.7 }
-plane { y, 0 pigment { rgb <0.35, 0.32, 0.30> } finish { Dull } }
-plane { -z, -5 pigment { rgb <0.10, 0.11, 0.14> } finish { Dull } }
+#declare Dull = finish { ambient 0 diffuse 0.8 }
+plane { y, 0 pigment { checker rgb 0.5, rgb 0.36 scale 0.6 rotate 45*y } finish { Dull } }
+plane { -z, -4 pigment { rgb <0.10, 0.11, 0.14> } finish { Dull } }
 
-media { scattering { 1, 0.045 extinction 1 } }
+media { scattering { 1, 0.06 extinction 0.6 } }

@@ -261,23 +261,28 @@ private:
         const bool quiet = takes_quiet();
         const bool denoises = wishes_.look.denoised != before.look.denoised;
         finished_ = finished;
-        if (new_view || lacks_lights || over || quiet || denoises || seconds_now() >= show_at_)
-            show_film(exhibit, finished);
+        const bool needs_film = lacks_lights || over || quiet || denoises;
+        if (new_view || needs_film || seconds_now() >= show_at_)
+            show_film(exhibit, finished, new_view && !needs_film && plate_frame_ == frame_);
         if (before.paused != wishes_.paused)
             desk_.stand([&](Standing& standing) { standing.busy = !finished && !wishes_.paused; });
     }
 
-    void show_film(const Exhibit& exhibit, bool finished) {
+    /// Shows the film. With `reuses`, the light of the last plate serves first, because the sums of
+    /// all pixels take longer than a change of the view may.
+    void show_film(const Exhibit& exhibit, bool finished, bool reuses) {
         const double before = seconds_now();
         const Film& film = exhibit.film;
         const bool relights = wishes_.look.relights();
-        Plate plate = quiet_ && wishes_.look.denoised
+        Plate plate = reuses ? *plate_
+                      : quiet_ && wishes_.look.denoised
                           ? *quiet_
                           : plate_of(film, aovs_, staged_.film, relights || finished,
                                      rough_ ? &*rough_ : nullptr);
         const std::string& view_name = wishes_.look.view;
+        plate.view_name = view_name;
+        plate.view.reset();
         if (view_name != "picture") {
-            plate.view_name = view_name;
             const auto kept = still_.find(view_name);
             if (kept != still_.end()) {
                 plate.view = kept->second;
@@ -302,11 +307,13 @@ private:
         constexpr double least = 0.5, greatest = 3, share = 10;
         show_at_ = finished ? std::numeric_limits<double>::infinity()
                             : now + std::clamp(share * (now - before), least, greatest);
+        if (reuses && !finished) show_at_ = now + (view_name == "picture" ? 0 : least);
     }
 
     void show(Plate plate) {
         note_lamps(plate);
         plate_ = std::make_shared<const Plate>(std::move(plate));
+        plate_frame_ = frame_;
         desk_.show(plate_, frame_);
     }
 
@@ -393,6 +400,7 @@ private:
     int wish_version_ = -1;
     std::shared_ptr<const PlateFrame> frame_;
     std::shared_ptr<const Plate> plate_;
+    std::shared_ptr<const PlateFrame> plate_frame_;  ///< of the last plate
     std::optional<Plate> rough_, quiet_;
     std::map<std::string, Image> still_;  ///< layers that do not change
     std::uint64_t quiet_samples_ = 0;

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <future>
 #include <vector>
 
 namespace candelabra {
@@ -119,6 +120,32 @@ TEST_CASE("a layer is shown instead of the picture", "[app]") {
     const std::size_t middle = 4 * (24 * 64 + 32);
     CHECK(static_cast<unsigned char>(bytes[middle]) == 255);
     CHECK(static_cast<unsigned char>(bytes[middle + 2]) == 0);
+}
+
+TEST_CASE("after a layer, the picture ends as if it had never been left", "[app]") {
+    const auto is_finished = [](const Rehearsal& rehearsal) {
+        return rehearsal.desk.status().find("\"progress\":1") != std::string::npos;
+    };
+    Rehearsal straight, back;
+    CHECK(straight.until([&] { return is_finished(straight); }));
+    CHECK(back.desk.choose_view("albedo"));
+    std::future<bool> choice;
+    const auto returns = [&] {
+        if (back.shown.empty()) return false;
+        // The desk calls note(), which waits for the lock that is held here.
+        if (!choice.valid() && back.shown.back().view == "albedo")
+            choice =
+                std::async(std::launch::async, [&] { return back.desk.choose_view("picture"); });
+        return back.shown.back().view == "picture" && is_finished(back);
+    };
+    CHECK(back.until(returns));
+    // The desk develops pictures on its own thread.
+    const auto is_same = [&] {
+        return *straight.desk.picture().bytes == *back.desk.picture().bytes;
+    };
+    for (int i = 0; i < 400 && !is_same(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    CHECK(is_same());
 }
 
 }  // namespace candelabra
