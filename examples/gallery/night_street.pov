@@ -3,6 +3,7 @@
 // the lights of cars, a thousand luminaires in thin haze, all of them again in the wet road.
 #version 3.7;
 #include "light_arrays.inc"
+#include "people.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
 background { rgb <0.004, 0.007, 0.016> }
 
@@ -140,21 +141,15 @@ box {
 
 // Somebody walks home under a red umbrella
 union {
-    intersection {
-        sphere { 0, 0.75 }
-        sphere { 0, 0.735 inverse }
-        plane { -y, -0.28 }
-        translate 1.35*y
-        pigment { rgb <0.8, 0.03, 0.03> }
+    Person(Fedora, Pale, rgb 0.03, rgb 0.03, Black, 0.46, <-0.29, 0.86, 0.1>, <0.14, 1.2, -0.22>,
+           0.17, 0)
+    union {
+        Umbrella(rgb <0.8, 0.03, 0.03>)
+        scale <1.15, 1.1, 1.15>
+        rotate <4, 12, 3>
+        translate <0.1, 1.84, -0.2>
     }
-    cylinder { 0.9*y, 2.12*y, 0.012 }
-    sphere { 1.6*y, 0.1 }
-    cone { 0.6*y, 0.26, 1.3*y, 0.19 }
-    cone { 1.3*y, 0.19, 1.5*y, 0.07 }
-    cylinder { <-0.09, 0, 0>, <-0.09, 0.8, 0>, 0.07 }
-    cylinder { <0.1, 0, 0.22>, <0.08, 0.8, 0>, 0.07 }
-    pigment { rgb 0.03 }
-    finish { Matt }
+    rotate 176*y
     translate <-0.95, 0, -3.4>
 }
 
