@@ -71,7 +71,6 @@ public:
           desk_(desk),
           leaving_(leaving),
           settings_(timed(staged.options)),
-          sent_(SentLight::of(staged.world, settings_.seed, settings_.threads)),
           base_{staged.world.view.camera, distance_ahead(staged.world, settings_)} {
         cameras_.push_back(staged.world.view.camera);
         for (const World& moment : staged.world.shutter) cameras_.push_back(moment.view.camera);
@@ -113,6 +112,14 @@ private:
         quiet_samples_ = 0;
         if (!make_rough()) return;
         make_fine();
+    }
+
+    /// Whether photons are still to be shot, which may take seconds: the first coarse picture does
+    /// without them.
+    bool photons_wait() const { return !sent_ && !staged_.world.photon_targets.empty(); }
+    const SentLight& sent_light() {
+        if (!sent_) sent_ = SentLight::of(staged_.world, settings_.seed, settings_.threads);
+        return *sent_;
     }
 
     void place_cameras() {
@@ -161,7 +168,8 @@ private:
             const double before = seconds_now();
             RenderState state = begin_picture(settings, aovs_.count(staged_.world));
             LightLedger rays;
-            const RenderPlan plan{staged_.world, settings, ShadowRays{1}, sent_, 1, NoiseRule{}};
+            const SentLight sent = shown || !photons_wait() ? sent_light() : SentLight{};
+            const RenderPlan plan{staged_.world, settings, ShadowRays{1}, sent, 1, NoiseRule{}};
             if (!advance(plan, state, rays, hooks)) return false;
             const double now = seconds_now();
             constexpr double growth = 4;
@@ -224,7 +232,8 @@ private:
     /// Renders until a wish or a question waits. Returns whether the picture is finished.
     bool stretch(RenderState& state) {
         if (!plan_) {
-            const auto plan = plan_of(staged_.world, settings_, sent_, [this] { return called(); });
+            const auto plan =
+                plan_of(staged_.world, settings_, sent_light(), [this] { return called(); });
             if (!plan) return false;
             plan_.emplace(*plan);
             begin_clock();
@@ -388,7 +397,7 @@ private:
     PreviewDesk& desk_;
     const Leaving& leaving_;
     const RenderSettings settings_;
-    const SentLight sent_;  ///< light sent from lamps, shared by all cameras
+    std::optional<SentLight> sent_;  ///< light sent from lamps, shared by all cameras
     const Sight base_;
     std::vector<Projection> cameras_;  ///< of the scene, one for each moment of the shutter
     std::vector<LampLine> lamps_;

@@ -63,7 +63,8 @@ void try_pixel(Integrator& integrator, const World& world, const RenderSettings&
 
 }  // namespace
 
-PilotNoise pilot_noise(const World& world, const RenderSettings& settings, const SentLight& sent,
+PilotNoise pilot_noise(const World& world, const RenderSettings& settings,
+                       const std::optional<SentLight>& sent,
                        const std::function<bool()>& cancelled) {
     const int columns = std::clamp(settings.width / pixels_for_each, 1, max_across),
               rows = std::clamp(settings.height / pixels_for_each, 1, max_across);
@@ -99,8 +100,8 @@ bool is_quiet(const PilotNoise& noise) {
     return noise.places > 0 && noise.shown < noise.places * squared(quiet_deviation);
 }
 
-Pilot pilot(const World& world, const RenderSettings& settings, const SentLight& sent,
-            const std::function<bool()>& cancelled) {
+Pilot pilot(const World& world, const RenderSettings& settings,
+            const std::optional<SentLight>& sent, const std::function<bool()>& cancelled) {
     if (settings.shadow_rays > 0) return {settings.shadow_rays};
     if (!world.light_is_drawn() || world.view.camera.mesh) return {1};
     const PilotNoise noise = pilot_noise(world, settings, sent, cancelled);

@@ -22,7 +22,8 @@ struct PilotNoise {
 /// Measures the noise of some pixels. `sent`: light of the world; if empty, the pilot computes it
 /// where needed. `cancelled`: called by several threads, may be empty; once it returns true, the
 /// result is meaningless.
-PilotNoise pilot_noise(const World&, const RenderSettings&, const SentLight& sent = {},
+PilotNoise pilot_noise(const World&, const RenderSettings&,
+                       const std::optional<SentLight>& sent = {},
                        const std::function<bool()>& cancelled = {});
 
 /// Whether the light is almost free of noise, so that pixels need only the samples that their
@@ -42,7 +43,7 @@ struct Pilot {
     ShadowRays shadow_rays;
     bool quiet = false;  ///< see is_quiet(); false if no pixels were tried
 };
-Pilot pilot(const World&, const RenderSettings&, const SentLight& sent = {},
+Pilot pilot(const World&, const RenderSettings&, const std::optional<SentLight>& sent = {},
             const std::function<bool()>& cancelled = {});
 
 }  // namespace candelabra

@@ -194,7 +194,7 @@ private:
         integrators.emplace_back(world_, tracing_);
         for (const World& moment : world_.shutter) {
             Tracing there = tracing_;
-            there.sent = SentLight::of(moment, settings_.seed, settings_.threads);
+            if (plan_.sent) there.sent = SentLight::of(moment, settings_.seed, settings_.threads);
             integrators.emplace_back(moment, there);
         }
         return integrators;

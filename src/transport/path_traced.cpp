@@ -46,8 +46,8 @@ bool is_lower(double& u, double share) {
 PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
       rules_(shading_rules(world)),
-      direct_light_(world, wanted.shadow_rays, wanted.sent.photons),
-      reflected_(world, wanted.sent.reflected),
+      direct_light_(world, wanted.shadow_rays, wanted.sent->photons),
+      reflected_(world, wanted.sent->reflected),
       media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)),

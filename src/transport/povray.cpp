@@ -19,7 +19,7 @@ PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
       radiosity_(world.rules.settings.radiosity),
       rules_(shading_rules(world)),
-      direct_light_(world, wanted.shadow_rays, wanted.sent.photons),
+      direct_light_(world, wanted.shadow_rays, wanted.sent->photons),
       media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)) {}

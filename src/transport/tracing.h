@@ -5,13 +5,15 @@
 #include "transport/direct_light.h"
 #include "transport/sent_light.h"
 
+#include <optional>
+
 namespace candelabra {
 
 struct Tracing {
-    ShadowRays shadow_rays = {};  ///< at each hit
-    bool counts_lights = false;   ///< separately for each statement
-    SentLight sent = {};          ///< of the world; none: the integrator makes it
-    bool clear_sky = false;       ///< the background may be clear, as with POV-Ray's +UA
+    ShadowRays shadow_rays = {};         ///< at each hit
+    bool counts_lights = false;          ///< separately for each statement
+    std::optional<SentLight> sent = {};  ///< unset: the integrator makes that of the world
+    bool clear_sky = false;              ///< the background may be clear, as with POV-Ray's +UA
 };
 
 }  // namespace candelabra

@@ -22,7 +22,7 @@ light_source { <-1, 0, -5>, 1 }
 
 /// A scene on its stage, with all pictures that the page is shown.
 struct Rehearsal {
-    World world = world_of(scene);
+    World world;
     SourceStore sources;
     Options options;
     std::vector<std::string> lights = {"lamp"};
@@ -31,7 +31,7 @@ struct Rehearsal {
     std::vector<ScreenPicture> shown;
     PreviewDesk desk{[this] { note(); }};
 
-    Rehearsal() {
+    explicit Rehearsal(const std::string& script = scene) : world(world_of(script)) {
         sources.add("scene.pov", scene);
         options.render.width = 64;
         options.render.height = 48;
@@ -79,6 +79,34 @@ TEST_CASE("the first picture is a coarse one of all, and the last has each pixel
     CHECK(first.height == 48);
     // No part is black; the ball has no blue, so red is checked.
     for (std::size_t i = 0; i < first.bytes->size(); i += 4) CHECK((*first.bytes)[i] != 0);
+}
+
+TEST_CASE("the first picture does not wait for photons, the last has them", "[app]") {
+    const std::string dark =
+        "#version 3.7; camera { location <0, 4, -6> look_at 0 angle 40 } "
+        "global_settings { photons { count 20000 } } "
+        "plane { y, -1 pigment { rgb 1 } finish { ambient 0.05 diffuse 0.8 } } "
+        "sphere { 0, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.5 } "
+        "photons { target refraction on } } light_source { <0, 20, 0>, 1 photons { refraction on } "
+        "}";
+    Rehearsal rehearsal(dark);
+    REQUIRE_FALSE(rehearsal.world.photon_targets.empty());
+    CHECK(rehearsal.until(
+        [&] { return !rehearsal.shown.empty() && rehearsal.shown.back().columns == 64; }));
+    CHECK(rehearsal.shown.front().columns < 64);
+    // The floor below the ball, seen through it, is lit by photons only.
+    const auto brightest_in_middle = [](const ScreenPicture& picture) {
+        int result = 0;
+        const auto columns = static_cast<std::size_t>(picture.columns);
+        const std::size_t rows = picture.bytes->size() / 4 / columns;
+        for (std::size_t y = rows / 3; y < rows; ++y)
+            for (std::size_t x = columns / 3; x < columns - columns / 3; ++x)
+                result =
+                    std::max(result, static_cast<int>((*picture.bytes)[4 * (y * columns + x)]));
+        return result;
+    };
+    CHECK(brightest_in_middle(rehearsal.shown.back()) >
+          brightest_in_middle(rehearsal.shown.front()));
 }
 
 TEST_CASE("a scene that is another at once has its coarse picture, one that ends has none",
