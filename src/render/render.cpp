@@ -150,8 +150,12 @@ private:
         for_pixels({0, 0, state_.film.width(), state_.film.height()}, [&](const PixelSum& pixel) {
             if (pixel.samples < pixel.target) least = std::min(least, pixel.samples);
         });
-        for (const Integrator& each : fresh_integrators_)
-            each.prepare(first + std::max(from, least), first + to);
+        // Sample by sample, because the light of one generation may take a second to send.
+        for (std::uint32_t sample = std::max(from, least); sample < to && !stopped_; ++sample) {
+            for (const Integrator& each : fresh_integrators_)
+                each.prepare(first + sample, first + sample + 1);
+            if (hooks_.cancelled && hooks_.cancelled()) stopped_ = true;
+        }
     }
 
     /// The work on one tile.
