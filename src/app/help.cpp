@@ -154,8 +154,11 @@ std::string library_help(std::string_view topic, const LibraryGuide& library) {
     for (const LibraryFile& file : library) {
         if (same_letters(file.name, topic) || same_letters(file.name, message(topic, ".inc"))) {
             std::vector<ManualEntry> macros;
-            for (const LibraryMacro& each : file.macros)
-                macros.push_back(manual_entry(each, file.name));
+            // Macros without a help text, which are mostly aids of the others, come last.
+            for (const bool helped : {true, false})
+                for (const LibraryMacro& each : file.macros)
+                    if (each.help.empty() != helped)
+                        macros.push_back(manual_entry(each, file.name));
             text += message("#include \"", file.name, "\"\n  ", wrapped(file.about, 2), "\n",
                             manual(macros, ManualForm::text));
         }

@@ -70,6 +70,8 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("Light_Ring"), "Light_Ring(Lamp, Count, Radius)\n  around y"));
     CHECK(has(help("Light_Ring"), "#include \"light_arrays.inc\""));
     CHECK(has(help("light_arrays.inc"), "Light_Matrix(Lamp, Colours, Radiance, Pitch)"));
+    const std::string arrays = help("light_arrays.inc");
+    CHECK(arrays.find("Light_Matrix(") < arrays.find("Light_Rule("));
     CHECK(has(help("sunpos"), "SunPos(Year"));
     CHECK(has(help("luminaires"), "luminaires ambient"));
     CHECK(has(help("light_sampler"), "global_settings { light_sampler"));
