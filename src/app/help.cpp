@@ -137,11 +137,6 @@ std::string option_help(std::string_view topic) {
     return {};
 }
 
-/// Returns the form of a call of the macro, and its help text.
-ManualEntry manual_entry(const LibraryMacro& macro, std::string_view file) {
-    return {macro.form, macro.help.empty() ? message("a macro of ", file) : macro.help};
-}
-
 std::string macro_help(const LibraryMacro& macro, std::string_view file) {
     const ManualEntry entry = manual_entry(macro, file);
     return message(wrapped(entry.term, 4), "\n  ", wrapped(entry.help, 2), "\n  in ", file,
@@ -154,11 +149,10 @@ std::string library_help(std::string_view topic, const LibraryGuide& library) {
     for (const LibraryFile& file : library) {
         if (same_letters(file.name, topic) || same_letters(file.name, message(topic, ".inc"))) {
             std::vector<ManualEntry> macros;
-            // Macros without a help text, which are mostly aids of the others, come last.
-            for (const bool helped : {true, false})
+            // Aids of the others come last.
+            for (const bool listed : {true, false})
                 for (const LibraryMacro& each : file.macros)
-                    if (each.help.empty() != helped)
-                        macros.push_back(manual_entry(each, file.name));
+                    if (each.listed == listed) macros.push_back(manual_entry(each, file.name));
             text += message("#include \"", file.name, "\"\n  ", wrapped(file.about, 2), "\n",
                             manual(macros, ManualForm::text));
         }

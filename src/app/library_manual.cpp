@@ -14,9 +14,7 @@ using OrderedJson = nlohmann::ordered_json;
 std::vector<ManualEntry> listed_macros(const LibraryFile& file) {
     std::vector<ManualEntry> result;
     for (const LibraryMacro& each : file.macros)
-        if (each.listed)
-            result.push_back(
-                {each.form, each.help.empty() ? message("a macro of ", file.name) : each.help});
+        if (each.listed) result.push_back(manual_entry(each, file.name));
     return result;
 }
 
@@ -29,6 +27,10 @@ OrderedJson json_file(const LibraryFile& file) {
 }
 
 }  // namespace
+
+ManualEntry manual_entry(const LibraryMacro& macro, std::string_view file) {
+    return {macro.form, macro.help.empty() ? message("a macro of ", file) : macro.help};
+}
 
 std::string library_manual(const LibraryGuide& guide, ManualForm form) {
     if (form == ManualForm::json) {

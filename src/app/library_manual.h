@@ -10,6 +10,9 @@
 
 namespace candelabra {
 
+/// Returns the form of a call of the macro in that file, and its help text.
+ManualEntry manual_entry(const LibraryMacro&, std::string_view file);
+
 /// Roff output has a section for each file; JSON output is a list of files with their macros.
 std::string library_manual(const LibraryGuide&, ManualForm);
 

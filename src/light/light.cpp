@@ -59,8 +59,6 @@ double smooth(double x) {
 
 double cosine_of(double degrees) { return std::cos(degrees * radians_per_degree); }
 
-Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.location); }
-
 LightConeShape cone_shape(const PointLight& light) {
     return {axis_of(light), cosine_of(light.radius.value_or(30)),
             cosine_of(light.falloff.value_or(45))};
@@ -115,6 +113,8 @@ PointLight transformed(PointLight light, const Transform& transform) {
     light.area2 = transform.direction(light.area2);
     return light;
 }
+
+Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.location); }
 
 void settle(PointLight& light) { light.shape = cone_shape(light); }
 

@@ -64,6 +64,9 @@ struct PointLight {
     int kept_to() const { return shadowless ? all_around : beam; }
 };
 
+/// Returns the unit direction of a cone, a beam or parallel light.
+Vec3 axis_of(const PointLight&);
+
 /// Prepares a light that does not change any more, so that it is evaluated faster.
 void settle(PointLight&);
 

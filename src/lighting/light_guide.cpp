@@ -158,6 +158,11 @@ Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
     return found;
 }
 
+Vec3 place_anywhere(const Box& cell, std::uint32_t i) {
+    const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
+    return cell.low + place * cell.size();
+}
+
 /// Whether a surface that lets no light pass is between a place and the eye.
 bool is_hidden(const Vec3& position, const Vec3& eye, const LightProbe& probe) {
     const double distance = length(position - eye);
@@ -195,8 +200,7 @@ std::vector<SurveyPlace> air_places_in(const Box& cell, const std::optional<Vec3
                                        const LightProbe& probe) {
     std::vector<SurveyPlace> seen, hidden;
     for (std::uint32_t i = 0; i < lines && seen.size() < enough; ++i) {
-        const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
-        const Vec3 position = cell.low + place * cell.size();
+        const Vec3 position = place_anywhere(cell, i);
         (eye && is_hidden(position, *eye, probe) ? hidden : seen)
             .push_back({{position, Vec3(0), Horizon::none}, 0});
     }
@@ -222,11 +226,8 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<V
     for (auto& kind : found)
         if (!kind.empty()) return std::move(kind);
     std::vector<SurveyPlace> anywhere;
-    for (std::uint32_t i = 0; i < enough; ++i) {
-        const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
-        const Vec3 position = cell.low + place * cell.size();
-        anywhere.push_back({{position, Vec3(0, 1, 0), Horizon::both_sides}, 0});
-    }
+    for (std::uint32_t i = 0; i < enough; ++i)
+        anywhere.push_back({{place_anywhere(cell, i), Vec3(0, 1, 0), Horizon::both_sides}, 0});
     return anywhere;
 }
 

@@ -17,11 +17,17 @@ struct Nesting {
     bool too_deep() const { return depth > 16 || entries > 1e6; }
 
     /// One of the parts of a map.
-    void add(const Nesting& part) {
-        depth = std::max(depth, part.depth + 1);
-        entries += part.entries;
-        uv |= part.uv;
-        by_view |= part.by_view;
+    void add(Nesting part) {
+        ++part.depth;
+        include(part);
+    }
+
+    /// Another layer or part that lies beside it.
+    void include(const Nesting& other) {
+        depth = std::max(depth, other.depth);
+        entries += other.entries;
+        uv |= other.uv;
+        by_view |= other.by_view;
     }
 };
 

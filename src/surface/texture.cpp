@@ -114,14 +114,8 @@ PatternedTexture::PatternedTexture(PatternUse the_use, const Transform& outside,
 Nesting nesting(const Texture& texture) {
     Nesting all = texture.choice ? texture.choice->nesting : nesting(texture.pigment);
     all.uv |= texture.choice && texture.choice->uv;
-    const auto include = [&](const Nesting& other) {
-        all.depth = std::max(all.depth, other.depth);
-        all.entries += other.entries;
-        all.uv |= other.uv;
-        all.by_view |= other.by_view;
-    };
-    include(nesting(texture.normal));
-    if (texture.below) include(nesting(*texture.below));
+    all.include(nesting(texture.normal));
+    if (texture.below) all.include(nesting(*texture.below));
     return all;
 }
 

@@ -83,7 +83,7 @@ public:
     void begin(std::uint32_t sample) { wanted_ = Source::generation_of(sample); }
 
     /// Returns the selected generation. Precondition: there is a source.
-    const auto& operator*() {
+    const auto& current() {
         if (!made_ || number_ != wanted_) {
             made_ = source_->generation(wanted_);
             number_ = wanted_;

@@ -19,7 +19,7 @@ Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     const BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
     const double grain = layer.grain(key);
     Vec3 sum(0);
-    (**this).on_surfaces.around(point, [&](const Photon& photon) {
+    current().on_surfaces.around(point, [&](const Photon& photon) {
         if (!(photon.glows ? layer.luminaires : layer.sources)) return;
         const double density = photon_density(photon, point, normal);
         if (density == 0) return;

@@ -24,8 +24,6 @@ constexpr std::size_t max_lamp_pairs = std::size_t{1} << 24;
 /// Ray tolerance of a luminaire's photons, as a fraction of their distance or of the ball's radius.
 constexpr double away_from_lamp = 1e-7;
 
-Vec3 axis_of_light(const PointLight& light) { return unit(light.point_at - light.location); }
-
 /// Samples a unit direction in a cone, uniformly per steradian.
 Vec3 direction_in_cone(const Vec3& axis, double cosine, const Vec2& u) {
     return unit(turned_from(axis, 1 - u.x * (1 - cosine), 2 * pi * u.y));
@@ -68,7 +66,7 @@ double light_at(const PointLight& light, const PhotonTarget& target) {
     plain.beam = all_around;
     plain.parallel = light.along_axis();
     const double most = std::abs(grey(incidence(plain, light.location, there).colour));
-    const Vec3 offset = there - light.location, axis = axis_of_light(light);
+    const Vec3 offset = there - light.location, axis = axis_of(light);
     const double away = length(offset);
     bool touches = true;
     if (light.kept_to() == parallel_beam) {
@@ -233,7 +231,7 @@ std::optional<PhotonShot> PhotonShooter::from_point(const PointLight& light,
     bool own = false;
     if (light.kept_to() == cone) {
         const double dark = std::clamp(light.falloff.value_or(45), 0.0, 90.0);
-        const LightCone shape{axis_of_light(light), std::cos(dark * radians_per_degree)};
+        const LightCone shape{axis_of(light), std::cos(dark * radians_per_degree)};
         own = shape.cosine > drawn.cosine;
         if (own) drawn = shape;
     }

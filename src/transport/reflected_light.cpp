@@ -8,7 +8,7 @@ namespace candelabra {
 
 Vec3 ReflectedLight::operator()(const Vertex& vertex, const Shading& s, int reflections,
                                 const Vec3& throughput, const Key& key, LightLedger& ledger) {
-    const ReflectedSet& set = **this;
+    const ReflectedSet& set = current();
     const Key own = key.branched(Branch::reflected);
     const Receiver point = receiver(s);
     const BsdfLobes lobes;

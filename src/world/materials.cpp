@@ -122,12 +122,10 @@ void Materials::add(const Inherited& look) {
     material.double_illuminate = look.double_illuminate;
     material.hollow = look.hollow;
     material.photons = look.photons;
-    for (const Texture* side : {&texture, material.inner ? material.inner.get() : nullptr}) {
-        if (!side) continue;
-        const Nesting patterns = nesting(*side);
-        material.uv |= patterns.uv;
-        material.by_view |= patterns.by_view;
-    }
+    Nesting patterns = nesting(texture);
+    if (material.inner) patterns.include(nesting(*material.inner));
+    material.uv = patterns.uv;
+    material.by_view = patterns.by_view;
     material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
     world_.appearance.any_transparent |= material.transparent;
     world_.appearance.any_clear |= material.transparent || material.no_shadow;

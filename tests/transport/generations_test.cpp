@@ -55,8 +55,8 @@ TEST_CASE("a job keeps the generation that serves its samples", "[transport]") {
     REQUIRE(served);
     for (std::uint32_t sample = 0; sample < 12; ++sample) {
         served.begin(sample);
-        CHECK(*served == sample / 4);
-        CHECK(*served == sample / 4);
+        CHECK(served.current() == sample / 4);
+        CHECK(served.current() == sample / 4);
     }
     CHECK(source->made == 3);
     served.prepare(5, 5);
