@@ -168,6 +168,11 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`photons` has no effect without a number of them above 0")
                             .with_help("global_settings { photons { count 20000 } }"));
+    const auto* bvh = std::get_if<LightBvh>(&world.rules.settings.light_sampler);
+    if (bvh && bvh->exponential && !world.has_media())
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "`exponential` of light_bvh has no effect in a scene without "
+                                "media"));
     const auto* path_traced = std::get_if<PathTraced>(&world.rules.settings.integrator);
     if (!path_traced) return;
     if (path_traced->reflected_luminaires > 0 &&

@@ -143,6 +143,14 @@ TEST_CASE("what path tracing passes over is warned of", "[world]") {
           "no-effect no-effect ");
 }
 
+TEST_CASE("distances in media have no effect without media", "[world]") {
+    const std::string seen =
+        "light_source { 0, 1 } camera { location -9*z } sphere { 0, 1 } "
+        "global_settings { light_sampler { light_bvh { exponential } } } ";
+    CHECK(said_about(seen, false) == "no-effect ");
+    CHECK(said_about(seen + "media { scattering { 1, 0.1 } }", false).empty());
+}
+
 TEST_CASE("numbers of photons and of reflected luminaires without effect are warned of",
           "[world]") {
     const std::string seen = "light_source { 0, 1 } camera { location -9*z } sphere { 0, 1 } ";
