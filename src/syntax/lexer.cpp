@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -243,7 +242,7 @@ Token Lexer::read_directive(const char* hash) {
 }
 
 Token Lexer::read_unknown_directive(const char* hash, std::string_view spelling) {
-    while (cursor_ < limit_ && std::isxdigit(static_cast<unsigned char>(*cursor_))) ++cursor_;
+    while (cursor_ < limit_ && is_hex_digit(*cursor_)) ++cursor_;
     const std::string_view word(spelling.data(),
                                 static_cast<std::size_t>(cursor_ - spelling.data()));
     Diagnostic problem = error(Fault::unknown_word, span(hash, cursor_),
@@ -310,12 +309,11 @@ void Lexer::skip_comment(const char* first) {
 
 Token Lexer::read_number(const char* first) {
     const bool hexadecimal = cursor_ == first + 1 && *first == '0' && cursor_ + 1 < limit_ &&
-                             (*cursor_ | 0x20) == 'x' && std::isxdigit(cursor_[1]);
+                             (*cursor_ | 0x20) == 'x' && is_hex_digit(cursor_[1]);
     if (hexadecimal) {
-        double value = 0;
-        for (++cursor_; cursor_ < limit_ && std::isxdigit(*cursor_); ++cursor_)
-            value =
-                16 * value + (is_digit(*cursor_) ? *cursor_ - '0' : (*cursor_ | 0x20) - 'a' + 10);
+        double value = HUGE_VAL;  // kept if the number is out of range
+        for (++cursor_; cursor_ < limit_ && is_hex_digit(*cursor_);) ++cursor_;
+        std::from_chars(first + 2, cursor_, value, std::chars_format::hex);
         report(error(Fault::syntax, span(first, cursor_), "numbers are written in decimal digits")
                    .with_help(message("write ", value)));
     }

@@ -24,6 +24,9 @@ constexpr bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_hex_digit(char c) {
+    return is_digit(c) || (lower_case(c) >= 'a' && lower_case(c) <= 'f');
+}
 /// Whether the character may occur in a name.
 constexpr bool in_name(char c) { return is_letter(c) || is_digit(c); }
 

@@ -18,6 +18,11 @@ TEST_CASE("the case of ASCII letters, and of no others, makes no difference") {
     CHECK_FALSE(same_letters("[", "{"));  // as far apart as a letter's two cases
 }
 
+TEST_CASE("hexadecimal digits are of either case", "[text]") {
+    for (const char c : std::string_view("09afAF")) CHECK(is_hex_digit(c));
+    for (const char c : std::string_view("gG/:@`\xC3")) CHECK_FALSE(is_hex_digit(c));
+}
+
 TEST_CASE("words begin and end where no letter is beside them") {
     CHECK(begins_with_word("and b", "and"));
     CHECK(begins_with_word("and", "and"));
