@@ -225,8 +225,10 @@ BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cu
                             : (std::isinf(outlook) ? found + min_noise
                                                    : 1 / (1 / (found + min_noise) + 1 / outlook));
     const double weight = mean_total(cut, receivers);
-    if (result.outlook->irradiance() > 0 && weight > 0 && std::isfinite(variance)) {
-        result.irradiance = result.outlook->irradiance() / weight;
+    const double seen = weight > 0 ? result.outlook->irradiance() / weight : 0;
+    if (std::isfinite(variance)) {
+        // Either way may have missed most of the light: the outlook small luminaires that are far.
+        result.irradiance = std::fmax(seen, by_choice.irradiance);
         result.noise = result.irradiance * std::sqrt(variance);
     }
     return result;

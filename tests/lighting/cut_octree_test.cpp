@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
 #include <thread>
 
 namespace candelabra {
@@ -130,6 +131,48 @@ TEST_CASE("a cell that several threads survey at a time counts once", "[lighting
     };
     const std::size_t alone = bytes(1);
     for (int trial = 0; trial < 5; ++trial) CHECK(bytes(4) == alone);
+}
+
+TEST_CASE("the light of lamps that few directions meet is expected as well", "[lighting]") {
+    // Tiny lamps give most of the light; the rays that look around meet the large ball only.
+    std::vector<Luminaire> luminaires = {glowing(SphereEmitter{{0, 12, 0}, 4}, 0.001)};
+    Draw draw(6);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 place = 20.0 * draw.point();
+        luminaires.push_back(
+            glowing(SphereEmitter{{place.x, 8 + std::abs(place.y), place.z}, 0.005}, 1000));
+    }
+    const std::vector<Box> ground = {Box{Vec3(-5, 0, -5), Vec3(5, 0, 5)}};
+    const auto look = [&](const Ray& ray, double tolerance) {
+        std::optional<ProbeHit> nearest;
+        for (LightIndex light = 0; light < luminaires.size(); ++light) {
+            const auto& ball = std::get<SphereEmitter>(luminaires[light].emitter);
+            const Vec3 to = ball.centre - ray.origin;
+            const double along = dot(to, ray.direction),
+                         square = ball.radius * ball.radius - (dot(to, to) - along * along);
+            const double distance = square > 0 ? along - std::sqrt(square) : -1;
+            if (!(distance > tolerance) || (nearest && nearest->distance < distance)) continue;
+            nearest = ProbeHit{distance, unit(ray.at(distance) - ball.centre), 1e-9, light,
+                               luminance(luminaires[light].radiance)};
+        }
+        return nearest;
+    };
+    const LightProbe probe(look);
+    const BuiltCutOctree built(LightOctree{}, {luminaires, ground});
+    const BsdfLobes lobes;
+    for (int i = 0; i < 20; ++i) {
+        const Receiver point{Vec3(draw.between(-5, 5), 0, draw.between(-5, 5)), Vec3(0, 1, 0)};
+        BuiltCutOctree::Weights weights;
+        built.weigh({point, lobes, nullptr, &probe}, weights);
+        double irradiance = 0;
+        for (const Luminaire& luminaire : luminaires) {
+            const auto& ball = std::get<SphereEmitter>(luminaire.emitter);
+            const Vec3 to = ball.centre - point.position;
+            irradiance += std::numbers::pi * ball.radius * ball.radius / dot(to, to) *
+                          dot(unit(to), point.normal) * luminance(luminaire.radiance);
+        }
+        CHECK(weights.irradiance > 0.5 * irradiance);
+    }
 }
 
 TEST_CASE("points far outside of the cells are answered as well", "[lighting]") {
