@@ -79,7 +79,6 @@ public:
         : arguments_(arguments), diagnostics_(diagnostics), read_(read) {}
 
     Options read(const std::string& settings) {
-        options_.render.shadow_rays = 0;  // as many as are worthwhile
         if (!settings.empty()) {
             const IniName ini = ini_name(settings).value_or(IniName{settings, {}});
             // A file in the current folder may have come with a scene.

@@ -73,11 +73,7 @@ struct Options {
     double frame_rate = 25;               ///< of the movie, in frames per second
     std::optional<std::string> ini_file;  ///< receives all options
     std::vector<std::string> given;       ///< all options as lines of an INI file
-    RenderSettings render = [] {
-        RenderSettings unsaid;
-        unsaid.shadow_rays = 0;
-        return unsaid;
-    }();
+    RenderSettings render;
     bool verbose = true;
     StreamSettings streams;    ///< destinations of the output by kind
     CommandSettings commands;  ///< of the shell, run before and after pictures

@@ -72,7 +72,7 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
           "no such bound",
           between(0, 3)},
         F{"shadow_rays", &RenderSettings::shadow_rays, item,
-          "how often luminaires are chosen at each hit; 0, if nothing is said: as often as pays",
+          "how often luminaires are chosen at each hit; 0: as often as pays",
           between(0, 1e4)},
         F{"quality", &RenderSettings::quality, item,
           "how much is shown: 0 colours, 2 light, 4 shadows, 5 area lights, 6 pigments and what is "

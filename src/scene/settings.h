@@ -56,7 +56,7 @@ struct RenderSettings {
     double jitter_amount = 1;
     int samples = 0;      ///< camera rays for each pixel; 0: as many as each needs
     double noise = 0;     ///< standard error at which to stop, see the vocabulary; 0: none
-    int shadow_rays = 1;  ///< choices of luminaires at each hit; 0: as many as pay off
+    int shadow_rays = 0;  ///< choices of luminaires at each hit; 0: as many as pay off
     int quality = 9;      ///< POV-Ray's: see surface/quality.h
     bool ambient_luminaires = false;  ///< as the global setting of that name
     int seed = 0;

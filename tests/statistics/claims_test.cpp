@@ -41,6 +41,7 @@ Rendering picture(const World& world, int samples, int seed) {
     settings.width = settings.height = size;
     settings.antialias = false;
     settings.samples = samples;
+    settings.shadow_rays = 1;
     settings.seed = seed;
     settings.threads = 1;
     return render(world, settings);
