@@ -241,7 +241,9 @@ WebAnswer answer_of(const WebRequest& request, const PreviewFacts& facts, Previe
     if (path == "/") return {"text/html; charset=utf-8", facts.page};
     if (path == "/style.css") return {"text/css; charset=utf-8", std::string(preview_style)};
     if (path == "/page.js") return {"text/javascript; charset=utf-8", std::string(preview_script)};
-    if (path == "/icon.svg") return {"image/svg+xml", std::string(preview_icon)};
+    // Browsers ask for the second one where a page is plain text.
+    if (path == "/icon.svg" || path == "/favicon.ico")
+        return {"image/svg+xml", std::string(preview_icon)};
     if (path == "/status") return status(request, desk);
     if (path == "/picture") return screen(desk);
     if (path == "/picture.png") return file(desk, facts, false, false);

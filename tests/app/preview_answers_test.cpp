@@ -31,6 +31,7 @@ TEST_CASE("each address is asked by its own method", "[app]") {
     CHECK(get(desk, "/page.js").body.find("\"use strict\"") != std::string::npos);
     CHECK(get(desk, "/style.css").type == "text/css; charset=utf-8");
     CHECK(get(desk, "/icon.svg").type == "image/svg+xml");
+    CHECK(get(desk, "/favicon.ico").body == get(desk, "/icon.svg").body);
 }
 
 TEST_CASE("the status waits for what is new", "[app]") {

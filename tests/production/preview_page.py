@@ -90,6 +90,10 @@ def look(browser, address, shots, scene):
     browser.run("post('/develop', { name: 'reset' })")
     browser.until("film.now === 0")
     check("relit without rendering", browser.run("now.generation") == before)
+    browser.run("compared.image = null")
+    browser.key("s")
+    check("nothing to compare with", browser.run("divider.hidden && "
+                                                 "element('split').ariaPressed === 'false'"))
     # The camera under the mouse; the last picture stays to be compared with.
     browser.key("c")
     browser.drag([(400, 300), (420, 300), (460, 310), (500, 320)])
@@ -97,7 +101,7 @@ def look(browser, address, shots, scene):
     check("the last picture is kept", browser.run("compared.image !== null"))
     check("the camera is a script", "look_at" in browser.run("fetch('/camera').then(answer => answer.text())"))
     browser.key("s")
-    check("split", browser.run("!divider.hidden"))
+    check("split", browser.run("!divider.hidden && element('split').ariaPressed === 'true'"))
     browser.key("s")
     browser.key("0")
     browser.until("element('camera-reset').disabled && element('status').textContent.includes('finished')")

@@ -85,6 +85,13 @@ function copyOf(image) {
   return copy;
 }
 
+// Compares from the left border to this share of the stage; null: not at all.
+function splitAt(share) {
+  compared.split = share;
+  element("split").setAttribute("aria-pressed", share !== null);
+  draw();
+}
+
 function keep() {
   if (now.image) compared.image = copyOf(now.image);
   draw();
@@ -99,7 +106,10 @@ function take(bytes) {
   const other = width !== now.width || height !== now.height;
   if (now.image && generation !== now.generation && now.columns === now.width)
     compared.image = now.image;
-  if (other) compared.image = null;
+  if (other) {
+    compared.image = null;
+    splitAt(null);
+  }
   Object.assign(now, { width, height, columns, generation, image });
   place();
 }

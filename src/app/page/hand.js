@@ -133,15 +133,13 @@ stage.addEventListener("pointercancel", lift);
 divider.addEventListener("pointerdown", event => divider.setPointerCapture(event.pointerId));
 divider.addEventListener("pointermove", event => {
   if (!divider.hasPointerCapture(event.pointerId)) return;
-  compared.split = Math.min(1, Math.max(0.001, at(event).x / stage.clientWidth));
-  draw();
+  splitAt(Math.min(1, Math.max(0.001, at(event).x / stage.clientWidth)));
 });
 
 function toggleSplit() {
-  compared.split = compared.split === null ? 0.5 : null;
-  element("split").setAttribute("aria-pressed", compared.split !== null);
-  if (compared.split !== null && !compared.image) toast("There is no other picture yet: Keep this one");
-  draw();
+  if (compared.split !== null) return splitAt(null);
+  if (!compared.image) return toast("There is no other picture yet: Keep this one");
+  splitAt(0.5);
 }
 element("split").addEventListener("click", toggleSplit);
 element("keep").addEventListener("click", () => {
