@@ -34,6 +34,14 @@ std::vector<Found> sent_in_batches(
     return all;
 }
 
+/// Returns the number of the generation that serves a sample. Each of the first `single` samples
+/// has its own, so that pictures of few samples are averages of several. Then one serves `shared`
+/// samples, so that sending takes a small part of the time.
+constexpr std::uint32_t generation_serving(std::uint32_t sample, std::uint32_t single,
+                                           std::uint32_t shared) {
+    return sample < single ? sample : single + (sample - single) / shared;
+}
+
 template <class Made>
 class Generations {
 public:

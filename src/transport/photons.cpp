@@ -10,8 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// Each of the first samples has its own generation. Later samples share one, so that shooting
-/// takes a small part of the time.
+/// See generation_serving.
 constexpr std::uint32_t single_samples = 16, samples_of_generation = 4;
 /// The squared radius is proportional to the generation's number to the power of alpha - 1. With
 /// this value the error of the mean falls fastest.
@@ -43,9 +42,7 @@ Photons::Photons(const World& world, int seed, int threads)
       generations_(max_generations) {}
 
 std::uint32_t Photons::generation_of(std::uint32_t sample) {
-    return sample < single_samples
-               ? sample
-               : single_samples + (sample - single_samples) / samples_of_generation;
+    return generation_serving(sample, single_samples, samples_of_generation);
 }
 
 /// Returns all photons of a random stream, in the order in which they are shot.

@@ -9,10 +9,11 @@ namespace candelabra {
 
 namespace {
 
-/// Number of samples of a pixel that one generation serves.
-constexpr std::uint32_t samples_served = 4;
+/// See generation_serving.
+constexpr std::uint32_t single_samples = 4, samples_of_generation = 4;
 /// Number of generations kept in memory.
-constexpr std::size_t kept_generations = ReflectedLuminaires::samples_at_once / samples_served + 2;
+constexpr std::size_t kept_generations =
+    single_samples + ReflectedLuminaires::samples_at_once / samples_of_generation + 2;
 /// Number of light paths that one thread follows at a time, and that are followed to find the
 /// bound.
 constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
@@ -65,7 +66,7 @@ ReflectedLuminaires::ReflectedLuminaires(const World& world, std::uint32_t count
 }
 
 std::uint32_t ReflectedLuminaires::generation_of(std::uint32_t sample) {
-    return sample / samples_served;
+    return generation_serving(sample, single_samples, samples_of_generation);
 }
 
 /// Returns all reflected luminaires of a random stream, in the order of their paths.

@@ -40,6 +40,12 @@ TEST_CASE("old generations are forgotten, and made again", "[transport]") {
     CHECK(made == 4);
 }
 
+TEST_CASE("the first samples have a generation each, later ones share theirs", "[transport]") {
+    const std::vector<std::uint32_t> expected = {0, 1, 2, 3, 3, 3, 3, 4};
+    for (std::uint32_t sample = 0; sample < expected.size(); ++sample)
+        CHECK(generation_serving(sample, 3, 4) == expected[sample]);
+}
+
 TEST_CASE("a job keeps the generation that serves its samples", "[transport]") {
     struct Source {
         int made = 0;

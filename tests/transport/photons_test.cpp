@@ -49,14 +49,6 @@ TEST_CASE("generations that are far apart are made again", "[transport]") {
     CHECK(same(first->on_surfaces, photons.generation(0)->on_surfaces));
 }
 
-TEST_CASE("each sample has a generation, and later ones share theirs", "[transport]") {
-    for (std::uint32_t sample = 0; sample < 16; ++sample)
-        CHECK(Photons::generation_of(sample) == sample);
-    CHECK(Photons::generation_of(16) == 16);
-    CHECK(Photons::generation_of(19) == 16);
-    CHECK(Photons::generation_of(20) == 17);
-}
-
 TEST_CASE("radii shrink from generation to generation", "[transport]") {
     const World world = world_of(glass_on_floor);
     Photons photons(world, 0, 1);
