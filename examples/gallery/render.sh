@@ -27,7 +27,8 @@ samples() { # SCENE: rays for each pixel, as many as the denoiser needs there
     case $1 in
         night_street) echo 6 ;;
         sphereflakes | metropolis | marquee) echo 5 ;;
-        lantern_festival | christmas_tree | ballroom) echo 4 ;;
+        ballroom) echo 8 ;;
+        lantern_festival | christmas_tree | neon) echo 4 ;;
         *) echo 3 ;;
     esac
 }

@@ -21,10 +21,11 @@ inline double turn(double x, double z) {
 
 /// Angle around a torus's tube, from its inner side and at first downwards, in turns from 0 to 1.
 /// `outwards` is the distance from the tube's centre away from the ring's axis, `up` the one along
-/// it.
+/// it. 0 at the tube's centre.
 inline double turn_of_tube(double outwards, double up) {
     using std::numbers::pi;
     const double distance = std::sqrt(outwards * outwards + up * up);
+    if (distance == 0) return 0;
     const double angle = std::acos(std::clamp(-outwards / distance, -1.0, 1.0));
     return (up > 0 ? 2 * pi - angle : angle) / (2 * pi);
 }

@@ -158,6 +158,7 @@ void Diagnostics::add_all(const Diagnostics& other) {
             add(each);
             continue;
         }
+        if (muted_[static_cast<std::size_t>(each.fault)]) continue;
         for (std::size_t k = max_warnings; k < count; ++k) among_first(each.fault);
     }
 }

@@ -139,6 +139,11 @@ TEST_CASE("what one collector has counted another one counts on") {
     CHECK(whole.error_count() == 1);
     whole.add(warning(Fault::domain, {1, 0, 0}, "outside"));
     CHECK(whole.all()[20].message == "and 6 more of this kind");
+    Diagnostics muted;
+    muted.set_warning(Fault::domain, false);
+    muted.add_all(part);
+    REQUIRE(muted.all().size() == 1);
+    CHECK(muted.all()[0].message == "wrong");
 }
 
 }  // namespace candelabra
