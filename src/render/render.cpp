@@ -152,8 +152,7 @@ private:
         });
         // Sample by sample, because the light of one generation may take a second to send.
         for (std::uint32_t sample = std::max(from, least); sample < to && !stopped_; ++sample) {
-            for (const Integrator& each : fresh_integrators_)
-                each.prepare(first + sample, first + sample + 1);
+            for (const Integrator& each : fresh_integrators_) each.prepare(first + sample);
             if (hooks_.cancelled && hooks_.cancelled()) stopped_ = true;
         }
     }

@@ -99,12 +99,9 @@ public:
         return *made_;
     }
 
-    /// Builds the generations for samples from `first` to before `last`, with all threads.
-    void prepare(std::uint32_t first, std::uint32_t last) const {
-        if (!source_ || first >= last) return;
-        const std::uint32_t end = Source::generation_of(last - 1);
-        for (std::uint32_t number = Source::generation_of(first); number <= end; ++number)
-            source_->generation(number);
+    /// Builds the generation for a sample, with all threads.
+    void prepare(std::uint32_t sample) const {
+        if (source_) source_->generation(Source::generation_of(sample));
     }
 
 private:

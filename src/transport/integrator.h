@@ -23,9 +23,7 @@ concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&
     { asked.ledger() } -> std::same_as<const LightLedger&>;
     { asked.noise() } -> std::convertible_to<HitNoise>;  // expected of shadow rays so far
     { asked.clear() } -> std::same_as<double>;           // share of the last sample that is clear
-    // Builds the sent light for samples from the first number to before the second, with several
-    // threads.
-    asked.prepare(std::uint32_t{}, std::uint32_t{});
+    asked.prepare(std::uint32_t{});  // builds the sent light for a sample, with several threads
 };
 
 class Integrator {
@@ -48,8 +46,8 @@ public:
     double clear() const {
         return std::visit([](const auto& built) { return built.clear(); }, built_);
     }
-    void prepare(std::uint32_t first, std::uint32_t last) const {
-        std::visit([&](const auto& built) { built.prepare(first, last); }, built_);
+    void prepare(std::uint32_t sample) const {
+        std::visit([&](const auto& built) { built.prepare(sample); }, built_);
     }
 
 private:

@@ -24,10 +24,10 @@ public:
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
     double clear() const { return ends_.clear(); }
-    /// Builds the photons and reflected luminaires for samples from `first` to before `last`.
-    void prepare(std::uint32_t first, std::uint32_t last) const {
-        direct_light_.photons().prepare(first, last);
-        reflected_.prepare(first, last);
+    /// Builds the photons and reflected luminaires for a sample.
+    void prepare(std::uint32_t sample) const {
+        direct_light_.photons().prepare(sample);
+        reflected_.prepare(sample);
     }
 
 private:

@@ -23,10 +23,8 @@ public:
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
 
-    /// Builds the photons for samples from `first` to before `last`.
-    void prepare(std::uint32_t first, std::uint32_t last) const {
-        direct_light_.photons().prepare(first, last);
-    }
+    /// Builds the photons for a sample.
+    void prepare(std::uint32_t sample) const { direct_light_.photons().prepare(sample); }
 
     /// Fraction of the last sample that shows clear background, from 0 to 1.
     double clear() const { return ends_.clear(); }
