@@ -2,6 +2,7 @@
 #include "lighting/cut_calibration.h"
 
 #include "base/random.h"
+#include "lighting/cluster_descent.h"
 #include "luminaire/volume.h"
 
 #include <algorithm>
@@ -119,10 +120,13 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
             const std::size_t place = place_of(entry, i);
             const double weight = weights[place].weight[entry];
             if (!(weight > 0)) continue;
-            const std::uint32_t member = tree.draw(cluster, trial_number(n, i, 0));
-            const double light = arriving(luminaires, tree.light(member), receivers[place],
+            const DrawnMember member =
+                member_of(tree, cluster, receivers[place].point,
+                          Key::of(Survey::visibility, n, i, 3), trial_number(n, i, 0));
+            if (!(member.probability > 0)) continue;
+            const double light = arriving(luminaires, tree.light(member.place), receivers[place],
                                           {trial_number(n, i, 1), trial_number(n, i, 2)}, probe) /
-                                 tree.share(cluster, member);
+                                 member.probability;
             given[entry][i] = light / weight;
             at_place[place] += light;
         }

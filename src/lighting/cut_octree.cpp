@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cut_octree.h"
 
+#include "lighting/cluster_descent.h"
 #include "lighting/cut_calibration.h"
 #include "lighting/draw.h"
 #include "lighting/light_cells.h"
@@ -11,8 +12,6 @@ namespace candelabra {
 
 namespace {
 
-/// Clusters nearer than this multiple of their radius are divided at the point itself.
-constexpr double near_radii = 6;
 /// Factor by which the noise of a cell without a survey exceeds the bound before the cell is
 /// divided: weighing the entries at each point compensates for less.
 constexpr double divided_above = 20;
@@ -24,9 +23,6 @@ constexpr double coarse_pixels = 32;
 constexpr double coarser_in_air = 2;
 /// Bounds on this size as an angle (size over distance), for large and for small pictures.
 constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
-/// Probability below which the random number that is reused level by level is replaced by a new
-/// one.
-constexpr double worn_out = 1e-7;
 /// Near luminaires look different from different points of a cell, and so count more than the
 /// survey says. Together they are raised by at most this multiple of the survey's total of all
 /// entries, and each alone by at most this multiple. So occluded luminaires cause little noise,
@@ -49,42 +45,12 @@ constexpr double max_glare = 16;
 /// Fraction of the shadow rays that surfaces without a diffuse part sample from their BSDF.
 constexpr double max_by_surface = 0.5;
 
-bool near(const Box& box, const Vec3& position) {
-    const Vec3 v = box.centre() - position, half = 0.5 * box.size();
-    return dot(v, v) < near_radii * near_radii * dot(half, half);
-}
-
-double estimate(const LightTree& tree, const LightCluster& c, const Receiver& point) {
-    const LightProxy g = tree.light_proxy(c);
-    const Falloff* falloff = tree.falloff(c);
-    const double square = irradiance(g, point);
-    return falloff ? square * against_square_law(*falloff, g.centre - point.position, g.radius)
-                   : square;
-}
-
 /// Adds entries for luminaires that face away from a cell: twice as many if all shine one way.
 int entries_for(int cut, std::span<const Luminaire> luminaires) {
     double one_way = 0;  // number of luminaires that shine one way only
     for (const Luminaire& luminaire : luminaires) one_way += 2 * length(luminaire.bent_normal);
     const double share = luminaires.empty() ? 0 : one_way / static_cast<double>(luminaires.size());
     return static_cast<int>(std::lround(cut * (1 + share)));
-}
-
-struct Halves {
-    LightCluster first, second;
-    double share;  ///< probability of the first
-};
-
-/// Divides a near cluster at a point by the estimated light of its halves. Nothing if the cluster
-/// is sampled as a whole, by the strength of its luminaires.
-std::optional<Halves> divided(const LightTree& tree, const LightCluster& c, const Receiver& point) {
-    if (c.count == 1 || !near(tree.box(c), point.position)) return {};
-    const auto [first, second] = tree.halves(c);
-    if (tree.dark(first)) return Halves{first, second, 0};
-    if (tree.dark(second)) return Halves{first, second, 1};
-    const double a = estimate(tree, first, point), b = estimate(tree, second, point);
-    if (!(a + b > 0)) return {};
-    return Halves{first, second, a / (a + b)};
 }
 
 }  // namespace
@@ -361,41 +327,17 @@ void BuiltCutOctree::weigh_choice(const Receiver& point, const BsdfLobes& lobes,
     if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
 }
 
-std::uint32_t BuiltCutOctree::descend(const Receiver& point, LightCluster c, const Key& key,
-                                      double u, double& probability) const {
-    double since_fresh = 1;
-    for (std::uint64_t level = 1;; ++level) {
-        const auto halves = divided(state_->tree, c, point);
-        if (!halves) break;
-        const double share = halves->share;
-        const bool first = u < share;
-        u = first ? u / share : (u - share) / (1 - share);
-        u = std::fmin(u, 1 - 0x1p-53);
-        const double step = first ? share : 1 - share;
-        probability *= step;
-        since_fresh *= step;
-        c = first ? halves->first : halves->second;
-        if (since_fresh < worn_out) {
-            u = draw(key, Purpose::light_choice, level);
-            since_fresh = 1;
-        }
-    }
-    const std::uint32_t place = state_->tree.draw(c, u);
-    probability *= state_->tree.share(c, place);
-    return place;
-}
-
 void BuiltCutOctree::choose(const Receiver& point, const Weights& weights, const Key& key, double u,
                             LightPicks& picks) const {
     if (!weights.cut || !(weights.total > 0)) return;
     double target = u * weights.total;
     const std::size_t entry = weights.cut->find(weights, target);
     const double weight = weights.weight[entry];
-    double probability = weight / weights.total;
-    const std::uint32_t place =
-        descend(point, weights.cut->cluster(entry), key, target / weight, probability);
-    picks.push_back(
-        {state_->tree.light(place), std::fmax(probability, std::numeric_limits<double>::min())});
+    const DrawnMember drawn =
+        member_of(state_->tree, weights.cut->cluster(entry), point, key, target / weight);
+    const double probability = weight / weights.total * drawn.probability;
+    picks.push_back({state_->tree.light(drawn.place),
+                     std::fmax(probability, std::numeric_limits<double>::min())});
 }
 
 double BuiltCutOctree::expected(const Receiver& point, const Weights& weights,
@@ -404,17 +346,9 @@ double BuiltCutOctree::expected(const Receiver& point, const Weights& weights,
     const std::uint32_t place = state_->tree.place_of(light);
     const std::size_t entry = weights.cut->entry_of(place);
     if (entry >= weights.cut->entries()) return 0;
-    LightCluster c = weights.cut->cluster(entry);
+    const LightCluster& c = weights.cut->cluster(entry);
     if (!c.holds(place) || !(weights.weight[entry] > 0)) return 0;
-    double probability = weights.weight[entry] / weights.total;
-    while (const auto halves = divided(state_->tree, c, point)) {
-        const bool first = halves->first.holds(place);
-        probability *= first ? halves->share : 1 - halves->share;
-        c = first ? halves->first : halves->second;
-    }
-    if (state_->tree.dark(c)) return 0;
-    probability *= state_->tree.share(c, place);
-    return probability;
+    return weights.weight[entry] / weights.total * probability_of(state_->tree, c, point, place);
 }
 
 void BuiltCutOctree::choose(const Receiver& point, const Key& key, LightPicks& picks) const {

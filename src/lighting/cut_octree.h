@@ -69,9 +69,6 @@ private:
         double noise, irradiance;
     };
     Found found_by_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
-    std::uint32_t descend(const Receiver&, LightCluster, const Key&, double u,
-                          double& probability) const;
-
     std::unique_ptr<State> state_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/refined_cut.h"
 
+#include "base/box.h"
 #include "lighting/light_cut.h"
 
 #include <algorithm>
@@ -71,10 +72,17 @@ private:
             // Seen from anywhere in the cell, the distance and height of the members differ by
             // about this fraction.
             const double spread = g.radius / std::fmax(d - radius_, g.radius);
-            entry.excess = entry.weight * spread * spread;
+            entry.excess = std::fmax(entry.weight, nearest_weight(cluster, g)) * spread * spread;
         }
         heap_.push_back(entry);
         std::push_heap(heap_.begin(), heap_.end());
+    }
+
+    /// The weight of one member of a cluster where the cluster is nearest. It may exceed that of
+    /// the whole as seen from afar: a long row of lamps that begins at the cell.
+    double nearest_weight(const LightCluster& cluster, const LightProxy& g) const {
+        const double d2 = nearest_distance2(tree_.box(cluster), centre_);
+        return g.strength * g.radius / cluster.count / (d2 + radius_ * radius_);
     }
 
     const LightTree& tree_;

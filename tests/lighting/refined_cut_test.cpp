@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 namespace candelabra {
 
 namespace {
@@ -51,6 +53,23 @@ TEST_CASE("a finer cut has less noise, and a coarse rule is content with few ent
     CHECK(fine.noise < 0.5 * coarse.noise);
     CHECK(fine.clusters.size() > coarse.clusters.size());
     CHECK(content.clusters.size() < 64);
+}
+
+TEST_CASE("a long row of lamps that begins at the cell is divided down to its nearest lamps",
+          "[lighting]") {
+    std::vector<Luminaire> luminaires;
+    for (int i = 0; i < 2000; ++i)
+        for (const double side : {-2.5, 2.5})
+            luminaires.push_back(glowing(SphereEmitter{{side, 4, 6.0 * i}, 0.12}));
+    const LightTree tree(luminaires);
+    const RefinedCut cut = refined_cut(tree, {Vec3(0, -8, 0), Vec3(12, 4, 12)}, {0.02, 64});
+    for (LightIndex near = 0; near < 4; ++near) {
+        const std::uint32_t place = tree.place_of(near);
+        const auto holder = std::ranges::find_if(
+            cut.clusters, [&](const LightCluster& c) { return c.holds(place); });
+        REQUIRE(holder != cut.clusters.end());
+        CHECK(holder->count <= 2);
+    }
 }
 
 }  // namespace candelabra

@@ -4,6 +4,8 @@
 #include "render/render.h"
 
 #include "support/scripts.h"
+#include "text/message.h"
+#include "world/compile.h"
 
 #include <catch2/catch.hpp>
 
@@ -49,6 +51,34 @@ TEST_CASE("a hidden sun makes little more noise than none", "[statistics][claim-
     CAPTURE(without, with);
     CHECK(without > 0.001);
     CHECK(with < 1.25 * without);
+}
+
+TEST_CASE("long double rows of lamps give all their light, without outliers", "[statistics]") {
+    for (const int pairs : {200, 500, 2000}) {
+        const std::string street = message(
+            "#version 3.7; #default { finish { ambient 0 } } "
+            "camera { location <0, 3, -4> look_at <0, 0, 12> angle 50 } "
+            "plane { y, 0 pigment { rgb 0.4 } } #for (I, 0, ",
+            pairs - 1,
+            ") #for (Side, -1, 1, 2) sphere { <2.5*Side, 4, 6*I>, 0.12 no_image "
+            "finish { diffuse 0 emission 40 } pigment { rgb 1 } } #end #end");
+        const auto seen = [&](const LightSampler& sampler, int samples) {
+            Diagnostics diagnostics;
+            CompileOptions options;
+            options.light_sampler = sampler;
+            options.width = options.height = sunlit_size;
+            return sunlit_picture(compile(scene_of(street), options, diagnostics), samples, 0);
+        };
+        const Image exact = seen(LightBvh{}, 64), found = seen(LightOctree{}, 16);
+        const auto brightest = [](const Image& image) {
+            double most = 0;
+            for (const auto& pixel : image.pixels) most = std::fmax(most, grey(pixel));
+            return most;
+        };
+        CAPTURE(pairs, mean(found), mean(exact), brightest(found), brightest(exact));
+        CHECK(mean(found) == Approx(mean(exact)).epsilon(0.02));
+        CHECK(brightest(found) < 1.5 * brightest(exact));
+    }
 }
 
 TEST_CASE("a sun that comes through a gap gives all its light", "[statistics]") {

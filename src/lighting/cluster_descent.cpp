@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/cluster_descent.h"
+
+#include "lighting/draw.h"
+
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+/// Clusters nearer than this multiple of their radius are divided at the point itself.
+constexpr double near_radii = 6;
+/// Probability below which the random number that is reused level by level is replaced by a new
+/// one.
+constexpr double worn_out = 1e-7;
+
+bool near(const Box& box, const Vec3& position) {
+    const Vec3 v = box.centre() - position, half = 0.5 * box.size();
+    return dot(v, v) < near_radii * near_radii * dot(half, half);
+}
+
+double estimate(const LightTree& tree, const LightCluster& c, const Receiver& point) {
+    const LightProxy g = tree.light_proxy(c);
+    const Falloff* falloff = tree.falloff(c);
+    const double square = irradiance(g, point);
+    return falloff ? square * against_square_law(*falloff, g.centre - point.position, g.radius)
+                   : square;
+}
+
+struct Halves {
+    LightCluster first, second;
+    double share;  ///< probability of the first
+};
+
+/// Divides a near cluster at a point by the estimated light of its halves. Nothing if the cluster
+/// is sampled as a whole, by the strength of its luminaires.
+std::optional<Halves> divided(const LightTree& tree, const LightCluster& c, const Receiver& point) {
+    if (c.count == 1 || !near(tree.box(c), point.position)) return {};
+    const auto [first, second] = tree.halves(c);
+    if (tree.dark(first)) return Halves{first, second, 0};
+    if (tree.dark(second)) return Halves{first, second, 1};
+    const double a = estimate(tree, first, point), b = estimate(tree, second, point);
+    if (!(a + b > 0)) return {};
+    return Halves{first, second, a / (a + b)};
+}
+
+}  // namespace
+
+DrawnMember member_of(const LightTree& tree, LightCluster c, const Receiver& point, const Key& key,
+                      double u) {
+    double probability = 1, since_fresh = 1;
+    for (std::uint64_t level = 1;; ++level) {
+        const auto halves = divided(tree, c, point);
+        if (!halves) break;
+        const double share = halves->share;
+        const bool first = u < share;
+        u = first ? u / share : (u - share) / (1 - share);
+        u = std::fmin(u, 1 - 0x1p-53);
+        const double step = first ? share : 1 - share;
+        probability *= step;
+        since_fresh *= step;
+        c = first ? halves->first : halves->second;
+        if (since_fresh < worn_out) {
+            u = draw(key, Purpose::light_choice, level);
+            since_fresh = 1;
+        }
+    }
+    const std::uint32_t place = tree.draw(c, u);
+    return {place, probability * tree.share(c, place)};
+}
+
+double probability_of(const LightTree& tree, LightCluster c, const Receiver& point,
+                      std::uint32_t place) {
+    double probability = 1;
+    while (const auto halves = divided(tree, c, point)) {
+        const bool first = halves->first.holds(place);
+        probability *= first ? halves->share : 1 - halves->share;
+        c = first ? halves->first : halves->second;
+    }
+    return tree.dark(c) ? 0 : probability * tree.share(c, place);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/cluster_descent.h"
+
+#include "support/lights.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+namespace {
+
+/// Lamps in a long row that begins above the receiver.
+std::vector<Luminaire> row_of_lamps() {
+    std::vector<Luminaire> luminaires;
+    for (int i = 0; i < 300; ++i)
+        luminaires.push_back(glowing(SphereEmitter{{0, 4, 6.0 * i}, 0.1}));
+    return luminaires;
+}
+const Receiver below_row{Vec3(0), Vec3(0, 1, 0)};
+
+}  // namespace
+
+TEST_CASE("members of a cluster are drawn with their probabilities", "[lighting]") {
+    const LightTree tree(row_of_lamps());
+    const Key key = Key::of(Survey::cell, 1, 2, 3);
+    double sum = 0;
+    for (std::uint32_t place = 0; place < 300; ++place)
+        sum += probability_of(tree, tree.root(), below_row, place);
+    CHECK(sum == Approx(1));
+    Draw draw(1);
+    for (int i = 0; i < 200; ++i) {
+        const DrawnMember drawn = member_of(tree, tree.root(), below_row, key, draw.between(0, 1));
+        CHECK(drawn.probability ==
+              Approx(probability_of(tree, tree.root(), below_row, drawn.place)));
+    }
+}
+
+TEST_CASE("members that are near are drawn most", "[lighting]") {
+    const std::vector<Luminaire> luminaires = row_of_lamps();
+    const LightTree tree(luminaires);
+    double light = 0, nearest = 0;
+    for (const Luminaire& each : luminaires) light += unoccluded(each, below_row);
+    for (LightIndex i = 0; i < 3; ++i)
+        nearest += probability_of(tree, tree.root(), below_row, tree.place_of(i));
+    CHECK(nearest > 0.5 * unoccluded(luminaires[0], below_row) / light);
+    CHECK(nearest > 0.3);
+}
+
+}  // namespace candelabra
