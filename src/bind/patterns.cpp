@@ -91,6 +91,28 @@ void load_density(OpenBlock& block, Span span, DensityFile& file) {
     if (grid) file.grid = make_handle<DensityGrid>(std::move(*grid));
 }
 
+/// Reports numbers of a pavement that does not exist.
+void check_pavement(OpenBlock& block, Span span, const Pavement& pavement) {
+    const int sides = pavement.number_of_sides, tiles = pavement.number_of_tiles;
+    const std::span<const int> patterns = pavement_patterns(sides);
+    const int most_tiles = static_cast<int>(patterns.size());
+    const bool tiles_exist = tiles >= 1 && tiles <= most_tiles;
+    const int most = tiles_exist ? patterns[static_cast<std::size_t>(tiles - 1)] : 0;
+    std::string fault;
+    if (patterns.empty())
+        fault = message("`number_of_sides` of `pavement` must be 3, 4 or 6, but it is ", sides);
+    else if (!tiles_exist)
+        fault = message("`number_of_tiles` of `pavement` must be from 1 to ", most_tiles,
+                        " for `number_of_sides ", sides, "`, but it is ", tiles);
+    else if (pavement.pattern < 1 || pavement.pattern > most)
+        fault = message("`pattern` of `pavement` must be ", most == 1 ? "" : "from 1 to ", most,
+                        " for `number_of_sides ", sides, " number_of_tiles ", tiles,
+                        "`, but it is ", pavement.pattern);
+    if (!fault.empty())
+        block.report(error(Fault::out_of_range, span, std::move(fault))
+                         .with_help("pavement number_of_sides 4 number_of_tiles 3 pattern 2"));
+}
+
 std::string_view pattern_name(const Pattern& pattern) {
     return Patterns::infos[pattern.index()]->name;
 }
@@ -332,6 +354,8 @@ void PatternReader::finish() {
     if (!named_ || block_.broken || !belongs_here(name_span_)) return;
     if (auto* file = std::get_if<DensityFile>(&*draft_.pattern))
         load_density(block_, name_span_, *file);
+    if (const auto* pavement = std::get_if<Pavement>(&*draft_.pattern))
+        check_pavement(block_, name_span_, *pavement);
     const auto* slope = std::get_if<Slope>(&*draft_.pattern);
     const bool empty_slope = slope && !slope->direction && !slope->point_at;
     const auto* grey = std::get_if<PigmentGrey>(&*draft_.pattern);

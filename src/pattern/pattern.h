@@ -11,6 +11,7 @@
 #include "pattern/fractal.h"
 #include "pattern/function_pattern.h"
 #include "pattern/noise_patterns.h"
+#include "pattern/pavement.h"
 #include "pattern/picture_map.h"
 #include "pattern/quilted.h"
 #include "pattern/ripples.h"
@@ -26,9 +27,9 @@ using Pattern =
     std::variant<Agate, Aoi, Average, Boxed, Bozo, Brick, BumpMap, Bumps, Cells, Checker, Crackle,
                  CubicPattern, CylindricalPattern, Dents, DensityFile, Facets, FunctionPattern,
                  Gradient, Granite, Hexagon, ImageMap, ImagePattern, JuliaPattern, Leopard, Magnet,
-                 Mandel, Marble, MaterialMap, ObjectPattern, Onion, PigmentGrey, PlanarPattern,
-                 Quilted, Radial, Ripples, Slope, SphericalPattern, Spiral1, Spiral2, Spotted,
-                 Square, Tiling, Triangular, Waves, Wood, Wrinkles>;
+                 Mandel, Marble, MaterialMap, ObjectPattern, Onion, Pavement, PigmentGrey,
+                 PlanarPattern, Quilted, Radial, Ripples, Slope, SphericalPattern, Spiral1, Spiral2,
+                 Spotted, Square, Tiling, Triangular, Waves, Wood, Wrinkles>;
 
 /// Returns the value before any wave is applied.
 double evaluate(const Pattern&, const PatternPoint&);

@@ -164,8 +164,6 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     // not available in this version
     {"albedo anisotropy", "finish { diffuse albedo 0.5 }",
      "amounts as shares of all light; anisotropy is not available"},
-    {"pavement number_of_sides number_of_tiles", "pigment { pavement ... }",
-     "not available in this version"},
     {"bokeh", "camera { ... bokeh { ... } }", "not available in this version"},
     {"iff", "image_map { iff \"x.iff\" }", "a kind of pictures that is not available"},
     {"composite", "composite { objects }", "the name of a union in the oldest scenes"},

@@ -103,6 +103,20 @@ TEST_CASE("wrong patterns are told of once", "[bind]") {
         {"spiral1 0.5",
          "warning no-effect: `arms` of `pigment` is a whole number, and 0.5 counts as 0"},
         {"tiling 25", "error out-of-range: `type` of `pigment` must be from 1 to 24, but it is 25"},
+        {"pavement number_of_sides 5",
+         "error out-of-range: `number_of_sides` of `pavement` must be 3, 4 or 6, but it is 5"},
+        {"pavement number_of_tiles 6 number_of_sides 6",
+         "error out-of-range: `number_of_tiles` of `pavement` must be from 1 to 5 for "
+         "`number_of_sides 6`, but it is 6"},
+        {"pavement number_of_tiles 0",
+         "error out-of-range: `number_of_tiles` of `pavement` must be from 1 to 6 for "
+         "`number_of_sides 3`, but it is 0"},
+        {"pavement number_of_sides 4 number_of_tiles 3 pattern 3",
+         "error out-of-range: `pattern` of `pavement` must be from 1 to 2 for `number_of_sides 4 "
+         "number_of_tiles 3`, but it is 3"},
+        {"pavement pattern 0",
+         "error out-of-range: `pattern` of `pavement` must be 1 for `number_of_sides 3 "
+         "number_of_tiles 1`, but it is 0"},
         {"mandel 9 exterior 1",
          "error missing: the second value of `exterior` is missing, a number"},
         {"mandel 9 exponent 50",
