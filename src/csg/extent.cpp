@@ -85,7 +85,7 @@ Box extent(const Object& object) {
 Box bounds_of_inside(const Object& object) {
     const auto* shape = std::get_if<Shape>(&object.form);
     const bool plane = shape && std::holds_alternative<Plane>(*shape);
-    return object.inverse && !plane ? extent(object) : everywhere();
+    return plane ? everywhere() : extent(object);
 }
 
 bool has_needless_bounds(const Object& object) {

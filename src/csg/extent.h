@@ -15,9 +15,8 @@ Box extent(const Object&);
 /// The box before the object is transformed and clipped.
 Box own_extent(const Object&);
 
-/// Where POV-Ray notices that a ray begins inside of the object: everywhere, except for inverse
-/// objects other than planes. There it does so only in the box of the object that is inverted,
-/// although the inside extends beyond it.
+/// Where POV-Ray notices that a ray begins inside of the object: in its box, although the inside of
+/// an inverse object extends beyond it; everywhere for planes.
 Box bounds_of_inside(const Object&);
 
 /// Whether rays ignore the object's bounds, so that all of it is visible even where they are too

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "csg/shape_store.h"
 
+#include <cmath>
+
 namespace candelabra {
 
 namespace {
@@ -17,6 +19,15 @@ const void* shared_content(const Shape& shape) {
                 return nullptr;
         },
         shape);
+}
+
+/// The largest scale of a place along an axis, rounded up to a step, so that places share patches.
+double stepped_scale(const Transform& place) {
+    constexpr double steps_of_octave = 8;
+    double largest = 0;
+    for (const Vec3& row : place.forward().rows) largest = std::fmax(largest, length(row));
+    const double step = std::ceil(steps_of_octave * std::log2(largest) - 1e-9);
+    return std::exp2(step / steps_of_octave);
 }
 
 /// A height field for a place that stretches it.
@@ -44,9 +55,22 @@ BuiltShape ShapeStore::built(const Shape& shape) {
         .first->second.built;
 }
 
+BuiltShape ShapeStore::divided(const Shape& shape, const Transform& place) {
+    const auto* patch = std::get_if<Shared<BicubicPatch>>(&shape);
+    const double scale = patch && (*patch)->flatness > 0 ? stepped_scale(place) : 1;
+    if (scale == 1) return built(shape);
+    const auto [found, added] = divided_.try_emplace({&**patch, scale});
+    if (added) {
+        BicubicPatch flatter = **patch;
+        flatter.flatness /= scale;
+        found->second = {shape, candelabra::built(Shared(std::move(flatter)), index_)};
+    }
+    return found->second.built;
+}
+
 BuiltShape ShapeStore::built(const Shape& shape, const Handle<Transform>& place) {
-    BuiltShape result = built(shape);
-    if (!place) return result;
+    if (!place) return built(shape);
+    BuiltShape result = divided(shape, *place);
     const auto made = [&](const auto& shared, auto make) {
         const auto [found, added] = placed_.try_emplace({&*shared, place.get()});
         if (added) found->second = {place, Shared(make(*shared))};

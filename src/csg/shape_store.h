@@ -25,6 +25,9 @@ public:
     BuiltShape built(const Shape&, const Handle<Transform>& place);
 
 private:
+    /// Builds a patch that is flat enough at its place, and any other shape as it is.
+    BuiltShape divided(const Shape&, const Transform& place);
+
     /// Keyed by the address of the content that copies share; the shape is kept so that no address
     /// is reused.
     struct Known {
@@ -38,6 +41,8 @@ private:
         BuiltShape built;
     };
     std::map<std::pair<const void*, const Transform*>, Placed> placed_;
+    /// Keyed by content and scale.
+    std::map<std::pair<const void*, double>, Known> divided_;
 };
 
 }  // namespace candelabra

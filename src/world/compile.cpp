@@ -152,7 +152,7 @@ ClearSolids find_clear_solids(const World& world) {
     std::vector<Box> around;
     for (std::uint32_t item = 0; item < world.geometry.item_count(); ++item) {
         if (!world.is_noted_solid(item)) continue;
-        const Box box = world.geometry.inside_bounds(item);
+        const Box box = world.geometry.noticed_in(item);
         if (box.empty()) continue;
         if (!finite(box)) {
             clear.infinite.push_back(item);

@@ -38,4 +38,11 @@ Box Geometry::inside_bounds(std::uint32_t item) const {
     return placed->transform ? placed->transform->box(box) : box;
 }
 
+Box Geometry::noticed_in(std::uint32_t item) const {
+    if (const PlacedComposite* placed = composite(item))
+        return clip(placed->composite->inside_bounds(), placed->around);
+    const Box own = bounds(item);
+    return finite(own) ? own : inside_bounds(item);
+}
+
 }  // namespace candelabra

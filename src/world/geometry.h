@@ -63,7 +63,7 @@ struct PlacedComposite {
     Handle<Composite> composite;
     PrimitiveIndex first_leaf = 0;
     bool transparent = false;  ///< whether any leaf is
-    Box around;  ///< no point outside of it counts as inside, as for POV-Ray's inverse objects
+    Box around;  ///< see bounds_of_inside
 };
 
 /// Solids with an index, so that rays that begin anywhere can find those that contain their origin.
@@ -160,6 +160,9 @@ struct Geometry {
     Box bounds(std::uint32_t item) const;
     /// Bounding box of all points inside of an item that is not a triangle.
     Box inside_bounds(std::uint32_t item) const;
+    /// Where rays that begin inside of an item other than a triangle notice it. As in POV-Ray, that
+    /// is only in its bounding box if it has one, although the inside of a disc is half of space.
+    Box noticed_in(std::uint32_t item) const;
 
     std::vector<SpherePrimitive> spheres;
     std::vector<TrianglePrimitive> triangles;

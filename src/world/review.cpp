@@ -42,12 +42,12 @@ public:
     Surroundings(const Scene& scene, const World& world) : scene_(scene), world_(world) {}
 
     /// Returns the first solid of the scene that contains the camera, is not `hollow`, and changes
-    /// the picture by keeping out fog or all light. Null: none.
+    /// the picture by keeping out fog, media or all light. Null: none.
     const Object* first() {
         const Vec3 camera = world_.view.camera.location;
         for (const ObjectHandle& object : scene_.objects)
             if (!object->hollow && !object->no_image && surrounds(object, camera) &&
-                (world_.has_air() || keeps_light_out(object)))
+                (world_.has_air() || world_.has_media() || keeps_light_out(object)))
                 return object.get();
         return nullptr;
     }
@@ -134,6 +134,8 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                 Fault::camera_inside, object->span,
                 world.has_air()
                     ? "the camera is inside of this object, and fog is outside: it is not hollow"
+                : world.has_media()
+                    ? "the camera is inside of this object, which hides media: it is not hollow"
                     : "the camera is inside of this object, and all light is outside")
                 .with_help("the word `hollow` in the object says that this is meant"));
     if (world.provenance.object_count == 0)

@@ -338,17 +338,18 @@ bool World::is_noted_solid(std::uint32_t item) const {
     const PlacedComposite* placed = geometry.composite(item);
     const Material& outer = material(placed ? placed->first_leaf : item);
     // An opaque solid may contain the camera, or have holes through which its inside is seen.
-    return (has_air() && !outer.hollow) || outer.interior ||
+    return ((has_air() || has_media()) && !outer.hollow) || outer.interior ||
            (placed ? placed->transparent : outer.transparent);
 }
 
 void World::add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids& found) const {
+    if (!contains(geometry.noticed_in(item), point)) return;
     const PlacedComposite* placed = geometry.composite(item);
     if (!placed) {
         if (contains_point(item, point)) found.push_back(item);
         return;
     }
-    if (!contains(placed->around, point) || !placed->composite->inside(point)) return;
+    if (!placed->composite->inside(point)) return;
     // The solid's interior is the one behind its first transparent leaf.
     PrimitiveIndex leaf = placed->first_leaf;
     while (placed->transparent && !material(leaf).transparent) ++leaf;

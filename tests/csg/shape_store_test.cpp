@@ -51,6 +51,27 @@ TEST_CASE("a smooth landscape is made for the place that stretches it", "[solid]
     CHECK(length(slope(wide) - slope(nullptr)) > 1e-4);
 }
 
+TEST_CASE("a patch is divided until it is flat at its place", "[solid]") {
+    ShapeStore store;
+    BicubicPatch patch;
+    patch.type = 1;
+    patch.flatness = 0.1;
+    patch.u_steps = patch.v_steps = 5;
+    for (int i = 0; i < 16; ++i) patch.points.push_back(Vec3(i % 4, i / 4, (i % 4) * (i % 3)));
+    const Shape shape = Shared(patch);
+    const auto built_for = [&](const Vec3& scale) {
+        const auto place = make_handle<Transform>(Transform::scaling(scale));
+        return std::get<Shared<BuiltBicubicPatch>>(store.built(shape, place));
+    };
+    const auto facets = [&](const Vec3& scale) { return built_for(scale)->facets.size(); };
+    patch.flatness = 0.1 / 4;
+    CHECK(facets(Vec3(4)) == build(patch).facets.size());
+    CHECK(facets(Vec3(1, 4, 2)) == facets(Vec3(4)));
+    CHECK(facets(Vec3(4)) > facets(Vec3(1)));
+    CHECK(facets(Vec3(0.1)) < facets(Vec3(1)));
+    CHECK(&*built_for(Vec3(4)) == &*built_for(Vec3(4)));
+}
+
 TEST_CASE("a patch is made for a place that mirrors it", "[solid]") {
     ShapeStore store;
     BicubicPatch patch;

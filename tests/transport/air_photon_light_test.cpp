@@ -18,7 +18,8 @@ std::string haze_under_pane(const std::string& photons, const std::string& media
     std::string own = lamp;
     const std::size_t words = own.find('$');
     if (words != std::string::npos) own.replace(words, 1, "photons { refraction on }");
-    return "#version 3.7; global_settings { photons { " + photons + " } } " + own +
+    return "#version 3.7; camera { location <0.1, 0.4, -5> } global_settings { photons { " +
+           photons + " } } " + own +
            "box { <-1, 1, -1>, <1, 1.2, 1> pigment { rgbt 1 } finish { ambient 0 diffuse 0 } "
            "interior { ior 1.5 } photons { target refraction on } } "
            "box { <-0.5, 0.1, -0.5>, <0.5, 0.7, 0.5> pigment { rgbt 1 } finish { ambient 0 diffuse "

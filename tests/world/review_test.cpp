@@ -143,6 +143,18 @@ TEST_CASE("what path tracing passes over is warned of", "[world]") {
           "no-effect no-effect ");
 }
 
+TEST_CASE("a solid around the camera that hides media is warned of", "[world]") {
+    const std::string smoke =
+        "light_source { 0, 1 } camera { location -5*z } plane { z, 3 $ } "
+        "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { emission 1 } } } ";
+    const auto with = [&](const std::string& word) {
+        std::string scene = smoke;
+        return scene.replace(scene.find('$'), 1, word);
+    };
+    CHECK(said_about(with(""), false) == "camera-inside ");
+    CHECK(said_about(with("hollow"), false).empty());
+}
+
 TEST_CASE("distances in media have no effect without media", "[world]") {
     const std::string seen =
         "light_source { 0, 1 } camera { location -9*z } sphere { 0, 1 } "
