@@ -63,6 +63,7 @@ int ItemReader::find(std::string_view word) const {
 
 int ItemReader::find(NameId word) const {
     if (word == no_name) return -1;
+    if (word == "fade_colour"_word) word = "fade_color"_word;
     if (!block_.binder.evaluator.names().reserved(word)) return find(block_.spelling(word));
     for (std::size_t i = positional_; i < info_->fields.size(); ++i)
         if (info_->fields[i].word == word && info_->fields[i].is_word()) return static_cast<int>(i);

@@ -97,6 +97,7 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
         fields.rebind(*Kinds<Light>::infos[placed.light.index()],
                       Kinds<Light>::address(placed.light));
         fields.complete();
+        block.ignored = "color";
     });
     const auto apply = [&](const Transform& transform) {
         placed = transformed(std::move(placed), transform);

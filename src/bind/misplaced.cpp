@@ -10,6 +10,7 @@
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "vocabulary/glossary.h"
 
 #include <algorithm>
 
@@ -167,6 +168,12 @@ bool Misplaced::reject_word(const Element& element, const WordList& words, bool 
     std::string near = nearest(word, words);
     if (near.empty()) near = beginning_with(words, message(word, '_'));
     if (!meant.empty()) near = meant;
+    if (near == word) {
+        block_.report(error(Fault::missing, element.word_span,
+                            message("what belongs to `", word, "` stands in braces"))
+                          .with_help(message("write `", word, " { ... }`")));
+        return false;
+    }
     if (!near.empty()) {
         block_.report(error(Fault::unknown_word, element.word_span,
                             message(block_.quoted(), " has no word `", word, "`"))
@@ -273,6 +280,14 @@ void Misplaced::reject_reserved(const Element& element, std::string_view word) {
         block_.report(std::move(misplaced.with_help(block_.help())));
         return;
     }
+    const GlossaryEntry* known = glossary_entry(word);
+    if (known && says_available(known->help)) {
+        block_.report(error(Fault::misplaced, element.word_span,
+                            message('`', word, "` has no place in ", block_.quoted()))
+                          .with_note(message("it is used as in `", known->form, '`')));
+        block_.broken = true;
+        return;
+    }
     if (!reported_unavailable_)
         block_.report(error(Fault::not_implemented, element.word_span,
                             message('`', word, "` is not available in this version")));
@@ -295,8 +310,10 @@ void Misplaced::reject_value(const Element& element) {
         tree && tree->get_if<node::Colour>(node) && contains(block_.ignored, "color"))
         return block_.report(warning(Fault::no_effect, element.span,
                                      message("`color` has no effect in ", block_.quoted()))
-                                 .with_help("an object gets its colour from a pigment: "
-                                            "pigment { color rgb <1, 0, 0> }"));
+                                 .with_help(block_.name == "light_source"
+                                                ? "a declared light keeps its colour"
+                                                : "an object gets its colour from a pigment: "
+                                                  "pigment { color rgb <1, 0, 0> }"));
     // Report only the first of several values in a scene.
     passing_over_ = block_.name.empty();
     const std::string kind = kind_name(element.value);

@@ -9,9 +9,9 @@ namespace candelabra {
 
 const ItemInfo GroupSettings::vocabulary = described<GroupSettings>([] {
     return schema<GroupSettings>(
-        "light_group", "Lights and objects: the lights light these objects only.",
+        "light_group", "Lights and objects: the light sources light these objects only.",
         Field<GroupSettings>{"global_lights", &GroupSettings::global_lights, flag,
-                             "lights outside of the group light its objects as well"});
+                             "light sources outside of the group light its objects as well"});
 });
 
 void ObjectDraft::take(const Object& from) {

@@ -47,6 +47,13 @@ Pigment first_colouring(const Binder& binder, const ColouringWords& words) {
     return even;
 }
 
+/// Whether a pigment has the map that its pattern has if none is given.
+bool has_default_map(const PatternedPigment& pigment) {
+    const auto* colours = std::get_if<ColourMap>(&pigment.map);
+    return colours && choices(pigment.use.pattern) == 0 &&
+           *colours == default_map(pigment.use.pattern);
+}
+
 /// A pigment under construction.
 struct PigmentDraft {
     explicit PigmentDraft(const Pigment& pigment)
@@ -54,6 +61,7 @@ struct PigmentDraft {
         if (!pigment.pattern) return;
         pattern = PatternDraft(pigment.pattern->use, pigment.transform);
         map = pigment.pattern->map;
+        own_map = !has_default_map(*pigment.pattern);
     }
     Pigment made() const {
         if (!pattern.pattern || !map) return {colour, nullptr, {}, false, quick};
@@ -67,6 +75,7 @@ struct PigmentDraft {
     Handle<Colour> quick;
     PatternDraft pattern;
     std::optional<PatternedPigment::Map> map;
+    bool own_map = false;  ///< the map or list is not just the pattern's default map
 };
 
 /// Reads a colour, or a pattern with its map or list.
@@ -111,19 +120,22 @@ public:
     }
 
 private:
+    /// A pattern keeps the map of a declared pigment if that one has its own, as in POV-Ray.
     void take_pattern(const Element& element) {
         const std::optional<Pattern>& now = draft_.pattern.pattern;
-        const std::size_t before = now ? now->index() : std::variant_npos;
+        const bool averaged = now && std::holds_alternative<Average>(*now);
         auto kept = std::exchange(draft_.map, {});  // the pattern may bring a list of its own
         pattern_.take(element);
-        if (!draft_.map && now && now->index() == before) draft_.map = std::move(kept);
+        if (!draft_.map && draft_.own_map && now && choices(*now) == 0 &&
+            std::holds_alternative<Average>(*now) == averaged)
+            draft_.map = std::move(kept);
     }
 
     bool take_colour(const Element& element) {
         if (!element.value.numbers()) return false;
         if (pattern_.named() && choices(*draft_.pattern.pattern) > 0) {
             list_entry<ColourMap>(element, [&](ColourStop& stop) {
-                if (const auto colour = plain_colour(block_, element)) stop.colour = *colour;
+                if (const auto colour = listed_colour(element)) stop.colour = *colour;
             });
             return true;
         }
@@ -134,6 +146,15 @@ private:
         if (const std::optional<Colour> colour = plain_colour(block_, element))
             draft_.colour = *colour;
         return true;
+    }
+
+    /// A colour of a list needs no word. As in POV-Ray, a number stands for all of its components.
+    std::optional<Colour> listed_colour(const Element& element) {
+        const Numbers& numbers = *element.value.numbers();
+        if (numbers.is_colour() || numbers.count == 4) return plain_colour(block_, element);
+        Numbers bare = numbers.promoted(5);
+        bare.count = 5;
+        return bare.to_colour();
     }
 
     /// Changes a channel of the colour. A directive may continue a colour:

@@ -21,11 +21,12 @@ void SceneContent::add(const PlacedLight& light) {
 }
 
 void SceneContent::add(const DeclaredCamera& camera, const Element& block) {
-    if (scene.camera_given)
+    if (scene.camera_given && block.word_span != camera_at_)
         binder.evaluator.report(warning(Fault::duplicate, block.word_span,
                                         "there is a camera before this one; the last one counts"));
     show(camera);
     scene.camera_given = true;
+    camera_at_ = block.word_span;
 }
 
 void SceneContent::show(const DeclaredCamera& camera) {

@@ -20,10 +20,14 @@ public:
     /// Gives the object the default texture in force at the end of its statement.
     void add(ObjectHandle);
     void add(const PlacedLight&);
-    /// Adds the camera that the block describes; warns if the scene has one already.
+    /// Adds the camera that the block describes; warns if the scene has one already by another
+    /// statement: the macros of screen.inc make theirs again.
     void add(const DeclaredCamera&, const Element& block);
     /// Sets the camera of the scene.
     void show(const DeclaredCamera&);
+
+private:
+    Span camera_at_;  ///< of the last one's keyword
 };
 
 }  // namespace candelabra

@@ -4,6 +4,8 @@
 #include "interpret/state.h"
 #include "text/message.h"
 
+#include <utility>
+
 namespace candelabra {
 
 int component_of(std::string_view member) {
@@ -75,7 +77,7 @@ Value Evaluator::State::prefixed(const Tree& tree, const node::Prefixed& node, N
             message("`", prefix, "` takes ", wanted, " numbers, but here are ", given->count)));
     Numbers result = given->promoted(wanted);
     result.count = 5;
-    if (form == "t" && given->count <= 4) std::swap(result.at[3], result.at[4]);
+    if (form == "t") result.at[4] = std::exchange(result.at[3], 0);
     if (prefix.starts_with("s"))
         for (std::size_t i = 0; i < 3; ++i)
             result.at[i] = from_linear(srgb_decode(result.at[i]), working_gamma);

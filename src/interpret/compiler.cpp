@@ -256,8 +256,6 @@ Operands Evaluator::State::Compiler::prefixed(const node::Prefixed& node) {
     return result;
 }
 
-namespace {}  // namespace
-
 Operands Evaluator::State::Compiler::call(const node::Call& node) {
     if (!state.names.reserved(node.name)) {
         const Value* found = state.scope.find(node.name);

@@ -112,11 +112,18 @@ private:
 
     bool read_cells() {
         std::vector<bool> number(table_.columns, !form_.text), colour = number;
+        std::vector<std::size_t> numbers(table_.columns, 0);
+        std::vector<CsvStray> first_other(table_.columns);
         while (rows_.find_row()) {
             if (!take_row()) return false;
             for (std::size_t i = 0; i < row_.size(); ++i) {
                 std::string text = rows_.content(row_[i]);
-                if (number[i]) number[i] = csv_number(text, table_.decimal_comma).has_value();
+                const bool is_number = csv_number(text, table_.decimal_comma).has_value();
+                if (is_number) ++numbers[i];
+                if (!is_number && number[i]) {
+                    number[i] = false;
+                    first_other[i] = {row_[i].first, row_[i].last, i};
+                }
                 if (colour[i]) colour[i] = is_hex_colour(text);
                 table_.cells.push_back(std::move(text));
             }
@@ -125,6 +132,9 @@ private:
             table_.kinds.push_back(number[i]   ? Kind::numbers
                                    : colour[i] ? Kind::colours
                                                : Kind::strings);
+        for (std::size_t i = 0; i < table_.columns; ++i)
+            if (!form_.text && !number[i] && !colour[i] && 2 * numbers[i] > table_.rows)
+                table_.strays.push_back(first_other[i]);
         return true;
     }
 

@@ -38,6 +38,12 @@ struct CsvProblem {
     bool too_many = false;            ///< more cells than are allowed
 };
 
+/// The first cell of a column that is no number, although most of the column's cells are.
+struct CsvStray {
+    std::size_t first = 0, last = 0;  ///< range in the text, in bytes
+    std::size_t column = 0;
+};
+
 struct CsvTable {
     std::vector<std::string> names;  ///< of the columns; empty: the table has no header
     bool decimal_comma = false;      ///< 1,5 is one and a half
@@ -48,6 +54,7 @@ struct CsvTable {
     std::vector<std::string> cells;
     enum class Kind : std::uint8_t { numbers, colours, strings };
     std::vector<Kind> kinds;  ///< of the columns, if there are `cells`
+    std::vector<CsvStray> strays;
 };
 
 /// Returns the table, or nothing and the reason. `most`: maximum number of cells.

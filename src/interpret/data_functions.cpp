@@ -66,6 +66,26 @@ public:
         return call_.fail_silently();
     }
 
+    /// Warns of cells because of which columns are text. The text cannot be used afterwards.
+    void warn_of(const CsvTable& table) {
+        if (table.strays.empty()) return;
+        SourceStore& sources = evaluator_.sources();
+        const SourceId source = sources.add(std::move(found_.path), std::move(found_.text));
+        for (const CsvStray& stray : table.strays) {
+            const std::string column =
+                table.names.empty()
+                    ? message("column ", stray.column + 1)
+                    : message("column `", printable(table.names[stray.column]), '`');
+            evaluator_.report(warning(Fault::wrong_type,
+                                      {source, static_cast<std::uint32_t>(stray.first),
+                                       static_cast<std::uint32_t>(stray.last)},
+                                      message(column, " of `", name(),
+                                              "` is text, because this cell is no number"))
+                                  .pointing(call_.place(0), "read here")
+                                  .with_help("the option text says so: read_csv(name, \"text\")"));
+        }
+    }
+
 private:
     FunctionCall& call_;
     Evaluator& evaluator_;
@@ -128,6 +148,7 @@ Value csv_file(FunctionCall& call) {
     constexpr std::uint64_t each_string = 150;
     if (!evaluator.spend(each_string * table->cells.size(), call.place(0)))
         return call.fail_silently();
+    file.warn_of(*table);
     ArrayData result = array_of_table(*table, evaluator);
     if (!table->names.empty())
         result.set_names(std::make_shared<const IndexNames>(std::move(table->names)));

@@ -16,7 +16,7 @@ constexpr auto infos = std::array{
     FaultInfo{Fault::unknown_character, "unknown-character"},
     FaultInfo{Fault::unknown_word, "unknown-word"},
     FaultInfo{Fault::unknown_name, "unknown-name", "an #undef of what is not declared"},
-    FaultInfo{Fault::wrong_type, "wrong-type"},
+    FaultInfo{Fault::wrong_type, "wrong-type", "a cell that makes a column of numbers text"},
     FaultInfo{Fault::wrong_count, "wrong-count", "values that are left over or missing"},
     FaultInfo{Fault::out_of_range, "out-of-range"},
     FaultInfo{Fault::duplicate, "duplicate", "something given twice, of which the last counts"},

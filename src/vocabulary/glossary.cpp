@@ -162,8 +162,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "without effect: strings are UTF-8"},
     {"hf_gray_16 max_intersections", "global_settings { hf_gray_16 on }", "without effect"},
     // not available in this version
-    {"albedo anisotropy", "finish { diffuse albedo 0.5 }",
-     "amounts as shares of all light; anisotropy is not available"},
+    {"albedo", "finish { diffuse albedo 0.5 }", "amounts as shares of all light"},
+    {"anisotropy", "finish { anisotropy 0.5 }", "not available in this version"},
     {"bokeh", "camera { ... bokeh { ... } }", "not available in this version"},
     {"iff", "image_map { iff \"x.iff\" }", "a kind of pictures that is not available"},
     {"composite", "composite { objects }", "the name of a union in the oldest scenes"},
@@ -181,6 +181,8 @@ bool has_word(std::string_view words, std::string_view word) {
 }  // namespace
 
 std::span<const GlossaryEntry> glossary() { return entries; }
+
+bool says_available(std::string_view help) { return help.find("not available") == help.npos; }
 
 const GlossaryEntry* glossary_entry(std::string_view word) {
     if (word.starts_with('#')) word.remove_prefix(1);

@@ -16,6 +16,9 @@ struct GlossaryEntry {
 
 std::span<const GlossaryEntry> glossary();
 
+/// Whether this version has the things that an explanation is about.
+bool says_available(std::string_view help);
+
 /// The entry for a word, with or without its #; null when there is none.
 const GlossaryEntry* glossary_entry(std::string_view word);
 

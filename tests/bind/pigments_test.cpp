@@ -15,6 +15,7 @@ Pigment pigment_of(const std::string& text) {
     return sphere_with("pigment { " + text + " }",
                        "#declare Red = rgb x; #declare M = color_map { [0 rgb 0] [1 rgb 1] } "
                        "#declare P = pigment { gradient x color_map { [0 Red] [1 rgb 1] } } "
+                       "#declare Plain = pigment { gradient x } "
                        "#declare Q = pigment_map { [0 P] [1 rgb 1] }")
         .texture()
         .pigment;
@@ -59,7 +60,13 @@ TEST_CASE("a pigment is a pattern with its colours", "[bind]") {
           ColourMap{{0, {Vec3(1)}}, {0.5, {Vec3(1, 0, 0)}}});
     CHECK(colours_of(pigment_of("P gradient y")) ==
           ColourMap{{0, {Vec3(1, 0, 0)}}, {1, {Vec3(1)}}});
-    CHECK(colours_of(pigment_of("P bozo")) == default_map(Bozo{}));
+    // A map that is given is kept by other patterns, a default map is not.
+    CHECK(colours_of(pigment_of("P bozo")) == colours_of(pigment_of("P gradient y")));
+    CHECK(colours_of(pigment_of("P checker")) == default_map(Checker{}));
+    CHECK(colours_of(pigment_of("Plain bozo")) == default_map(Bozo{}));
+    // Colours of lists need no word.
+    CHECK(colours_of(pigment_of("checker <1, 0, 0>, 0.5")) ==
+          ColourMap{{0, {Vec3(1, 0, 0)}}, {1, {Vec3(0.5), 0.5, 0.5}}});
 }
 
 TEST_CASE("what is declared can be changed on", "[bind]") {

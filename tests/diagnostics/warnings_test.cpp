@@ -22,6 +22,7 @@ const std::map<std::string_view, std::vector<std::string>>& careless() {
     static const std::map<std::string_view, std::vector<std::string>> scenes = {
         {"syntax", {all + "#\n;"}},
         {"unknown-name", {all + "#undef Nothing"}},
+        {"wrong-type", {all + "#declare A = read_csv(\"mixed.csv\");"}},
         {"wrong-count", {all + "#declare A = rgb <1, 2, 3, 4>;"}},
         {"duplicate", {all + camera}},
         {"semicolon", {all + ";"}},
@@ -56,6 +57,7 @@ bool warned(Shell& shell, const std::vector<std::string>& scene, std::string_vie
 
 TEST_CASE("each warning has a name, which switches it", "[diagnostics]") {
     Shell shell;
+    shell.write("mixed.csv", "x\n1\n2\nn/a\n");
     for (const FaultInfo& info : all_faults()) {
         if (info.warns_of.empty()) continue;
         INFO(info.name);

@@ -39,6 +39,24 @@ std::string table_of(std::string_view text, const std::vector<std::string_view>&
 
 }  // namespace
 
+TEST_CASE("the first cell that makes a column of numbers text is known", "[csv]") {
+    const auto strays = [](std::string_view text) {
+        CsvProblem problem;
+        const auto table = read_csv(text, {}, 1000, problem);
+        REQUIRE(table);
+        std::string result;
+        for (const CsvStray& stray : table->strays)
+            result += message(stray.column, ' ',
+                              text.substr(stray.first, stray.last - stray.first), ' ');
+        return result;
+    };
+    CHECK(strays("x,y\n1,2\n2,n/a\n3,4\n5,none\n") == "");  // half of y is text
+    CHECK(strays("x,y\n1,2\n2,n/a\n3,4\n") == "1 n/a ");
+    CHECK(strays("x,y,z\n1,0,0\n2,0,0\nTotal,,\n") == "0 Total ");
+    CHECK(strays("id,x\na,1\nb,2\n") == "");
+    CHECK(strays("1,2\n3,4\n") == "");
+}
+
 TEST_CASE("tables in the forms that programs write", "[csv]") {
     struct Case {
         const char* text;
