@@ -66,11 +66,11 @@ std::string Confinement::folder_rule() const {
 
 BrokenRule Confinement::of_file(const std::string& path) const {
     const auto real = path == "-" ? std::nullopt : path_without_links(path);
+    std::error_code none;
     if (!real || !below_one(readable_, *real))
         return {folder_rule(),
                 message("name it on the command line, or permit it there: --allow-read ",
-                        printable(directory_of(path)))};
-    std::error_code none;
+                        printable(fs::is_directory(path, none) ? path : directory_of(path)))};
     if (fs::is_other(*real, none)) return {"it is no regular file", {}};
     return {};
 }

@@ -219,8 +219,7 @@ std::vector<ManualEntry> library_entries(const std::string& folder) {
 std::vector<ManualEntry> missing_entries() {
     std::vector<ManualEntry> result;
     for (ManualEntry& entry : glossary_entries())
-        if (entry.help.find("not available") != std::string::npos)
-            result.push_back(std::move(entry));
+        if (!says_available(entry.help)) result.push_back(std::move(entry));
     return result;
 }
 

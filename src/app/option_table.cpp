@@ -105,7 +105,7 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "Output_File_Type", "", value, "x", store::type, "the same format letters"),
     option("", "Bits_Per_Color", "", value, "n", store::bits, "8 or 16 (png)"),
     option("", "Grayscale_Output", "", sign, "", store::grey,
-           "one channel of grey (png, ppm); +FNg does the same"),
+           "one channel of grey (png of 16 bits, ppm); +FNg does the same"),
     option("UA", "Output_Alpha", "", sign, "", store::alpha,
            "an alpha channel: how opaque a pixel is (png, tga, OpenEXR); clear is what lies behind "
            "everything, unless a background or a sky_sphere that is not transparent is there"),

@@ -113,11 +113,8 @@ private:
 
     void read_scene(std::string_view argument) {
         if (argument.empty()) return fail(argument, "a file name cannot be empty");
-        if (const auto ini = only_files_ ? std::nullopt : ini_of(argument)) {
-            if (const auto broken = broken_by(ini->file))
-                return fail(argument, broken->rule, broken->help);
-            return read_confined(argument, *ini);
-        }
+        if (const auto ini = only_files_ ? std::nullopt : ini_of(argument))
+            return read_named(argument, *ini);
         if (const auto broken = broken_by(std::string(argument)))
             return fail(argument, broken->rule, broken->help);
         if (bare_scene_)
@@ -127,6 +124,13 @@ private:
         bare_scene_ = true;
         options_.scene = argument;
         options_.given.push_back(message("Input_File_Name=", argument));
+    }
+
+    /// Reads an INI file that the command line or another INI file names.
+    void read_named(std::string_view argument, const IniName& ini) {
+        if (const auto broken = broken_by(ini.file))
+            return fail(argument, broken->rule, broken->help);
+        read_confined(argument, ini);
     }
 
     /// Returns the name of an INI file. As in POV-Ray, a bare word may lack the extension if such a
@@ -247,6 +251,11 @@ private:
 
     void read_keyword(std::string_view argument) {
         const std::size_t equals = argument.find('=');
+        if (same_letters(argument.substr(0, equals), "Include_Ini")) {
+            const auto ini = ini_of(argument.substr(equals + 1));
+            return ini ? read_named(argument, *ini)
+                       : fail(argument, "names no INI file", "Include_Ini=file.ini");
+        }
         const OptionRow* row = find_named(&OptionRow::keyword, argument.substr(0, equals));
         if (!row && names_a_scene(argument)) return read_scene(argument);
         if (!row) {

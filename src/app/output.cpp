@@ -55,7 +55,9 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
     Output output;
     output.format.type =
         options.type.value_or(type_of_name(options.output).value_or(PictureType::png));
-    output.format.bits = options.bits.value_or(8);
+    // Greys are usually heights, of which 256 are too few.
+    const bool heights = options.grey && output.format.type == PictureType::png;
+    output.format.bits = options.bits.value_or(heights ? 16 : 8);
     output.format.compressed = options.compressed;
     output.format.grey = options.grey;
     output.format.file_gamma = options.file_gamma;

@@ -60,6 +60,7 @@ void store::grey(Options& options, const Given& given, Diagnostics&) { options.g
 
 void store::time(Options& options, const Given& given, Diagnostics& diagnostics) {
     options.time = seconds(given, diagnostics);
+    if (options.time == 0.0) refuse(given, diagnostics, "a picture needs a time above 0");
 }
 
 void store::start_row(Options& options, const Given& given, Diagnostics& diagnostics) {

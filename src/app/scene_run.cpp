@@ -123,6 +123,11 @@ private:
             const std::string problem = problem_with_output(options_, path);
             if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
         }
+        if (saves && output.path == "-" && options_.stats_file == "-")
+            diagnostics_.add(error(Fault::option, {},
+                                   "the standard output cannot take both the picture and the "
+                                   "statistics")
+                                 .with_help("--stats FILE"));
         return !say_diagnostics();
     }
 

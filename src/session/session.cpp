@@ -31,6 +31,15 @@ bool Session::read() {
     std::optional<std::string> text = read(path);
     if (!text && !std::filesystem::path(path).has_extension()) text = read(path += ".pov");
     if (!text) {
+        std::error_code none;
+        const auto status = std::filesystem::status(source.path, none);
+        const bool other = std::filesystem::is_other(status);
+        if (other || std::filesystem::is_directory(status)) {
+            diagnostics_.add(error(Fault::io, {},
+                                   message('`', printable(source.path), "` is a ",
+                                           other ? "device or pipe" : "folder", ", not a scene")));
+            return false;
+        }
         const std::string near = similar_file(source.path, {""}, disk_lister());
         diagnostics_.add(
             error(Fault::io, {},

@@ -268,6 +268,7 @@ TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
         if (name == "a.ini") return "Width=10\nb.ini[Small]\n+H7\n[Wide]\nWidth=900\n";
         if (name == "b.ini") return "Height=3\n[Small]\nHeight=5\n--seed=9\nscene.pov";
         if (name == "loop.ini") return "loop.ini";
+        if (name == "other.ini") return "include_ini=a.ini[wide]";
         if (name == "many.ini") return "All_File=\n+W8  -A \"+H6\"\ns.pov";
         if (name == "empty.ini")
             return "Width=4\nAll_File=\nPre_Frame_Command=\nFinal_Frame=\nscene.pov";
@@ -287,6 +288,9 @@ TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
     CHECK(said({"a"}) == "10x7 9 scene.pov");
     CHECK(said({"a[wide]"}) == "900x7 9 scene.pov");
     CHECK(said({"many.ini"}) == "8x6 0 s.pov");
+    CHECK(said({"Include_Ini=a.ini"}) == "10x7 9 scene.pov");
+    CHECK(said({"other.ini"}) == "900x7 9 scene.pov");
+    CHECK(said({"Include_Ini=s.pov"}) == "`Include_Ini=s.pov`: names no INI file");
     CHECK(said({"a.ini[none]"}) == "`a.ini[none]`: the file has no section [none]");
     CHECK(said({"empty.ini"}) == "empty.ini:4: `Final_Frame=` has no value and is ignored");
     CHECK(said({"wrong.ini"}) == "wrong.ini:2: `Widht=3`: there is no such keyword");

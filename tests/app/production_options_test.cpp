@@ -12,7 +12,7 @@ TEST_CASE("times and sizes have units") {
     CHECK(read({"--checkpoint=0"}).checkpoint_interval == 0);
     CHECK(read({"--memory", "8G"}).memory_bytes == std::uint64_t{8} << 30);
     CHECK(read({"--memory", "500m"}).memory_bytes == std::uint64_t{500} << 20);
-    for (const char* bad : {"--time=x", "--time=-1", "--time=s", "--memory=1", "--memory=8Q",
+    for (const char* bad : {"--time=x", "--time=-1", "--time=s", "--time=0", "--memory=1", "--memory=8Q",
                             "--checkpoint=1d", "--shard-by=rows", "+SR-1", "+EC"})
         read({bad}, false);
 }
