@@ -39,6 +39,13 @@ bool is_switch_word(const OptionRow& row, const std::string& value) {
     return value.empty() || (may_be && truth(value));
 }
 
+/// The way out for a path outside of the folders that are permitted.
+std::string permission(std::string_view option, const std::string& path) {
+    std::error_code none;
+    return message("name it on the command line, or permit it there: ", option, ' ',
+                   printable(fs::is_directory(path, none) ? path : directory_of(path)));
+}
+
 /// Whether a name is searched for in folders that the scene may read in any case.
 bool is_searched(const std::string& name) {
     const fs::path path(name);
@@ -66,11 +73,9 @@ std::string Confinement::folder_rule() const {
 
 BrokenRule Confinement::of_file(const std::string& path) const {
     const auto real = path == "-" ? std::nullopt : path_without_links(path);
-    std::error_code none;
     if (!real || !below_one(readable_, *real))
-        return {folder_rule(),
-                message("name it on the command line, or permit it there: --allow-read ",
-                        printable(fs::is_directory(path, none) ? path : directory_of(path)))};
+        return {folder_rule(), permission("--allow-read", path)};
+    std::error_code none;
     if (fs::is_other(*real, none)) return {"it is no regular file", {}};
     return {};
 }
@@ -84,10 +89,7 @@ BrokenRule Confinement::of_written(const std::string& path, bool ini) const {
     if (path == "-") return {};
     const auto real = path_without_links(path);
     const auto part = real ? below_one(writable_, *real) : std::nullopt;
-    if (!part)
-        return {folder_rule(), message("name it on the command line, or permit it there: "
-                                       "--allow-write ",
-                                       printable(directory_of(path)))};
+    if (!part) return {folder_rule(), permission("--allow-write", path)};
     std::error_code none;
     const bool there = fs::exists(*real, none);
     if (fs::is_directory(*real, none)) return {};

@@ -199,6 +199,8 @@ void store::frame_rate(Options& options, const Given& given, Diagnostics& diagno
     options.frame_rate = *rate;
 }
 
+void store::include_ini(Options&, const Given&, Diagnostics&) {}
+
 void store::create_ini(Options& options, const Given& given, Diagnostics& diagnostics) {
     options.ini_file.reset();
     const std::optional<bool> on = given.value ? truth(*given.value) : given.on;

@@ -62,6 +62,8 @@ void language_version(Options&, const Given&, Diagnostics&);
 void movie(Options&, const Given&, Diagnostics&);
 void frame_rate(Options&, const Given&, Diagnostics&);
 void create_ini(Options&, const Given&, Diagnostics&);
+/// Marks the option; the reader of options reads the file.
+void include_ini(Options&, const Given&, Diagnostics&);
 void clock(Options&, const Given&, Diagnostics&);
 void verbose(Options&, const Given&, Diagnostics&);
 void check(Options&, const Given&, Diagnostics&);

@@ -240,6 +240,7 @@ constexpr auto rows = std::to_array<OptionRow>({
                                    "file that is included before the scene")),
     option("MV", "Version", "", value, "n", store::language_version,
            "version of the language until the scene says one"),
+    option("", "Include_Ini", "", value, "file", store::include_ini, "reads another INI file"),
     that(Touches::writes_ini, option("GI", "", "", sign_and_value, "file", store::create_ini,
                                      "writes all options in force to an INI file")),
     that(Touches::writes_ini,

@@ -133,6 +133,11 @@ private:
         read_confined(argument, ini);
     }
 
+    void read_included(std::string_view argument, std::string_view file) {
+        if (const auto ini = ini_of(file)) return read_named(argument, *ini);
+        fail(argument, "names no INI file", "Include_Ini=file.ini");
+    }
+
     /// Returns the name of an INI file. As in POV-Ray, a bare word may lack the extension if such a
     /// file exists.
     std::optional<IniName> ini_of(std::string_view argument) const {
@@ -251,11 +256,6 @@ private:
 
     void read_keyword(std::string_view argument) {
         const std::size_t equals = argument.find('=');
-        if (same_letters(argument.substr(0, equals), "Include_Ini")) {
-            const auto ini = ini_of(argument.substr(equals + 1));
-            return ini ? read_named(argument, *ini)
-                       : fail(argument, "names no INI file", "Include_Ini=file.ini");
-        }
         const OptionRow* row = find_named(&OptionRow::keyword, argument.substr(0, equals));
         if (!row && names_a_scene(argument)) return read_scene(argument);
         if (!row) {
@@ -267,6 +267,7 @@ private:
         const std::string text(argument.substr(equals + 1));
         if (row->takes == Takes::value) {
             if (text.empty() && !may_be_empty(*row)) return without_value(argument);
+            if (row->store == store::include_ini) return read_included(argument, text);
             return accept(*row, {argument, true, text, where_});
         }
         const std::optional<bool> on = truth(text);

@@ -140,6 +140,15 @@ void Misplaced::reject_form(const Element& element, std::string_view what, bool 
                                   : block_.help()));
 }
 
+void Misplaced::ask_for_braces(const Element& element) {
+    const std::string_view word = block_.spelling(element.word);
+    block_.report(
+        error(Fault::missing, element.word_span,
+              message("what belongs to `", word, "` stands in braces"))
+            .with_help(message("write `", word, " { ",
+                               named_behind(element, block_.binder.evaluator.names()), " }`")));
+}
+
 bool Misplaced::reject_word(const Element& element, const WordList& words, bool wanted) {
     const std::string_view word = block_.spelling(element.word);
     passing_over_ = true;
@@ -147,12 +156,7 @@ bool Misplaced::reject_word(const Element& element, const WordList& words, bool 
     if (!contains(block_.ignored, word)) block_.binder.evaluator.note_reported(element.origin);
     if (element.kind == Element::Kind::word && takes_braces(element.word) &&
         has_word(words, word)) {
-        if (!reported_unavailable_)
-            block_.report(error(Fault::missing, element.word_span,
-                                message("what belongs to `", word, "` stands in braces"))
-                              .with_help(message(
-                                  "write `", word, " { ",
-                                  named_behind(element, block_.binder.evaluator.names()), " }`")));
+        if (!reported_unavailable_) ask_for_braces(element);
         reported_unavailable_ = !block_.name.empty();
         unbraced_ = word;
         return false;
@@ -169,9 +173,7 @@ bool Misplaced::reject_word(const Element& element, const WordList& words, bool 
     if (near.empty()) near = beginning_with(words, message(word, '_'));
     if (!meant.empty()) near = meant;
     if (near == word) {
-        block_.report(error(Fault::missing, element.word_span,
-                            message("what belongs to `", word, "` stands in braces"))
-                          .with_help(message("write `", word, " { ... }`")));
+        ask_for_braces(element);
         return false;
     }
     if (!near.empty()) {

@@ -30,6 +30,7 @@ public:
     bool reject(const Element&, const WordList& words, bool wanted);
 
 private:
+    void ask_for_braces(const Element&);
     bool reject_word(const Element&, const WordList& words, bool wanted);
     bool in_comment(const Element&);
     std::string_view in_other_case(std::string_view word) const;

@@ -55,11 +55,8 @@ public:
     /// Reports a problem at a place in the file.
     Value fail_at(Fault fault, std::size_t first, std::size_t last, std::string_view what,
                   std::string help) {
-        SourceStore& sources = evaluator_.sources();
-        const SourceId source = sources.add(std::move(found_.path), std::move(found_.text));
-        const Span span{source, static_cast<std::uint32_t>(first),
-                        static_cast<std::uint32_t>(last)};
-        const int line = sources.place(source, span.first).line;
+        const Span span = span_of(to_source(), first, last);
+        const int line = evaluator_.sources().place(span.source, span.first).line;
         evaluator_.report(error(fault, span, message("line ", line, " of `", name(), "` ", what))
                               .pointing(call_.place(0), "read here")
                               .with_help(std::move(help)));
@@ -69,16 +66,13 @@ public:
     /// Warns of cells because of which columns are text. The text cannot be used afterwards.
     void warn_of(const CsvTable& table) {
         if (table.strays.empty()) return;
-        SourceStore& sources = evaluator_.sources();
-        const SourceId source = sources.add(std::move(found_.path), std::move(found_.text));
+        const SourceId source = to_source();
         for (const CsvStray& stray : table.strays) {
             const std::string column =
                 table.names.empty()
                     ? message("column ", stray.column + 1)
                     : message("column `", printable(table.names[stray.column]), '`');
-            evaluator_.report(warning(Fault::wrong_type,
-                                      {source, static_cast<std::uint32_t>(stray.first),
-                                       static_cast<std::uint32_t>(stray.last)},
+            evaluator_.report(warning(Fault::wrong_type, span_of(source, stray.first, stray.last),
                                       message(column, " of `", name(),
                                               "` is text, because this cell is no number"))
                                   .pointing(call_.place(0), "read here")
@@ -87,6 +81,14 @@ public:
     }
 
 private:
+    /// Gives the text away, so that diagnostics can show it.
+    SourceId to_source() {
+        return evaluator_.sources().add(std::move(found_.path), std::move(found_.text));
+    }
+    static Span span_of(SourceId source, std::size_t first, std::size_t last) {
+        return {source, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)};
+    }
+
     FunctionCall& call_;
     Evaluator& evaluator_;
     Found found_;

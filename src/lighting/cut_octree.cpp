@@ -5,6 +5,7 @@
 #include "lighting/cut_calibration.h"
 #include "lighting/draw.h"
 #include "lighting/light_cells.h"
+#include "lighting/refined_cut.h"
 
 #include <algorithm>
 
@@ -205,17 +206,9 @@ std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const 
                                            const Box& box) const {
     const std::size_t count = cut.entries();
     std::vector<double> given(count), raise(count);
-    const Vec3 middle = box.centre();
-    const double radius = 0.5 * length(box.size());
     double learned = 0, raised = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const LightCluster& cluster = cut.cluster(i);
-        const LightProxy g = state_->tree.light_proxy(cluster);
-        const Vec3 v = g.centre - middle;
-        given[i] = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
-        if (g.bent_normal != Vec3(0)) given[i] *= turned(g, v, radius + g.radius);
-        if (const Falloff* falloff = state_->tree.falloff(cluster))
-            given[i] *= against_square_law(*falloff, v, radius + g.radius);
+        given[i] = weight_in(box, state_->tree, cut.cluster(i));
         learned += given[i] * shares[i];
     }
     for (std::size_t i = 0; i < count; ++i) {

@@ -69,6 +69,7 @@ private:
         double noise, irradiance;
     };
     Found found_by_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
+
     std::unique_ptr<State> state_;
 };
 

@@ -28,7 +28,7 @@ struct Entry {
 class Refinement {
 public:
     Refinement(const LightTree& tree, const Box& cell)
-        : tree_(tree), centre_(cell.centre()), radius_(0.5 * length(cell.size())) {}
+        : tree_(tree), cell_(cell), centre_(cell.centre()), radius_(0.5 * length(cell.size())) {}
 
     void refine(const CutRule& rule) {
         const auto most = std::min(static_cast<std::size_t>(rule.max_entries), CutWeights::most);
@@ -62,12 +62,7 @@ private:
         if (tree_.dark(cluster)) return;
         const LightProxy g = tree_.light_proxy(cluster);
         const double d = length(g.centre - centre_);
-        Entry entry{cluster, 0, 0};
-        entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
-        if (g.bent_normal != Vec3(0))
-            entry.weight *= turned(g, g.centre - centre_, radius_ + g.radius);
-        if (const Falloff* falloff = tree_.falloff(cluster))
-            entry.weight *= against_square_law(*falloff, g.centre - centre_, radius_ + g.radius);
+        Entry entry{cluster, weight_in(cell_, tree_, cluster), 0};
         if (cluster.count > 1) {
             // Seen from anywhere in the cell, the distance and height of the members differ by
             // about this fraction.
@@ -81,17 +76,33 @@ private:
     /// The weight of one member of a cluster where the cluster is nearest. It may exceed that of
     /// the whole as seen from afar: a long row of lamps that begins at the cell.
     double nearest_weight(const LightCluster& cluster, const LightProxy& g) const {
-        const double d2 = nearest_distance2(tree_.box(cluster), centre_);
-        return g.strength * g.radius / cluster.count / (d2 + radius_ * radius_);
+        const Box box = tree_.box(cluster);
+        const Vec3 v = glm::clamp(centre_, box.low, box.high) - centre_;
+        const double weight =
+            g.strength * g.radius / cluster.count / (dot(v, v) + radius_ * radius_);
+        const Falloff* falloff = tree_.falloff(cluster);
+        return falloff ? weight * against_square_law(*falloff, v, radius_) : weight;
     }
 
     const LightTree& tree_;
+    const Box& cell_;
     Vec3 centre_;
     double radius_;
     std::vector<Entry> heap_;
 };
 
 }  // namespace
+
+double weight_in(const Box& cell, const LightTree& tree, const LightCluster& cluster) {
+    const LightProxy g = tree.light_proxy(cluster);
+    const Vec3 v = g.centre - cell.centre();
+    const double radius = 0.5 * length(cell.size());
+    double weight = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
+    if (g.bent_normal != Vec3(0)) weight *= turned(g, v, radius + g.radius);
+    if (const Falloff* falloff = tree.falloff(cluster))
+        weight *= against_square_law(*falloff, v, radius + g.radius);
+    return weight;
+}
 
 RefinedCut refined_cut(const LightTree& tree, const Box& cell, const CutRule& rule) {
     Refinement refinement(tree, cell);

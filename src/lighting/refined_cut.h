@@ -19,6 +19,9 @@ struct RefinedCut {
     double noise;                        ///< see LightCut::noise()
 };
 
+/// Approximate unoccluded contribution of a cluster to the points of a cell.
+double weight_in(const Box& cell, const LightTree&, const LightCluster&);
+
 /// A pure function of its arguments.
 RefinedCut refined_cut(const LightTree&, const Box& cell, const CutRule&);
 

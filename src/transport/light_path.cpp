@@ -72,7 +72,7 @@ void LightPaths::follow(const Key& key, double share,
     path.tolerance = off_its_lamp * bounds(luminaire).radius;
     path.kind = RayKind::gathering;
     // Beyond the surface of the lamp, which is not inside of it.
-    if (world_.notes_solids()) path.media = world_.containing(path.ray.at(path.tolerance));
+    path.media = world_.containing(path.ray.at(path.tolerance));
     // Attenuates light to each surface on the way as a shadow ray from that surface would.
     for (int met = 0; met < max_surfaces_along; ++met) {
         path.key = key.branched(Branch::light_path, static_cast<std::uint32_t>(met));

@@ -7,8 +7,7 @@
 namespace candelabra {
 
 PathEnds::PathEnds(const World& world, bool clear_sky) : world_(world), clear_sky_(clear_sky) {
-    if (world.notes_solids() && !world.view.camera.parallel)
-        around_camera_ = world.containing(world.view.camera.location);
+    if (!world.view.camera.parallel) around_camera_ = world.containing(world.view.camera.location);
 }
 
 PathState PathEnds::begin(const Ray& ray, const Key& key) {
@@ -16,9 +15,7 @@ PathState PathEnds::begin(const Ray& ray, const Key& key) {
     PathState path;
     path.ray = ray;
     path.key = key;
-    path.media = world_.notes_solids() && world_.view.camera.parallel
-                     ? world_.containing(ray.origin)
-                     : around_camera_;
+    path.media = world_.view.camera.parallel ? world_.containing(ray.origin) : around_camera_;
     return path;
 }
 

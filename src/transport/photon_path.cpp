@@ -47,7 +47,7 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
     path.tolerance = shot.tolerance;
     path.key = key;
     // Beyond the surface of a lamp, which is not inside of it.
-    if (world_.notes_solids()) path.media = world_.containing(shot.ray.at(shot.tolerance));
+    path.media = world_.containing(shot.ray.at(shot.tolerance));
     while (journey.passed < max_surfaces_along) {
         Hit hit;
         const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);

@@ -358,6 +358,7 @@ void World::add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids& 
 
 EnteredSolids World::containing(const Vec3& point) const {
     EnteredSolids found;
+    if (!notes_solids()) return found;
     if (indexes_solids()) {
         for (const std::uint32_t item : geometry.clear_solids.infinite)
             add_if_inside(item, point, found);

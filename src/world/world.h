@@ -85,7 +85,7 @@ public:
     Vec3 passed(const Hit&, const Ray&) const;
 
     /// Whether rays must track that they are inside of an item, because it is transparent, has an
-    /// interior, or keeps out fog of the scene.
+    /// interior, or keeps out fog or media.
     bool is_noted_solid(std::uint32_t item) const;
     /// Whether there may be noted solids.
     bool notes_solids() const {
