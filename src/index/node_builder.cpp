@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace candelabra {
@@ -25,6 +26,11 @@ constexpr double min_reach = 0x1p-10;
 
 /// Maximum number of references in cells, as a multiple of the number of items.
 constexpr double max_references = 16;
+/// What a cut costs of the allowance of each item in the cell. So cuts come to an end whatever the
+/// items are: the sum of the allowances of all references in all cells begins at max_references per
+/// item, no cut raises it, and a cut lowers it by this much for each item that it looks at. Hence
+/// all cuts together look at no more than max_references / cut_price items for each item.
+constexpr double cut_price = 1.0 / 128;
 /// Maximum number of references in cells.
 constexpr double references_limit = WideTree::item_limit / 2;
 
@@ -127,7 +133,7 @@ private:
     bool by_cells() const { return task_.costs.by == Division::cells; }
     void decide(Part&, int depth) const;
     std::pair<Part, Part> halves(Part&) const;
-    std::pair<Part, Part> sides(const Part&) const;
+    std::optional<std::pair<Part, Part>> sides(const Part&) const;
     Parts parts_of(Part, int depth) const;
     void finish_leaf(Part&);
     OcclusionCost build(std::uint32_t node, Part, const TreeFrame&, int depth);
@@ -160,6 +166,7 @@ void NodeBuilder::decide(Part& part, int depth) const {
     part.kind = fits ? Part::Kind::leaf : Part::Kind::halved;
     if (part.items.size() <= 1 || depth >= careful_depth) return;
     if (by_cells()) {
+        part.plane = {};
         if (part.allowance > 1)
             part.plane = find_cell_split(part.items, part.box, task_.costs, task_.slack);
         if (part.plane.found()) part.kind = Part::Kind::cut;
@@ -194,20 +201,27 @@ std::pair<Part, Part> NodeBuilder::halves(Part& part) const {
     return {std::move(below), std::move(above)};
 }
 
-/// Divides the cell by its plane.
-std::pair<Part, Part> NodeBuilder::sides(const Part& part) const {
+/// Divides the cell by its plane. Returns nothing if one side is the cell again, as where items are
+/// as thin as the tolerance.
+std::optional<std::pair<Part, Part>> NodeBuilder::sides(const Part& part) const {
     CellSides sides = divide(part.items, part.plane, task_.part, task_.slack);
+    const std::size_t items = part.items.size();
+    const auto is_whole = [&](const CellSide& side) {
+        return side.fragments.size() == items && side.box.low == part.box.low &&
+               side.box.high == part.box.high;
+    };
+    if (is_whole(sides.below) || is_whole(sides.above)) return {};
     const auto references = sides.below.fragments.size() + sides.above.fragments.size();
     const auto part_of = [&](CellSide& side) {
         Part made;
         made.box = side.box;
         made.own = std::move(side.fragments);
         made.items = made.own;
-        made.allowance = part.allowance * static_cast<double>(part.items.size()) /
+        made.allowance = (part.allowance - cut_price) * static_cast<double>(items) /
                          static_cast<double>(references);
         return made;
     };
-    return {part_of(sides.below), part_of(sides.above)};
+    return std::pair(part_of(sides.below), part_of(sides.above));
 }
 
 /// Divides a part, and then its largest parts, until the node is full.
@@ -230,7 +244,13 @@ Parts NodeBuilder::parts_of(Part whole, int depth) const {
             continue;
         }
         if (parts.size() == TreeNode::width) break;
-        auto [below, above] = largest->kind == Part::Kind::cut ? sides(*largest) : halves(*largest);
+        auto cut = largest->kind == Part::Kind::cut ? sides(*largest) : halves(*largest);
+        if (!cut) {
+            largest->allowance = 0;
+            largest->kind = Part::Kind::unknown;
+            continue;
+        }
+        auto& [below, above] = *cut;
         // Items that pass through neither side are dropped.
         const bool any_below = !below.items.empty();
         *largest = std::move(any_below ? below : above);
