@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of nearby values and short polynomials (P. Tang, "Table-driven implementation of the
-// exponential function", 1989, "... of the logarithm function", 1990). The tables follow from series
-// while the program is compiled; the polynomials are minimax, found by Remez's algorithm. What would
-// lose precision is carried as the sum of two numbers.
+// exponential function", 1989, "... of the logarithm function", 1990). The tables follow from
+// series while the program is compiled; the polynomials are minimax, found by Remez's algorithm.
+// What would lose precision is carried as the sum of two numbers.
 #include "base/elementary.h"
 
 #include "base/twofold.h"

@@ -5,9 +5,9 @@
 // sources may use (a test in tests/house checks it). tests/bench/README.md compares them with other
 // libraries.
 //
-// Errors are below 1 unit in the last place; those of atan2 and hypot below 1.4, results below the
-// least normal number 1.5. Special values are those of ISO C, Annex F. errno and the exceptions of floating-point numbers do not count. The rounding mode
-// must be to nearest.
+// Errors are below 1 unit in the last place; those of atan2 and hypot below 1.4, of results below
+// the least normal number 1.5. Special values are those of ISO C, Annex F. errno and the exceptions
+// of floating-point numbers do not count. The rounding mode must be to nearest.
 #pragma once
 
 namespace candelabra::math {

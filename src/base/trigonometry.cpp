@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The functions of angles of elementary.h. Angles are reduced by multiples of pi/2 as Cody and Waite
-// (1980), and large ones as Payne and Hanek (1983) describe; the polynomials are minimax, found by
-// Remez's algorithm.
+// The functions of angles of elementary.h. Angles are reduced by multiples of pi/2 as Cody and
+// Waite (1980), and large ones as Payne and Hanek (1983) describe; the polynomials are minimax,
+// found by Remez's algorithm.
 #include "base/elementary.h"
 
 #include "base/twofold.h"
