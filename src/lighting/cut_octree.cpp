@@ -24,6 +24,11 @@ constexpr double coarse_pixels = 32;
 constexpr double coarser_in_air = 2;
 /// Bounds on this size as an angle (size over distance), for large and for small pictures.
 constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
+/// Maximum size of cells where all rays of the camera are parallel, in widths of the view.
+constexpr double most_views = 4;
+/// Number of levels beyond the deepest one by which cells that are too large may still be divided:
+/// enough for every ratio of lengths in single precision.
+constexpr int more_levels = 160;
 /// Near luminaires look different from different points of a cell, and so count more than the
 /// survey says. Together they are raised by at most this multiple of the survey's total of all
 /// entries, and each alone by at most this multiple. So occluded luminaires cause little noise,
@@ -84,13 +89,13 @@ struct BuiltCutOctree::Cell {
 struct BuiltCutOctree::State {
     LightOctree settings;
     CutRule rule;
-    double unit = 1;
     std::span<const Luminaire> luminaires;
     LightTree tree;
     LightBall ball;
     std::optional<Vec3> eye;
     /// Maximum size of small cells, at distance 1 from the eye if there is one.
     double coarse = 0;
+    double view = 0;                                ///< see LightScene
     double brightest = 0;                           ///< luminance
     bool any_volume = false, only_volumes = false;  ///< no direction hits a volume
     Box cube;
@@ -116,6 +121,7 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
     state_->eye = scene.eye;
+    state_->view = scene.view;
     state_->coarse = std::clamp(coarse_pixels * scene.pixel, min_coarse, greatest_coarse);
     state_->tree = LightTree(scene.luminaires);
     if (scene.luminaires.empty()) return;
@@ -123,7 +129,6 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     lights.box = state_->tree.box(state_->tree.root());
     Box cube = cube_to_light(scene, {&lights, 1});
     if (cube.empty()) cube = lights.box;
-    state_->unit = std::fmax(max_component(cube.size()), 1e-100);
     state_->ball = ball_around(lights.box, scene.luminaires);
     for (const Luminaire& luminaire : scene.luminaires)
         state_->brightest = std::fmax(state_->brightest, luminance(luminaire.radiance));
@@ -140,15 +145,23 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     cell->box = box;
     cell->depth = parent.depth + 1;
     cell->in_air = parent.in_air;
-    cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule, state_->unit);
+    cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule);
     const double coarse = state_->coarse * (cell->in_air ? coarser_in_air : 1);
-    const double limit = state_->eye ? coarse * length(box.centre() - *state_->eye) : 0;
-    const bool small = length(box.size()) <= limit, large = state_->eye && !small,
+    const double away = state_->eye ? length(box.centre() - *state_->eye) : 0;
+    const double size = length(box.size());
+    // However large the scene is, a cell is no larger than what is seen in it.
+    const double widest = state_->eye        ? std::fmax(coarse, greatest_coarse) * away
+                          : state_->view > 0 ? most_views * state_->view
+                                             : INFINITY;
+    const bool too_large = size > widest;
+    const bool small = size <= coarse * away, large = too_large || (state_->eye && !small),
                learns = probe && !state_->settings.alone;
     const double noise = cell->cut->noise(), bound = state_->rule.noise;
-    const bool uneven = large ? noise > bound || (learns && cell->cut->entries() > 1)
+    const bool several = cell->cut->entries() > 1;
+    const bool uneven = large ? noise > bound || ((learns || too_large) && several)
                               : !(learns && small) && noise > divided_above * bound;
-    if (uneven && cell->depth < state_->settings.max_depth)
+    const int depth_limit = state_->settings.max_depth + (too_large ? more_levels : 0);
+    if (uneven && cell->depth < depth_limit)
         cell->cut.reset();
     else if (learns)
         cell->survey = survey(*cell, *cell->cut, *probe);

@@ -10,8 +10,13 @@ namespace candelabra {
 
 namespace {
 
-/// Minimum fraction of the whole strength: single precision would lose smaller ones.
+/// Minimum strength, relative to the entry that lights the cell most: single precision would lose
+/// smaller ones.
 constexpr double min_strength = 1e-24;
+/// Distance in sizes of the cell to which farther and larger entries are brought in, in the same
+/// direction and with the same light: products of their distances stay in the range of single
+/// precision.
+constexpr double farthest = 0x1p36;
 /// Radius over distance at which rounding in single precision may still lift an entry above the
 /// horizon.
 constexpr float slack = 1e-6f;
@@ -229,39 +234,55 @@ LightProxy exact_proxy(const Luminaire& luminaire) {
 }  // namespace
 
 LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires, const Box& cell,
-                   const CutRule& rule, double unit)
-    : middle_(cell.centre()), scale_(1 / unit) {
+                   const CutRule& rule)
+    : middle_(cell.centre()), scale_(1 / std::fmax(max_component(cell.size()), 1e-100)) {
     RefinedCut refined = refined_cut(tree, cell, rule);
     noise_ = refined.noise;
     clusters_ = std::move(refined.clusters);
-    const LightProxy all = tree.light_proxy(tree.root());
-    const double whole = all.strength * all.radius;
     rows_ = (clusters_.size() + block - 1) / block * block;
     sources_ = tree.falloff(tree.root()) != nullptr;
     values_.assign((sources_ ? source_columns : columns) * rows_, 0);
     std::fill_n(column(radius), rows_, 1.0f);
+    std::vector<LightProxy> proxies;
+    double greatest = 0;
+    for (const LightCluster& c : clusters_) {
+        proxies.push_back(c.count == 1 ? exact_proxy(luminaires[tree.light(c.first)])
+                                       : tree.light_proxy(c));
+        greatest = std::fmax(greatest, light_in_cell(proxies.back()));
+    }
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
-        const LightCluster& c = clusters_[i];
-        LightProxy g =
-            c.count == 1 ? exact_proxy(luminaires[tree.light(c.first)]) : tree.light_proxy(c);
-        g.strength /= whole;
-        fill(i, g);
-        if (sources_) fill(i, *tree.falloff(c));
+        LightProxy& g = proxies[i];
+        const double size = std::fmax(length(g.centre - middle_), g.radius) * scale_;
+        const double nearer = std::fmin(farthest / size, 1);
+        if (greatest > 0) g.strength /= greatest;
+        fill(i, g, nearer);
+        if (sources_) fill(i, *tree.falloff(clusters_[i]), nearer);
     }
 }
 
-void LightCut::fill(std::size_t entry, const LightProxy& g) {
-    const Vec3 place = (g.centre - middle_) * scale_;
+/// Light of an entry about the cell, up to a constant factor.
+double LightCut::light_in_cell(const LightProxy& g) const {
+    const double intensity = g.strength * g.radius;
+    if (sources_) return intensity;  // their falloff is not that of their distance
+    const Vec3 v = (g.centre - middle_) * scale_;
+    const double r = g.radius * scale_;
+    return intensity / (dot(v, v) + r * r + 1);
+}
+
+void LightCut::fill(std::size_t entry, const LightProxy& g, double nearer) {
+    const double scale = scale_ * nearer;
+    const Vec3 place = (g.centre - middle_) * scale;
     // Rounding must not move any of it below a horizon that it is above.
-    const double rounding = 4e-7 * (max_abs_component(place) + 1e-3);
-    const double r = g.radius * scale_ + rounding;
+    const double rounding = 4e-7 * (max_abs_component(place) + 1);
+    const double r = g.radius * scale + rounding;
     column(x)[entry] = static_cast<float>(place.x);
     column(y)[entry] = static_cast<float>(place.y);
     column(z)[entry] = static_cast<float>(place.z);
     column(radius)[entry] = static_cast<float>(r);
-    const double share = std::fmax(g.strength * g.radius, min_strength);
+    const double brought = sources_ ? 1 : nearer * nearer;
+    const double share = std::fmax(g.strength * g.radius * brought, min_strength);
     column(strength)[entry] = static_cast<float>(share / r);
-    const Vec3 half = glm::min(g.half * scale_ + rounding, r);
+    const Vec3 half = glm::min(g.half * scale + rounding, r);
     column(half_x)[entry] = static_cast<float>(half.x);
     column(half_y)[entry] = static_cast<float>(half.y);
     column(half_z)[entry] = static_cast<float>(half.z);
@@ -276,12 +297,12 @@ void LightCut::fill(std::size_t entry, const LightProxy& g) {
     turned_ = turned_ || g.axis != Vec3(0) || g.bent_normal != Vec3(0);
 }
 
-void LightCut::fill(std::size_t entry, const Falloff& f) {
+void LightCut::fill(std::size_t entry, const Falloff& f, double nearer) {
     column(axis_x)[entry] = static_cast<float>(f.axis.x);
     column(axis_y)[entry] = static_cast<float>(f.axis.y);
     column(axis_z)[entry] = static_cast<float>(f.axis.z);
     column(fade_power)[entry] = f.fades() ? static_cast<float>(f.fade_power) : 0;
-    const double distance = f.fades() ? std::fmax(f.fade_distance * scale_, 1e-30) : 1;
+    const double distance = f.fades() ? std::fmax(f.fade_distance * scale_ * nearer, 1e-30) : 1;
     column(per_fade_distance)[entry] = static_cast<float>(1 / distance);
     const double least = std::cos(f.dark), wide = std::fmax(std::cos(f.bright) - least, cone_slack);
     column(dark)[entry] = f.all_around() ? -10 : static_cast<float>(least);

@@ -21,9 +21,8 @@ struct CutWeights {
 
 class LightCut {
 public:
-    /// A pure function of its arguments. `unit` is a length of about the size of the scene.
-    LightCut(const LightTree&, std::span<const Luminaire>, const Box& cell, const CutRule&,
-             double unit);
+    /// A pure function of its arguments.
+    LightCut(const LightTree&, std::span<const Luminaire>, const Box& cell, const CutRule&);
 
     /// Expected variance of the choice over the squared mean, by a rough bound, without single
     /// luminaires that outshine all others.
@@ -74,13 +73,17 @@ private:
 
     struct Rough;
     Rough rough(const Receiver&) const;
-    void fill(std::size_t entry, const LightProxy&);
-    void fill(std::size_t entry, const Falloff&);
+    double light_in_cell(const LightProxy&) const;
+    /// `nearer`: factor on the entry's distance and size.
+    void fill(std::size_t entry, const LightProxy&, double nearer);
+    void fill(std::size_t entry, const Falloff&, double nearer);
     float* column(Column c) { return values_.data() + c * rows_; }
     const float* column(Column c) const { return values_.data() + c * rows_; }
 
+    // All lengths are in units of the cell's size: what single precision rounds off is small as
+    // seen from the cell, at any scale of the scene.
     Vec3 middle_;
-    double scale_ = 1;  ///< of lengths
+    double scale_ = 1;
     std::size_t rows_ = 0;
     bool turned_ = false;  ///< whether any entry is flat, or has a bent normal
     bool sources_ = false;

@@ -15,6 +15,9 @@ constexpr int tree_halved_below = 64;
 /// Nodes with more luminaires are only cut across their longest side: the axis matters little
 /// there, but time does.
 constexpr std::uint32_t many_luminaires = 1u << 12;
+/// Least intensity, as a fraction of all, above which whole places of LightPlaces tell the
+/// intensities apart well.
+constexpr double wide_range = 0x1p-40;
 
 using Float3 = std::array<float, 3>;
 
@@ -35,10 +38,10 @@ struct Bin {
         count += other.count;
     }
     /// Cost of the node: its surface times its strength, as fractions that are never quite 0.
-    float cost() const {
+    double cost() const {
         if (count == 0) return 0;
-        const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-        return (x * y + y * z + z * x) * (intensity + 1e-12f);
+        const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+        return (x * y + y * z + z * x) * (intensity + 1e-12);
     }
 };
 
@@ -62,6 +65,23 @@ std::array<std::int8_t, 3> in_bytes(const Vec3& v, double unit) {
     return {part(0), part(1), part(2)};
 }
 
+/// The median centre, from at most about a thousand luminaires: a few far ones do not take the
+/// others' precision.
+Vec3 middle_of(std::span<const LightBounds> lights) {
+    constexpr std::size_t enough = 1024;
+    const std::size_t step = 1 + lights.size() / enough;
+    std::vector<double> places;
+    Vec3 result;
+    for (int axis = 0; axis < 3; ++axis) {
+        places.clear();
+        for (std::size_t i = 0; i < lights.size(); i += step)
+            places.push_back(lights[i].centre[axis]);
+        std::ranges::sort(places);
+        result[axis] = places[places.size() / 2];
+    }
+    return result;
+}
+
 }  // namespace
 
 class LightTreeBuilder {
@@ -71,14 +91,17 @@ public:
         std::vector<LightBounds> lights;
         lights.reserve(luminaires.size());
         Box all;
-        double sum = 0;
+        double sum = 0, least = INFINITY;
         for (const Luminaire& luminaire : luminaires) {
             lights.push_back(bounds(luminaire));
             all = join(all, lights.back().box);
             sum += lights.back().intensity;
+            if (lights.back().intensity > 0) least = std::fmin(least, lights.back().intensity);
         }
-        tree_.origin_ = all.centre();
-        tree_.size_ = max_component(all.size());
+        if (least < wide_range * sum) tree_.intensities_.resize(2 * lights.size() - 1);
+        tree_.origin_ = middle_of(lights);
+        tree_.size_ = std::fmax(max_abs_component(all.low - tree_.origin_),
+                                max_abs_component(all.high - tree_.origin_));
         items_.reserve(lights.size());
         for (const LightBounds& light : lights) {
             Item item{};
@@ -132,7 +155,7 @@ private:
         int depth;
     };
     struct Split {
-        float cost = INFINITY;
+        double cost = INFINITY;
         int axis = -1;
         int bin = 0;  ///< first one of the second half
         float low = 0, scale = 0;
@@ -156,7 +179,7 @@ private:
             b.intensity += items_[i].intensity;
             ++b.count;
         }
-        std::array<float, tree_bins> upper{};
+        std::array<double, tree_bins> upper{};
         Bin behind;
         for (int b = tree_bins - 1; b > 0; --b) {
             behind.add(bin[b]);
@@ -256,6 +279,7 @@ private:
             const Shine before = shine(first);
             sum = join(before, shine(second));
         }
+        if (!tree_.intensities_.empty()) tree_.intensities_[cluster.node] = sum.all;
         const bool plain = !(sum.flat > 0) && sum.bent_normal == Vec3(0);
         if (plain || !(sum.all > 0)) return sum;
         LightTreeNode& node = tree_.nodes_[cluster.node];
@@ -292,7 +316,7 @@ LightProxy LightTree::light_proxy(const LightCluster& c) const {
     const double radius = 0.5 * length(around.size()) + rounding + 1e-150;
     return {around.centre(),
             radius,
-            static_cast<double>(strength(c)) * unit_ / radius,
+            intensity(c) / radius,
             Vec3(n.axis[0], n.axis[1], n.axis[2]) / 127.0,
             n.evenness / 255.0,
             0.5 * around.size() + rounding,
@@ -306,14 +330,37 @@ std::uint64_t LightTree::strength(const LightCluster& c) const {
     return strengths_.end(c.first + c.count - 1) - strength_before(c);
 }
 
+double LightTree::intensity(const LightCluster& c) const {
+    return intensities_.empty() ? static_cast<double>(strength(c)) * unit_ : intensities_[c.node];
+}
+
 bool LightTree::dark(const LightCluster& c) const { return strength(c) == 0; }
 
 double LightTree::share(const LightCluster& c, std::uint32_t place) const {
-    return static_cast<double>(strengths_.of(place)) / static_cast<double>(strength(c));
+    if (intensities_.empty())
+        return static_cast<double>(strengths_.of(place)) / static_cast<double>(strength(c));
+    LightCluster here = c;
+    while (here.count > 1) {
+        const auto [first, second] = halves(here);
+        here = first.holds(place) ? first : second;
+    }
+    return intensity(here) / intensity(c);
 }
 
 std::uint32_t LightTree::draw(const LightCluster& c, double u) const {
     if (c.count == 1) return c.first;
+    if (!intensities_.empty()) {
+        double target = u * intensity(c);
+        LightCluster here = c;
+        while (here.count > 1) {
+            const auto [first, second] = halves(here);
+            const double before = intensity(first);
+            const bool in_first = dark(second) || (target < before && !dark(first));
+            if (!in_first) target -= before;
+            here = in_first ? first : second;
+        }
+        return here.first;
+    }
     const std::uint64_t all = strength(c);
     const auto drawn = static_cast<std::uint64_t>(u * static_cast<double>(all));
     return strengths_.at(strength_before(c) + std::min(drawn, all - 1));
@@ -321,8 +368,8 @@ std::uint32_t LightTree::draw(const LightCluster& c, double u) const {
 
 std::size_t LightTree::memory_bytes() const {
     return nodes_.capacity() * sizeof(LightTreeNode) + falloffs_.capacity() * sizeof(Falloff) +
-           order_.capacity() * sizeof(LightIndex) + place_of_.capacity() * sizeof(std::uint32_t) +
-           strengths_.memory_bytes();
+           intensities_.capacity() * sizeof(double) + order_.capacity() * sizeof(LightIndex) +
+           place_of_.capacity() * sizeof(std::uint32_t) + strengths_.memory_bytes();
 }
 
 }  // namespace candelabra

@@ -73,9 +73,11 @@ private:
 
     std::uint64_t strength_before(const LightCluster&) const;
     std::uint64_t strength(const LightCluster&) const;
+    double intensity(const LightCluster&) const;
 
     std::vector<LightTreeNode> nodes_;  ///< depth first
     std::vector<Falloff> falloffs_;     ///< of the nodes; empty if there are no light sources
+    std::vector<double> intensities_;   ///< of the nodes, if their range is very wide; else empty
     std::vector<LightIndex> order_;
     std::vector<std::uint32_t> place_of_;
     LightPlaces strengths_;  ///< in the tree's order

@@ -26,7 +26,8 @@ struct LightScene {
     std::span<const Box> surfaces;
     std::span<const Plane> planes = {};  ///< the unbounded ones, in world space
     std::optional<Vec3> eye = {};        ///< point from which most points to be lit are seen
-    double pixel = 0.004;                ///< angle of a pixel of the picture, in radians
+    double view = 0;       ///< size of the view of a camera without an eye; 0: not known
+    double pixel = 0.004;  ///< angle of a pixel of the picture, in radians
 };
 
 }  // namespace candelabra

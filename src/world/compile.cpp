@@ -199,6 +199,17 @@ double pixel_angle(const Projection& camera, const CompileOptions& options) {
     return std::sqrt(across * down);
 }
 
+/// Size of the place where the rays of a camera without an eye start.
+double view_size(const Projection& camera) {
+    Box starts;
+    for (const double u : {-0.5, 0.0, 0.5})
+        for (const double v : {-0.5, 0.0, 0.5}) {
+            const Ray ray = camera.ray(u, v);
+            if (ray.direction != Vec3(0)) starts = join(starts, ray.origin);
+        }
+    return starts.empty() ? 0 : length(starts.size());
+}
+
 /// Builds the index structures and light samplers of a flattened world.
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.rules.settings.light_sampler = *options.light_sampler;
@@ -218,7 +229,10 @@ void build_indices(World& world, const CompileOptions& options) {
     const std::vector<Plane> planes = world_planes(world.geometry);
     LightScene lit{world.lights.luminaires, boxes, planes};
     lit.pixel = pixel_angle(world.view.camera, options);
-    if (!world.view.camera.parallel) lit.eye = world.view.camera.location;
+    if (world.view.camera.parallel)
+        lit.view = view_size(world.view.camera);
+    else
+        lit.eye = world.view.camera.location;
     const auto* octree = std::get_if<LightOctree>(&world.rules.settings.light_sampler);
     if (octree && !octree->paper) find_bent_normals(world, lit.eye, options.threads);
     world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);

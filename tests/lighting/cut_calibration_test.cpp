@@ -14,7 +14,7 @@ TEST_CASE("entries of which nothing arrives count little, but not nothing", "[li
         luminaires.push_back(glowing(SphereEmitter{Vec3(i % 2 ? 30 : -30, 20, i - 10), 0.3}, 5));
     const LightTree tree(luminaires);
     const Box cell{Vec3(-1, -0.1, -1), Vec3(1, 0.1, 1)};
-    const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 60);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 64});
     double wall_passes = 0;
     const auto probe = [&](const Ray& ray, double tolerance) -> std::optional<ProbeHit> {
         if (ray.direction.x < 0 && tolerance < 5)

@@ -28,7 +28,7 @@ TEST_CASE("a cut holds every luminaire once", "[lighting]") {
         for (const int most : {1, 7, 64, 256}) {
             const std::vector<Luminaire> luminaires = lamps(count);
             const LightTree tree(luminaires);
-            const LightCut cut(tree, luminaires, cell, {1e-9, most}, 10);
+            const LightCut cut(tree, luminaires, cell, {1e-9, most});
             CHECK(cut.entries() <= static_cast<std::size_t>(most));
             std::uint32_t next = 0;
             for (std::size_t i = 0; i < cut.entries(); ++i) {
@@ -46,12 +46,12 @@ TEST_CASE("more entries make less noise, and the bound is kept where they suffic
     const LightTree tree(luminaires);
     double last = std::numeric_limits<double>::infinity();
     for (const int most : {1, 16, 64, 256}) {
-        const LightCut cut(tree, luminaires, cell, {1e-9, most}, 10);
+        const LightCut cut(tree, luminaires, cell, {1e-9, most});
         CHECK(cut.noise() < last);
         last = cut.noise();
     }
     CHECK(last == Approx(0).margin(1e-12));
-    const LightCut loose(tree, luminaires, cell, {0.5, 256}, 10);
+    const LightCut loose(tree, luminaires, cell, {0.5, 256});
     CHECK(loose.noise() <= 0.5);
     CHECK(loose.entries() < 150);
 }
@@ -63,7 +63,7 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
         luminaires.push_back(
             glowing(SphereEmitter{draw.point(5), 0.1}, std::pow(10, draw.between(-2, 2))));
     const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 64});
     REQUIRE(cut.entries() == 40);
     for (int i = 0; i < 100; ++i) {
         const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};
@@ -87,7 +87,7 @@ TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
     for (int i = 0; i < 60; ++i)
         luminaires.push_back(glowing(SphereEmitter{draw.point(5), 0.01}, 1));
     const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 64});
     REQUIRE(cut.entries() == 60);
     for (int i = 0; i < 100; ++i) {
         const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};
@@ -130,7 +130,7 @@ TEST_CASE("an entry with a bent normal weighs less behind itself, but something 
         luminaires.push_back(glowing(SphereEmitter{Vec3(500, 0, 10), 1}));
         const LightTree tree(luminaires);
         for (const int most : {2, 64}) {
-            const LightCut cut(tree, luminaires, cell, {1e-9, most}, 10);
+            const LightCut cut(tree, luminaires, cell, {1e-9, most});
             const auto seen_from = [&](double z) {
                 CutWeights weights;
                 cut.weigh({Vec3(0, 0, z), Vec3(0, 0, z < 10 ? 1 : -1)}, weights);
@@ -163,7 +163,7 @@ TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim
                                      std::pow(10, draw.between(-2, 2))));
     }
     const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 64});
     // Cones that miss the cell need not be distinguished.
     REQUIRE(cut.entries() > 30);
     for (int i = 0; i < 100; ++i) {
@@ -187,7 +187,7 @@ TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim
 TEST_CASE("entries are found in proportion to their weights", "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(100);
     const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, cell, {1e-9, 50}, 10);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 50});
     CutWeights weights;
     cut.weigh({Vec3(0.3), Vec3(0, 1, 0)}, weights);
     std::vector<double> counted(cut.entries());

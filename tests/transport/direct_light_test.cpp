@@ -116,4 +116,67 @@ TEST_CASE("a point light gives POV-Ray's colour", "[render]") {
     CHECK(mean_light(world, 1, 1) == Approx(0.8 * 0.5 * 2 * 0.8));
 }
 
+namespace {
+
+struct Strategy {
+    const char* name;
+    LightSampler sampler;
+};
+
+/// All strategies but constant_alpha, whose noise is great.
+std::vector<Strategy> strategies() {
+    LightOctree alone, paper;
+    alone.alone = true;
+    paper.paper = true;
+    LightBvh pair;
+    pair.mis = true;
+    return {{"every_light", EveryLight{}},
+            {"linear_alpha", LinearAlpha{}},
+            {"light_octree", LightOctree{}},
+            {"alone", alone},
+            {"paper", paper},
+            {"light_bvh", LightBvh{}},
+            {"mis", pair}};
+}
+
+double mean_with(const std::string& text, const LightSampler& sampler, int count) {
+    Diagnostics diagnostics;
+    CompileOptions options;
+    options.light_sampler = sampler;
+    return mean_light(compile(scene_of("#version 3.7; " + text), options, diagnostics), 1, count);
+}
+
+const std::string white_floor =
+    "box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 1 } finish { ambient 0 diffuse 1 } } ";
+
+}  // namespace
+
+TEST_CASE("a far large lamp and near small ones keep their light at any distance", "[render]") {
+    // A sun of the same apparent size at every distance, and a ring of lamps.
+    const auto scene = [](double distance, int lamps, const std::string& camera) {
+        const std::string d = std::to_string(distance);
+        return "#declare D = pow(10, " + d + "); #declare N = " + std::to_string(lamps) + "; " +
+               camera +
+               "box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.7 } finish { ambient 0 diffuse 1 } } "
+               "sphere { <0, D, 0>, 0.2*D pigment { rgb 1 } finish { emission 10 diffuse 0 } } "
+               "#for (I, 0, N - 1) sphere { <sin(2*pi*I/N)*2, .5, cos(2*pi*I/N)*2>, .02 "
+               "pigment { rgb 1 } finish { emission 4100/N diffuse 0 } } #end ";
+    };
+    const std::string eye = "camera { location <0, 3, -6> look_at 0 } ",
+                      parallel =
+                          "camera { orthographic location <0, 3, -6> look_at 0 "
+                          "right 8*x up 6*y } ";
+    for (const int lamps : {41, 300})
+        for (const std::string& camera : {eye, parallel}) {
+            const double expected = mean_with(scene(3, lamps, camera), LinearAlpha{}, 20000);
+            for (const double distance : {3.0, 5.0, 6.0, 7.0, 9.0, 15.0, 37.5})
+                for (const Strategy& strategy : strategies()) {
+                    if (std::holds_alternative<EveryLight>(strategy.sampler)) continue;
+                    CAPTURE(lamps, camera, distance, strategy.name);
+                    CHECK(mean_with(scene(distance, lamps, camera), strategy.sampler, 6000) ==
+                          Approx(expected).epsilon(0.1));
+                }
+        }
+}
+
 }  // namespace candelabra
