@@ -231,4 +231,28 @@ TEST_CASE("parts of a union that overlap bend light as in POV-Ray", "[render]") 
     CHECK(seen(away + "merge { " + rest, from, towards).x == Approx(0.7244).margin(1e-4));
 }
 
+TEST_CASE(
+    "radiosity counts the first surface for light of lamps, and not of light sources, as POV-Ray",
+    "[render]") {
+    // A light in the middle of a ball of radius 1: each reflection multiplies the radiance by 0.5.
+    const std::string lamp =
+        "sphere { 0, 0.01 pigment { rgb 1 } finish { diffuse 0 emission 1e4 } }";
+    for (const std::string& light : {std::string("light_source { 0, rgb 1 }"), lamp})
+        for (int limit = 1; limit <= 3; ++limit) {
+            const World world = world_of(
+                "#version 3.7; #default { finish { ambient 0 diffuse 1 } } "
+                "global_settings { radiosity { recursion_limit " +
+                std::to_string(limit) + " } } sphere { 0, 1 hollow pigment { rgb 0.5 } } " + light);
+            Integrator integrator(world, {});
+            double sum = 0, expected = 0;
+            Key key;
+            for (key.sample = 0; key.sample < 2000; ++key.sample)
+                sum += integrator.radiance({Vec3(0.3, 0.1, 0.2), unit(Vec3(3, 1, 2))}, key).x;
+            const int reflections = limit + (light == lamp ? 0 : 1);
+            for (int i = 1; i <= reflections; ++i) expected += std::pow(0.5, i);
+            CAPTURE(light, limit);
+            CHECK(sum / 2000 == Approx(expected).epsilon(0.01));
+        }
+}
+
 }  // namespace candelabra
