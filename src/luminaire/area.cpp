@@ -262,12 +262,12 @@ void intersect(const AreaEmitter& e, const Receiver& point, const Vec3& directio
     }
 }
 
-std::optional<EmittedRay> emit(const AreaEmitter& e, const Vec2& where, const Vec2& direction) {
-    const SurfacePoint drawn = sample_area(e.shape, where);
+std::optional<EmittedRay> emit(const AreaEmitter& e, double inner, const EmissionDraw& u) {
+    const SurfacePoint drawn = sample_area(e.shape, u.where);
     const Vec3 stretched = stretched_normal(e, drawn.normal);
     const double per_area = 1 / (surface_area(e.shape) * length(stretched));
-    return emitted_ray(to_world_point(e, drawn.position), unit(stretched), per_area, direction,
-                       true);
+    return emitted_ray(to_world_point(e, drawn.position), unit(stretched), per_area,
+                       closed(e) ? inner : 0.5, u);
 }
 
 double emitting_area(const AreaEmitter& e) {

@@ -13,7 +13,7 @@ double unoccluded(const AreaEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const AreaEmitter&, const Vec3& from, const Vec2& u);
 std::optional<LightPoint> sample(const AreaEmitter&, const Receiver&, const Vec2& u);
 void intersect(const AreaEmitter&, const Receiver&, const Vec3& direction, LightHits&);
-std::optional<EmittedRay> emit(const AreaEmitter&, const Vec2& where, const Vec2& direction);
+std::optional<EmittedRay> emit(const AreaEmitter&, double inner, const EmissionDraw&);
 double emitting_area(const AreaEmitter&);
 std::vector<BrightFace> flat_faces(const AreaEmitter&);
 

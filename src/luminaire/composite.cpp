@@ -2,10 +2,12 @@
 #include "luminaire/composite.h"
 
 #include "base/random.h"
+#include "base/short_list.h"
 #include "luminaire/guide.h"
 #include "luminaire/light_proxy.h"
 #include "shape/tessellation.h"
 
+#include <algorithm>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -37,10 +39,9 @@ double rim(const Around& ball, double distance) {
     return sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
 }
 
-std::optional<double> intersect(const CompositeEmitter& e, const Ray& ray, double from) {
-    const auto own = [&](std::uint32_t leaf) { return leaf == e.leaf; };
-    const auto met = e.composite->first(ray, Interval{from}, own);
-    return met ? std::optional(met->t) : std::nullopt;
+std::optional<Composite::Meeting> first_of(const CompositeEmitter& e, const Ray& ray, double from) {
+    return e.composite->first(ray, Interval{from},
+                              [&](std::uint32_t leaf) { return leaf == e.leaf; });
 }
 
 /// Returns the direction for u, uniform in the cone around `middle`.
@@ -72,6 +73,7 @@ double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
 struct SeenRays {
     static constexpr std::uint32_t rays = 512;
     std::vector<Ray> met;
+    bool closed = true;  ///< whether none of them meets the inner side first
 
     SeenRays(const CompositeEmitter& e, const Around& ball) {
         for (std::uint32_t i = 0; i < rays; ++i) {
@@ -85,7 +87,10 @@ struct SeenRays {
             const double angle = 2 * pi * number(1, Purpose::light_v);
             const Vec3 through = ball.centre + off * (std::cos(angle) * x + std::sin(angle) * y);
             const Ray ray{through - 2 * ball.radius * direction, direction};
-            if (intersect(e, ray, 0)) met.push_back(ray);
+            const auto hit = first_of(e, ray, 0);
+            if (!hit) continue;
+            met.push_back(ray);
+            closed = closed && dot(hit->normal, direction) < 0;
         }
     }
 };
@@ -205,6 +210,7 @@ struct Measured {
         : emitter{std::move(composite), leaf, 0}, ball(emitter), survey(emitter, ball) {
         const auto met = static_cast<double>(survey.met.size());
         emitter.seen_area = std::fmax(met, 0.5) / SeenRays::rays * pi * ball.radius * ball.radius;
+        emitter.closed = survey.closed;
     }
 };
 
@@ -281,36 +287,55 @@ std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, co
     const auto drawn = draw_direction(e, from, u);
     if (!drawn) return {};
     const Ray ray{from, drawn->direction};
-    const auto distance = intersect(e, ray, clearance * Around(e).radius);
-    if (!distance) return {};
-    return LightPoint{ray.at(*distance), ray.direction, *distance, drawn->density};
+    const auto met = first_of(e, ray, clearance * Around(e).radius);
+    if (!met) return {};
+    return LightPoint{ray.at(met->t), ray.direction, met->t, drawn->density};
 }
 
 void intersect(const CompositeEmitter& e, const Receiver& point, const Vec3& direction,
                LightHits& met) {
     const Around ball(e);
-    const auto distance = intersect(e, {point.position, direction}, clearance * ball.radius);
-    if (distance) met.push_back({*distance, density(e, ball, point.position, direction)});
+    const auto first = first_of(e, {point.position, direction}, clearance * ball.radius);
+    if (first) met.push_back({first->t, density(e, ball, point.position, direction)});
 }
 
-std::optional<EmittedRay> emit(const CompositeEmitter& e, const Vec2& where,
-                               const Vec2& direction) {
-    // As seen from far away: a line through the ball, reversed from its first point on the leaf.
+std::optional<EmittedRay> emit(const CompositeEmitter& e, double inner, const EmissionDraw& u) {
+    // A directed line through the ball, followed from one of the points where it meets the leaf:
+    // every point has light in every direction, also where the leaf itself is in the way.
     const Around ball(e);
-    const Vec3 inward = in_cone(Vec3(0, 0, 1), 2, direction);
-    const auto [x, y] = perpendiculars(inward);
-    const double off = ball.radius * std::sqrt(where.x), angle = 2 * pi * where.y;
+    const Vec3 along = in_cone(Vec3(0, 0, 1), 2, u.direction);
+    const auto [x, y] = perpendiculars(along);
+    const double off = ball.radius * std::sqrt(u.where.x), angle = 2 * pi * u.where.y;
     const Vec3 through = ball.centre + off * (std::cos(angle) * x + std::sin(angle) * y);
-    const Ray line{through - 2 * ball.radius * inward, inward};
-    const auto own = [&](std::uint32_t leaf) { return leaf == e.leaf; };
-    const auto met = e.composite->first(line, Interval{0}, own);
-    if (!met) return {};
-    Vec3 normal = unit(met->normal);
-    if (dot(normal, inward) > 0) normal = -normal;
+    const Ray line{through - 2 * ball.radius * along, along};
+    const double from_inside = e.closed ? inner : 0.5;
+    const auto weight = [&](const Composite::Meeting& met) {
+        return dot(met.normal, along) < 0 ? from_inside : 1 - from_inside;
+    };
+    ShortList<Composite::Meeting, 8> found;
+    double sum = 0;
+    e.composite->all(
+        line, Interval{0}, [&](std::uint32_t leaf) { return leaf == e.leaf; },
+        [&](const Composite::Meeting& met) {
+            found.push_back(met);
+            sum += weight(met);
+        });
+    std::ranges::sort(found, {}, &Composite::Meeting::t);
+    const Composite::Meeting* drawn = nullptr;
+    double left = u.side * sum;
+    for (const Composite::Meeting& met : found) {
+        drawn = &met;
+        left -= weight(met);
+        if (left < 0) break;
+    }
+    if (!drawn) return {};
+    Vec3 normal = unit(drawn->normal);
+    if (dot(normal, along) < 0) normal = -normal;
     // Lines have a uniform density per area perpendicular to them.
     const double per_crossed_area = 1 / (pi * ball.radius * ball.radius);
-    return EmittedRay{
-        {line.at(met->t), -inward}, normal, per_crossed_area * -dot(normal, inward) / (4 * pi)};
+    return EmittedRay{{line.at(drawn->t), along},
+                      normal,
+                      weight(*drawn) / sum * per_crossed_area * dot(normal, along) / (4 * pi)};
 }
 
 double emitting_area(const CompositeEmitter& e) { return 4 * e.seen_area; }

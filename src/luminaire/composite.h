@@ -26,7 +26,7 @@ std::optional<LightDirection> draw_direction(const CompositeEmitter&, const Vec3
 double direction_density(const CompositeEmitter&, const Vec3& from, const Vec3& direction);
 std::optional<LightPoint> sample(const CompositeEmitter&, const Vec3& from, const Vec2& u);
 void intersect(const CompositeEmitter&, const Receiver&, const Vec3& direction, LightHits&);
-std::optional<EmittedRay> emit(const CompositeEmitter&, const Vec2& where, const Vec2& direction);
+std::optional<EmittedRay> emit(const CompositeEmitter&, double inner, const EmissionDraw&);
 double emitting_area(const CompositeEmitter&);
 
 }  // namespace candelabra

@@ -13,21 +13,18 @@
 
 namespace candelabra {
 
-EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area, Vec2 direction,
-                       bool both_sides) {
-    Vec3 side = normal;
-    if (both_sides) {
-        if (direction.x >= 0.5) side = -normal;
-        direction.x = direction.x < 0.5 ? 2 * direction.x : 2 * direction.x - 1;
-    }
-    const Vec3 towards = cosine_direction(side, direction);
-    const double share = both_sides ? 0.5 : 1;
+EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area, double inner,
+                       const EmissionDraw& u) {
+    const bool from_inside = u.side < inner;
+    const Vec3 side = from_inside ? -normal : normal;
+    const Vec3 towards = cosine_direction(side, u.direction);
+    const double share = from_inside ? inner : 1 - inner;
     return {{position, towards}, side, per_area * share * dot(towards, side) / std::numbers::pi};
 }
 
-std::optional<EmittedRay> emit(const Luminaire& luminaire, const Vec2& where,
-                               const Vec2& direction) {
-    return std::visit([&](const auto& e) { return emit(e, where, direction); }, luminaire.emitter);
+std::optional<EmittedRay> emit(const Luminaire& luminaire, const EmissionDraw& u) {
+    return std::visit([&](const auto& e) { return emit(e, luminaire.inner_rays, u); },
+                      luminaire.emitter);
 }
 
 }  // namespace candelabra

@@ -8,9 +8,9 @@
 namespace candelabra {
 
 /// Returns a ray from a point that was drawn with the density `per_area`. Its direction is drawn in
-/// proportion to the cosine to the unit normal, on the normal's side, or on both sides if
-/// `both_sides` is set.
-EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area, Vec2 direction,
-                       bool both_sides);
+/// proportion to the cosine to the unit normal, on the normal's side or, with probability `inner`,
+/// on the other one.
+EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area, double inner,
+                       const EmissionDraw&);
 
 }  // namespace candelabra

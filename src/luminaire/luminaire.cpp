@@ -22,12 +22,13 @@ constexpr double evenly = 0.25;
 /// Lower bound of the mean brightness as a fraction of the maximum.
 constexpr double min_mean = 1e-3;
 
-/// Ratio of the mean luminance to that of the brightest point.
+/// Ratio of the mean luminance, over the surface and both sides, to that of the brightest point.
 double mean_share(const Luminaire& luminaire) {
+    const double sides = luminaire.one_sided ? 0.5 : 1;
     const auto* e = std::get_if<CompositeEmitter>(&luminaire.emitter);
-    if (!luminaire.brightness && !(e && e->mean)) return 1;
+    if (!luminaire.brightness && !(e && e->mean)) return sides;
     const double mean = luminaire.brightness ? luminaire.brightness->mean() : *e->mean;
-    return std::clamp(mean / luminance(luminaire.radiance), min_mean, 1.0);
+    return sides * std::clamp(mean / luminance(luminaire.radiance), min_mean, 1.0);
 }
 
 std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const Receiver& point,

@@ -77,6 +77,7 @@ struct CompositeEmitter {
     Handle<Guide> guide = nullptr;    ///< where most of its points are sought; null: all around
     std::optional<double> mean = {};  ///< luminance over the surface, if the guide knows it
     double unevenness = 1;            ///< mean of the squared luminance over the squared mean
+    bool closed = false;              ///< whether no inner side is visible from outside
 };
 
 /// A POV-Ray light source, which has no size. All its light passes through a ball, of which only
@@ -100,13 +101,19 @@ class Brightness;
 using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter,
                              SourceEmitter, VolumeEmitter>;
 
-/// A luminaire as the samplers see it. Surfaces emit on both sides, as they do in POV-Ray.
+/// A luminaire as the samplers see it. Surfaces emit on both sides, as they do in POV-Ray, unless
+/// they have another texture on the inner side.
 struct Luminaire {
     Emitter emitter;
-    /// Maximum radiance anywhere on it, per channel; for sources, their colour; for volumes, the
-    /// maximum emitted along a line through them.
+    /// Maximum radiance anywhere on it, on either side, per channel; for sources, their colour; for
+    /// volumes, the maximum emitted along a line through them.
     Vec3 radiance;
-    bool varying = false;                     ///< whether the radiance changes over the surface
+    bool varying = false;    ///< whether the radiance changes over the surface
+    bool two_faced = false;  ///< whether the two sides differ in radiance
+    bool one_sided = false;  ///< whether one of the sides emits nothing
+    /// Fraction of the rays of emit() that leave a closed surface on its inner side. It changes
+    /// their noise only.
+    double inner_rays = 0.5;
     Handle<Brightness> brightness = nullptr;  ///< null: unknown
     std::uint32_t primitive;  ///< index of its primitive in the world; for sources, of the light;
                               ///< for volumes, of one primitive of the enclosing solid
@@ -199,11 +206,17 @@ struct EmittedRay {
     double density;
 };
 
+/// Random numbers in [0, 1) for a ray that leaves a luminaire.
+struct EmissionDraw {
+    Vec2 where, direction;
+    double side;  ///< chooses a side, or one of the points where a line meets the surface
+};
+
 /// Returns a point of the luminaire and a direction in which it emits, drawn roughly in proportion
-/// to the emitted power; `where` and `direction` are in [0, 1)^2. The radiance along the ray times
-/// the cosine to the normal, over the density, is an unbiased estimate of the power. Returns
-/// nothing if the drawn point does not emit. Surfaces emit on all sides.
-std::optional<EmittedRay> emit(const Luminaire&, const Vec2& where, const Vec2& direction);
+/// to the emitted power. The radiance along the ray times the cosine to the normal, over the
+/// density, is an unbiased estimate of the power: every point has all directions on both sides.
+/// Returns nothing if no point is drawn.
+std::optional<EmittedRay> emit(const Luminaire&, const EmissionDraw&);
 
 /// Area of the emitting surface in world units; 0 if it cannot glow (a degenerate triangle).
 double emitting_area(const Emitter&);

@@ -31,10 +31,10 @@ std::optional<LightPoint> sample(const SourceEmitter& source, const Vec3& from, 
 
 void intersect(const SourceEmitter&, const Receiver&, const Vec3&, LightHits&) {}
 
-std::optional<EmittedRay> emit(const SourceEmitter& source, const Vec2&, const Vec2& direction) {
-    const double height = 1 - 2 * direction.x,
+std::optional<EmittedRay> emit(const SourceEmitter& source, double, const EmissionDraw& u) {
+    const double height = 1 - 2 * u.direction.x,
                  across = std::sqrt(std::fmax(1 - height * height, 0)),
-                 angle = 2 * std::numbers::pi * direction.y;
+                 angle = 2 * std::numbers::pi * u.direction.y;
     const Vec3 towards(across * std::cos(angle), across * std::sin(angle), height);
     return EmittedRay{{source.centre, towards}, Vec3(0), 1 / (4 * std::numbers::pi)};
 }

@@ -11,7 +11,7 @@ LightBounds bounds(const SourceEmitter&, double luminance);
 double unoccluded(const SourceEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const SourceEmitter&, const Vec3& from, const Vec2& u);
 void intersect(const SourceEmitter&, const Receiver&, const Vec3& direction, LightHits&);
-std::optional<EmittedRay> emit(const SourceEmitter&, const Vec2& where, const Vec2& direction);
+std::optional<EmittedRay> emit(const SourceEmitter&, double inner, const EmissionDraw&);
 double emitting_area(const SourceEmitter&);
 
 }  // namespace candelabra

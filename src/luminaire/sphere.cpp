@@ -160,11 +160,10 @@ void intersect(const SphereEmitter& s, const Receiver& point, const Vec3& direct
     met.push_back({along - half_chord, density});
 }
 
-std::optional<EmittedRay> emit(const SphereEmitter& s, const Vec2& where, const Vec2& direction) {
-    const double across = 2 * std::sqrt(where.x * (1 - where.x)), angle = 2 * pi * where.y;
-    const Vec3 normal(across * std::cos(angle), across * std::sin(angle), 1 - 2 * where.x);
-    return emitted_ray(s.centre + s.radius * normal, normal, 1 / emitting_area(s), direction,
-                       false);
+std::optional<EmittedRay> emit(const SphereEmitter& s, double inner, const EmissionDraw& u) {
+    const double across = 2 * std::sqrt(u.where.x * (1 - u.where.x)), angle = 2 * pi * u.where.y;
+    const Vec3 normal(across * std::cos(angle), across * std::sin(angle), 1 - 2 * u.where.x);
+    return emitted_ray(s.centre + s.radius * normal, normal, 1 / emitting_area(s), inner, u);
 }
 
 double emitting_area(const SphereEmitter& s) { return 4 * pi * s.radius * s.radius; }

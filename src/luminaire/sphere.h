@@ -11,7 +11,7 @@ double unoccluded(const SphereEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const SphereEmitter&, const Vec3& from, const Vec2& u);
 std::optional<LightPoint> sample(const SphereEmitter&, const Receiver&, const Vec2& u);
 void intersect(const SphereEmitter&, const Receiver&, const Vec3& direction, LightHits&);
-std::optional<EmittedRay> emit(const SphereEmitter&, const Vec2& where, const Vec2& direction);
+std::optional<EmittedRay> emit(const SphereEmitter&, double inner, const EmissionDraw&);
 double emitting_area(const SphereEmitter&);
 
 }  // namespace candelabra

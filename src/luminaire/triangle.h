@@ -10,7 +10,7 @@ LightBounds bounds(const TriangleEmitter&, double luminance);
 double unoccluded(const TriangleEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const TriangleEmitter&, const Vec3& from, const Vec2& u);
 void intersect(const TriangleEmitter&, const Receiver&, const Vec3& direction, LightHits&);
-std::optional<EmittedRay> emit(const TriangleEmitter&, const Vec2& where, const Vec2& direction);
+std::optional<EmittedRay> emit(const TriangleEmitter&, double inner, const EmissionDraw&);
 double emitting_area(const TriangleEmitter&);
 
 }  // namespace candelabra

@@ -176,11 +176,11 @@ double emitted_about(const VolumeEmitter& e, const Vec3& point) {
     return e.grid->brightness(cell_at((point - e.box.low) / e.box.size()));
 }
 
-std::optional<EmittedRay> emit(const VolumeEmitter& e, const Vec2& where, const Vec2& direction) {
-    const PlaceInVolume place = draw_place(e, where);
-    const double height = 1 - 2 * direction.x,
+std::optional<EmittedRay> emit(const VolumeEmitter& e, double, const EmissionDraw& u) {
+    const PlaceInVolume place = draw_place(e, u.where);
+    const double height = 1 - 2 * u.direction.x,
                  across = std::sqrt(std::fmax(1 - height * height, 0)),
-                 angle = 2 * pi * direction.y;
+                 angle = 2 * pi * u.direction.y;
     const Vec3 towards(across * std::cos(angle), across * std::sin(angle), height);
     return EmittedRay{{place.position, towards}, towards, place.density / (4 * pi)};
 }

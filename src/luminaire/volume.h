@@ -39,7 +39,7 @@ double unoccluded(const VolumeEmitter&, double luminance, const Receiver&);
 /// Samples by cell, and nearby also by direction, which keeps the estimate bounded.
 std::optional<LightPoint> sample(const VolumeEmitter&, const Vec3& from, const Vec2& u);
 void intersect(const VolumeEmitter&, const Receiver&, const Vec3& direction, LightHits&);
-std::optional<EmittedRay> emit(const VolumeEmitter&, const Vec2& where, const Vec2& direction);
+std::optional<EmittedRay> emit(const VolumeEmitter&, double inner, const EmissionDraw&);
 /// Mean luminance emitted per unit of length around a point of the box.
 double emitted_about(const VolumeEmitter&, const Vec3& point);
 /// Area of a surface that emits about as much light if it has the maximum radiance everywhere.

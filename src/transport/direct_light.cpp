@@ -219,14 +219,14 @@ Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, c
     if (!point) return Vec3(0);
     const Vec3 answer = answer_to(layer, point->direction, key);
     if (answer == Vec3(0)) return Vec3(0);
-    const Vec3 sent = radiance_of(world_, luminaire, point->position);
-    if (sent == Vec3(0)) return Vec3(0);
     ++ledger.shadow;
-    const Vec3 passed = light_left(layer, {position, point->direction}, point->distance);
+    const Ray ray{position, point->direction};
+    Vec3 seen = light_left(layer, ray, point->distance);
+    if (seen != Vec3(0))
+        seen *= radiance_seen(world_, {luminaire, ray, layer.vertex.tolerance(), point->distance});
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
-    const Vec3 seen = passed == Vec3(0) ? passed
-                                        : answer * gathered(layer, sent * passed) /
-                                              (pi * density(point->direction, point->density));
+    if (seen != Vec3(0))
+        seen = answer * gathered(layer, seen) / (pi * density(point->direction, point->density));
     record(ledger, pick.light, seen, layer.throughput, 1);
     return seen;
 }
@@ -271,10 +271,13 @@ Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, Light
     const Ray ray{vertex.position(), direction};
     for (const Met& met : met_) {
         ++ledger.shadow;
+        const Luminaire& luminaire = world_.lights.luminaires[met.light];
         const Vec3 passed = light_left(layer, ray, met.meeting.distance);
         if (passed == Vec3(0)) break;
-        const Luminaire& luminaire = world_.lights.luminaires[met.light];
-        const Vec3 light = passed * radiance_of(world_, luminaire, ray.at(met.meeting.distance));
+        // Something else may cover it in its place.
+        const Vec3 light = passed * radiance_seen(world_, {luminaire, ray, vertex.tolerance(),
+                                                           met.meeting.distance});
+        if (light == Vec3(0)) continue;
         const Vec3 seen = weight(met.light, met.meeting.density) * gathered(layer, light);
         record(ledger, met.light, seen, layer.throughput, 1);
         sum += seen;
@@ -308,7 +311,8 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
         const Vec3 seen =
             weights == Vec3(0)
                 ? weights
-                : weights * gathered(layer, clear * radiance_of(world_, luminaire, hit.position));
+                : weights * gathered(layer, clear * radiance_of(world_, luminaire, hit.position,
+                                                                hit.side_towards(direction)));
         record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
         met_.push_back({{distance, 0}, light});
         sum += seen;
@@ -333,7 +337,8 @@ void DirectLight::for_densities(LightIndex light, const LitLayer& layer, const V
     meetings_.clear();
     intersect(luminaire, receiver(layer.scatterer), direction, meetings_);
     for (const LightHit& meeting : meetings_)
-        if (std::abs(meeting.distance - there.distance) <= 1e-6 * there.distance + there.tolerance)
+        if (std::abs(meeting.distance - there.distance) <=
+            same_point * there.distance + there.tolerance)
             visit(meeting.density);
 }
 

@@ -60,13 +60,13 @@ void LightPaths::follow(const Key& key, double share,
     const LightIndex light = places_.at(std::min(place, places_.total() - 1));
     const Luminaire& luminaire = world_.lights.luminaires[light];
     const double chance = static_cast<double>(places_.of(light)) / places;
-    const auto emitted = emit(luminaire, place_on_light(key),
-                              {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)});
+    const auto emitted =
+        emit(luminaire, {place_on_light(key),
+                         {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
+                         uniform(key, Purpose::way_choice)});
     if (!emitted) return;
-    const Vec3 power = radiance_of(world_, luminaire, emitted->ray.origin) *
-                       (share * dot(emitted->normal, emitted->ray.direction) /
-                        (std::numbers::pi * emitted->density * chance));
-    if (power == Vec3(0)) return;
+    const double power_of_one = share * dot(emitted->normal, emitted->ray.direction) /
+                                (std::numbers::pi * emitted->density * chance);
     PathState path;
     path.ray = emitted->ray;
     path.tolerance = off_its_lamp * bounds(luminaire).radius;
@@ -80,15 +80,19 @@ void LightPaths::follow(const Key& key, double share,
         if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit)) return;
         const Vertex vertex =
             vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
-        const Vec3 left = light_left(world_,
-                                     {.ray = {vertex.position(), -path.ray.direction},
-                                      .tolerance = vertex.tolerance(),
-                                      .distance = length(vertex.position() - emitted->ray.origin),
-                                      .around = vertex.around},
-                                     path.key);
-        if (left != Vec3(0))
-            go_on({path, vertex, power * left, 0, world_.provenance.statement_of_luminaire[light]},
+        const WayOfLight way{.ray = {vertex.position(), -path.ray.direction},
+                             .tolerance = vertex.tolerance(),
+                             .distance = length(vertex.position() - emitted->ray.origin),
+                             .around = vertex.around};
+        const Vec3 left = light_left(world_, way, path.key);
+        if (left != Vec3(0)) {
+            const Vec3 seen =
+                radiance_seen(world_, {luminaire, way.ray, way.tolerance, way.distance});
+            if (seen == Vec3(0)) return;
+            go_on({path, vertex, power_of_one * left * seen, 0,
+                   world_.provenance.statement_of_luminaire[light]},
                   found);
+        }
         if (world_.passed(hit, path.ray) == Vec3(0)) return;
         path.media = interface_at(world_, path.media, hit.primitive, path.band).behind;
         path.ray.origin = vertex.position();

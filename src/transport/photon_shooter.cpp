@@ -291,33 +291,33 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
                    {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)});
     const Vec3& normal = drawn.normal;
     const Receiver entry{target.centre + target.radius * normal, normal, Horizon::one_side};
-    Vec3 start, direction;
+    Vec3 start, direction, radiance(0);
     double density = drawn.density * pick.expected / picks;
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         const auto drawn = searched->draw(entry.position, place_on_light(key));
         if (!drawn) return std::nullopt;
         direction = drawn->direction;
         density *= drawn->density;
-        bool found = false;
         world_.along({entry.position, direction}, 0, RayKind::light, [&](const Hit& hit, double) {
-            found = world_.lights.luminaire_of[hit.primitive] == pick.light;
+            if (world_.lights.luminaire_of[hit.primitive] != pick.light) return true;
             start = hit.position;
-            return !found;
+            radiance = radiance_of(world_, luminaire, start, hit.side_towards(direction));
+            return false;
         });
-        if (!found) return std::nullopt;
     } else {
         const auto point = sample(luminaire, entry, place_on_light(key));
         if (!point) return std::nullopt;
         start = point->position;
         direction = point->direction;
         density *= point->density;
+        radiance =
+            radiance_seen(world_, {luminaire, {entry.position, direction}, 0, point->distance});
     }
     const double cosine = dot(direction, normal);
-    const bool outside = length(start - target.centre) > target.radius;
-    if (!(cosine > 0 && density > 0 && outside)) return std::nullopt;
+    if (radiance == Vec3(0) || !(cosine > 0 && density > 0)) return std::nullopt;
+    if (length(start - target.centre) <= target.radius) return std::nullopt;
     shot.statement = world_.provenance.statement_of_luminaire[pick.light];
-    shot.power = radiance_of(world_, luminaire, start) *
-                 (target.radius * target.radius * cosine / (pi * density));
+    shot.power = radiance * (target.radius * target.radius * cosine / (pi * density));
     shot.ray = {start, -direction};
     shot.tolerance = away_from_lamp * length(start - entry.position);
     return shot;
@@ -328,13 +328,19 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
 std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const PhotonTarget& target,
                                                      PhotonShot shot, const Key& key) const {
     const Luminaire& luminaire = world_.lights.luminaires[light];
-    const auto emitted = emit(luminaire, place_on_light(key),
-                              {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)});
+    const auto emitted =
+        emit(luminaire, {place_on_light(key),
+                         {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)},
+                         uniform(key, Purpose::way_choice)});
     if (!emitted || length(emitted->ray.origin - target.centre) > target.radius)
         return std::nullopt;
+    // Seen from a place on the ray.
+    const Ray back{emitted->ray.at(target.radius), -emitted->ray.direction};
+    const Vec3 radiance = radiance_seen(world_, {luminaire, back, 0, target.radius});
+    if (radiance == Vec3(0)) return std::nullopt;
     shot.statement = world_.provenance.statement_of_luminaire[light];
-    shot.power = radiance_of(world_, luminaire, emitted->ray.origin) *
-                 (dot(emitted->normal, emitted->ray.direction) / (pi * emitted->density));
+    shot.power =
+        radiance * (dot(emitted->normal, emitted->ray.direction) / (pi * emitted->density));
     shot.ray = emitted->ray;
     shot.tolerance = away_from_lamp * target.radius;
     return shot;

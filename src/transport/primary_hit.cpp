@@ -30,12 +30,13 @@ const Texture* texture_at(const World& world, const PrimaryHit& seen) {
     const Texture* dominant = nullptr;
     double greatest = 0;
     if (seen.met)
-        for_visible_textures(world, seen.hit, dot(seen.hit.normal, seen.normal) < 0,
-                             [&](double share, const Texture& texture) {
-                                 if (share <= greatest) return;
-                                 greatest = share;
-                                 dominant = &texture;
-                             });
+        world.for_textures(seen.hit.primitive, seen.hit.part, seen.hit.position,
+                           seen.hit.side_towards(-seen.normal),
+                           [&](double share, const Texture& texture) {
+                               if (share <= greatest) return;
+                               greatest = share;
+                               dominant = &texture;
+                           });
     return dominant;
 }
 

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/sight.h"
 
-#include "world/volumes.h"
-
 namespace candelabra {
-
-Vec3 radiance_of(const World& world, const Luminaire& luminaire, const Vec3& position) {
-    if (luminaire.is_volume()) return volume_emission(world, luminaire.primitive, position);
-    return luminaire.varying ? world.emission(luminaire.primitive, position) : luminaire.radiance;
-}
 
 std::optional<ProbeHit> first_sight(const World& world, const Ray& ray, double tolerance) {
     Hit hit;
@@ -19,7 +12,8 @@ std::optional<ProbeHit> first_sight(const World& world, const Ray& ray, double t
     if (light != no_primitive) {
         const Luminaire& luminaire = world.lights.luminaires[light];
         result.light = light;
-        result.luminance = luminance(radiance_of(world, luminaire, hit.position));
+        result.luminance =
+            luminance(radiance_of(world, luminaire, hit.position, hit.side_towards(ray.direction)));
     }
     result.passes = luminance(world.passed(hit, ray));
     return result;

@@ -4,14 +4,11 @@
 #pragma once
 
 #include "lighting/light_guide.h"
-#include "world/world.h"
+#include "world/radiance.h"
 
 #include <optional>
 
 namespace candelabra {
-
-/// Radiance of a luminaire at one of its points; for volumes, per unit of length.
-Vec3 radiance_of(const World&, const Luminaire&, const Vec3& position);
 
 /// Nothing if the ray meets nothing.
 std::optional<ProbeHit> first_sight(const World&, const Ray&, double tolerance);

@@ -56,15 +56,6 @@ Vertex vertex_in_air(const World& world, const Ray& ray, double distance,
     return vertex;
 }
 
-void for_visible_textures(const World& world, const Hit& hit, bool from_inside,
-                          FunctionRef<void(double, const Texture&)> use) {
-    const Handle<Texture>& inner = world.material(hit.primitive).inner;
-    if (inner && from_inside)
-        use(1, *inner);
-    else
-        world.for_textures(hit.primitive, hit.part, hit.position, use);
-}
-
 void for_visible_layers(const World& world, const Vertex& vertex, double least,
                         FunctionRef<void(double, std::span<const Layer>)> use) {
     const Shading& s = vertex.shading;
@@ -72,13 +63,14 @@ void for_visible_layers(const World& world, const Vertex& vertex, double least,
     const SurfaceView view{s.position, s.normal, s.view};
     PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
     scene.view = &view;
-    for_visible_textures(
-        world, hit, dot(hit.normal, s.view) > 0, [&](double share, const Texture& texture) {
-            if (share < least) return;
-            for_layers(
-                texture, s.position, s.normal, scene,
-                [&](double weight, std::span<const Layer> layers) { use(share * weight, layers); });
-        });
+    world.for_textures(hit.primitive, hit.part, hit.position, hit.side_towards(s.view),
+                       [&](double share, const Texture& texture) {
+                           if (share < least) return;
+                           for_layers(texture, s.position, s.normal, scene,
+                                      [&](double weight, std::span<const Layer> layers) {
+                                          use(share * weight, layers);
+                                      });
+                       });
 }
 
 }  // namespace candelabra

@@ -45,8 +45,4 @@ Vertex vertex_in_air(const World&, const Ray&, double distance,
 void for_visible_layers(const World&, const Vertex&, double least,
                         FunctionRef<void(double, std::span<const Layer>)> use);
 
-/// Calls use(share, texture) for each texture that shows at a hit.
-void for_visible_textures(const World&, const Hit&, bool from_inside,
-                          FunctionRef<void(double, const Texture&)> use);
-
 }  // namespace candelabra

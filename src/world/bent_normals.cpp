@@ -2,6 +2,7 @@
 #include "world/bent_normals.h"
 
 #include "base/parallel.h"
+#include "world/radiance.h"
 
 #include <numbers>
 
@@ -100,7 +101,12 @@ Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<V
         const Vec3 from = b.centre + around * b.radius * direction;
         const auto point = sample(luminaire, from, {number(light, i, 2), number(light, i, 3)});
         if (!point) continue;
-        const bool away = gets_away(world, eye, {point->position, -point->direction}, start, near);
+        const bool dark =
+            luminaire.one_sided &&
+            radiance_seen(world, {luminaire, {from, point->direction}, 0, point->distance}) ==
+                Vec3(0);
+        const bool away =
+            !dark && gets_away(world, eye, {point->position, -point->direction}, start, near);
         const bool to_axis = i % 2 == 0;
         (to_axis ? tried.to_axis : tried.from_axis) += 1;
         if (!away) continue;

@@ -11,6 +11,7 @@
 #include "surface/quality.h"
 #include "world/bent_normals.h"
 #include "world/flatten.h"
+#include "world/radiance.h"
 #include "world/shutter.h"
 
 #include <algorithm>
@@ -185,10 +186,9 @@ void map_brightness(World& world) {
     if (!(faces > 0 && cells >= min_cells)) return;
     for (Luminaire& luminaire : world.lights.luminaires)
         if (luminaire.varying && face_count(luminaire.emitter) > 0)
-            luminaire.brightness =
-                brightness_of(luminaire, static_cast<int>(cells), [&](const Vec3& point) {
-                    return luminance(world.emission(luminaire.primitive, point));
-                });
+            luminaire.brightness = brightness_of(
+                luminaire, static_cast<int>(cells),
+                [&](const Vec3& point) { return luminance_at(world, luminaire.primitive, point); });
 }
 
 /// Angle between rays through adjacent pixel centres in the middle of the picture.

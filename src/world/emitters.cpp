@@ -4,6 +4,7 @@
 #include "luminaire/brightness.h"
 #include "luminaire/composite.h"
 #include "shape/area.h"
+#include "world/radiance.h"
 
 #include <algorithm>
 
@@ -13,6 +14,9 @@ namespace {
 
 /// Maximum number of luminaires with a guide, which takes some time and memory.
 constexpr int max_guides = 64;
+/// Fraction of the rays of a closed opaque luminaire that are emitted to its inside, where it
+/// rarely matters.
+constexpr double rare_inner_rays = 1.0 / 16;
 
 class Emitters {
 public:
@@ -62,7 +66,7 @@ private:
         if (guided) --guides_left_;
         if (!guided || !look.varying) return composite_emitter(std::move(whole), leaf, guided);
         return bright_composite_emitter(std::move(whole), leaf, [&](const Vec3& point) {
-            return luminance(world_.emission(look.primitive, point));
+            return luminance_at(world_, look.primitive, point);
         });
     }
 
@@ -72,8 +76,14 @@ private:
 
 void set_radiance(const World& world, Luminaire& luminaire) {
     const Material& look = world.material(luminaire.primitive);
-    luminaire.radiance = greatest_emission(*look.texture);
-    luminaire.varying = varied(*look.texture);
+    luminaire.radiance = greatest_emission(look);
+    luminaire.varying = varied(*look.texture) || (look.inner && varied(*look.inner));
+    luminaire.two_faced = static_cast<bool>(look.inner);
+    luminaire.one_sided = look.inner && (greatest_emission(*look.texture) == Vec3(0) ||
+                                         greatest_emission(*look.inner) == Vec3(0));
+    if (!look.transparent && !look.inner &&
+        !world.contains_point(luminaire.primitive, world.view.camera.location))
+        luminaire.inner_rays = rare_inner_rays;
     const auto include = [&](const Handle<Texture>& other) {
         luminaire.radiance = glm::max(luminaire.radiance, greatest_emission(*other));
         luminaire.varying = true;
@@ -109,7 +119,7 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
 std::size_t glows_without_light(const World& world) {
     std::vector<bool> glows;
     for (const Material& material : world.appearance.materials)
-        glows.push_back(greatest_emission(*material.texture) != Vec3(0));
+        glows.push_back(greatest_emission(material) != Vec3(0));
     std::size_t count = 0;
     for (std::size_t i = 0; i < world.appearance.material_of.size(); ++i)
         if (world.lights.luminaire_of.empty() || world.lights.luminaire_of[i] == no_primitive)

@@ -7,6 +7,9 @@
 
 namespace candelabra {
 
+/// The side of a surface that is seen. As in POV-Ray, the inner one may have its own texture.
+enum class Side : bool { outer, inner };
+
 /// A point where a ray met a surface.
 struct Hit {
     PrimitiveIndex primitive = no_primitive;
@@ -16,6 +19,11 @@ struct Hit {
     Vec3 smooth_normal = Vec3(0);  ///< unit shading normal, outward
     /// Rays that start here ignore hits nearer than this, to miss the surface they start from.
     double tolerance = 0;
+
+    /// The side that a ray of this direction meets.
+    Side side_towards(const Vec3& direction) const {
+        return dot(normal, direction) > 0 ? Side::inner : Side::outer;
+    }
 };
 
 /// The purpose of a ray: some objects are invisible to some kinds of rays.

@@ -68,9 +68,10 @@ void blend_components(const BuiltBlob& blob, const PartLooks& looks, const Vec3&
 
 }  // namespace
 
-void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point,
+void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point, Side side,
                          Use use) const {
     const Material& look = material(primitive);
+    if (look.inner && side == Side::inner) return use(1, *look.inner);
     if (look.texture2) {
         const TrianglePrimitive& face = geometry.triangle(primitive);
         return blend({look.texture.get(), look.texture2.get(), look.texture3.get()},
@@ -135,10 +136,8 @@ Vec3 World::passed(const Passage& passage, const Ray& ray) const {
                                    : passing(texture, point, scene));
     };
     // The ray leads towards the light: it sees a surface that it leaves from inside.
-    if (m.inner && light.normal != normal)
-        pass(1, *m.inner);
-    else
-        for_textures(passage.primitive, passage.part, point, pass);
+    for_textures(passage.primitive, passage.part, point,
+                 light.normal != normal ? Side::inner : Side::outer, pass);
     return sum;
 }
 

@@ -100,7 +100,7 @@ void Materials::add(const Inherited& look) {
     Material material;
     material.texture = lit(*look.texture);
     const Texture& texture = *material.texture;
-    if (look.inner) material.inner = simplified(*look.inner, world_.rules.quality);
+    if (look.inner) material.inner = lit(*look.inner);
     material.interior = settled(look.interior ? *look.interior : nullptr, texture);
     if (material.interior && !material.interior->media.empty()) {
         if (world_.rules.quality < quality_full) material.interior.edit().media.clear();
@@ -131,7 +131,9 @@ void Materials::add(const Inherited& look) {
     world_.appearance.any_clear |= material.transparent || material.no_shadow;
     world_.appearance.any_left_out |= look.no_image || look.no_reflection || look.no_radiosity;
     world_.appearance.any_scattering |= scatters(texture);
-    const double emission = max_component(lighting_emission(texture));
+    double emission = max_component(lighting_emission(texture));
+    if (material.inner)
+        emission = std::max(emission, max_component(lighting_emission(*material.inner)));
     const bool glows = world_.rules.quality >= quality_shadows && !look.no_luminaire &&
                        emission > world_.rules.settings.luminaires_above;
     glows_.push_back(glows);

@@ -4,6 +4,7 @@
 #include "csg/extent.h"
 #include "csg/solid.h"
 #include "luminaire/luminaire.h"
+#include "world/radiance.h"
 
 #include <algorithm>
 
@@ -16,10 +17,13 @@ constexpr double noticeable_ambient = 0.3;
 
 double greatest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
 
-bool shows_itself(const Material& material) {
-    const Texture& texture = *material.texture;
+bool shows_itself(const Texture& texture) {
     return texture.choice || texture.below ||
            greatest(texture.finish.ambient) >= noticeable_ambient;
+}
+
+bool shows_itself(const Material& material) {
+    return shows_itself(*material.texture) || (material.inner && shows_itself(*material.inner));
 }
 
 bool dark(const World& world) {
@@ -28,13 +32,15 @@ bool dark(const World& world) {
     };
     return std::ranges::all_of(world.lights.sources, black) && world.lights.luminaires.empty() &&
            !world.sky.sphere && greatest(world.sky.background.radiance()) <= 0 &&
-           std::ranges::none_of(world.appearance.materials, shows_itself);
+           std::ranges::none_of(world.appearance.materials,
+                                [](const Material& m) { return shows_itself(m); });
 }
 
 /// Whether it glows, but with black.
 bool glows_black(const Material& material) {
-    return material.texture->finish.emission != Vec3(0) &&
-           greatest(greatest_emission(*material.texture)) <= 0;
+    const bool glows = material.texture->finish.emission != Vec3(0) ||
+                       (material.inner && material.inner->finish.emission != Vec3(0));
+    return glows && greatest(greatest_emission(material)) <= 0;
 }
 
 class Surroundings {

@@ -51,7 +51,11 @@ Luminaire emitter(const PointLight& light, std::uint32_t number) {
     SourceEmitter source{light.location, radius(light), falloff(light)};
     // A light with one direction is a point of the sphere of directions.
     if (same_direction_everywhere(light)) source = {unit(light.location - light.point_at), 0, {}};
-    return {source, light.colour, false, nullptr, number};
+    Luminaire result;
+    result.emitter = source;
+    result.radiance = light.colour;
+    result.primitive = number;
+    return result;
 }
 
 const PointLight& point_light(const Light& light) { return std::get<PointLight>(light); }

@@ -279,7 +279,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
 Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
                           const Shade& shade) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
-    const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
+    const Interval range{tolerance, end_of_way(tolerance, distance).min};
     RayConstants constants(ray);
     ShortList<std::uint32_t, 16> clear;
     const auto blocks = [&](std::uint32_t item) {
@@ -384,10 +384,10 @@ Passing World::pass(PrimitiveIndex primitive, EnteredSolids& inside) const {
     return innermost ? Passing::leaves_innermost : Passing::leaves_outer;
 }
 
-Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
+Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point, Side side) const {
     const PatternScene scene = pattern_scene(primitive, any_part, point);
     Vec3 sum(0);
-    for_textures(primitive, any_part, point, [&](double weight, const Texture& texture) {
+    for_textures(primitive, any_part, point, side, [&](double weight, const Texture& texture) {
         sum += weight * candelabra::emission(texture, point, scene,
                                              [&](const Colour& colour) { return opacity(colour); });
     });

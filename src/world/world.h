@@ -13,6 +13,7 @@
 #include "world/provenance.h"
 #include "world/sky.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -70,6 +71,13 @@ public:
     Vec3 transmittance(const Ray&, double tolerance, double distance,
                        std::span<const PrimitiveIndex> around = {}, double apart = 0) const;
 
+    /// The distances about the end of a light's way at which transmittance() leaves out surfaces.
+    static Interval end_of_way(double tolerance, double distance) {
+        constexpr double relative = 1e-7;
+        const double apart = relative * distance + tolerance;
+        return {std::max(distance - apart, tolerance), distance + apart};
+    }
+
     /// Takes a part of a light's way between two surfaces, and the solids that contain it.
     using UseStretch = FunctionRef<void(const Interval&, std::span<const PrimitiveIndex>)>;
     struct Shade {
@@ -114,13 +122,13 @@ public:
         return appearance.materials[appearance.material_of[primitive]];
     }
 
-    /// Radiance that the primitive emits at a point of its surface.
-    Vec3 emission(PrimitiveIndex, const Vec3& point) const;
+    /// Radiance that one side of the primitive emits at a point of its surface.
+    Vec3 emission(PrimitiveIndex, const Vec3& point, Side) const;
 
-    /// Calls use(share, texture) for each texture that shows at a point of the surface: a single
-    /// one, or those of the corners of a mesh's face or of a blob's components. The shares add up
-    /// to 1. `part` is that of the hit, or any_part.
-    void for_textures(PrimitiveIndex, std::uint32_t part, const Vec3& point,
+    /// Calls use(share, texture) for each texture that shows on that side at a point of the
+    /// surface: a single one, or those of the corners of a mesh's face or of a blob's components.
+    /// The shares add up to 1. `part` is that of the hit, or any_part.
+    void for_textures(PrimitiveIndex, std::uint32_t part, const Vec3& point, Side,
                       FunctionRef<void(double, const Texture&)> use) const;
 
     /// Returns the point's coordinates on a picture that is wrapped around the surface.

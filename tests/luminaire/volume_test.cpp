@@ -102,8 +102,10 @@ TEST_CASE("rays leave a volume with all of its power", "[luminaire]") {
     double power = 0;
     constexpr int count = 100000;
     for (int i = 0; i < count; ++i) {
-        const auto ray = emit(e, {draw.between(0, 1), draw.between(0, 1)},
-                              {draw.between(0, 1), draw.between(0, 1)});
+        const auto ray = emit(e, 0.5,
+                              {{draw.between(0, 1), draw.between(0, 1)},
+                               {draw.between(0, 1), draw.between(0, 1)},
+                               0});
         REQUIRE(ray);
         CHECK(contains(e.box, ray->ray.origin));
         CHECK(dot(ray->normal, ray->ray.direction) == Approx(1));

@@ -151,6 +151,68 @@ const std::string white_floor =
 
 }  // namespace
 
+TEST_CASE("a lamp lights on the side on which it glows, whoever chooses it", "[render]") {
+    // Each lamp is above the floor, or around it. With the same glow on both sides it gives `both`;
+    // the floor gets all of this from one side, and nothing from the other.
+    const std::string glow = "{ pigment { rgb 1 } finish { diffuse 0 emission 5 } } ",
+                      dark = "{ pigment { rgb 0 } finish { diffuse 0 } } ";
+    for (const char* const lamp :
+         {"disc { 2*y, y, 1", "disc { 2*y, -y, 1, 0.3",
+          "polygon { 5, <-1, 2, -1>, <1, 2, -1>, <1, 2, 1>, <-1, 2, 1>, <-1, 2, -1>",
+          "triangle { <-1, 2, -1>, <1, 2, -1>, <0, 2, 1>",
+          "mesh { triangle { <-1, 2, -1>, <1, 2, -1>, <0, 2, 1> }",
+          "bicubic_patch { type 1 u_steps 2 v_steps 2 "
+          "<-1,2,-1> <-.3,2,-1> <.3,2,-1> <1,2,-1> <-1,2,-.3> <-.3,2,-.3> <.3,2,-.3> <1,2,-.3> "
+          "<-1,2,.3> <-.3,2,.3> <.3,2,.3> <1,2,.3> <-1,2,1> <-.3,2,1> <.3,2,1> <1,2,1>",
+          "sphere { 2*y, 1 clipped_by { plane { -y, -2 } }", "sphere { 0, 30",
+          "box { -30, 30 rotate 20*y", "difference { box { -30, 30 } box { -29, 29 }",
+          "cylinder { y, 2*y, 1 open clipped_by { plane { z, 0 } }"}) {
+        const std::string shape = white_floor + lamp + " no_image";
+        const double both = mean_with(shape + " texture " + glow + "}", EveryLight{}, 4000);
+        REQUIRE(both > 0.05);
+        for (const Strategy& strategy : strategies()) {
+            CAPTURE(lamp, strategy.name);
+            const double outer = mean_with(
+                             shape + " texture " + glow + "interior_texture " + dark + "}",
+                             strategy.sampler, 6000),
+                         inner = mean_with(
+                             shape + " texture " + dark + "interior_texture " + glow + "}",
+                             strategy.sampler, 6000);
+            CHECK(std::min(outer, inner) == 0);
+            CHECK(std::max(outer, inner) == Approx(both).epsilon(0.05));
+        }
+    }
+}
+
+TEST_CASE("of lamps in one place the one that is seen lights, whoever chooses it", "[render]") {
+    const auto ball = [](const std::string& size, const std::string& emission) {
+        return "sphere { 5*y, " + size + " pigment { rgb 1 } finish { diffuse 0 emission " +
+               emission + " } } ";
+    };
+    struct Case {
+        std::string lamps;
+        double expected;
+    };
+    // E / pi = L (r / d)^2 for a ball.
+    for (const Case& each :
+         {Case{ball("1", "3") + ball("1", "3"), 3.0 / 25},
+          Case{ball("1", "3") + ball("1", "15"), 3.0 / 25},
+          Case{ball("1 - 1.4e-5", "30") + ball("1", "3"), 3.0 / 25},
+          Case{ball("1 - 1e-8", "30") + ball("1", "3"), 3.0 / 25},
+          Case{ball("1", "30") + ball("1 + 2e-7", "3"), 3.0 / 25},
+          Case{"box { <-1, 4, -1>, <1, 5, 1> pigment { rgb 1 } finish { diffuse 0 emission 3 } } "
+               "plane { y, 4 - 1e-7 pigment { rgb 1 } }",
+               0},
+          Case{"disc { 4*y, y, 1 pigment { rgb 1 } finish { diffuse 0 emission 3 } } "
+               "box { <-5, 4 - 1e-7, -5>, <5, 5, 5> pigment { rgb 1 } }",
+               0}})
+        for (const Strategy& strategy : strategies()) {
+            CAPTURE(each.lamps, strategy.name);
+            CHECK(mean_with(white_floor + each.lamps, strategy.sampler, 8000) ==
+                  Approx(each.expected).epsilon(0.1));
+        }
+}
+
 TEST_CASE("a far large lamp and near small ones keep their light at any distance", "[render]") {
     // A sun of the same apparent size at every distance, and a ring of lamps.
     const auto scene = [](double distance, int lamps, const std::string& camera) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/reflected_luminaires.h"
 
+#include "support/draw.h"
 #include "support/scripts.h"
+#include "transport/integrator.h"
 #include "transport/reflecting_room.h"
 #include "world/compile.h"
 
@@ -41,6 +43,83 @@ TEST_CASE("reflected luminaires are there where a scene asks for them and has lu
     CHECK_FALSE(there(with_reflected(100, 2) + lamps_in_room + "plane { y, 0 pigment { rgb 1 } }"));
     CHECK_FALSE(
         there(with_reflected(100, 2) + lamps_in_room + bare_room + "fog { distance 9 rgb 0.1 }"));
+}
+
+TEST_CASE("a closed body that glows and reflects is a furnace inside, whatever its shape",
+          "[transport]") {
+    // L = 0.4 + 0.6 L.
+    for (const char* const body :
+         {"sphere { 0, 2", "sphere { 0, 2 scale <1, 1.5, 0.8>", "box { -2, 2",
+          "box { -2, 2 rotate <10, 20, 30>", "cylinder { -2*y, 2*y, 2", "cone { -2*y, 2, 2*y, 1",
+          "superellipsoid { <0.5, 0.5> scale 2", "torus { 2, 1.5 translate 2*x",
+          "blob { threshold 0.5 sphere { 0, 3, 1 }",
+          "lathe { linear_spline 4 "
+          "<0, -2>, <2, -2>, <2, 2>, <0, 2>",
+          "sphere_sweep { linear_spline 2, -x, 2, x, 2",
+          "mesh { triangle { -2, <2, -2, -2>, <0, -2, 3> } triangle { -2, <2, -2, -2>, 3*y } "
+          "triangle { <2, -2, -2>, <0, -2, 3>, 3*y } triangle { <0, -2, 3>, -2, 3*y }",
+          "difference { box { -3, 3 } box { -2, 2 }",
+          "difference { cylinder { -3*y, 3*y, 3 } cylinder { -2*y, 2*y, 2 }",
+          "difference { sphere { 0, 3 } sphere { 0, 2 }",
+          "difference { box { -3, 3 } sphere { 0, 2 }",
+          "intersection { sphere { 0, 2 } box { -1.7, 1.7 }",
+          "merge { box { <-2, -1, -1>, <1, 1, 1> } box { <-1, -2, -1>, <2, 2, 1> }",
+          "union { sphere { 0, 2 clipped_by { plane { y, 0.3 } } } "
+          "sphere { 0, 2 clipped_by { plane { -y, -0.3 } } }"}) {
+        const World world = world_of(with_reflected(300, 40) + body +
+                                     " pigment { rgb 1 } finish { diffuse 0.6 emission 0.4 } }");
+        CHECK(reflected_luminaires_of(world, 0, 1));
+        Integrator integrator(world, {});
+        Draw draw(1);
+        double sum = 0, squares = 0;
+        constexpr std::uint32_t groups = 60;
+        Key key;
+        for (std::uint32_t group = 0; group < groups; ++group) {
+            double seen = 0;  // by the samples of one generation
+            for (int i = 0; i < 4; ++i, ++key.sample)
+                seen += integrator.radiance({Vec3(0.1, 0.2, 0.3), draw.direction()}, key).x / 4;
+            sum += seen, squares += seen * seen;
+        }
+        const double mean = sum / groups,
+                     error = std::sqrt((squares / groups - mean * mean) / groups);
+        CAPTURE(body, mean, error);
+        CHECK(error < 0.05);
+        CHECK(std::abs(mean - 1) < 4 * error + 0.005);
+    }
+}
+
+TEST_CASE("light paths leave the side of a lamp that glows, and of lamps in one place one",
+          "[transport]") {
+    // The middle of a floor under a ceiling, which the panel lights from below or not at all.
+    const auto lit = [](int paths, const std::string& panel) {
+        const World world =
+            world_of(with_reflected(paths, 3) +
+                     "box { <-3, 0, -3>, <3, 3, 3> pigment { rgb 0.7 } } "
+                     "box { <-0.7, 1.49, -0.7>, <0.7, 1.499, 0.7> pigment { rgb 0 } } " +
+                     panel);
+        Integrator integrator(world, {});
+        Draw draw(2);
+        double sum = 0;
+        Key key;
+        constexpr std::uint32_t count = 4000;
+        for (key.sample = 0; key.sample < count; ++key.sample) {
+            const Vec3 from(2.5 * draw.number(), 0.5, 2.5 * draw.number() - 1.2);
+            sum += integrator.radiance({from, Vec3(0, -1, 0)}, key).x / count;
+        }
+        return sum;
+    };
+    const std::string disc = "disc { 1.5*y, y, 0.6 ", dark = "{ pigment { rgb 0 } } ",
+                      glow = "{ pigment { rgb 1 } finish { diffuse 0 emission 8 } } ";
+    for (const std::string& panel :
+         {disc + "texture " + glow + "}",
+          disc + "texture " + glow + "interior_texture " + dark + "}",
+          disc + "texture " + dark + "interior_texture " + glow + "}",
+          disc + "texture " + glow + "} " + disc + "texture " + glow + "}",
+          disc + "texture " + dark + "} " + disc + "texture " + glow + "}"}) {
+        CAPTURE(panel);
+        const double met = lit(0, panel);
+        CHECK(lit(400, panel) == Approx(met).epsilon(0.05).margin(1e-9));
+    }
 }
 
 }  // namespace candelabra

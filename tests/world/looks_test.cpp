@@ -15,7 +15,7 @@ Vec3 seen(const World& world, double x, double y) {
     if (!world.first_hit({Vec3(x, y, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit)) return Vec3(-1);
     const PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
     Vec3 sum(0);
-    world.for_textures(hit.primitive, hit.part, hit.position,
+    world.for_textures(hit.primitive, hit.part, hit.position, Side::outer,
                        [&](double share, const Texture& texture) {
                            sum += share * evaluate(texture.pigment, hit.position, scene).rgb;
                        });

@@ -142,7 +142,7 @@ TEST_CASE("what lights nothing is seen to glow as before", "[world]") {
         "camera { location -3*z } sphere { 0, 1 pigment { rgb 1 } finish { emission 0.5 "
         "no_luminaire } }");
     REQUIRE(world.lights.luminaires.empty());
-    CHECK(world.emission(0, Vec3(0, 0, -1)) == Vec3(0.5));
+    CHECK(world.emission(0, Vec3(0, 0, -1), Side::outer) == Vec3(0.5));
 }
 
 }  // namespace candelabra

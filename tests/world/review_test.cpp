@@ -34,6 +34,9 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
         {"camera { location -z } sphere { 0, 1 } light_source { 0, 1 }", ""},
         {"camera { location -z } sphere { 0, 1 finish { emission 1 } pigment { rgb 1 } }", ""},
         {"camera { location -z } sphere { 0, 1 finish { ambient 1 } }", ""},
+        {"camera { location -z } sphere { 0, 0.5 } disc { 3*y, y, 1 texture { pigment { rgb 0 } } "
+         "interior_texture { pigment { rgb 1 } finish { emission 5 } } }",
+         ""},
         {"camera { location -z } sphere { 0, 1 } background { rgb 1 }", ""},
         {"camera { location -z } difference { sphere { 0, 1 } box { 0, 1 } }", "no-light "},
         {"camera { location -z } difference { sphere { 0, 1 } box { 0, 1 pigment { rgb 1 } "

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/radiance.h"
+
+#include "world/volumes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candelabra {
+
+Vec3 greatest_emission(const Material& material) {
+    const Vec3 outer = greatest_emission(*material.texture);
+    return material.inner ? glm::max(outer, greatest_emission(*material.inner)) : outer;
+}
+
+Vec3 radiance_of(const World& world, const Luminaire& luminaire, const Vec3& position, Side side) {
+    if (luminaire.is_volume()) return volume_emission(world, luminaire.primitive, position);
+    const bool same_everywhere = !luminaire.varying && !luminaire.two_faced;
+    return same_everywhere ? luminaire.radiance
+                           : world.emission(luminaire.primitive, position, side);
+}
+
+double luminance_at(const World& world, PrimitiveIndex primitive, const Vec3& point) {
+    const double outer = luminance(world.emission(primitive, point, Side::outer));
+    if (!world.material(primitive).inner) return outer;
+    return std::max(outer, luminance(world.emission(primitive, point, Side::inner)));
+}
+
+Vec3 radiance_seen(const World& world, const PointOnRay& point) {
+    const Luminaire& luminaire = point.luminaire;
+    if (luminaire.is_volume())
+        return volume_emission(world, luminaire.primitive, point.ray.at(point.distance));
+    const Interval place = World::end_of_way(point.tolerance, point.distance);
+    Vec3 seen(0), left(1);
+    world.along(point.ray, place.min, RayKind::light, [&](const Hit& hit, double distance) {
+        if (distance > place.max) return false;
+        // A luminaire may be met more than once.
+        if (hit.primitive == luminaire.primitive &&
+            std::abs(distance - point.distance) <= same_point * point.distance + hit.tolerance) {
+            seen = left * radiance_of(world, luminaire, hit.position,
+                                      hit.side_towards(point.ray.direction));
+            return false;
+        }
+        left *= world.passed(hit, point.ray);
+        return left != Vec3(0);
+    });
+    return seen;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The light that luminaires emit. Their radiance is a function of point and side, and a luminaire
+// lights by those points that are seen.
+#pragma once
+
+#include "world/world.h"
+
+namespace candelabra {
+
+/// Maximum emission anywhere on the outer or the inner side of a material, per channel.
+Vec3 greatest_emission(const Material&);
+
+/// Radiance of one side of a luminaire at one of its points; for volumes, per unit of length.
+Vec3 radiance_of(const World&, const Luminaire&, const Vec3& position, Side);
+
+/// Luminance of the brighter side of a primitive at a point.
+double luminance_at(const World&, PrimitiveIndex, const Vec3& point);
+
+/// Points of a luminaire on one ray are the same if their distances differ by this fraction of
+/// them, or by the tolerance of the hit.
+inline constexpr double same_point = 1e-9;
+
+/// A point of a luminaire on a ray that starts at a hit of that tolerance.
+struct PointOnRay {
+    const Luminaire& luminaire;
+    const Ray& ray;  ///< its direction is a unit vector
+    double tolerance;
+    double distance;
+};
+
+/// Radiance of the side that the ray meets at the point, if no surface before is in the way. Of
+/// surfaces that lie in the same place, the first one along the ray counts, as for any ray: behind
+/// an opaque one the radiance is 0. (World::transmittance() leaves out surfaces so close to the
+/// light.)
+Vec3 radiance_seen(const World&, const PointOnRay&);
+
+}  // namespace candelabra
