@@ -247,6 +247,20 @@ CompositeEmitter bright_composite_emitter(Handle<Composite> composite, std::uint
     return made.emitter;
 }
 
+CompositeEmitter unmeasured_emitter(Handle<Composite> composite, std::uint32_t leaf) {
+    CompositeEmitter result{std::move(composite), leaf};
+    const double radius = Around(result).radius;
+    result.seen_area = pi * radius * radius;
+    return result;
+}
+
+CompositeEmitter placed_emitter(const CompositeEmitter& original, Handle<Composite> composite,
+                                const Handle<Transform>& place) {
+    Measured made(std::move(composite), 0);
+    if (original.guide) made.emitter.guide = make_handle<Guide>(Guide(*original.guide, place));
+    return made.emitter;
+}
+
 LightBounds bounds(const CompositeEmitter& e, double luminance) {
     const Around ball(e);
     LightBounds result;

@@ -19,6 +19,15 @@ CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf, bool g
 CompositeEmitter bright_composite_emitter(Handle<Composite>, std::uint32_t leaf,
                                           FunctionRef<double(const Vec3&)> luminance);
 
+/// An emitter that is made without tracing rays, for checks of a scene: its mean projected area is
+/// that of a ball around the leaf.
+CompositeEmitter unmeasured_emitter(Handle<Composite>, std::uint32_t leaf);
+
+/// The emitter of a composite of one leaf, which is that of another emitter in another place. Both
+/// share their triangles.
+CompositeEmitter placed_emitter(const CompositeEmitter&, Handle<Composite>,
+                                const Handle<Transform>& place);
+
 LightBounds bounds(const CompositeEmitter&, double luminance);
 double unoccluded(const CompositeEmitter&, double luminance, const Receiver&);
 std::optional<LightDirection> draw_direction(const CompositeEmitter&, const Vec3& from,

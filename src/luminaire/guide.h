@@ -4,6 +4,8 @@
 // aim elsewhere at times. Used by the composite emitter.
 #pragma once
 
+#include "base/handle.h"
+#include "base/transform.h"
 #include "shape/mesh_area.h"
 
 namespace candelabra {
@@ -14,9 +16,12 @@ public:
     /// are equally bright. Precondition: some face has an area, and if there are luminances, one
     /// such face has a luminance above 0.
     explicit Guide(const Mesh&, std::vector<double> luminance = {});
+    /// The same triangles, which both share, in another place. Precondition: the other guide was
+    /// not placed.
+    Guide(const Guide&, Handle<Transform> place);
 
     /// Returns the point for u, uniform in [0, 1)^2. Its density is uniform over the triangles'
-    /// area, times their luminance.
+    /// area before they were placed, times their luminance.
     Vec3 point(const Vec2& u) const;
 
     /// Whether the ray meets any triangle.
@@ -27,9 +32,16 @@ public:
     double density(const Vec3& from, const Vec3& direction) const;
 
 private:
-    BuiltMesh mesh_;
-    std::vector<double> luminance_;
-    MeshArea area_;
+    struct Triangles {
+        BuiltMesh mesh;
+        std::vector<double> luminance;
+        MeshArea area;
+    };
+
+    Ray own_ray(const Vec3& from, const Vec3& direction) const;
+
+    Handle<Triangles> triangles_;
+    Handle<Transform> place_ = nullptr;  ///< null: identity
 };
 
 }  // namespace candelabra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/texture.h"
 
+#include "surface/any_finish.h"
 #include "surface/lambertian.h"
 #include "surface/map_place.h"
 #include "surface/normal_space.h"
@@ -89,16 +90,6 @@ void visit(const Texture& texture, const Vec3& point, const Vec3& normal, double
     for (const Texture* layer = &texture; layer; layer = layer->below.get())
         layers[i++] = layer_at(*layer, point, normal, around, to);
     to.use(weight, layers.first(count));
-}
-
-/// Whether the test holds for a finish of any entry or layer.
-template <class Test>
-bool any_finish(const Texture& texture, const Test& test) {
-    if (texture.choice)
-        return std::ranges::any_of(texture.choice->map, [&](const TextureStop& stop) {
-            return any_finish(*stop.texture, test);
-        });
-    return test(texture.finish) || (texture.below && any_finish(*texture.below, test));
 }
 
 }  // namespace

@@ -4,9 +4,14 @@
 #include "luminaire/brightness.h"
 #include "luminaire/composite.h"
 #include "shape/area.h"
+#include "surface/any_finish.h"
 #include "world/radiance.h"
 
 #include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <variant>
 
 namespace candelabra {
 
@@ -18,10 +23,39 @@ constexpr int max_guides = 64;
 /// rarely matters.
 constexpr double rare_inner_rays = 1.0 / 16;
 
+/// The address of the content that copies of the shape share; null if each has its own.
+const void* shared_content(const BuiltShape& shape) {
+    return std::visit(
+        [](const auto& stored) -> const void* {
+            if constexpr (requires { *stored; })
+                return &*stored;
+            else
+                return nullptr;
+        },
+        shape);
+}
+
+bool receives_light(const Finish& f) {
+    return f.diffuse != 0 || f.diffuse_back != 0 || f.phong != 0 || f.specular != 0 ||
+           f.microfacet.on || f.subsurface.translucency != Vec3(0);
+}
+
+bool receives_light(const std::vector<Media>& all) {
+    return std::ranges::any_of(
+        all, [](const Media& media) { return media.scattering.colour != Vec3(0); });
+}
+
+bool receives_light(const Material& material) {
+    const auto lit = [](const Finish& finish) { return receives_light(finish); };
+    return any_finish(*material.texture, lit) ||
+           (material.inner && any_finish(*material.inner, lit)) ||
+           (material.interior && receives_light(material.interior->media));
+}
+
 class Emitters {
 public:
     Emitters(const World& world, bool guided)
-        : world_(world), guides_left_(guided ? max_guides : 0) {}
+        : world_(world), renders_(guided), guides_left_(guided ? max_guides : 0) {}
 
     /// Cylinders and cones with uneven emission get a guide to their bright parts instead of their
     /// formula.
@@ -55,13 +89,29 @@ private:
             });
     }
 
-    CompositeEmitter alone(const PlacedShape& placed, const Luminaire& look) {
+    Handle<Composite> of_one(const BuiltShape& shape, const Handle<Transform>& transform) {
         CompositeBuilder builder(world_.rules.settings.index);
-        const PartRef part = builder.add({placed.shape, placed.transform});
-        return composite(make_handle<Composite>(builder.finish(part)), part.index, look);
+        const PartRef part = builder.add({shape, transform});
+        return make_handle<Composite>(builder.finish(part));
+    }
+
+    /// Copies of one shape share their guide, and all of them together count as one that has one.
+    CompositeEmitter alone(const PlacedShape& placed, const Luminaire& look) {
+        Handle<Composite> there = of_one(placed.shape, placed.transform);
+        const void* content = shared_content(placed.shape);
+        if (!renders_ || !content || look.varying || !placed.transform)
+            return composite(there, 0, look);
+        const auto [found, added] = originals_.try_emplace(content);
+        if (added && guides_left_ > 0) {
+            --guides_left_;
+            found->second = composite_emitter(of_one(placed.shape, nullptr), 0);
+        }
+        return found->second ? placed_emitter(*found->second, there, placed.transform)
+                             : composite_emitter(there, 0, false);
     }
 
     CompositeEmitter composite(Handle<Composite> whole, std::uint32_t leaf, const Luminaire& look) {
+        if (!renders_) return unmeasured_emitter(std::move(whole), leaf);
         const bool guided = guides_left_ > 0;
         if (guided) --guides_left_;
         if (!guided || !look.varying) return composite_emitter(std::move(whole), leaf, guided);
@@ -71,7 +121,10 @@ private:
     }
 
     const World& world_;
+    bool renders_;
     int guides_left_;
+    /// Shapes in their own space, by the address of the content that their copies share.
+    std::unordered_map<const void*, std::optional<CompositeEmitter>> originals_;
 };
 
 void set_radiance(const World& world, Luminaire& luminaire) {
@@ -114,6 +167,12 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
                     .with_help(
                         "give it three corners that do not lie on one line, or leave it out"));
     }
+}
+
+bool receives_light(const World& world) {
+    return receives_light(world.sky.media) ||
+           std::ranges::any_of(world.appearance.materials,
+                               [](const Material& m) { return receives_light(m); });
 }
 
 std::size_t glows_without_light(const World& world) {

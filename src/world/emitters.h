@@ -21,6 +21,10 @@ struct GlowingPrimitive {
 /// without area. `guided`: luminaires without a formula get guides, which only rendering needs.
 void add_luminaires(World&, std::span<const GlowingPrimitive>, bool guided, Diagnostics&);
 
+/// Whether any surface or medium shows light that arrives from luminaires. Otherwise there is no
+/// use for luminaires.
+bool receives_light(const World&);
+
 /// Number of primitives that glow but are not luminaires: because of `no_luminaire`, by the scene's
 /// rule for luminaires, or because they are infinite.
 std::size_t glows_without_light(const World&);

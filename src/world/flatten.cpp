@@ -148,8 +148,10 @@ public:
         for (Parted& each : parted_)
             world_.appearance.part_textures[geometry_.primitive(each.kind, each.index)] =
                 std::move(each.textures);
-        add_luminaires(world_, glowing_, all_, diagnostics_);
-        add_volumes(world_, filled_, all_, diagnostics_);
+        if (!all_ || receives_light(world_)) {
+            add_luminaires(world_, glowing_, all_, diagnostics_);
+            add_volumes(world_, filled_, all_, diagnostics_);
+        }
         if (all_) place_photon_targets(world_, diagnostics_);
     }
 

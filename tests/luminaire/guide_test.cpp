@@ -59,4 +59,24 @@ TEST_CASE("a guide looks where it is told that the surface is bright", "[luminai
     CHECK(bright == Approx(count * 8.0 / 11).epsilon(0.08));
 }
 
+TEST_CASE("a guide in another place has the points and the density of that place", "[luminaire]") {
+    const Mesh mesh = tessellation(built(Torus{1, 0.3}), 8);
+    const auto place = make_handle<Transform>(Transform::scaling({2, 0.5, 1})
+                                                  .then(Transform::rotation({20, 30, 40}))
+                                                  .then(Transform::translation({1, 2, 3})));
+    const Guide placed(Guide(mesh), place);
+    Draw draw(4);
+    const Vec3 from = place->point(Vec3(0.5, 3, 0.3));
+    double by_points = 0, by_directions = 0;
+    constexpr int count = 40000;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 p = placed.point({draw.number(), draw.number()});
+        const double density = placed.density(from, unit(p - from));
+        if (density > 0) by_points += 1 / density / count;
+        by_directions +=
+            (placed.density(from, draw.direction()) > 0) * 4 * std::numbers::pi / count;
+    }
+    CHECK(by_points == Approx(by_directions).epsilon(0.05));
+}
+
 }  // namespace candelabra
