@@ -2,9 +2,10 @@
 #include "scattering/bsdf.h"
 
 #include "base/colour.h"
-#include "scattering/microfacet.h"
+#include "base/cosine_direction.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
+#include "scattering/real_surface.h"
 
 #include <algorithm>
 #include <numbers>
@@ -41,8 +42,9 @@ Bsdf::Bsdf(const Shading& s, const ShadingRules& rules, Part part, double ior)
     diffuse_ =
         part == Part::highlights ? 0 : std::fmax(grey(s.colour.rgb) * f.diffuse * s.opacity, 0);
     if (f.microfacet.on) {
-        const FacetLight light = facet_light(s);
-        diffuse_ = light.base;
+        facets_.emplace(s);
+        const FacetLight light = facets_->light();
+        diffuse_ = light.diffuse;
         for (const auto& [width, amount] : light.wide) add(Lobe::facets, width, amount);
     } else {
         // The integral of a highlight over all directions, relative to that of a white surface.
@@ -66,6 +68,7 @@ void Bsdf::add(Lobe::Kind kind, double extent, double light) {
 BsdfLobes Bsdf::lobes() const {
     BsdfLobes result{diffuse_, {}, count_};
     const double cosine = std::fmax(-dot(shading_.view, shading_.normal), 1e-3);
+    const Vec3 axis = facets_ ? facets_->mirrored_view() : mirrored(shading_.view, shading_.normal);
     for (std::size_t i = 0; i < count_; ++i) {
         const auto& [kind, extent, share] = lobes_[i];
         const double light = share * highlights_ / specular_probability_;
@@ -77,24 +80,49 @@ BsdfLobes Bsdf::lobes() const {
             peak = light * (extent + 1) / (8 * cosine);
         } else if (kind == Lobe::facets) {
             sharpness = (1 - extent * extent) / (extent * extent);
-            peak = light * mirrored_peak(shading_, extent);
+            peak = light * facets_->mirrored_peak(extent);
         }
-        result.highlights[i] = {mirrored(shading_.view, shading_.normal), peak, sharpness};
+        result.highlights[i] = {axis, peak, sharpness};
     }
     return result;
 }
 
-Vec3 Bsdf::sample_diffuse(Vec2 u) const {
-    Vec3 normal = shading_.normal;
-    if (shading_.both_sides) {
-        if (u.x >= 0.5) normal = -normal;
-        u.x = u.x < 0.5 ? 2 * u.x : 2 * u.x - 1;
-    }
-    return draw_about(normal, 1, u);
+/// Fraction of the directions of the diffuse part that are drawn behind the surface.
+double Bsdf::share_behind() const {
+    if (part_ == Part::entering || !answers_behind(shading_)) return 0;
+    if (shading_.both_sides) return 0.5;
+    const Finish& f = *shading_.finish;
+    const double back = std::abs(f.diffuse_back);
+    // A highlight falls off slower than its density, so that it needs directions in front as well.
+    const double front = std::fmax(f.diffuse, highlights_ > 0 ? back / 4 : 0);
+    return back / (std::fmax(front, 0) + back);
+}
+
+/// Whether light from the direction is scattered.
+bool Bsdf::counts(const Vec3& direction) const {
+    const Side side = side_of(shading_, direction);
+    return side == Side::front || (side == Side::behind && share_behind() > 0);
+}
+
+std::optional<Vec3> Bsdf::sample_diffuse(Vec2 u) const {
+    if (facets_) return facets_->draw_diffuse(u);
+    const double front = 1 - share_behind();
+    const bool behind = u.x >= front;
+    u.x = behind ? (u.x - front) / (1 - front) : u.x / front;
+    const Vec3 direction = cosine_direction(behind ? -shading_.normal : shading_.normal,
+                                            {std::fmin(u.x, 1 - 0x1p-53), u.y});
+    return counts(direction) ? std::optional(direction) : std::nullopt;
+}
+
+double Bsdf::diffuse_pdf(const Vec3& direction) const {
+    if (facets_) return facets_->diffuse_density(direction);
+    if (!counts(direction)) return 0;
+    const double cosine = dot(shading_.normal, direction), behind = share_behind();
+    return std::abs(cosine) * (cosine < 0 ? behind : 1 - behind) / pi;
 }
 
 std::optional<Vec3> Bsdf::sample(const Lobe& lobe, Vec2 u) const {
-    if (lobe.kind == Lobe::facets) return draw_mirrored(shading_, lobe.extent, u);
+    if (lobe.kind == Lobe::facets) return facets_->draw_mirrored(lobe.extent, u);
     if (lobe.kind == Lobe::about_mirrored)
         return draw_about(mirrored(shading_.view, shading_.normal), lobe.extent, u);
     const Vec3 half = draw_about(shading_.normal, lobe.extent, u);
@@ -103,7 +131,7 @@ std::optional<Vec3> Bsdf::sample(const Lobe& lobe, Vec2 u) const {
 }
 
 double Bsdf::pdf(const Lobe& lobe, const Vec3& direction) const {
-    if (lobe.kind == Lobe::facets) return mirrored_density(shading_, lobe.extent, direction);
+    if (lobe.kind == Lobe::facets) return facets_->mirrored_density(lobe.extent, direction);
     if (lobe.kind == Lobe::about_mirrored)
         return density_about(dot(mirrored(shading_.view, shading_.normal), direction), lobe.extent);
     const Vec3 half = unit(direction - shading_.view);
@@ -114,17 +142,18 @@ double Bsdf::pdf(const Lobe& lobe, const Vec3& direction) const {
 
 std::optional<Vec3> Bsdf::sample(Vec2 u) const {
     for (const Lobe& lobe : highlight_lobes()) {
-        if (u.x < lobe.share) return sample(lobe, {u.x / lobe.share, u.y});
+        if (u.x < lobe.share) {
+            const auto drawn = sample(lobe, {u.x / lobe.share, u.y});
+            return drawn && (facets_ || counts(*drawn)) ? drawn : std::nullopt;
+        }
         u.x -= lobe.share;
     }
     return sample_diffuse({std::fmin(u.x / (1 - specular_probability_), 1 - 0x1p-53), u.y});
 }
 
 double Bsdf::pdf(const Vec3& direction) const {
-    const double cosine = dot(shading_.normal, direction);
-    const double diffuse =
-        shading_.both_sides ? std::abs(cosine) / (2 * pi) : std::fmax(cosine, 0) / pi;
-    double sum = (1 - specular_probability_) * diffuse;
+    double sum = (1 - specular_probability_) * diffuse_pdf(direction);
+    if (count_ == 0 || (!facets_ && !counts(direction))) return sum;
     for (const Lobe& lobe : highlight_lobes()) sum += lobe.share * pdf(lobe, direction);
     return sum;
 }
@@ -141,14 +170,15 @@ Vec3 Bsdf::film(const Vec3& to_light) const {
 }
 
 Vec3 Bsdf::evaluate_without_film(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
+    if (facets_)
+        return terms.facets == FacetLobes::none
+                   ? facets_->base_response(to_light)
+                   : facets_->response(to_light, terms.facets == FacetLobes::wide);
+    if (!terms.through_surface && side_of(shading_, to_light) == Side::none) return Vec3(0);
     if (part_ == Part::entering) {
         const double cosine = dot(shading_.normal, to_light);
         return Vec3(cosine < 1e-10 ? 0 : cosine * (1 - fresnel(cosine, ior_)));
     }
-    if (shading_.finish->microfacet.on)
-        return terms.facets == FacetLobes::none
-                   ? facet_base_response(shading_, to_light)
-                   : facet_response(shading_, to_light, terms.facets == FacetLobes::wide);
     return finish_response(shading_, to_light,
                            {part_ != Part::highlights, terms.highlights, terms.brilliance}, grain);
 }

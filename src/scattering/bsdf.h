@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lighting/light_query.h"
+#include "scattering/microfacet.h"
 #include "scattering/shading.h"
 
 #include <array>
@@ -20,6 +21,9 @@ struct BsdfTerms {
     bool highlights = true;  ///< phong and specular
     bool brilliance = true;  ///< of the diffuse term; false: as if it were 1
     FacetLobes facets = FacetLobes::all;
+    /// Also light that comes through the real surface, as long as it is above the horizon of the
+    /// shading normal: so POV-Ray counts light of its sources. Not for facets.
+    bool through_surface = false;
 };
 
 /// Throughout, light of colour 1 has a perpendicular irradiance of pi, as in POV-Ray, and values
@@ -61,10 +65,14 @@ public:
     Vec3 film(const Vec3& to_light) const;
 
     /// Returns a unit direction drawn roughly in proportion to the scattering of uniform light; u
-    /// is in [0, 1)^2. Returns nothing if a highlight's direction is below the surface.
+    /// is in [0, 1)^2. Returns nothing if no light from the drawn direction counts.
     std::optional<Vec3> sample(Vec2 u) const;
-    /// Density of sample() per steradian.
+    /// Density of sample() per steradian: above 0 wherever evaluate() is not 0.
     double pdf(const Vec3& direction) const;
+    /// The same without highlights and lobes of facets: in proportion to the cosine, on the side or
+    /// the sides that the diffuse term has.
+    std::optional<Vec3> sample_diffuse(Vec2 u) const;
+    double diffuse_pdf(const Vec3& direction) const;
 
     /// Fraction of the directions that are drawn from highlights: about their fraction of the
     /// scattered uniform light. 0 for surfaces without highlights.
@@ -91,13 +99,15 @@ private:
     Bsdf(const Shading&, const ShadingRules&, Part, double ior);
     void add(Lobe::Kind, double extent, double light);
     std::span<const Lobe> highlight_lobes() const { return {lobes_.data(), count_}; }
-    Vec3 sample_diffuse(Vec2 u) const;
+    double share_behind() const;
+    bool counts(const Vec3& direction) const;
     std::optional<Vec3> sample(const Lobe&, Vec2 u) const;
     double pdf(const Lobe&, const Vec3& direction) const;
 
     Shading shading_;
     const ShadingRules* rules_;
     Part part_;
+    std::optional<Facets> facets_;
     double ior_;  ///< of the solid that the light enters
     double specular_probability_ = 0, highlights_ = 0, diffuse_ = 0;
     std::array<Lobe, 2> lobes_;

@@ -2,6 +2,9 @@
 #include "scattering/microfacet.h"
 
 #include "base/colour.h"
+#include "base/cosine_direction.h"
+#include "scattering/ggx.h"
+#include "scattering/real_surface.h"
 
 #include <algorithm>
 #include <numbers>
@@ -19,27 +22,6 @@ constexpr double max_specular = 0.08;
 /// Width from which on lobes are left to the sampling of luminaires.
 constexpr double narrow = 0.1;
 
-double width(double roughness) { return std::max(roughness * roughness, 1e-3); }
-
-double grazing(double cosine) {
-    const double x = std::clamp(1 - cosine, 0.0, 1.0);
-    return x * x * x * x * x;
-}
-
-/// Schlick's approximation of Fresnel's equations.
-double schlick(double facing, double cosine) { return facing + (1 - facing) * grazing(cosine); }
-
-/// GGX density of facets at this cosine between their normal and the surface's.
-double density(double width, double cosine) {
-    const double d = cosine * cosine * (width * width - 1) + 1;
-    return width * width / (pi * d * d);
-}
-
-/// Smith's masking of facets in a direction, over twice its cosine.
-double unhidden(double width, double cosine) {
-    return 1 / (cosine + std::sqrt(width * width + (1 - width * width) * cosine * cosine));
-}
-
 /// Cosines of light, viewer and facet normal for one surface; all are above 0.
 struct FacetGeometry {
     double light, viewer, facet, between;  ///< `between`: light and facet normal
@@ -47,135 +29,205 @@ struct FacetGeometry {
 
 /// Reflected radiance of light of colour 1, without the Fresnel factor.
 double reflected(double width, const FacetGeometry& g) {
-    return density(width, g.facet) * unhidden(width, g.light) * unhidden(width, g.viewer) * pi *
-           g.light;
+    return facet_density(width, g.facet) * unhidden(width, g.light) * unhidden(width, g.viewer) *
+           pi * g.light;
 }
 
-double viewer_cosine(const Shading& s) { return std::max(-dot(s.normal, s.view), 1e-4); }
+/// Colour of light that metallic facets reflect more than once, for facets that reflect the mean
+/// fraction `escaping` of light at once.
+Vec3 colour_of_further(const Vec3& facing, double escaping) {
+    const Vec3 within = glm::clamp(facing, Vec3(0), Vec3(1));
+    const Vec3 mean = within + (Vec3(1) - within) / 21.0;  // of Schlick's approximation
+    return mean * mean * escaping / (Vec3(1) - mean * (1 - escaping));
+}
 
-/// The layers of one surface.
-struct Layers {
-    explicit Layers(const Shading& s)
-        : material(s.finish->microfacet),
-          base(s.colour.rgb),
-          facing((1 - material.metallic) * Vec3(max_specular * material.specular) +
-                 material.metallic * base) {}
-
-    Vec3 mirror(double cosine) const { return facing + (Vec3(1) - facing) * grazing(cosine); }
-    double coat(double cosine) const { return material.coat * schlick(coat_facing, cosine); }
-
-    const Microfacet& material;
-    Vec3 base;
-    Vec3 facing;  ///< reflectance at normal incidence
+/// Nodes and weights of Gauss's rule for the interval from 0 to 1.
+struct Node {
+    double at, weight;
 };
-
-/// Draws the normal of a facet in proportion to its visible area: Heitz, "Sampling the GGX
-/// Distribution of Visible Normals", 2018. In a space whose z axis is the surface's normal.
-Vec3 seen_facet(const Vec3& viewer, double width, Vec2 place) {
-    const Vec3 stretched = unit(Vec3(width * viewer.x, width * viewer.y, viewer.z));
-    const double flat = stretched.x * stretched.x + stretched.y * stretched.y;
-    const Vec3 side =
-        flat > 0 ? Vec3(-stretched.y, stretched.x, 0) / std::sqrt(flat) : Vec3(1, 0, 0);
-    const Vec3 above = cross(stretched, side);
-    const double radius = std::sqrt(place.x), angle = 2 * pi * place.y;
-    const double a = radius * std::cos(angle);
-    const double share = 0.5 * (1 + stretched.z);
-    const double b =
-        (1 - share) * std::sqrt(std::max(0.0, 1 - a * a)) + share * radius * std::sin(angle);
-    const Vec3 n = a * side + b * above + std::sqrt(std::max(0.0, 1 - a * a - b * b)) * stretched;
-    return unit(Vec3(width * n.x, width * n.y, std::max(1e-9, n.z)));
-}
-
-/// Light scattered by the base without a coat, below facets that reflect the fraction `inner`.
-Vec3 base_response(const Shading& s, const Layers& layers, double inner, double light) {
-    return layers.base * ((1 - layers.material.metallic) * (1 - inner) * light * s.opacity);
-}
-
-double inner_share(const Microfacet& m, double between) {
-    return schlick(max_specular * m.specular, between);
-}
+constexpr std::array<Node, 6> nodes = {{{0.033765242898423975, 0.085662246189585178},
+                                        {0.169395306766867648, 0.180380786524069303},
+                                        {0.380690406958401506, 0.233956967286345524},
+                                        {0.619309593041598494, 0.233956967286345524},
+                                        {0.830604693233132352, 0.180380786524069303},
+                                        {0.966234757101576025, 0.085662246189585178}}};
 
 }  // namespace
 
-Vec3 facet_base_response(const Shading& s, const Vec3& to_light) {
-    const double light = dot(s.normal, to_light);
-    if (light <= 1e-10) return Vec3(0);
-    const double between = std::clamp(dot(to_light, unit(to_light - s.view)), 0.0, 1.0);
-    const Layers layers(s);
-    return base_response(s, layers, inner_share(layers.material, between), light) *
-           (1 - layers.coat(between));
+Facets::Facets(const Shading& s)
+    : material_(s.finish->microfacet),
+      colour_(s.colour.rgb),
+      opacity_(s.opacity),
+      dielectric_(max_specular * material_.specular),
+      facing_((1 - material_.metallic) * Vec3(dielectric_) + material_.metallic * colour_),
+      view_(s.view),
+      geometric_normal_(s.geometric_normal),
+      normal_(fitted_normal(s)),
+      viewer_(std::max(-dot(normal_, view_), 1e-4)),
+      bent_(normal_ != geometric_normal_),
+      viewer_left_(left_at(viewer_)) {
+    const Left mean = mean_left();
+    const auto inverse = [](double x) { return x > 0 ? 1 / x : 0; };
+    base_ = colour_ * (base_albedo() * opacity_);
+    per_base_ = inverse(mean.base);
+    further_ = colour_of_further(colour_, mean_facet_albedo(material_.roughness).all) *
+               (material_.metallic * viewer_left_.further);
+    per_further_ = inverse(mean.further);
 }
 
-Vec3 facet_response(const Shading& s, const Vec3& to_light, bool wide_only) {
-    FacetGeometry g;
-    g.light = dot(s.normal, to_light);
-    if (g.light <= 1e-10) return Vec3(0);
-    g.viewer = viewer_cosine(s);
-    const Vec3 facet = unit(to_light - s.view);
-    g.facet = std::clamp(dot(s.normal, facet), 0.0, 1.0);
-    g.between = std::clamp(dot(to_light, facet), 0.0, 1.0);
-    const Layers layers(s);
-    const Microfacet& m = layers.material;
-    const auto counts = [&](double width) { return !wide_only || width >= narrow; };
-    Vec3 sum = base_response(s, layers, inner_share(m, g.between), g.light);
-    if (const double w = width(m.roughness); counts(w))
-        sum += layers.mirror(g.between) * reflected(w, g);
-    const double coat = layers.coat(g.between);
-    if (coat == 0) return sum;
-    sum *= 1 - coat;
-    if (const double w = width(m.coat_roughness); counts(w)) sum += Vec3(coat * reflected(w, g));
+Vec3 Facets::mirror(double cosine) const {
+    return facing_ + (Vec3(1) - facing_) * grazing_share(cosine);
+}
+
+double Facets::coat(double cosine) const { return material_.coat * schlick(coat_facing, cosine); }
+
+Facets::Left Facets::left_of(const FacetAlbedo& own, const FacetAlbedo& coat) const {
+    const double by_coat = material_.coat * coat.schlick(coat_facing);
+    return {by_coat, (1 - by_coat) * (1 - own.schlick(dielectric_)), (1 - by_coat) * (1 - own.all)};
+}
+
+Facets::Left Facets::left_at(double cosine) const {
+    return left_of(
+        facet_albedo(material_.roughness, cosine),
+        material_.coat > 0 ? facet_albedo(material_.coat_roughness, cosine) : FacetAlbedo());
+}
+
+/// The mean over all directions, weighted by the cosine.
+Facets::Left Facets::mean_left() const {
+    if (!(material_.coat > 0)) return left_of(mean_facet_albedo(material_.roughness), {});
+    Left sum{0, 0, 0};
+    for (const auto& [cosine, weight] : nodes) {
+        const Left there = left_at(cosine);
+        sum.base += 2 * cosine * weight * there.base;
+        sum.further += 2 * cosine * weight * there.further;
+    }
     return sum;
 }
 
-FacetLight facet_light(const Shading& s) {
-    const Layers layers(s);
-    const Microfacet& m = layers.material;
-    const double cosine = viewer_cosine(s), coat = layers.coat(cosine);
-    const auto lobe = [](double roughness, double amount) {
-        const double w = width(roughness);
-        return FacetLight::Lobe{w, w >= narrow ? amount : 0};
-    };
-    return {(1 - coat) * (1 - m.metallic) * grey(layers.base) * s.opacity,
-            {lobe(m.roughness, (1 - coat) * grey(layers.mirror(cosine))),
-             lobe(m.coat_roughness, coat)}};
+// Both are the same for light and viewer exchanged, and reflect all that the viewer's direction
+// leaves for them if they are white.
+Vec3 Facets::base_at(const Left& left) const { return base_ * (left.base * per_base_); }
+Vec3 Facets::further_at(const Left& left) const { return further_ * (left.further * per_further_); }
+
+/// The sum of use(direction) for the light's direction and for the one that the real surface
+/// mirrors to it.
+template <class Use>
+auto Facets::folded(const Vec3& to_light, const Use& use) const {
+    using Value = decltype(use(to_light));
+    if (!bent_) return use(to_light);
+    if (!(dot(to_light, geometric_normal_) > 0)) return Value(0);
+    return use(to_light) + use(mirrored(to_light, geometric_normal_));
 }
 
-std::optional<Vec3> draw_mirrored(const Shading& s, double width, Vec2 place) {
-    const auto [x, y] = perpendiculars(s.normal);
-    const Vec3 viewer(-dot(x, s.view), -dot(y, s.view), viewer_cosine(s));
-    const Vec3 facet = seen_facet(viewer, width, place);
+Vec3 Facets::base_response(const Vec3& to_light) const {
+    return folded(to_light, [&](const Vec3& direction) {
+        const double light = dot(normal_, direction);
+        return light <= 1e-10 ? Vec3(0) : base_at(left_at(light)) * light;
+    });
+}
+
+Vec3 Facets::response(const Vec3& to_light, bool wide_only) const {
+    return folded(to_light, [&](const Vec3& direction) { return at(direction, wide_only); });
+}
+
+Vec3 Facets::at(const Vec3& to_light, bool wide_only) const {
+    FacetGeometry g;
+    g.light = dot(normal_, to_light);
+    if (g.light <= 1e-10) return Vec3(0);
+    g.viewer = viewer_;
+    const Vec3 facet = unit(to_light - view_);
+    g.facet = std::clamp(dot(normal_, facet), 0.0, 1.0);
+    g.between = std::clamp(dot(to_light, facet), 0.0, 1.0);
+    const auto counts = [&](double width) { return !wide_only || width >= narrow; };
+    const Left left = left_at(g.light);
+    Vec3 sum = (base_at(left) + further_at(left)) * g.light;
+    // What the coat leaves of a mirrored direction is the same for light and viewer; elsewhere the
+    // lesser of both counts, which makes no light.
+    if (const double w = facet_width(material_.roughness); counts(w))
+        sum += mirror(g.between) * (reflected(w, g) * (1 - std::max(left.coat, viewer_left_.coat)));
+    if (const double w = facet_width(material_.coat_roughness); material_.coat > 0 && counts(w))
+        sum += Vec3(coat(g.between) * reflected(w, g));
+    return sum;
+}
+
+FacetLight Facets::light() const {
+    const auto lobe = [](double roughness, double amount) {
+        const double w = facet_width(roughness);
+        return FacetLight::Lobe{w, w >= narrow ? amount : 0};
+    };
+    return {grey(base_) + grey(further_),
+            {lobe(material_.roughness, mirror_albedo(grey(facing_))),
+             lobe(material_.coat_roughness, viewer_left_.coat)}};
+}
+
+/// Fraction of uniform light that the facets below the coat reflect at once.
+double Facets::mirror_albedo(double facing) const {
+    return std::max(facet_albedo(material_.roughness, viewer_).schlick(facing), 0.0) *
+           (1 - viewer_left_.coat);
+}
+
+/// The same as draw_mirrored(), before the real surface mirrors what would lead into it.
+std::optional<Vec3> Facets::draw_raw(double width, Vec2 place) const {
+    const auto [x, y] = perpendiculars(normal_);
+    const Vec3 viewer(-dot(x, view_), -dot(y, view_), viewer_);
+    const Vec3 facet = visible_facet(viewer, width, place);
     const double between = dot(viewer, facet);
     const Vec3 light = 2 * between * facet - viewer;
     if (light.z <= 0 || between <= 0) return std::nullopt;
-    return unit(light.x * x + light.y * y + light.z * s.normal);
+    return unit(light.x * x + light.y * y + light.z * normal_);
 }
 
-double mirrored_density(const Shading& s, double width, const Vec3& to_light) {
-    const double cosine = std::clamp(dot(s.normal, unit(to_light - s.view)), 0.0, 1.0);
-    return density(width, cosine) * unhidden(width, viewer_cosine(s)) / 2;
+std::optional<Vec3> Facets::draw_mirrored(double width, Vec2 place) const {
+    const auto raw = draw_raw(width, place);
+    return raw ? std::optional(lifted(*raw, geometric_normal_)) : std::nullopt;
 }
 
-double mirrored_peak(const Shading& s, double width) {
-    const double cosine = viewer_cosine(s);
-    return reflected(width, {cosine, cosine, 1, cosine});
+double Facets::mirrored_density(double width, const Vec3& to_light) const {
+    return folded(to_light, [&](const Vec3& direction) {
+        if (dot(normal_, direction) <= 0) return 0.0;
+        const double cosine = std::clamp(dot(normal_, unit(direction - view_)), 0.0, 1.0);
+        return facet_density(width, cosine) * unhidden(width, viewer_) / 2;
+    });
 }
 
-std::optional<Scattered> scatter(const Shading& s, double choice, Vec2 place) {
-    const Layers layers(s);
-    const double cosine = viewer_cosine(s);
-    const double coat = layers.coat(cosine);
-    const double by_coat = coat / (coat + max_component(layers.mirror(cosine)) + 1e-9);
-    const bool on_coat = choice < by_coat;
-    const double w = width(on_coat ? layers.material.coat_roughness : layers.material.roughness);
-    const auto direction = draw_mirrored(s, w, place);
-    if (!direction) return std::nullopt;
-    const double between = dot(*direction, unit(*direction - s.view));
+Vec3 Facets::draw_diffuse(Vec2 place) const {
+    return lifted(cosine_direction(normal_, place), geometric_normal_);
+}
+
+double Facets::diffuse_density(const Vec3& to_light) const {
+    return folded(to_light, [&](const Vec3& direction) {
+        return std::max(dot(normal_, direction), 0.0) / pi;
+    });
+}
+
+double Facets::mirrored_peak(double width) const {
+    return reflected(width, {viewer_, viewer_, 1, viewer_});
+}
+
+Vec3 Facets::mirrored_view() const { return lifted(mirrored(view_, normal_), geometric_normal_); }
+
+std::optional<Scattered> Facets::scatter(double choice, Vec2 place) const {
+    const double by_coat = viewer_left_.coat, by_mirror = mirror_albedo(max_component(facing_)),
+                 by_further = std::max(max_component(further_), 0.0),
+                 all = by_coat + by_mirror + by_further;
+    if (!(all > 0)) return std::nullopt;
+    if (by_further > 0 && choice * all >= by_coat + by_mirror) {
+        const Vec3 raw = cosine_direction(normal_, place);
+        return Scattered{lifted(raw, geometric_normal_),
+                         further_at(left_at(dot(raw, normal_))) * (all / by_further), false};
+    }
+    const bool on_coat = choice * all < by_coat;
+    const double w = facet_width(on_coat ? material_.coat_roughness : material_.roughness);
+    const auto raw = draw_raw(w, place);
+    if (!raw) return std::nullopt;
+    const double between = dot(*raw, unit(*raw - view_));
     // With visible normals, the weight is the Fresnel factor times the masking of the light.
-    const double up = std::max(dot(*direction, s.normal), 0.0), unseen = 2 * up * unhidden(w, up);
-    const Vec3 share = on_coat
-                           ? Vec3(layers.coat(between) / by_coat)
-                           : layers.mirror(between) * ((1 - layers.coat(between)) / (1 - by_coat));
-    return Scattered{*direction, share * unseen, w < narrow};
+    const double up = std::max(dot(*raw, normal_), 0.0), unseen = 2 * up * unhidden(w, up);
+    const Vec3 share =
+        on_coat
+            ? Vec3(coat(between) / by_coat)
+            : mirror(between) * ((1 - std::max(viewer_left_.coat, left_at(up).coat)) / by_mirror);
+    return Scattered{lifted(*raw, geometric_normal_), share * (unseen * all), w < narrow};
 }
 
 }  // namespace candelabra

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Microfacet reflection: GGX facets with shadowing and masking (Walter and others 2007), sampled by
-// visible normals (Heitz 2018), over a diffuse base and under a clear coat.
+// Microfacet reflection: GGX facets, sampled by visible normals, over a diffuse base and under a
+// clear coat. A white surface reflects all light at every angle: light that facets do not reflect
+// at once goes from facet to facet of a metal (Kulla and Conty, "Revisiting Physically Based
+// Shading at Imageworks", 2017), or into the base.
 #pragma once
 
+#include "scattering/facet_albedo.h"
 #include "scattering/shading.h"
 
 #include <array>
@@ -10,42 +13,92 @@
 
 namespace candelabra {
 
-/// Radiance towards the viewer due to light of colour 1 from a unit direction, as in
-/// finish_response(). `wide_only` omits lobes so narrow that scattered rays find luminaires better.
-/// Precondition of all functions here: the finish has facets.
-Vec3 facet_response(const Shading&, const Vec3& to_light, bool wide_only);
-
-/// The part of it that the diffuse base below the facets scatters.
-Vec3 facet_base_response(const Shading&, const Vec3& to_light);
-
-/// Approximate fraction of uniform light of colour 1 that is scattered to the viewer: by the
-/// diffuse base, and by the wide lobes (amount 0: no lobe).
-struct FacetLight {
-    struct Lobe {
-        double width, amount;
-    };
-    double base;
-    std::array<Lobe, 2> wide;
-};
-FacetLight facet_light(const Shading&);
-
-/// Returns a direction from which facets of this width mirror light to the viewer;
-/// mirrored_density() is its density per steradian. Returns nothing if the facets reflect into the
-/// surface.
-std::optional<Vec3> draw_mirrored(const Shading&, double width, Vec2 place);
-double mirrored_density(const Shading&, double width, const Vec3& to_light);
-/// facet_response() by these facets for light from the mirrored view direction, if they reflect all
-/// of it.
-double mirrored_peak(const Shading&, double width);
-
 /// A direction from which light is reflected, and the weight of its radiance.
 struct Scattered {
     Vec3 direction;
     Vec3 weight;
-    bool narrow;  ///< omitted by facet_response() with wide_only
+    bool narrow;  ///< omitted by Facets::response() with wide_only
 };
 
-/// Arguments are uniform in [0, 1). Returns nothing if the facets reflect into the surface.
-std::optional<Scattered> scatter(const Shading&, double choice, Vec2 place);
+/// Fraction of uniform light of colour 1 that is scattered to the viewer: in all directions, by the
+/// base and from facet to facet, and about by the wide lobes (amount 0: no lobe).
+struct FacetLight {
+    struct Lobe {
+        double width, amount;
+    };
+    double diffuse;
+    std::array<Lobe, 2> wide;
+};
+
+/// The facets at a point, as they are seen by its viewer. A bent normal leads no light into the
+/// real surface: what would go there is mirrored by it.
+class Facets {
+public:
+    /// The finish has facets. The shading need not outlive this.
+    explicit Facets(const Shading&);
+
+    /// Radiance towards the viewer due to light of colour 1 from a unit direction, as in
+    /// finish_response(). `wide_only` omits lobes so narrow that scattered rays find luminaires
+    /// better.
+    Vec3 response(const Vec3& to_light, bool wide_only) const;
+    /// The part of it that the diffuse base scatters, and the fraction of uniform light that a
+    /// white base would scatter.
+    Vec3 base_response(const Vec3& to_light) const;
+    double base_albedo() const { return (1 - material_.metallic) * viewer_left_.base; }
+    FacetLight light() const;
+
+    /// Returns a direction for which facets of this width mirror light to the viewer;
+    /// mirrored_density() is its density per steradian. Returns nothing if light would go on from
+    /// facet to facet.
+    std::optional<Vec3> draw_mirrored(double width, Vec2 place) const;
+    double mirrored_density(double width, const Vec3& to_light) const;
+    /// The same with a density in proportion to the cosine.
+    Vec3 draw_diffuse(Vec2 place) const;
+    double diffuse_density(const Vec3& to_light) const;
+
+    /// response() by facets of this width for light from the mirrored view direction, if they
+    /// reflect all of it.
+    double mirrored_peak(double width) const;
+    /// That direction.
+    Vec3 mirrored_view() const;
+
+    /// Draws from the lobes and from the light that goes from facet to facet, but not from the
+    /// base. Arguments are uniform in [0, 1). Returns nothing as draw_mirrored() does.
+    std::optional<Scattered> scatter(double choice, Vec2 place) const;
+
+private:
+    /// Fractions of the light from or to a direction: reflected by the coat, and left by the lobes
+    /// for the base and for further facets.
+    struct Left {
+        double coat, base, further;
+    };
+    Left left_at(double cosine) const;
+    Left left_of(const FacetAlbedo& own, const FacetAlbedo& coat) const;
+    Left mean_left() const;
+
+    Vec3 mirror(double cosine) const;
+    double coat(double cosine) const;
+    double mirror_albedo(double facing) const;
+    // Responses over the cosine of the light:
+    Vec3 base_at(const Left&) const;
+    Vec3 further_at(const Left&) const;
+    std::optional<Vec3> draw_raw(double width, Vec2 place) const;
+    Vec3 at(const Vec3& to_light, bool wide_only) const;
+    template <class Use>
+    auto folded(const Vec3& to_light, const Use& use) const;
+
+    Microfacet material_;
+    Vec3 colour_;  ///< of the base and of the metal
+    double opacity_;
+    double dielectric_;  ///< reflectance of the non-metallic part at normal incidence
+    Vec3 facing_;        ///< reflectance at normal incidence
+    Vec3 view_, geometric_normal_;
+    Vec3 normal_;    ///< fitted to the viewer
+    double viewer_;  ///< cosine of the viewer; above 0
+    bool bent_;      ///< whether the normal is not that of the real surface
+    Left viewer_left_;
+    Vec3 base_, further_;            ///< fractions of uniform light that they scatter to the viewer
+    double per_base_, per_further_;  ///< inverse means of what is left for them; 0: nothing
+};
 
 }  // namespace candelabra

@@ -36,6 +36,14 @@ Vec3 answer_to(const LitLayer& layer, const Vec3& direction, const Key& key) {
     return layer.scatterer.evaluate(direction, terms, layer.grain(key));
 }
 
+/// About the greatest response of a surface, to compare its noise with that of others.
+Vec3 straight_answer(const LitLayer& layer, const Key& key) {
+    const Bsdf& bsdf = layer.scatterer.bsdf();
+    const BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide, true};
+    return bsdf.evaluate(receiver(bsdf.shading()).normal, terms, layer.grain(key)) +
+           Vec3(bsdf.highlights());
+}
+
 /// Difference in radiance that amounts to hidden_steps steps of the displayed picture.
 double visible_step(double radiance) {
     constexpr double gamma = display_gamma, steps = 255;
@@ -54,7 +62,7 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     if (!layer.scatterer.answers_light()) return sum;
     if (layer.sources) sum = from_sources(layer, key, ledger);
     if (photons_ && !layer.scatterer.in_air() && layer.collects())
-        sum += photons_(layer, key, ledger);
+        sum += photons_(layer, key, ledger, passes_surfaces(world_));
     if (layer.luminaires && !world_.lights.luminaires.empty())
         sum += from_luminaires(layer, key, sum, ledger);
     if (!layer.sky || world_.sky.light.empty()) return sum;
@@ -102,9 +110,7 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
             if (answer.noise() >= 0 && scatterer.in_air()) {
                 count = rays_at(answer, layer, scatterer.phase().mean());
             } else if (answer.noise() >= 0) {
-                const Bsdf& bsdf = scatterer.bsdf();
-                const Vec3 straight =
-                    answer_to(layer, bsdf.shading().normal, key) + Vec3(bsdf.highlights());
+                const Vec3 straight = straight_answer(layer, key);
                 chance = chance_of_asking(answer, layer, straight, before);
                 if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return Vec3(0);
                 count = rays_at(answer, layer, straight);

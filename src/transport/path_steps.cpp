@@ -47,9 +47,9 @@ PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shadi
 }
 
 std::optional<FacetPath> facet_path(const PathState& path, const Vertex& vertex, const Shading& s) {
-    const auto drawn =
-        scatter(s, uniform(path.key, Purpose::facet_choice),
-                {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
+    const auto drawn = Facets(s).scatter(
+        uniform(path.key, Purpose::facet_choice),
+        {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
     if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return std::nullopt;
     PathState next = path.dimmed(drawn->weight);
     next.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Branch::scattering);

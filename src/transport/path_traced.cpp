@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/path_traced.h"
 
-#include "base/cosine_direction.h"
+#include "scattering/microfacet.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
 #include "surface/quality.h"
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace candelabra {
 
@@ -27,18 +28,9 @@ constexpr double min_survival = 0.05;
 /// Approximate fraction of uniform incident light that the diffuse part reflects to the viewer.
 Vec3 diffuse_albedo(const Shading& s) {
     const Finish& f = *s.finish;
-    const double amount = f.microfacet.on ? 1 - f.microfacet.metallic
-                                          : std::fmax(f.diffuse, 0) + std::fmax(f.diffuse_back, 0);
+    const double amount = f.microfacet.on ? Facets(s).base_albedo()
+                                          : std::fmax(f.diffuse, 0) + std::abs(f.diffuse_back);
     return s.colour.rgb * (s.opacity * amount);
-}
-
-/// Chooses one of two sides of a surface, the lower one with probability `share`. Rescales u, which
-/// is in [0, 1), so that it can be used again.
-bool is_lower(double& u, double share) {
-    const bool lower = u < share;
-    u = lower ? u / share : (u - share) / (1 - share);
-    u = std::fmin(u, 1 - 0x1p-53);
-    return lower;
 }
 
 }  // namespace
@@ -248,28 +240,20 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
     return false;
 }
 
-/// Samples a direction for the diffuse part, with a pdf proportional to the cosine, on one side of
-/// the surface or on both. Returns false if the path ends.
+/// Samples a direction for the diffuse part, on one side of the surface or on both. Returns false if
+/// the path ends.
 bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const LayerStack& stack,
                                   PathState& path) {
-    Vec2 u{uniform(path.key, Purpose::bounce_u), uniform(path.key, Purpose::bounce_v)};
-    const Finish& f = *s.finish;
-    const double back = s.both_sides ? 0.5
-                        : f.diffuse_back > 0
-                            ? f.diffuse_back / (std::fmax(f.diffuse, 0) + f.diffuse_back)
-                            : 0;
-    const bool from_behind = is_lower(u.x, back);
-    const Vec3 normal = from_behind ? -s.normal : s.normal;
-    const Vec3 direction = cosine_direction(normal, u);
-    // A bump must not send the path through the surface.
-    if ((dot(direction, s.geometric_normal) < 0) != from_behind) return false;
-    const double side = from_behind ? back : 1 - back;
-    // The pdf is side * cosine / pi.
-    const Vec3 answer = Bsdf(s, rules_).evaluate(direction, diffuse_terms, 0);
-    path.dim(answer / (side * std::fmax(dot(direction, normal), 1e-9)));
-    path = gathering_path(path, vertex, direction);
+    const Bsdf bsdf(s, rules_);
+    const auto direction = bsdf.sample_diffuse(
+        {uniform(path.key, Purpose::bounce_u), uniform(path.key, Purpose::bounce_v)});
+    const double density = direction ? bsdf.diffuse_pdf(*direction) : 0;
+    if (!(density > 0)) return false;
+    path.dim(bsdf.evaluate(*direction, diffuse_terms, 0) / (std::numbers::pi * density));
+    path = gathering_path(path, vertex, *direction);
     if (reflected_ && !path.covered && is_lambertian(world_, vertex, s))
-        path.leaving = dot(direction, normal);
+        path.leaving = dot(*direction, s.normal);
+    const bool from_behind = dot(*direction, s.geometric_normal) < 0;
     if (from_behind && vertex.material->transparent) path.media = stack.interface().behind;
     return true;
 }

@@ -13,10 +13,11 @@ constexpr double min_arriving_cosine = 1e-6;
 
 }  // namespace
 
-Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
+Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger,
+                             bool through_surface) {
     const Vec3& point = layer.vertex.position();
     const Vec3& normal = layer.vertex.hit.normal;
-    const BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
+    BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
     const double grain = layer.grain(key);
     Vec3 sum(0);
     current().on_surfaces.around(point, [&](const Photon& photon) {
@@ -26,6 +27,7 @@ Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
         const Vec3 to_light = -Vec3(photon.direction);
         const double cosine = std::abs(dot(to_light, Vec3(photon.normal)));
         if (cosine < min_arriving_cosine) return;
+        terms.through_surface = through_surface && !photon.glows;
         // The density on the surface includes the cosine already, and evaluate() applies it again.
         const Vec3 seen = Vec3(photon.power) * (density / cosine) *
                           layer.scatterer.evaluate(to_light, terms, grain);

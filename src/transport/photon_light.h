@@ -15,8 +15,9 @@ public:
     using ServedGeneration::ServedGeneration;
 
     /// Radiance towards the viewer, from the generation that serves the sample. Precondition: there
-    /// are photons, and the layer is that of a surface.
-    Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
+    /// are photons, and the layer is that of a surface. `through_surface`: see BsdfTerms, for
+    /// photons of light sources.
+    Vec3 operator()(const LitLayer&, const Key&, LightLedger&, bool through_surface);
 };
 
 }  // namespace candelabra

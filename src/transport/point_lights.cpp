@@ -32,7 +32,8 @@ public:
           collects_(!world.photon_targets.empty() && layer.collects()),
           vertex_(layer.vertex),
           scatterer_(layer.scatterer),
-          terms_{.highlights = layer.highlights && !light.shadowless},
+          terms_{.highlights = layer.highlights && !light.shadowless,
+                 .through_surface = passes_surfaces(world)},
           grain_(layer.grain(key)),
           key_(key),
           ledger_(ledger) {

@@ -52,7 +52,7 @@ Vec3 ReflectedLight::from(const ReflectedLuminaire& luminaire, const Vertex& ver
     if (!(distance > vertex.tolerance())) return Vec3(0);
     const Vec3 direction = offset / distance;
     const double cosine = dot(direction, s.normal), there = -dot(direction, luminaire.normal);
-    if (!(cosine > 0 && there > 0 && dot(direction, s.geometric_normal) > 0)) return Vec3(0);
+    if (!(cosine > 0 && there > 0)) return Vec3(0);
     return Bsdf(s, rules_).evaluate(direction, diffuse_terms, 0) * luminaire.power *
            (there * share(cosine, there, distance) / (std::numbers::pi * distance * distance));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/vertex.h"
 
+#include "scattering/real_surface.h"
+
 namespace candelabra {
 
 Vertex vertex_at(const World& world, const Ray& ray, const Hit& hit,
@@ -34,9 +36,14 @@ ShadingRules shading_rules(const World& world) {
             world.pattern_scene().noise_generator};
 }
 
+bool passes_surfaces(const World& world) {
+    return std::holds_alternative<PovRay>(world.rules.settings.integrator);
+}
+
 Receiver receiver(const Shading& s) {
-    const bool from_behind = s.both_sides || s.finish->diffuse_back != 0;
-    return {s.position, s.normal, from_behind ? Horizon::both_sides : Horizon::one_side};
+    // Facets reflect light from everywhere above the real surface; others, above their own horizon.
+    return {s.position, s.finish->microfacet.on ? s.geometric_normal : s.normal,
+            answers_behind(s) ? Horizon::both_sides : Horizon::one_side};
 }
 
 Receiver receiver(const Scatterer& scatterer) {

@@ -31,6 +31,10 @@ Shading with_layer(const World&, const Vertex&, const Layer&);
 /// The world's settings for the shading of its surfaces.
 ShadingRules shading_rules(const World&);
 
+/// BsdfTerms::through_surface for light of sources: only the integrator that follows POV-Ray counts
+/// it.
+bool passes_surfaces(const World&);
+
 /// The receiver of light at a surface or a scatterer.
 Receiver receiver(const Shading&);
 Receiver receiver(const Scatterer&);

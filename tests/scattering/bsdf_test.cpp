@@ -6,6 +6,9 @@
 #include <catch2/catch.hpp>
 
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -67,40 +70,157 @@ std::size_t bin(const Vec3& d) {
     return row * 16 + column;
 }
 
+/// Every kind of finish, by itself and together with others.
+std::vector<std::pair<std::string, Finish>> kinds() {
+    std::vector<std::pair<std::string, Finish>> all;
+    const auto add = [&](const std::string& name, Finish finish, auto... change) {
+        (change(finish), ...);
+        all.emplace_back(name, finish);
+    };
+    const auto back = [](double amount) { return [=](Finish& f) { f.diffuse_back = amount; }; };
+    add("diffuse", highlights(0.6, 0, 40, 0, 0.05));
+    add("diffuse a, b", highlights(0.4, 0, 40, 0, 0.05), back(0.4));
+    add("mostly b", highlights(0.1, 0, 40, 0, 0.05), back(0.7));
+    add("only b", highlights(0, 0, 40, 0, 0.05), back(0.7));
+    add("negative b", highlights(0.5, 0, 40, 0, 0.05), back(-0.2));
+    add("brilliance", highlights(0.6, 0, 40, 0, 0.05), [](Finish& f) { f.brilliance = 3; });
+    add("brilliance below 1 and b", highlights(0.6, 0, 40, 0, 0.05), back(0.2),
+        [](Finish& f) { f.brilliance = 0.5; });
+    add("crand", highlights(0.6, 0, 40, 0, 0.05), [](Finish& f) { f.crand = 0.1; });
+    add("irid", highlights(0.6, 0.4, 20, 0, 0.05), [](Finish& f) {
+        f.irid.amount = 0.3;
+        f.irid.thickness = 0.5;
+    });
+    add("phong", highlights(0.6, 0.8, 40, 0, 0.05));
+    add("phong alone", highlights(0, 0.8, 20, 0, 0.05));
+    add("phong and b", highlights(0, 0.8, 20, 0, 0.05), back(0.5));
+    add("wide phong", highlights(0.3, 0.8, 1, 0, 0.05));
+    add("specular alone", highlights(0, 0, 40, 0.7, 0.1));
+    add("specular and b", highlights(0.2, 0, 40, 0.7, 0.1), back(0.5));
+    add("phong and specular", highlights(0.3, 0.4, 5, 0.9, 0.04));
+    add("metallic", highlights(0.3, 0.4, 5, 0.9, 0.1), [](Finish& f) { f.metallic = 1; });
+    add("rough metal", facets(0.6, 1));
+    add("rougher metal", facets(1, 1));
+    add("rough dielectric", facets(0.6, 0));
+    add("smooth dielectric", facets(0.1, 0));
+    add("coat", facets(0.5, 0.3, 1));
+    add("smooth metal", facets(0.1, 1));
+    add("facets and b", facets(0.5, 0), back(0.5));
+    return all;
+}
+
+struct Place {
+    bool both_sides;
+    Vec3 view;
+    Vec3 normal;
+};
+
+/// Surfaces lit from one side or from both, seen from above and grazing, with the normal of the
+/// real surface, bent, and turned to the viewer.
+std::vector<Place> bench_places() {
+    std::vector<Place> all;
+    for (const bool both : {false, true})
+        for (const Vec3& view : {unit(Vec3(1, -1, 0.3)), unit(Vec3(-1, -0.1, 0.5))})
+            for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(0.5, 1, 0.2), Vec3(-1, 0.4, 0.1)})
+                all.push_back({both, view, unit(normal)});
+    return all;
+}
+
+/// Probabilities of the bins, integrated over a grid.
+std::vector<double> said_by(const Bsdf& bsdf) {
+    std::vector<double> said(128, 0);
+    constexpr int rows = 120, columns = 240;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const double y = 2 * (i + 0.5) / rows - 1, turn = 2 * pi * (j + 0.5) / columns;
+            const double across = std::sqrt(1 - y * y);
+            const Vec3 d(across * std::cos(turn), y, across * std::sin(turn));
+            said[bin(d)] += bsdf.pdf(d) * 4 * pi / (rows * columns);
+        }
+    return said;
+}
+
+/// Calls use(bsdf) for every kind of finish at every place, and for light that enters a solid.
+template <class Use>
+void for_bsdfs(const Use& use) {
+    for (const auto& [name, finish] : kinds())
+        for (const auto& [both, view, normal] : bench_places()) {
+            Look look(finish, view);
+            look.shading.both_sides = both;
+            look.shading.normal = normal;
+            CAPTURE(name, both, view.x, normal.x);
+            use(Bsdf(look.shading, ShadingRules()));
+            use(Bsdf::highlights_of(look.shading, ShadingRules()));
+            if (name == "diffuse") use(Bsdf::entering(look.shading, ShadingRules(), 1.5));
+        }
+}
+
 }  // namespace
 
+TEST_CASE("each direction from which light counts can be drawn", "[scattering]") {
+    Draw draw(4);
+    for_bsdfs([&](const Bsdf& bsdf) {
+        for (int i = 0; i < 500; ++i) {
+            const Vec3 d = draw.direction();
+            if (bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0.5) == Vec3(0)) continue;
+            CAPTURE(d.x, d.y, d.z);
+            CHECK(bsdf.pdf(d) > 0);
+        }
+    });
+}
+
+TEST_CASE("no light comes through the real surface", "[scattering]") {
+    Draw draw(5);
+    for_bsdfs([&](const Bsdf& bsdf) {
+        const Shading& s = bsdf.shading();
+        const bool behind = s.both_sides || s.finish->diffuse_back != 0;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 d = draw.direction();
+            const double real = d.y, shown = dot(d, s.normal);
+            if (s.finish->microfacet.on ? real > 0 : real * shown > 0 && (behind || real > 0))
+                continue;
+            CAPTURE(d.x, d.y, d.z);
+            CHECK(bsdf.evaluate(d, {}, 0.5) == Vec3(0));
+            CHECK(bsdf.pdf(d) == 0);
+        }
+    });
+}
+
+TEST_CASE("light of POV-Ray's sources may come through the real surface", "[scattering]") {
+    Look look(highlights(0.6, 0, 40, 0, 0.05), unit(Vec3(-1, -1, 0)));
+    look.shading.normal = unit(Vec3(1, 0.5, 0));
+    const Vec3 below = unit(Vec3(1, -0.2, 0));
+    const Bsdf bsdf(look.shading, ShadingRules());
+    CHECK(bsdf.evaluate(below, {}, 0) == Vec3(0));
+    CHECK(bsdf.evaluate(below, {.through_surface = true}, 0).x > 0.1);
+}
+
 TEST_CASE("directions are drawn with the density that is said", "[render]") {
-    for (const bool both : {false, true})
-        for (const Vec3& view :
-             {unit(Vec3(1, -1, 0.3)), unit(Vec3(0.1, -1, 0)), unit(Vec3(-1, -0.1, 0.5))})
-            for (const Finish& finish : looks()) {
-                Look look(finish, view);
-                look.shading.both_sides = both;
-                const Bsdf bsdf(look.shading, ShadingRules());
-                std::vector<double> drawn(128, 0), said(128, 0);
-                constexpr int count = 200000;
-                Draw draw(1);
-                for (int i = 0; i < count; ++i)
-                    if (const auto d = bsdf.sample({draw.number(), draw.number()}))
-                        drawn[bin(*d)] += 1.0 / count;
-                constexpr int rows = 400, columns = 800;
-                for (int i = 0; i < rows; ++i)
-                    for (int j = 0; j < columns; ++j) {
-                        const double y = 2 * (i + 0.5) / rows - 1,
-                                     turn = 2 * pi * (j + 0.5) / columns;
-                        const double across = std::sqrt(1 - y * y);
-                        const Vec3 d(across * std::cos(turn), y, across * std::sin(turn));
-                        said[bin(d)] += bsdf.pdf(d) * 4 * pi / (rows * columns);
-                    }
-                // Below the surface the response is 0, and facets that would reflect there give
-                // nothing.
-                for (std::size_t b = both ? 0 : 64; b < 128; ++b) {
-                    CAPTURE(b, both, view.x, finish.phong, finish.specular, finish.microfacet.on,
-                            finish.microfacet.roughness);
-                    if (both && b < 64 && bsdf.specular_probability() > 0) continue;
-                    CHECK(drawn[b] == Approx(said[b]).margin(0.004));
-                }
-            }
+    std::uint64_t seed = 0;
+    for_bsdfs([&](const Bsdf& bsdf) {
+        const std::vector<double> said = said_by(bsdf);
+        std::vector<double> drawn(said.size(), 0);
+        constexpr int count = 10000;
+        Draw draw(++seed);
+        for (int i = 0; i < count; ++i)
+            if (const auto d = bsdf.sample({draw.number(), draw.number()}))
+                drawn[bin(*d)] += 1.0 / count;
+        // The grid's error is about a thousandth of a bin's share, and of all directions.
+        double squares = 0, all = 0, kept = 0;
+        for (std::size_t b = 0; b < said.size(); ++b) {
+            const double apart = drawn[b] - said[b];
+            squares += apart * apart / (said[b] / count + 1e-6);
+            all += said[b], kept += drawn[b];
+        }
+        const double bins = static_cast<double>(said.size());
+        CHECK(squares < bins + 5 * std::sqrt(2 * bins));
+        CHECK(all < 1.002);
+        CHECK(kept == Approx(all).margin(0.002 + 5 * std::sqrt(0.25 / count)));
+        // All directions count where the normal is that of the real surface.
+        const Shading& s = bsdf.shading();
+        if (s.normal == s.geometric_normal && bsdf.specular_probability() == 0)
+            CHECK(all == Approx(1).margin(0.002));
+    });
 }
 
 TEST_CASE("surfaces without highlights, or that leave them to reflection, draw none", "[render]") {
