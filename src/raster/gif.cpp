@@ -33,7 +33,8 @@ std::string_view take_table(std::string_view& rest, std::uint32_t flags) {
     return table;
 }
 
-/// Decodes the wanted number of colour indices. Returns nothing if there are fewer.
+/// Decodes the wanted number of colour indices; they are 0 behind an early end, as in POV-Ray.
+/// Returns nothing if codes are missing or wrong.
 std::optional<std::string> numbers_of_codes(std::string_view codes, unsigned bits,
                                             std::size_t wanted) {
     if (bits < 2 || bits > 8) return std::nullopt;
@@ -49,7 +50,10 @@ std::optional<std::string> numbers_of_codes(std::string_view codes, unsigned bit
             const std::uint32_t code = store & ((1U << width) - 1);
             store >>= width;
             stored -= width;
-            if (code == words.end_code()) return std::nullopt;
+            if (code == words.end_code()) {
+                output.resize(wanted);
+                return output;
+            }
             if (code == words.clear_code())
                 words.begin();
             else if (!words.add(code, output))
@@ -80,77 +84,77 @@ std::vector<int> row_order(int height, bool interlaced) {
     return order;
 }
 
-/// A picture placed on the canvas.
-struct Placed {
-    int x, y, width, height;
-    bool interlaced;
+/// Colour indices in the order of the picture's rows.
+struct Indexed {
+    int width, height;
     std::string_view table;
-    int clear = -1;  ///< index of the transparent colour
+    bool own_table;
     std::string numbers;
 };
 
-/// Paints the picture. Returns false if a colour is missing from the table.
-bool paint(const Placed& placed, StoredPicture& picture) {
-    const std::vector<int> order = row_order(placed.height, placed.interlaced);
+std::string in_order(const std::string& stored, const std::vector<int>& rows, std::size_t width) {
+    std::string result(stored.size(), '\0');
     std::size_t next = 0;
-    for (const int row : order)
-        for (int column = 0; column < placed.width; ++column) {
-            const std::size_t number = static_cast<unsigned char>(placed.numbers[next++]);
-            if (static_cast<int>(number) == placed.clear) continue;
-            if (3 * number + 3 > placed.table.size()) return false;
-            const auto pixel =
-                static_cast<std::size_t>(placed.y + row) * static_cast<std::size_t>(picture.width) +
-                static_cast<std::size_t>(placed.x + column);
-            for (std::size_t i = 0; i < 3; ++i)
-                picture.values[3 * pixel + i] =
-                    unit_value(static_cast<std::uint8_t>(byte_in(placed.table, 3 * number + i)));
-            picture.alpha[pixel] = 1;
-        }
-    return true;
+    for (const int row : rows) {
+        result.replace(static_cast<std::size_t>(row) * width, width, stored, next, width);
+        next += width;
+    }
+    return result;
 }
 
-/// Whether all pixels of the canvas have a colour of the file's global table.
-bool covers(const Placed& placed, std::string_view table, const StoredPicture& canvas) {
-    return placed.table.data() == table.data() && placed.clear < 0 &&
-           placed.width == canvas.width && placed.height == canvas.height;
-}
-
-/// Records the colour indices, which cannot be recovered from the colours, since two of them may be
-/// equal.
-void note_numbers(const Placed& placed, StoredPicture& canvas) {
-    const auto width = static_cast<std::size_t>(canvas.width);
-    canvas.numbers.resize(placed.numbers.size());
-    std::size_t next = 0;
-    for (const int row : row_order(placed.height, placed.interlaced))
-        for (std::size_t x = 0; x < width; ++x)
-            canvas.numbers[static_cast<std::size_t>(row) * width + x] =
-                static_cast<unsigned char>(placed.numbers[next++]);
-}
-
-/// Removes a picture, from after its mark. Returns nothing if it does not lie on the canvas or is
-/// damaged.
-std::optional<Placed> take_picture(std::string_view& rest, std::string_view table, int clear,
-                                   const StoredPicture& canvas) {
+/// Removes a picture, from after its mark. Returns nothing if it is damaged or too large.
+std::optional<Indexed> take_picture(std::string_view& rest, std::string_view table,
+                                    std::int64_t max_pixels) {
     constexpr std::size_t head = 9;
     constexpr std::uint32_t interlaced = 0x40;
     const auto word = [&](std::size_t at) { return static_cast<int>(low_word(rest, at)); };
     const std::uint32_t flags = byte_in(rest, 8);
-    Placed placed{word(0), word(2), word(4), word(6), (flags & interlaced) != 0, table, clear, {}};
-    if (rest.size() <= head || placed.x + placed.width > canvas.width ||
-        placed.y + placed.height > canvas.height)
+    Indexed picture{word(4), word(6), table, false, {}};
+    // With full LZW tables, a byte yields at most 2560 pixels.
+    constexpr std::int64_t growth = 2560;
+    if (rest.size() <= head || !has_size(picture.width, picture.height, max_pixels) ||
+        std::int64_t{picture.width} * picture.height >
+            growth * static_cast<std::int64_t>(rest.size()))
         return std::nullopt;
     rest.remove_prefix(head);
     const std::string_view own = take_table(rest, flags);
-    if (!own.empty()) placed.table = own;
+    picture.own_table = !own.empty();
+    if (picture.own_table) picture.table = own;
     const unsigned bits = byte_in(rest, 0);
     rest.remove_prefix(std::min<std::size_t>(1, rest.size()));
     const auto codes = take_blocks(rest);
-    const auto wanted =
-        static_cast<std::size_t>(placed.width) * static_cast<std::size_t>(placed.height);
-    auto numbers = codes ? numbers_of_codes(*codes, bits, wanted) : std::nullopt;
-    if (!numbers) return std::nullopt;
-    placed.numbers = std::move(*numbers);
-    return placed;
+    const auto width = static_cast<std::size_t>(picture.width);
+    const auto wanted = width * static_cast<std::size_t>(picture.height);
+    const auto numbers = codes ? numbers_of_codes(*codes, bits, wanted) : std::nullopt;
+    if (!numbers || picture.table.empty()) return std::nullopt;
+    picture.numbers =
+        in_order(*numbers, row_order(picture.height, (flags & interlaced) != 0), width);
+    return picture;
+}
+
+/// The picture in colours. Those that are missing from the table are black, as in POV-Ray.
+StoredPicture coloured(const Indexed& indexed, int clear) {
+    StoredPicture picture;
+    picture.width = indexed.width;
+    picture.height = indexed.height;
+    picture.format = "gif";
+    picture.values.assign(3 * indexed.numbers.size(), 0);
+    picture.alpha.assign(indexed.numbers.size(), 1);
+    for (std::size_t pixel = 0; pixel < indexed.numbers.size(); ++pixel) {
+        const std::size_t number = static_cast<unsigned char>(indexed.numbers[pixel]);
+        if (static_cast<int>(number) == clear) {
+            picture.alpha[pixel] = 0;
+        } else if (3 * number + 3 <= indexed.table.size()) {
+            for (std::size_t i = 0; i < 3; ++i)
+                picture.values[3 * pixel + i] =
+                    unit_value(static_cast<std::uint8_t>(byte_in(indexed.table, 3 * number + i)));
+        }
+    }
+    // The indices cannot be recovered from the colours, since two of them may be equal.
+    if (!indexed.own_table && clear < 0)
+        for (const char each : indexed.numbers)
+            picture.numbers.push_back(static_cast<unsigned char>(each));
+    return picture;
 }
 
 /// Returns the index of the colour that a control block makes transparent, or -1.
@@ -163,16 +167,7 @@ int clear_colour(const std::string& block) {
 std::optional<StoredPicture> read_gif(std::string_view bytes, std::int64_t max_pixels) {
     constexpr std::size_t head = 13;
     constexpr std::uint32_t picture_mark = ',', extension_mark = '!', control = 0xf9;
-    StoredPicture canvas;
-    canvas.width = static_cast<int>(low_word(bytes, 6));
-    canvas.height = static_cast<int>(low_word(bytes, 8));
-    canvas.format = "gif";
-    // With full LZW tables, a byte yields at most 2560 pixels.
-    constexpr std::int64_t growth = 2560;
-    if (bytes.size() < head || !has_size(canvas.width, canvas.height, max_pixels) ||
-        std::int64_t{canvas.width} * canvas.height >
-            growth * static_cast<std::int64_t>(bytes.size()))
-        return std::nullopt;
+    if (bytes.size() < head) return std::nullopt;
     std::string_view rest = bytes.substr(head);
     const std::string_view table = take_table(rest, byte_in(bytes, 10));
     int clear = -1;
@@ -180,15 +175,9 @@ std::optional<StoredPicture> read_gif(std::string_view bytes, std::int64_t max_p
         const std::uint32_t mark = byte_in(rest, 0);
         if (mark == picture_mark) {
             rest.remove_prefix(1);
-            const auto placed = take_picture(rest, table, clear, canvas);
-            if (!placed) return std::nullopt;
-            const auto pixels =
-                static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height);
-            canvas.values.assign(3 * pixels, 0);
-            canvas.alpha.assign(pixels, 0);
-            if (!paint(*placed, canvas)) return std::nullopt;
-            if (covers(*placed, table, canvas)) note_numbers(*placed, canvas);
-            return canvas;
+            const auto picture = take_picture(rest, table, max_pixels);
+            if (!picture) return std::nullopt;
+            return coloured(*picture, clear);
         }
         if (mark != extension_mark) return std::nullopt;
         const std::uint32_t kind = byte_in(rest, 1);

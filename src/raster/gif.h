@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the first picture of a GIF file on the file's canvas (W3C, "GRAPHICS INTERCHANGE FORMAT
-// Version 89a"). Called by read_raster().
+// Reads the first picture of a GIF file ("GRAPHICS INTERCHANGE FORMAT Version 89a", CompuServe
+// 1990). As in POV-Ray, it has its own size, whatever the file says of a screen that it lies on.
+// Called by read_raster().
 #pragma once
 
 #include "oiio/formats.h"

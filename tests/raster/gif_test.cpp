@@ -37,21 +37,62 @@ TEST_CASE("GIF files are read as by the library", "[raster]") {
     check_same(file_of({160, 120, 3, uneven<std::uint8_t>(160, 120, 3), "gif", {}}));
 }
 
-TEST_CASE("part of a GIF file's canvas, with a clear colour, and in another order of rows",
+TEST_CASE("a GIF file's picture has its own size, a clear colour, and another order of rows",
           "[raster]") {
-    const StoredPicture read = check_same(small_gif(0, {}));
-    CHECK(read.alpha ==
-          std::vector<float>{0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0});
-    CHECK(read.values[3 * 6] == 1);
-    check_same(small_gif(0x40, {}));
-    check_same(small_gif(0, "!\xf9\4\1\0\0\2\0"s));
-    check_same(small_gif(0, "!\xfe\3abc\0"s));
+    const auto read = read_gif(small_gif(0, {}), raster_limit);
+    REQUIRE(read);
+    CHECK(read->width == 2);
+    CHECK(read->height == 3);
+    CHECK(read->alpha == std::vector<float>{1, 1, 1, 1, 1, 1});
+    CHECK(read->values[3 * 1] == 1);
+    CHECK(read->numbers == std::vector<std::uint16_t>{0, 1, 2, 3, 1, 2});
+    // Screens of other sizes, which the picture lies beside, and of none.
+    for (const char screen : {'\0', '\1', '\x7f'}) {
+        std::string bytes = small_gif(0, "!\xfe\3abc\0"s);
+        bytes[6] = bytes[8] = screen;
+        const auto other = read_gif(bytes, raster_limit);
+        REQUIRE(other);
+        CHECK(other->values == read->values);
+    }
+    const auto interlaced = read_gif(small_gif(0x40, {}), raster_limit);
+    REQUIRE(interlaced);
+    CHECK(interlaced->numbers == std::vector<std::uint16_t>{0, 1, 1, 2, 2, 3});
+    const auto clear = read_gif(small_gif(0, "!\xf9\4\1\0\0\2\0"s), raster_limit);
+    REQUIRE(clear);
+    CHECK(clear->alpha == std::vector<float>{1, 1, 0, 1, 1, 0});
+    // A picture of the size of its screen is as the library reads it.
+    for (const int flags : {0, 0x40})
+        for (const std::string& control : {""s, "!\xf9\4\1\0\0\2\0"s}) {
+            std::string bytes = small_gif(flags, control);
+            bytes[6] = 2;
+            bytes[8] = 3;
+            bytes[25 + control.size() + 1] = bytes[25 + control.size() + 3] = 0;
+            check_same(bytes);
+        }
+}
+
+TEST_CASE("GIF files with colours that are missing, or pixels, are read as by POV-Ray",
+          "[raster]") {
+    // Two colours instead of four: those that are missing are black.
+    std::string few = small_gif(0, {});
+    few[10] = '\x80';
+    few.erase(19, 6);
+    const auto read = read_gif(few, raster_limit);
+    REQUIRE(read);
+    CHECK(read->values[3 * 1] == 1);
+    for (const std::size_t pixel : {2, 3, 5})
+        for (std::size_t i = 0; i < 3; ++i) CHECK(read->values[3 * pixel + i] == 0);
+    // A row more than there are codes for.
+    std::string taller = small_gif(0, {});
+    taller[32] = 4;
+    const auto missing = read_gif(taller, raster_limit);
+    REQUIRE(missing);
+    CHECK(missing->numbers == std::vector<std::uint16_t>{0, 1, 2, 3, 1, 2, 0, 0});
 }
 
 TEST_CASE("a GIF file of one table tells the numbers of its colours, also of those that are alike",
           "[raster]") {
     std::string bytes = small_gif(0, {});
-    CHECK(check_same(bytes).numbers.empty());
     // Makes the canvas as large as the picture, and colour 2 equal to colour 1.
     bytes[6] = 2;
     bytes[8] = 3;
@@ -64,10 +105,7 @@ TEST_CASE("GIF files that are damaged are left to the library", "[raster]") {
     const std::string bytes = small_gif(0, {});
     for (std::size_t length = 0; length + 3 < bytes.size(); ++length)
         CHECK(!(length >= 6 && read_gif(bytes.substr(0, length), raster_limit)));
-    CHECK(!read_gif(bytes, 19));
-    std::string outside = bytes;
-    outside[26] = 9;
-    CHECK(!read_gif(outside, raster_limit));
+    CHECK(!read_gif(bytes, 5));
     for (std::size_t at = 6; at < bytes.size(); ++at)
         for (int bit = 0; bit < 8; ++bit) {
             std::string other = bytes;
