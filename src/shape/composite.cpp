@@ -6,6 +6,7 @@
 #include "index/asked.h"
 #include "index/tree_builder.h"
 #include "shape/part_index.h"
+#include "shape/ray_start.h"
 #include "shape/segment_bound.h"
 #include "shape/slabs.h"
 #include "shape/transformed.h"
@@ -27,6 +28,12 @@ std::optional<Plane> half_space(const CompositeLeaf& leaf) {
     if (!plane || leaf.transform) return std::nullopt;
     const Vec3 normal = unit(plane->normal);
     return leaf.inverse ? Plane{-normal, -plane->distance} : Plane{normal, plane->distance};
+}
+
+double size_of(const CompositeLeaf& leaf, const Ray& ray) {
+    const Transform* transform = leaf.transform.get();
+    const Box own = bounds(leaf.shape);
+    return crossing_size(transform ? transform->box(own) : own, transform, ray.origin);
 }
 
 double l1_norm(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
@@ -324,6 +331,7 @@ void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& r
         if (!limits_asked && !within_limits(index, ray)) return;
         limits_asked = true;
         const Vec3 normal = transform ? unit(transform->normal(c.normal)) : c.normal;
+        if (begins_on(ray, c.t, normal, size_of(leaf, ray))) continue;
         take(Meeting{c.t, leaf.inverse != leaf.turned ? -normal : normal, index, c.part});
     }
 }

@@ -4,6 +4,7 @@
 
 #include "index/asked.h"
 #include "shape/leaf_pack.h"
+#include "shape/ray_start.h"
 #include "shape/uv.h"
 #include "world/precedence.h"
 #include "world/ray_constants.h"
@@ -24,6 +25,13 @@ double tolerance_at(const Ray& ray, double t) {
     return relative_tolerance * (max_abs_component(ray.origin) + t);
 }
 
+/// How far along the ray two surfaces in one plane seem to be apart, at most.
+double rounding_in(const Ray& ray, double t, const Vec3& normal) {
+    constexpr double rounding = 0x1p-48;
+    const double size = rounding * (max_abs_component(ray.origin) + t);
+    return size * length(normal) / std::abs(dot(ray.direction, normal));
+}
+
 /// The next larger number after a positive one.
 double next_up(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
@@ -37,21 +45,47 @@ Ray in_shape(const PlacedShape& placed, const Ray& ray) {
     return placed.transform ? placed.transform->inverse_ray(ray) : ray;
 }
 
-/// First crossing strictly within the range.
-std::optional<Crossing> first_crossing(const PlacedShape& placed, const Ray& ray,
-                                       const Interval& range) {
-    Crossings found;
-    crossings_in(placed.shape, in_shape(placed, ray), range, found);
-    const Crossing* first = nullptr;
-    double nearest = range.max;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const double t = found[i].t;
-        if (t <= range.min || t >= nearest) continue;
-        nearest = t;
-        first = &found[i];
+double size_of(const PlacedShape& placed, const Ray& ray) {
+    return crossing_size(placed.box, placed.transform.get(), ray.origin);
+}
+
+/// First crossing strictly within the range at which the ray does not begin.
+std::optional<Crossing> first_crossing(const PlacedShape& placed, const Ray& ray, Interval range) {
+    const Ray own = in_shape(placed, ray);
+    for (;;) {
+        Crossings found;
+        crossings_in(placed.shape, own, range, found);
+        const Crossing* first = nullptr;
+        double nearest = range.max;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const double t = found[i].t;
+            if (t <= range.min || t >= nearest) continue;
+            nearest = t;
+            first = &found[i];
+        }
+        if (!first) return std::nullopt;
+        const Crossing met = in_world(placed, *first);
+        if (!begins_on(ray, met.t, met.normal, size_of(placed, ray))) return met;
+        range.min = met.t;
     }
-    if (!first) return std::nullopt;
-    return in_world(placed, *first);
+}
+
+/// The same for a sphere; range.max if there is none.
+double first_crossing(const SpherePrimitive& s, const Ray& ray, const Interval& range) {
+    const double t = first_crossing(s.centre, s.radius, ray, range);
+    const double size = s.radius + max_abs_component(s.centre);
+    if (t >= range.max || !begins_on(ray, t, ray.at(t) - s.centre, size)) return t;
+    const double other = first_crossing(s.centre, s.radius, ray, {t, range.max});
+    const bool begins = other < range.max && begins_on(ray, other, ray.at(other) - s.centre, size);
+    return begins ? range.max : other;
+}
+
+bool begins_on(const Ray& ray, double t, const TrianglePrimitive& face) {
+    const Vec3 normal = cross(face.corner1 - face.corner2, face.corner3 - face.corner2);
+    const double size =
+        std::fmax(max_abs_component(face.corner1),
+                  std::fmax(max_abs_component(face.corner2), max_abs_component(face.corner3)));
+    return begins_on(ray, t, normal, size);
 }
 
 }  // namespace
@@ -64,14 +98,15 @@ void World::intersect(std::uint32_t item, RayConstants& constants, const Interva
         item,
         [&](const SpherePrimitive& s) {
             if (!wanted(item)) return;
-            const double t = first_crossing(s.centre, s.radius, ray, {range.min, best.t});
+            const double t = first_crossing(s, ray, {range.min, best.t});
             if (t < best.t) best = {t, item};
         },
         [&](const TrianglePrimitive& face) {
             if (!wanted(item)) return;
             const TriangleHit hit = constants.sheared().meet(face.corner1, face.corner2,
                                                              face.corner3, {range.min, best.t});
-            if (hit.t < best.t) best = {hit.t, item, Vec3(0), 0, hit.weight2, hit.weight3};
+            if (hit.t < best.t && !begins_on(ray, hit.t, face))
+                best = {hit.t, item, Vec3(0), 0, hit.weight2, hit.weight3};
         },
         [&](const PlacedShape& placed) {
             if (!wanted(item) || constants.slabs().miss(placed.box, {range.min, best.t})) return;
@@ -124,7 +159,8 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     };
     const std::uint32_t first_shape = geometry.shapes_begin();
     std::uint32_t met = 0;  // the item of `best`
-    // One of several coincident surfaces counts, in any order of tests: an infinite one; of two
+    // One of several coincident surfaces counts, in any order of tests: an infinite one, also where
+    // rounding puts a finite one in front of it; of two
     // spheres or triangles, as are frequent in meshes, the one with the lower number; else see
     // precedence.h.
     bool finite = false;
@@ -148,6 +184,8 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         met = plane.primitive;
     }
     for (const std::uint32_t item : geometry.infinite.others) ask(item);
+    const Candidate infinite = best;
+    if (best.primitive != no_primitive) best.t -= rounding_in(ray, best.t, best.normal);
     met = 0;
     Asked asked;
     const auto ask_in_tree = [&](std::uint32_t item) {
@@ -164,6 +202,7 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         return false;
     });
     if (best.primitive == no_primitive) return false;
+    if (best.primitive == infinite.primitive) best.t = infinite.t;
     hit = complete(ray, best);
     return true;
 }
@@ -174,17 +213,16 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
     geometry.visit(
         item,
         [&](const SpherePrimitive& s) {
-            const double near = first_crossing(s.centre, s.radius, ray, range);
+            const double near = first_crossing(s, ray, range);
             if (near >= range.max) return;
             found.push_back({near, item, ray.at(near) - s.centre});
-            const double far = first_crossing(s.centre, s.radius, ray,
-                                              {near + tolerance_at(ray, near), range.max});
+            const double far = first_crossing(s, ray, {near + tolerance_at(ray, near), range.max});
             if (far < range.max) found.push_back({far, item, ray.at(far) - s.centre});
         },
         [&](const TrianglePrimitive& face) {
             const TriangleHit hit =
                 ShearedRay(ray).meet(face.corner1, face.corner2, face.corner3, range);
-            if (hit.t >= range.max) return;
+            if (hit.t >= range.max || begins_on(ray, hit.t, face)) return;
             found.push_back(
                 {hit.t, item, cross(face.corner1 - face.corner2, face.corner3 - face.corner2)});
         },
@@ -194,6 +232,7 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
             for (std::size_t i = 0; i < all.size(); ++i) {
                 if (!range.contains(all[i].t)) continue;
                 const Crossing met = in_world(placed, all[i]);
+                if (begins_on(ray, met.t, met.normal, size_of(placed, ray))) continue;
                 found.push_back({met.t, item, met.normal, met.part});
             }
         },
