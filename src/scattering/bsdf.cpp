@@ -100,8 +100,8 @@ double Bsdf::share_behind() const {
 
 /// Whether light from the direction is scattered.
 bool Bsdf::counts(const Vec3& direction) const {
-    const Side side = side_of(shading_, direction);
-    return side == Side::front || (side == Side::behind && share_behind() > 0);
+    const LitSide side = side_of(shading_, direction);
+    return side == LitSide::front || (side == LitSide::behind && share_behind() > 0);
 }
 
 std::optional<Vec3> Bsdf::sample_diffuse(Vec2 u) const {
@@ -174,7 +174,7 @@ Vec3 Bsdf::evaluate_without_film(const Vec3& to_light, const BsdfTerms& terms, d
         return terms.facets == FacetLobes::none
                    ? facets_->base_response(to_light)
                    : facets_->response(to_light, terms.facets == FacetLobes::wide);
-    if (!terms.through_surface && side_of(shading_, to_light) == Side::none) return Vec3(0);
+    if (!terms.through_surface && side_of(shading_, to_light) == LitSide::none) return Vec3(0);
     if (part_ == Part::entering) {
         const double cosine = dot(shading_.normal, to_light);
         return Vec3(cosine < 1e-10 ? 0 : cosine * (1 - fresnel(cosine, ior_)));

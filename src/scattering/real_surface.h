@@ -12,14 +12,14 @@ namespace candelabra {
 
 /// `none`: the direction is on different sides of the real surface and of the shading normal's
 /// horizon, and no light comes from there.
-enum class Side { front, behind, none };
+enum class LitSide { front, behind, none };
 
 /// The side of a unit direction, as seen from the viewer.
-inline Side side_of(const Shading& s, const Vec3& direction) {
+inline LitSide side_of(const Shading& s, const Vec3& direction) {
     const double shown = dot(s.normal, direction), real = dot(s.geometric_normal, direction);
     // Below 1e-10 POV-Ray takes light for light from behind.
-    if (shown >= 1e-10 && real > 0) return Side::front;
-    return shown < 0 && real < 0 ? Side::behind : Side::none;
+    if (shown >= 1e-10 && real > 0) return LitSide::front;
+    return shown < 0 && real < 0 ? LitSide::behind : LitSide::none;
 }
 
 /// Whether light from behind is scattered towards the viewer.
