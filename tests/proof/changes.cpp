@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proof/changes.h"
+
+#include "bind/blocks.h"
+#include "vocabulary/reserved.h"
+
+#include <algorithm>
+#include <regex>
+
+namespace candelabra::proof {
+
+bool is_object(const Element& element) {
+    const NameId word = reserved_word(element.head);
+    return word != no_name && makes_object(word);
+}
+
+Script with_setting(Script script, std::string head, std::string text) {
+    replace_part(element_of(script, "global_settings"), block(std::move(head), std::move(text)));
+    return script;
+}
+
+Script without_setting(Script script, std::string_view head) {
+    std::erase_if(element_of(script, "global_settings").inner,
+                  [&](const Element& each) { return each.head == head; });
+    return script;
+}
+
+Script transformed(Script script, const std::string& transformation) {
+    for (Element& each : script.elements)
+        if (is_object(each) || each.head == "camera") each.inner.push_back(words(transformation));
+    return script;
+}
+
+std::vector<Term> picture(const Script& script, const Writing& writing, double factor) {
+    return {{written(script, writing), factor, script.options}};
+}
+
+Claim same_mean(std::string name, std::vector<Term> left, std::vector<Term> right,
+                double tolerance) {
+    Claim claim{std::move(name), std::move(left), std::move(right)};
+    claim.tolerance = tolerance;
+    return claim;
+}
+
+Claim same_bytes(std::string name, std::vector<Term> left, std::vector<Term> right,
+                 double tolerance) {
+    Claim claim{std::move(name), std::move(left), std::move(right)};
+    claim.bound = Bound::bytes;
+    claim.tolerance = tolerance;
+    return claim;
+}
+
+Element replaced(Element element, const std::string& expression, const std::string& by) {
+    element.values = std::regex_replace(element.values, std::regex(expression), by);
+    for (Element& each : element.inner) each = replaced(std::move(each), expression, by);
+    return element;
+}
+
+}  // namespace candelabra::proof

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A law says that pictures of changed scenes agree. It makes claims from a draft or a script, and
+// renders nothing itself: so a claim is checked again for a smaller script while a fault is
+// narrowed down.
+#pragma once
+
+#include "proof/features.h"
+#include "proof/studio.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace candelabra::proof {
+
+/// Replaces the camera's view by another way of looking at the world: an image of samples.
+using View = std::function<Image(const Prepared&, int samples, int seed, const Deadline& end)>;
+
+/// One rendering of a sum.
+struct Term {
+    std::string text;
+    double factor = 1;
+    std::vector<RunOption> options = {};
+    View view = {};  ///< empty: the picture of the camera
+};
+
+enum class Bound {
+    equal,    ///< both have the same mean
+    at_most,  ///< the left is not brighter than the right
+    bytes     ///< both are the same in every bit
+};
+
+struct Claim {
+    std::string name;
+    std::vector<Term> left, right;  ///< sums; an empty one is a constant
+    Bound bound = Bound::equal;
+    double constant = 0;      ///< of an empty sum
+    double tolerance = 2e-3;  ///< share of the light that does not count
+};
+
+struct Law {
+    std::string_view name;
+    std::string_view says;
+    unsigned without;  ///< traits of levels for which it does not hold
+    /// The scene on which it is tested.
+    Script (*stage)(Draft&);
+    std::vector<Claim> (*claims)(const Script&, Dice&);
+};
+
+/// The table of laws.
+const std::vector<Law>& laws();
+
+}  // namespace candelabra::proof

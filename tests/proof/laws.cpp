@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proof/laws.h"
+
+namespace candelabra::proof {
+
+const std::vector<Law>& laws() {
+    static const std::vector<Law> all = {
+        {"superposition", "The picture by several lights is the sum of those by each.",
+         nonlinear | gathers, staged, superposition},
+        {"light", "A thousand times the light is a thousand times the picture.", nonlinear, staged,
+         more_light},
+        {"motion", "The scene moved, turned or mirrored with its camera is the same picture.",
+         directions, staged, motion},
+        {"size", "The scene at another size is the same picture.", directions | lengths | bends,
+         staged, other_size},
+        {"receiving", "What a point receives is what a camera there sees.",
+         sources | hides | refracts | photon_light | moves | gathers | tiny_light | aside, staged,
+         receiving},
+        {"chance", "A lamp that is sampled gives what it gives if it is found by chance.",
+         hides | refracts | photon_light | gathers | tiny_light, staged, found_by_chance},
+        {"point", "A fading light source gives what a tiny ball of its power gives.",
+         fogs | photon_light, staged, point_or_ball},
+        {"furnace", "What is white, or glows as much as it takes, is not seen before white.",
+         gains | glows | sources | dims | bends | hides | photon_light | gathers | aside | moves |
+             nonlinear,
+         in_furnace, constant_one},
+        {"white", "No finish reflects more light than it gets, whatever the elevation.",
+         gains | glows | sources | dims | hides | photon_light | gathers | aside | moves |
+             nonlinear,
+         white_floor, at_most_white},
+        {"strategies", "All strategies give the same mean.", no_trait, staged, any_strategy},
+        {"indices", "All indices give the same bytes.", no_trait, staged, any_index},
+        {"reflected", "Reflected luminaires change no mean.", no_trait, staged,
+         with_reflected_luminaires},
+        {"photons", "Photons bring the light that paths find by chance.",
+         sources | tiny_light | gathers | hides | dims, staged, photons_or_chance},
+        {"writing", "What is written in another way is the same scene.", no_trait, staged,
+         other_writing},
+        {"running", "Threads, shards and interruptions change no byte.", no_trait, staged,
+         other_runs},
+    };
+    return all;
+}
+
+}  // namespace candelabra::proof

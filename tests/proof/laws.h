@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The claims of each law, one file each, and stages of their own. A new law is a file here, a line
+// in this header and a line in the table of laws.cpp.
+#pragma once
+
+#include "proof/changes.h"
+
+namespace candelabra::proof {
+
+using Claims = std::vector<Claim>;
+
+Claims superposition(const Script&, Dice&);
+Claims more_light(const Script&, Dice&);
+Claims motion(const Script&, Dice&);
+Claims other_size(const Script&, Dice&);
+Claims receiving(const Script&, Dice&);
+Claims found_by_chance(const Script&, Dice&);
+Claims point_or_ball(const Script&, Dice&);
+Claims constant_one(const Script&, Dice&);
+Claims at_most_white(const Script&, Dice&);
+Claims any_strategy(const Script&, Dice&);
+Claims any_index(const Script&, Dice&);
+Claims with_reflected_luminaires(const Script&, Dice&);
+Claims photons_or_chance(const Script&, Dice&);
+Claims other_writing(const Script&, Dice&);
+Claims other_runs(const Script&, Dice&);
+
+Script in_furnace(Draft&);
+Script white_floor(Draft&);
+
+}  // namespace candelabra::proof

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program that run.sh starts: tries laws for a while, and writes what breaks them.
+//   proof [--minutes N] [--scenes N] [--law NAME]... [--seed S] [--out FOLDER] [--show] [CASE.pov]...
+#include "base/deep_stack.h"
+#include "proof/runner.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace candelabra::proof {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Asked {
+    Plan plan;
+    fs::path out = "proof.out";
+    bool shows = false;  ///< prints each scene
+    std::vector<std::string> cases = {};
+};
+
+std::string read(const std::string& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
+
+const Law* law_named(std::string_view name) {
+    const auto found = std::ranges::find(laws(), name, &Law::name);
+    return found == laws().end() ? nullptr : &*found;
+}
+
+bool take(Asked& asked, std::string_view option, const char* value) {
+    if (option == "--minutes")
+        asked.plan.minutes = std::atof(value);
+    else if (option == "--scenes")
+        asked.plan.scenes = std::atoi(value);
+    else if (option == "--seed")
+        asked.plan.seed = std::strtoull(value, nullptr, 10);
+    else if (option == "--seconds")
+        asked.plan.studio.seconds = std::atof(value);
+    else if (option == "--shrink")
+        asked.plan.shrink_minutes = std::atof(value);
+    else if (option == "--out")
+        asked.out = value;
+    else if (option == "--law" && law_named(value))
+        asked.plan.laws.push_back(law_named(value));
+    else
+        return false;
+    return true;
+}
+
+int usage() {
+    std::fputs(
+        "proof [--minutes N] [--scenes N] [--law NAME]... [--seed S] [--seconds N] [--shrink N]\n"
+        "      [--out FOLDER] [--show] [CASE.pov]...\nlaws:\n",
+        stderr);
+    for (const Law& law : laws())
+        std::fprintf(stderr, "  %-14s %s\n", std::string(law.name).c_str(),
+                     std::string(law.says).c_str());
+    return 2;
+}
+
+int try_case(const std::string& path, const Studio& studio) {
+    const auto found = case_of(read(path));
+    if (!found) return std::fprintf(stderr, "%s names no law\n", path.c_str()), 2;
+    const Verdict verdict = judged(*found->law, found->script, found->seed, studio);
+    std::printf("%s: %s\n", path.c_str(), described(verdict).c_str());
+    return verdict.outcome == Outcome::holds ? 0 : 1;
+}
+
+int try_laws(Asked& asked) {
+    if (asked.plan.laws.empty())
+        for (const Law& law : laws()) asked.plan.laws.push_back(&law);
+    fs::create_directories(asked.out);
+    int faults = 0;
+    Listening listening;
+    listening.scene = [&](const std::string&, const std::string& text) {
+        write(asked.out / "last.pov", text);
+        if (asked.shows) std::puts(text.c_str());
+    };
+    listening.illegal = [&](const std::string& law, const std::string& complaint) {
+        std::printf("%s: illegal: %s\n", law.c_str(), complaint.c_str());
+    };
+    listening.fault = [&](const Fault& fault) {
+        if (fault.known.empty())
+            write(asked.out / (fault.law + "-" + std::to_string(asked.plan.seed) + "-" +
+                               std::to_string(++faults) + ".pov"),
+                  fault.script);
+        std::printf("%s %s\n  %s\n", fault.law.c_str(), described(fault.verdict).c_str(),
+                    fault.known.empty() ? fault.row.c_str() : ("known: " + fault.known).c_str());
+        std::fflush(stdout);
+    };
+    std::printf(
+        "| law | scenes | pairs | of | failed | known | undecided | too slow | illegal |\n"
+        "|---|---|---|---|---|---|---|---|---|\n");
+    std::string table;
+    for (const LawCount& each : run(asked.plan, listening))
+        std::printf("| %s | %d | %zu | %zu | %d | %d | %d | %d | %d |\n",
+                    std::string(each.law).c_str(), each.scenes, each.covered, each.pairs,
+                    each.failed, each.known, each.undecided, each.slow, each.illegal);
+    return faults > 0 ? 1 : 0;
+}
+
+int run_program(int count, char** arguments) {
+    Asked asked;
+    for (int i = 1; i < count; ++i) {
+        const std::string_view word = arguments[i];
+        if (word == "--show")
+            asked.shows = true;
+        else if (!word.starts_with("--"))
+            asked.cases.emplace_back(word);
+        else if (i + 1 == count || !take(asked, word, arguments[++i]))
+            return usage();
+    }
+    int status = 0;
+    for (const std::string& each : asked.cases)
+        status = std::max(status, try_case(each, asked.plan.studio));
+    return asked.cases.empty() ? try_laws(asked) : status;
+}
+
+}  // namespace
+
+}  // namespace candelabra::proof
+
+int main(int count, char** arguments) {
+    int status = 0;
+    candelabra::on_deep_stack(std::size_t{256} << 20, [&](std::size_t) {
+        status = candelabra::proof::run_program(count, arguments);
+    });
+    return status;
+}

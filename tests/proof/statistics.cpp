@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proof/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace candelabra::proof {
+
+namespace {
+
+/// Sums of so many roundings are equal within this share of them.
+constexpr double rounding = 1e-9;
+
+}  // namespace
+
+void Comparison::add(const Image& left, const Image& right) {
+    ++batches_;
+    for (Sums& each : sums_) each.batches.push_back(0);
+    const auto put = [&](std::size_t region, double a, double b) {
+        Sums& sums = sums_[region];
+        sums.left += a;
+        sums.right += b;
+        sums.squares += (a - b) * (a - b);
+        sums.batches.back() += a - b;
+    };
+    for (int y = 0; y < left.height; ++y)
+        for (int x = 0; x < left.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const double a = left.at(x, y)[c], b = right.at(x, y)[c];
+                const auto block = static_cast<std::size_t>(y * blocks / left.height * blocks +
+                                                            x * blocks / left.width);
+                put(block * 3 + static_cast<std::size_t>(c), a, b);
+                put(whole * 3 + static_cast<std::size_t>(c), a, b);
+            }
+}
+
+/// The difference without what the tolerance allows, with its sign.
+double Comparison::beyond(const Sums& sums) const {
+    const double difference = sums.left - sums.right;
+    const double allowed =
+        (tolerance_ + rounding) * (std::abs(sums.left) + std::abs(sums.right)) / 2;
+    return std::copysign(std::max(std::abs(difference) - allowed, 0.0), difference);
+}
+
+double Comparison::t(std::size_t region) const {
+    const Sums& sums = sums_[region];
+    const double difference = beyond(sums);
+    if (!std::isfinite(difference)) return std::numeric_limits<double>::infinity();
+    return difference == 0 ? 0 : difference / std::sqrt(sums.squares);
+}
+
+std::size_t Comparison::worst() const {
+    std::size_t worst = 0;
+    for (std::size_t i = 1; i < regions; ++i)
+        if (std::abs(t(i)) > std::abs(t(worst))) worst = i;
+    return worst;
+}
+
+Spread Comparison::spread(std::size_t region) const {
+    const Sums& sums = sums_[region];
+    const double n = static_cast<double>(batches_);
+    const double sum = sums.left - sums.right;
+    Spread result;
+    double squares = 0;
+    for (const double each : sums.batches) {
+        squares += (each - sum / n) * (each - sum / n);
+        result.same_sign += each * sum > 0;
+    }
+    if (n < 2) return result;
+    const double error = std::sqrt(squares * n / (n - 1));  // of the sum
+    const double difference = beyond(sums);
+    if (!std::isfinite(difference))
+        result.t = std::numeric_limits<double>::infinity();
+    else if (difference != 0)
+        result.t = error > 0 ? difference / error
+                             : std::copysign(std::numeric_limits<double>::infinity(), difference);
+    return result;
+}
+
+}  // namespace candelabra::proof

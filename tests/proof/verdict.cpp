@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proof/verdict.h"
+
+#include "proof/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace candelabra::proof {
+
+namespace {
+
+/// One test with noise of its own. A claim whose T is within `t` holds.
+struct Stage {
+    int batches, samples;
+    double t;       ///< least |T| of the pixels that is suspicious
+    double spread;  ///< least |t| of the batches that is suspicious
+};
+/// With symmetric noise the first stage stops 99 of 100 scenes for the 51 regions; the second has
+/// one region and a false alarm in 10^4, the third one in 10^6 by pixels and, whatever the noise in
+/// a batch is, one in 10^6 by 16 batches (Student's t with 15 degrees of freedom beyond 8).
+constexpr Stage stages[] = {{2, 8, 3.8, 0}, {6, 12, 4.2, 3}, {16, 16, 5.2, 8}};
+
+/// Pixels count for so many times the constant at most.
+constexpr double brightest = 20;
+
+/// Renders the terms of a claim, each of which is prepared once.
+class Renderings {
+public:
+    Renderings(const Claim& claim, const Studio& studio)
+        : claim_(claim), studio_(studio), end_(studio.seconds) {}
+
+    /// Returns an empty image if there is trouble.
+    Image sum(const std::vector<Term>& terms, int samples, int seed) {
+        Image total;
+        for (const Term& term : terms) {
+            const Prepared* ready = prepared(term);
+            if (!ready) return {};
+            const Image image = term.view ? term.view(*ready, samples, seed, end_)
+                                          : ready->render(samples, seed, end_);
+            if (image.pixels.empty()) {
+                trouble_ = Trouble::too_slow;
+                return {};
+            }
+            if (total.pixels.empty()) total = Image(image.width, image.height);
+            for (std::size_t i = 0; i < image.pixels.size(); ++i)
+                total.pixels[i] += term.factor * image.pixels[i];
+        }
+        return total;
+    }
+    Trouble trouble() const { return trouble_; }
+    const std::string& complaint() const { return complaint_; }
+
+private:
+    const Prepared* prepared(const Term& term) {
+        auto& place = prepared_[&term];
+        if (!place) place = std::make_unique<Prepared>(studio_, term.text, term.options);
+        if (place->trouble() == Trouble::none) return place.get();
+        trouble_ = place->trouble();
+        complaint_ = place->complaint();
+        return nullptr;
+    }
+
+    const Claim& claim_;
+    const Studio& studio_;
+    Deadline end_;
+    std::map<const Term*, std::unique_ptr<Prepared>> prepared_;
+    Trouble trouble_ = Trouble::none;
+    std::string complaint_;
+};
+
+std::string name_of_region(std::size_t region) {
+    static constexpr const char* channels[] = {"red", "green", "blue"};
+    const std::size_t block = region / 3;
+    const std::string where = block == whole ? "picture"
+                                             : "block " + std::to_string(block % blocks) + "," +
+                                                   std::to_string(block / blocks);
+    return where + ", " + channels[region % 3];
+}
+
+class Judge {
+public:
+    Judge(const Claim& claim, const Studio& studio)
+        : claim_(claim), studio_(studio), renderings_(claim, studio) {
+        verdict_.claim = claim.name;
+    }
+
+    Verdict verdict() {
+        if (claim_.bound == Bound::bytes) return bytes();
+        int seed = 1;
+        for (const Stage& stage : stages) {
+            Comparison comparison(claim_.tolerance);
+            if (!batches(stage, seed, comparison)) return troubled(&stage != stages);
+            seed += 2 * stage.batches;
+            if (!suspicious(stage, comparison)) {
+                if (&stage == &stages[2]) verdict_.outcome = Outcome::undecided;
+                return verdict_;
+            }
+        }
+        verdict_.outcome = Outcome::fails;
+        return verdict_;
+    }
+
+private:
+    bool batches(const Stage& stage, int seed, Comparison& comparison) {
+        for (int i = 0; i < stage.batches; ++i) {
+            Image left = renderings_.sum(claim_.left, stage.samples, seed + 2 * i);
+            if (renderings_.trouble() != Trouble::none) return false;
+            Image right = renderings_.sum(claim_.right, stage.samples, seed + 2 * i + 1);
+            if (renderings_.trouble() != Trouble::none) return false;
+            fill(left, right);
+            fill(right, left);
+            if (claim_.right.empty()) clip(left);
+            comparison.add(left, right);
+        }
+        return true;
+    }
+
+    void fill(Image& image, const Image& like) const {
+        if (!image.pixels.empty()) return;
+        image = Image(like.width, like.height);
+        for (Vec3& each : image.pixels) each = Vec3(claim_.constant);
+    }
+
+    /// Beside a constant a few pixels of any brightness would only be noise, which hides itself.
+    void clip(Image& image) const {
+        for (Vec3& each : image.pixels) each = min(each, Vec3(brightest * claim_.constant));
+    }
+
+    bool suspicious(const Stage& stage, const Comparison& comparison) {
+        const std::size_t region = region_ ? *region_ : worst(comparison);
+        const double t = comparison.t(region);
+        const Spread spread = comparison.spread(region);
+        const double pixels = static_cast<double>(studio_.width * studio_.height) *
+                              static_cast<double>(comparison.batches()) /
+                              (region / 3 == whole ? 1 : blocks * blocks);
+        verdict_.t = t;
+        verdict_.left = comparison.left(region) / pixels;
+        verdict_.right = comparison.right(region) / pixels;
+        verdict_.said = name_of_region(region) + ", " + std::to_string(stage.batches) + " times " +
+                        std::to_string(stage.samples) + " samples, t of batches " +
+                        text_of(std::round(spread.t * 10) / 10);
+        const bool same = !region_ || t * before_ > 0;
+        region_ = region;
+        before_ = t;
+        if (claim_.bound == Bound::at_most && t < 0) return false;
+        return std::abs(t) > stage.t && std::abs(spread.t) > stage.spread && same;
+    }
+
+    std::size_t worst(const Comparison& comparison) const {
+        if (claim_.bound == Bound::equal) return comparison.worst();
+        std::size_t worst = 0;
+        for (std::size_t i = 1; i < regions; ++i)
+            if (comparison.t(i) > comparison.t(worst)) worst = i;
+        return worst;
+    }
+
+    Verdict bytes() {
+        const Image left = renderings_.sum(claim_.left, 3, 1);
+        if (renderings_.trouble() != Trouble::none) return troubled(false);
+        const Image right = renderings_.sum(claim_.right, 3, 1);
+        if (renderings_.trouble() == Trouble::illegal) return refused();
+        if (renderings_.trouble() != Trouble::none) return troubled(false);
+        std::size_t unequal = 0;
+        double greatest = 0;
+        for (std::size_t i = 0; i < left.pixels.size(); ++i) {
+            double here = 0;
+            for (int c = 0; c < 3; ++c) {
+                const double a = left.pixels[i][c], b = right.pixels[i][c];
+                if (a != b) here = std::max(here, std::abs(a - b) / (std::abs(a) + std::abs(b)));
+            }
+            if (here <= claim_.tolerance) continue;
+            ++unequal;
+            if (here <= greatest) continue;
+            greatest = here;
+            verdict_.left = left.pixels[i].x, verdict_.right = right.pixels[i].x;
+        }
+        if (unequal > 0) verdict_.outcome = Outcome::fails;
+        verdict_.said = std::to_string(unequal) + " pixels differ, by at most their " +
+                        text_of(greatest) + "th part";
+        return verdict_;
+    }
+
+    /// What is the same scene must be one.
+    Verdict refused() {
+        verdict_.outcome = Outcome::fails;
+        verdict_.said = renderings_.complaint();
+        return verdict_;
+    }
+
+    Verdict troubled(bool suspected) {
+        const bool slow = renderings_.trouble() == Trouble::too_slow;
+        verdict_.outcome = !slow       ? Outcome::illegal
+                           : suspected ? Outcome::undecided
+                                       : Outcome::too_slow;
+        if (!slow) verdict_.said = renderings_.complaint();
+        return verdict_;
+    }
+
+    const Claim& claim_;
+    const Studio& studio_;
+    Renderings renderings_;
+    Verdict verdict_;
+    std::optional<std::size_t> region_;
+    double before_ = 0;
+};
+
+int rank(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::holds:
+            return 0;
+        case Outcome::too_slow:
+            return 1;
+        case Outcome::illegal:
+            return 2;
+        case Outcome::undecided:
+            return 3;
+        case Outcome::fails:
+            return 4;
+    }
+    return 0;
+}
+
+}  // namespace
+
+Verdict judged(const Claim& claim, const Studio& studio) { return Judge(claim, studio).verdict(); }
+
+Verdict judged(const Law& law, const Script& script, std::uint64_t seed, const Studio& studio) {
+    Dice dice(seed);
+    Verdict worst;
+    for (const Claim& claim : law.claims(script, dice)) {
+        Verdict verdict = judged(claim, studio);
+        if (rank(verdict.outcome) > rank(worst.outcome)) worst = std::move(verdict);
+        if (worst.outcome == Outcome::fails || worst.outcome == Outcome::illegal) break;
+    }
+    return worst;
+}
+
+std::string described(const Verdict& verdict) {
+    static constexpr const char* names[] = {"holds", "fails", "undecided", "too slow", "illegal"};
+    std::string text = names[static_cast<std::size_t>(verdict.outcome)];
+    if (!verdict.claim.empty()) text += ": " + verdict.claim;
+    if (verdict.outcome == Outcome::fails || verdict.outcome == Outcome::undecided)
+        text += ": " + text_of(verdict.left) + " / " + text_of(verdict.right) + ", T " +
+                text_of(verdict.t);
+    return verdict.said.empty() ? text : text + " (" + verdict.said + ")";
+}
+
+}  // namespace candelabra::proof
