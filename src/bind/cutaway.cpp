@@ -94,18 +94,23 @@ Handle<Texture> mixed(std::span<const Source> sources, std::vector<Handle<Textur
 /// Bounds the recursion, because each level copies its objects.
 constexpr std::uint32_t max_nested = 8;
 
+/// Cuts away within a part that has no texture. Unions and merges pass on what the cuts in them
+/// leave open.
+void cut_within(ObjectHandle& part, const Handle<Texture>& usual) {
+    const auto* parts = std::get_if<Union>(&part->form);
+    if (!parts || part->texture || part->depth >= max_nested) return;
+    Union& own = std::get<Union>(part.edit().form);
+    if (cuts(own)) return cut_away(own, usual);
+    for (ObjectHandle& each : own.children) cut_within(each, usual);
+}
+
 }  // namespace
 
 void cut_away(Union& whole, const Handle<Texture>& usual) {
     std::vector<Handle<Texture>> shown(whole.children.size());
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        const Object& child = *whole.children[i];
-        if (child.texture) continue;
-        if (const auto* parts = std::get_if<Union>(&child.form)) {
-            if (cuts(*parts) && child.depth < max_nested)
-                cut_away(std::get<Union>(whole.children[i].edit().form), usual);
-            continue;
-        }
+        if (whole.children[i]->texture) continue;
+        cut_within(whole.children[i], usual);
         Sources sources;
         Collector collector(usual, sources);
         for (std::size_t j = 0; j < shown.size(); ++j) {

@@ -13,7 +13,9 @@ inline bool cuts(const Union& whole) {
 }
 
 /// Gives each part without a texture the textures of the other parts that contain the point: in a
-/// difference those of the first part, in an intersection the mean of all. A nested union
+/// difference those of the first part, in an intersection the mean of all. A part that consists of
+/// others passes them on to those of its parts, at any depth, that have no texture and find none in
+/// a cut of their own. As a source of textures, a nested union
 /// contributes those of its parts that contain the point; while more than four textures are left to
 /// combine, the first such part decides. At most 64 objects are searched for each part. Parts of a
 /// nested union without a texture show `usual`. A part for which no texture is found is left as it

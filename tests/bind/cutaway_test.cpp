@@ -66,6 +66,44 @@ TEST_CASE("cutaway_textures changes nothing where there is a texture for the who
     CHECK(colour(first, 0, Vec3(0)) == none);
 }
 
+TEST_CASE("parts that consist of parts show the textures as single ones do", "[bind]") {
+    const std::string balls = "{ sphere { 0, 1 } sphere { x, 1 } ";
+    for (const std::string& cutter : std::vector<std::string>{
+             "union " + balls + "}", "merge " + balls + "}", "intersection " + balls + "}",
+             "union " + balls + "translate y }", "union { union " + balls + "} sphere { z, 1 } }",
+             "union { merge " + balls + "rotate 30*z } }", "object { Declared }",
+             "object { Declared rotate 50*x }", "union { difference " + balls + "} box { 0, 1 } }"})
+        for (const std::string whole :
+             {"difference { box { -1, 1 pigment { rgb <1, 0, 0> } } ",
+              "intersection { box { -1, 1 pigment { rgb <1, 0, 0> } } "}) {
+            CAPTURE(cutter, whole);
+            const Script done = run("#version 3.7; #declare Declared = union " + balls + "} " +
+                                    whole + cutter + " cutaway_textures }");
+            CHECK(done.said.empty());
+            CHECK(colour(done, 0, Vec3(0)) == red);
+            CHECK(colour(done, 1, Vec3(0)) == red);
+        }
+}
+
+TEST_CASE("textures of parts within a part end the search", "[bind]") {
+    const Script done = run(
+        "#version 3.7; difference { box { -1, 1 pigment { rgb <1, 0, 0> } } union { sphere { 0, "
+        "1 pigment { rgb <0, 1, 0> } } sphere { x, 1 } difference { sphere { y, 1 pigment { rgb "
+        "<0, 1, 0> } } sphere { z, 1 } } } cutaway_textures }");
+    CHECK(colour(done, 1, Vec3(0)) == red);
+    const auto& parts = std::get<Union>(std::get<Union>(done.object(0).form).children[1]->form);
+    REQUIRE(parts.children.size() == 3);
+    CHECK(parts.children[0]->texture != nullptr);
+    CHECK(parts.children[1]->texture == nullptr);
+    // A cut shows its own parts first.
+    const auto& cut = std::get<Union>(parts.children[2]->form);
+    CHECK(cut.children[1]->texture != nullptr);
+    const Script whole = run(
+        "#version 3.7; difference { box { -1, 1 pigment { rgb <1, 0, 0> } } union { sphere { 0, "
+        "1 } sphere { x, 1 } pigment { rgb <0, 1, 0> } } cutaway_textures }");
+    CHECK(colour(whole, 1, Vec3(0)) == green);
+}
+
 TEST_CASE("cutaway_textures belongs to what cuts", "[bind]") {
     const Script done = run("#version 3.7; union { sphere { 0, 1 } cutaway_textures }");
     REQUIRE(done.said.size() == 1);
