@@ -3,6 +3,7 @@
 
 #include "picture/tga.h"
 #include "png/png.h"
+#include "raster/gif.h"
 
 #include <algorithm>
 #include <bit>
@@ -54,8 +55,8 @@ FileFacts file_facts(const Found& file) {
         read_png(bytes, facts);
     else if (tga)
         facts.table = tga_table(bytes);
-    else if ((byte_at(bytes, 10) & 0x80) != 0)
-        add_colours(facts, bytes, 13, std::size_t{2} << (byte_at(bytes, 10) & 7));
+    else
+        facts.table = gif_table(bytes);
     return facts;
 }
 

@@ -88,7 +88,6 @@ std::vector<int> row_order(int height, bool interlaced) {
 struct Indexed {
     int width, height;
     std::string_view table;
-    bool own_table;
     std::string numbers;
 };
 
@@ -109,7 +108,7 @@ std::optional<Indexed> take_picture(std::string_view& rest, std::string_view tab
     constexpr std::uint32_t interlaced = 0x40;
     const auto word = [&](std::size_t at) { return static_cast<int>(low_word(rest, at)); };
     const std::uint32_t flags = byte_in(rest, 8);
-    Indexed picture{word(4), word(6), table, false, {}};
+    Indexed picture{word(4), word(6), table, {}};
     // With full LZW tables, a byte yields at most 2560 pixels.
     constexpr std::int64_t growth = 2560;
     if (rest.size() <= head || !has_size(picture.width, picture.height, max_pixels) ||
@@ -118,8 +117,7 @@ std::optional<Indexed> take_picture(std::string_view& rest, std::string_view tab
         return std::nullopt;
     rest.remove_prefix(head);
     const std::string_view own = take_table(rest, flags);
-    picture.own_table = !own.empty();
-    if (picture.own_table) picture.table = own;
+    if (!own.empty()) picture.table = own;
     const unsigned bits = byte_in(rest, 0);
     rest.remove_prefix(std::min<std::size_t>(1, rest.size()));
     const auto codes = take_blocks(rest);
@@ -151,9 +149,8 @@ StoredPicture coloured(const Indexed& indexed, int clear) {
         }
     }
     // The indices cannot be recovered from the colours, since two of them may be equal.
-    if (!indexed.own_table && clear < 0)
-        for (const char each : indexed.numbers)
-            picture.numbers.push_back(static_cast<unsigned char>(each));
+    for (const char each : indexed.numbers)
+        picture.numbers.push_back(static_cast<unsigned char>(each));
     return picture;
 }
 
@@ -162,31 +159,59 @@ int clear_colour(const std::string& block) {
     return block.size() >= 4 && (block[0] & 1) != 0 ? static_cast<unsigned char>(block[3]) : -1;
 }
 
+/// What precedes the first picture of a file.
+struct GifHead {
+    std::string_view table;  ///< of the file
+    int clear = -1;          ///< index of the transparent colour
+};
+
+/// Removes all up to the first picture, and its mark. Returns nothing if the file appears damaged.
+std::optional<GifHead> take_gif_head(std::string_view& rest) {
+    constexpr std::size_t head = 13;
+    constexpr std::uint32_t picture_mark = ',', extension_mark = '!', control = 0xf9;
+    if (rest.size() < head) return std::nullopt;
+    const std::uint32_t flags = byte_in(rest, 10);
+    rest.remove_prefix(head);
+    GifHead found{take_table(rest, flags)};
+    while (!rest.empty()) {
+        const std::uint32_t mark = byte_in(rest, 0);
+        rest.remove_prefix(1);
+        if (mark == picture_mark) return found;
+        if (mark != extension_mark) return std::nullopt;
+        const std::uint32_t kind = byte_in(rest, 0);
+        rest.remove_prefix(std::min<std::size_t>(1, rest.size()));
+        const auto block = take_blocks(rest);
+        if (!block) return std::nullopt;
+        if (kind == control) found.clear = clear_colour(*block);
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<StoredPicture> read_gif(std::string_view bytes, std::int64_t max_pixels) {
-    constexpr std::size_t head = 13;
-    constexpr std::uint32_t picture_mark = ',', extension_mark = '!', control = 0xf9;
-    if (bytes.size() < head) return std::nullopt;
-    std::string_view rest = bytes.substr(head);
-    const std::string_view table = take_table(rest, byte_in(bytes, 10));
-    int clear = -1;
-    while (!rest.empty()) {
-        const std::uint32_t mark = byte_in(rest, 0);
-        if (mark == picture_mark) {
-            rest.remove_prefix(1);
-            const auto picture = take_picture(rest, table, max_pixels);
-            if (!picture) return std::nullopt;
-            return coloured(*picture, clear);
-        }
-        if (mark != extension_mark) return std::nullopt;
-        const std::uint32_t kind = byte_in(rest, 1);
-        rest.remove_prefix(std::min<std::size_t>(2, rest.size()));
-        const auto block = take_blocks(rest);
-        if (!block) return std::nullopt;
-        if (kind == control) clear = clear_colour(*block);
-    }
-    return std::nullopt;
+    std::string_view rest = bytes;
+    const auto head = take_gif_head(rest);
+    const auto picture = head ? take_picture(rest, head->table, max_pixels) : std::nullopt;
+    if (!picture) return std::nullopt;
+    return coloured(*picture, head->clear);
+}
+
+GifTable gif_table(std::string_view bytes) {
+    constexpr std::size_t most = 256, picture_head = 9;
+    std::string_view rest = bytes;
+    const auto head = take_gif_head(rest);
+    if (!head || rest.size() < picture_head) return {};
+    const std::uint32_t flags = byte_in(rest, 8);
+    rest.remove_prefix(picture_head);
+    const std::string_view own = take_table(rest, flags);
+    const std::string_view colours = own.empty() ? head->table : own;
+    GifTable table(most, {0, 0, 0, 255});
+    for (std::size_t i = 0; 3 * i + 3 <= colours.size() && i < most; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            table[i][k] = static_cast<std::uint8_t>(byte_in(colours, 3 * i + k));
+    if (head->clear >= 0) table[static_cast<std::size_t>(head->clear)][3] = 0;
+    return table;
 }
 
 }  // namespace candelabra

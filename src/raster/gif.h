@@ -6,9 +6,20 @@
 
 #include "oiio/formats.h"
 
+#include <array>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace candelabra {
+
+/// Colours with alpha.
+using GifTable = std::vector<std::array<std::uint8_t, 4>>;
+
+/// The colours to which the numbers of read_gif() refer: those of the first picture's own table or
+/// of the file's, and black ones up to 256. The clear one has alpha 0. Empty if the file appears
+/// damaged.
+GifTable gif_table(std::string_view bytes);
 
 /// Returns nothing if the file is of another kind, has too many pixels or appears damaged.
 std::optional<StoredPicture> read_gif(std::string_view bytes, std::int64_t max_pixels);

@@ -101,6 +101,33 @@ TEST_CASE("a GIF file of one table tells the numbers of its colours, also of tho
     CHECK(check_same(bytes).numbers == std::vector<std::uint16_t>{0, 1, 2, 3, 1, 2});
 }
 
+TEST_CASE(
+    "colours of a GIF file keep their numbers beside a clear one and in a table of the picture",
+    "[raster]") {
+    using Entry = std::array<std::uint8_t, 4>;
+    const std::string plain = small_gif(0, {}), clear = small_gif(0, "!\xf9\4\1\0\0\2\0"s);
+    const auto read = read_gif(clear, raster_limit);
+    REQUIRE(read);
+    CHECK(read->numbers == std::vector<std::uint16_t>{0, 1, 2, 3, 1, 2});
+    REQUIRE(gif_table(plain).size() == 256);
+    CHECK(gif_table(plain)[2] == Entry{0, 255, 0, 255});
+    CHECK(gif_table(plain)[3] == Entry{0x10, 0x20, 0x30, 255});
+    CHECK(gif_table(plain)[4] == Entry{0, 0, 0, 255});
+    CHECK(gif_table(clear)[2] == Entry{0, 255, 0, 0});
+    CHECK(gif_table(clear)[1] == Entry{255, 0, 0, 255});
+    // The same colours in the picture's own table, behind its head.
+    std::string own = plain;
+    const std::string colours = own.substr(13, 12);
+    own.replace(13, 12, 12, '\x77');
+    own[34] = '\x81';
+    own.insert(35, colours);
+    const auto other = read_gif(own, raster_limit);
+    REQUIRE(other);
+    CHECK(other->numbers == read->numbers);
+    CHECK(gif_table(own)[3] == Entry{0x10, 0x20, 0x30, 255});
+    CHECK(gif_table("GIF89a").empty());
+}
+
 TEST_CASE("GIF files that are damaged are left to the library", "[raster]") {
     const std::string bytes = small_gif(0, {});
     for (std::size_t length = 0; length + 3 < bytes.size(); ++length)
