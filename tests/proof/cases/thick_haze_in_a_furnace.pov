@@ -5,5 +5,5 @@
 #default { finish { ambient 0 } }
 global_settings { assumed_gamma 1 max_trace_level 40 integrator { path_traced bounces 60 reflected_luminaires 0 } }
 camera { location <0.3, 0.9, -3.3> look_at 0 angle 40 }
-background { rgb 1 }
+sky_sphere { pigment { rgb 1 } luminaire }
 sphere { 0, 1 hollow pigment { rgb 1 transmit 1 } finish { diffuse 0 } interior { media { scattering { 1, 1.2 multiple } } } }
