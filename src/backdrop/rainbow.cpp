@@ -2,10 +2,10 @@
 #include "backdrop/rainbow.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace candelabra {
 
@@ -28,7 +28,7 @@ const ItemInfo Rainbow::vocabulary = described<Rainbow>([] {
 namespace {
 
 double angle_between(const Vec3& a, const Vec3& b) {
-    return std::acos(std::clamp(dot(a, b), -1.0, 1.0)) / radians_per_degree;
+    return math::acos(std::clamp(dot(a, b), -1.0, 1.0)) / radians_per_degree;
 }
 
 /// How far the arc has faded towards its ends: 0 to 1; above 1 beyond the arc.
@@ -55,7 +55,7 @@ std::optional<Veil> veil_of(const Rainbow& rainbow, const Ray& ray, double dista
     const double fade = faded(rainbow, ahead, ray.direction);
     if (fade > 1) return std::nullopt;
     const Colour colour = look_up(rainbow.map, place);
-    const double kept = std::max(std::exp(-distance / rainbow.distance),
+    const double kept = std::max(math::exp(-distance / rainbow.distance),
                                  fade * (1 - colour.transmit) + colour.transmit);
     const double own = 1 - kept, tint = colour.filter * own;
     return Veil{kept * (Vec3(1 - tint) + tint * colour.rgb), own * colour.rgb};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backdrop/sky_light.h"
 
+#include "base/elementary.h"
 #include "base/running_sums.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr double even_share = 0.1;
 
 Vec3 direction_at(double height, double turn) {
     const double across = std::sqrt(std::max(0.0, 1 - height * height));
-    return {across * std::cos(2 * pi * turn), height, across * std::sin(2 * pi * turn)};
+    return {across * math::cos(2 * pi * turn), height, across * math::sin(2 * pi * turn)};
 }
 
 double brightness(const Vec3& seen) {
@@ -87,7 +88,7 @@ double SkyLight::density(const Vec3& direction) const {
     constexpr double even = even_share / (4 * pi);
     const double height = std::clamp(direction.y, -1.0, 1.0);
     const int row = std::clamp(static_cast<int>((1 - height) / 2 * row_count), 0, row_count - 1);
-    double turn = std::atan2(direction.z, direction.x) / (2 * pi);
+    double turn = math::atan2(direction.z, direction.x) / (2 * pi);
     turn -= std::floor(turn);
     const int column = std::clamp(static_cast<int>(turn * column_count), 0, column_count - 1);
     const Sums columns = columns_of(columns_, static_cast<std::size_t>(row));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/fft.h"
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace candelabra {
@@ -23,7 +23,7 @@ public:
         for (std::size_t i = 0; i < length; ++i) {
             const double angle =
                 -2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length);
-            roots_[i] = {std::cos(angle), std::sin(angle)};
+            roots_[i] = {math::cos(angle), math::sin(angle)};
         }
         for (std::size_t rest = length; rest > 1;)
             for (const std::size_t radix : radices)

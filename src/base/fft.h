@@ -4,21 +4,12 @@
 // its glare, so that the errors of single precision would be visible.
 #pragma once
 
+#include "base/complex.h"
+
 #include <cstddef>
 #include <vector>
 
 namespace candelabra {
-
-struct Complex {
-    double re = 0, im = 0;
-
-    friend Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
-    friend Complex operator-(Complex a, Complex b) { return {a.re - b.re, a.im - b.im}; }
-    friend Complex operator*(Complex a, Complex b) {
-        return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-    }
-    friend bool operator==(const Complex&, const Complex&) = default;
-};
 
 /// The smallest even size, not below `at_least`, without prime factors other than 2, 3 and 5.
 std::size_t fft_size(std::size_t at_least);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/colour.h"
+#include "base/elementary.h"
 
 #include <cmath>
 
@@ -17,12 +18,12 @@ inline constexpr double display_gamma = 2.2;
 
 inline double to_linear(double value, double gamma) {
     if (gamma == 1 || !(value > 0)) return value;
-    return gamma < 0 ? srgb_decode(value) : std::pow(value, gamma);
+    return gamma < 0 ? srgb_decode(value) : math::pow(value, gamma);
 }
 
 inline double from_linear(double value, double gamma) {
     if (gamma == 1 || !(value > 0)) return value;
-    return gamma < 0 ? srgb_encode(value) : std::pow(value, 1 / gamma);
+    return gamma < 0 ? srgb_encode(value) : math::pow(value, 1 / gamma);
 }
 
 }  // namespace candelabra

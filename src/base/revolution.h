@@ -3,6 +3,7 @@
 // by pictures and for the uv coordinates of shapes.
 #pragma once
 
+#include "base/elementary.h"
 #include "base/vector.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace candelabra {
 inline double turn(double x, double z) {
     using std::numbers::pi;
     if (z == 0) return x > 0 ? 0 : 0.5;
-    const double angle = std::acos(x / std::sqrt(x * x + z * z));
+    const double angle = math::acos(x / std::sqrt(x * x + z * z));
     return (z < 0 ? 2 * pi - angle : angle) / (2 * pi);
 }
 
@@ -26,7 +27,7 @@ inline double turn_of_tube(double outwards, double up) {
     using std::numbers::pi;
     const double distance = std::sqrt(outwards * outwards + up * up);
     if (distance == 0) return 0;
-    const double angle = std::acos(std::clamp(-outwards / distance, -1.0, 1.0));
+    const double angle = math::acos(std::clamp(-outwards / distance, -1.0, 1.0));
     return (up > 0 ? 2 * pi - angle : angle) / (2 * pi);
 }
 

@@ -2,6 +2,7 @@
 #include "base/transform.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 
 namespace candelabra {
 
@@ -33,7 +34,7 @@ std::pair<double, double> cos_sin(double degrees) {
     if (turn == 90 || turn == -270) return {0, 1};
     if (turn == 180 || turn == -180) return {-1, 0};
     if (turn == 270 || turn == -90) return {0, -1};
-    return {std::cos(turn * radians_per_degree), std::sin(turn * radians_per_degree)};
+    return {math::cos(turn * radians_per_degree), math::sin(turn * radians_per_degree)};
 }
 
 Affine transpose(const Affine& a) {

@@ -3,6 +3,8 @@
 // uses Vec3.
 #pragma once
 
+#include "base/elementary.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -20,6 +22,13 @@ using Vec3 = glm::dvec3;
 using Vec4 = glm::dvec4;
 using glm::cross;
 using glm::dot;
+
+namespace math {
+
+/// Of each component.
+inline Vec3 exp(const Vec3& v) { return {exp(v.x), exp(v.y), exp(v.z)}; }
+
+}  // namespace math
 
 /// Euclidean length.
 inline double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
@@ -49,7 +58,7 @@ inline std::pair<Vec3, Vec3> perpendiculars(const Vec3& n) {
 inline Vec3 turned_from(const Vec3& axis, double cosine, double turn) {
     const double sine = std::sqrt(std::fmax(1 - cosine * cosine, 0));
     const auto [x, y] = perpendiculars(axis);
-    return cosine * axis + sine * (std::cos(turn) * x + std::sin(turn) * y);
+    return cosine * axis + sine * (math::cos(turn) * x + math::sin(turn) * y);
 }
 
 }  // namespace candelabra

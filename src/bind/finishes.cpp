@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/finishes.h"
 
+#include "base/elementary.h"
 #include "bind/bind.h"
 #include "bind/item_block.h"
 #include "bind/media.h"
@@ -165,7 +166,7 @@ private:
         if (amount == "phong") finish_.phong *= (finish_.phong_size + 1) / 2;
         if (amount == "specular") {
             const double exponent = 1 / finish_.roughness;
-            finish_.specular *= (exponent + 2) / (4 * (2 - std::exp2(-exponent / 2)));
+            finish_.specular *= (exponent + 2) / (4 * (2 - math::exp2(-exponent / 2)));
         }
     }
 

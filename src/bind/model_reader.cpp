@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/model_reader.h"
 
+#include "base/elementary.h"
 #include "bind/blocks.h"
 #include "bind/objects.h"
 #include "csg/solid.h"
@@ -154,7 +155,7 @@ std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const P
 
 bool ModelReader::refine(Polyhedron& mesh, int steps, const Polyhedra* library) {
     const auto faces = static_cast<double>(mesh.faces.size());
-    if (faces * std::pow(4.0, steps) > max_faces) {
+    if (faces * math::pow(4.0, steps) > max_faces) {
         block_.report(error(Fault::out_of_range, block_.span,
                             message("`subdivide ", steps, "` would make more than ", max_faces,
                                     " faces of ", faces)));

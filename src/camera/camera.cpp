@@ -2,6 +2,7 @@
 #include "camera/camera.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -140,7 +141,7 @@ Projection untransformed(const View& view, Lens lens, bool sizes = true) {
     f.vertical_angle = f.angle / 2;
     if (narrows && flat)
         f.direction = unit(f.direction) *
-                      (0.5 * length(f.right) / std::tan(0.5 * *view.angle * radians_per_degree));
+                      (0.5 * length(f.right) / math::tan(0.5 * *view.angle * radians_per_degree));
     if (view.look_at) {
         // Where up is parallel to the direction, POV-Ray's picture is mirrored. So is one with a
         // `right` to the left that looks along the sky.
@@ -242,7 +243,7 @@ namespace {
 /// of Wilson and Hilferty (1931); the normal quantile is Abramowitz and Stegun's 26.2.23.
 double chi_squared(int count, double probability) {
     const double tail = std::clamp(std::min(probability, 1 - probability), 1e-12, 0.5);
-    const double t = std::sqrt(-2 * std::log(tail));
+    const double t = std::sqrt(-2 * math::log(tail));
     const double z = t - (2.515517 + t * (0.802853 + t * 0.010328)) /
                              (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
     const double spread = 2.0 / (9 * std::max(count, 1));
@@ -254,8 +255,8 @@ double chi_squared(int count, double probability) {
 Vec3 around_middle(const Projection& f, double angle, double p, double q) {
     const double radius = std::sqrt(p * p + q * q);
     if (radius == 0) return unit(f.direction);
-    return std::sin(angle) / radius * (p * unit(f.right) + q * unit(f.up)) +
-           std::cos(angle) * unit(f.direction);
+    return math::sin(angle) / radius * (p * unit(f.right) + q * unit(f.up)) +
+           math::cos(angle) * unit(f.direction);
 }
 
 Vec3 fisheye(const Projection& f, double u, double v) {
@@ -280,14 +281,14 @@ Vec3 omnimax(const Projection& f, double u, double v) {
     const double r = std::sqrt(x * x + y * y);
     if (r > 1) return Vec3(0);
     const double angle = 1.411269 * r - 0.09439 * r * r * r + 0.25674 * r * r * r * r * r;
-    if (r > 0 && y / r * std::sin(angle) < -std::cos(angle)) return Vec3(0);
+    if (r > 0 && y / r * math::sin(angle) < -math::cos(angle)) return Vec3(0);
     return around_middle(f, angle, x, y);
 }
 
 /// Rotates about an axis of unit length, in the same sense as `rotate`.
 Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
     const Vec3 along = dot(axis, v) * axis;
-    return along + std::cos(angle) * (v - along) + std::sin(angle) * cross(axis, v);
+    return along + math::cos(angle) * (v - along) + math::sin(angle) * cross(axis, v);
 }
 
 /// As in POV-Ray the vectors need not be perpendicular: they are axes of rotation.
@@ -312,7 +313,7 @@ Ray Projection::through_lens(const Ray& ray, Vec2 place) const {
     const Vec3 sharp = ray.at(focal_distance / cosine);
     const auto [x, y] = perpendiculars(ahead);
     const double radius = lens_radius * std::sqrt(place.x), angle = 2 * std::numbers::pi * place.y;
-    const Vec3 start = ray.origin + radius * (std::cos(angle) * x + std::sin(angle) * y);
+    const Vec3 start = ray.origin + radius * (math::cos(angle) * x + math::sin(angle) * y);
     return {start, unit(sharp - start)};
 }
 
@@ -331,24 +332,25 @@ Ray Projection::ray(double u, double v) const {
         case Lens::fisheye:
             return from_here(fisheye(*this, u, v));
         case Lens::ultra_wide:
-            return from_here(std::sin(a) * side + std::sin(b) * above +
-                             std::cos(a) * std::cos(b) * ahead);
+            return from_here(math::sin(a) * side + math::sin(b) * above +
+                             math::cos(a) * math::cos(b) * ahead);
         case Lens::omnimax:
             return from_here(omnimax(*this, u, v));
         case Lens::panoramic: {
             const double around = std::numbers::pi * (0.5 - u);
-            return from_here(std::cos(around) * right + std::tan(std::numbers::pi * v) * up +
-                             std::sin(around) * direction);
+            return from_here(math::cos(around) * right + math::tan(std::numbers::pi * v) * up +
+                             math::sin(around) * direction);
         }
         case Lens::cylinder1:
-            return from_here(std::sin(a) * side + v * up + std::cos(a) * ahead);
+            return from_here(math::sin(a) * side + v * up + math::cos(a) * ahead);
         case Lens::cylinder2:
-            return from_here(u * right + std::sin(v * angle) * above + std::cos(v * angle) * ahead);
+            return from_here(u * right + math::sin(v * angle) * above +
+                             math::cos(v * angle) * ahead);
         case Lens::cylinder3:
-            return {location + v * up, unit(std::sin(a) * side + std::cos(a) * ahead)};
+            return {location + v * up, unit(math::sin(a) * side + math::cos(a) * ahead)};
         case Lens::cylinder4:
             return {location + u * right,
-                    unit(std::sin(v * angle) * above + std::cos(v * angle) * ahead)};
+                    unit(math::sin(v * angle) * above + math::cos(v * angle) * ahead)};
         case Lens::spherical:
             return from_here(spherical(*this, u, v));
     }
@@ -361,9 +363,9 @@ Vec3 Projection::normal_place(double u, double v) const {
         case Lens::fisheye:
         case Lens::omnimax: {
             const Vec3 towards = ray(u, v).direction;
-            const double away = std::acos(dot(unit(direction), towards));
+            const double away = math::acos(dot(unit(direction), towards));
             const double around =
-                std::atan2(dot(up, towards) / height, dot(right, towards) / width);
+                math::atan2(dot(up, towards) / height, dot(right, towards) / width);
             // Counted from a quarter turn below, as in POV-Ray.
             const bool low = around < -0.5 * std::numbers::pi;
             return {low ? around + 2 * std::numbers::pi : around, away, 0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera/film_settings.h"
 
+#include "base/elementary.h"
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -163,7 +164,7 @@ FilterShape FilmSettings::filter() const {
 bool FilmSettings::smooths_edges() const {
     return on && smooth_edges && curve() != ResponseCurve::linear;
 }
-double FilmSettings::exposure_factor() const { return on ? std::exp2(exposure) : 1; }
+double FilmSettings::exposure_factor() const { return on ? math::exp2(exposure) : 1; }
 
 std::string problem(const FilmSettings& film) {
     if (!among(film.response, responses))

@@ -2,6 +2,7 @@
 #include "camera/orbit.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -26,13 +27,13 @@ Vec3 upright(const Projection& camera) {
 
 Vec3 spun(const Vec3& v, const Vec3& axis, double angle) {
     const Vec3 along = dot(axis, v) * axis;
-    return along + std::cos(angle) * (v - along) + std::sin(angle) * cross(axis, v);
+    return along + math::cos(angle) * (v - along) + math::sin(angle) * cross(axis, v);
 }
 
 /// Angle of the camera above the point, in degrees.
 double elevation(const Projection& camera) {
     const double sine = -dot(unit(camera.direction), upright(camera));
-    return std::asin(std::clamp(sine, -1.0, 1.0)) / radians_per_degree;
+    return math::asin(std::clamp(sine, -1.0, 1.0)) / radians_per_degree;
 }
 
 /// A short number; -0 becomes 0.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "csg/shape_extent.h"
 
+#include "base/elementary.h"
 #include "shape/built_shape.h"
 
 #include <cmath>
@@ -100,7 +101,7 @@ struct Frame {
     explicit Frame(const Vec3& axis) {
         const Vec3 across = cross(Vec3(0, 0, 1), axis);
         if (across == Vec3(0)) return;
-        const double angle = std::acos(std::fmax(-1, std::fmin(1, axis.z)));
+        const double angle = math::acos(std::fmax(-1, std::fmin(1, axis.z)));
         const Transform turn = Transform::rotation(across, angle * 180 / std::numbers::pi);
         x = turn.direction(x);
         y = turn.direction(y);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "csg/shape_store.h"
 
+#include "base/elementary.h"
+
 #include <cmath>
 
 namespace candelabra {
@@ -26,8 +28,8 @@ double stepped_scale(const Transform& place) {
     constexpr double steps_of_octave = 8;
     double largest = 0;
     for (const Vec3& row : place.forward().rows) largest = std::fmax(largest, length(row));
-    const double step = std::ceil(steps_of_octave * std::log2(largest) - 1e-9);
-    return std::exp2(step / steps_of_octave);
+    const double step = std::ceil(steps_of_octave * math::log2(largest) - 1e-9);
+    return math::exp2(step / steps_of_octave);
 }
 
 /// A height field for a place that stretches it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/auto_exposure.h"
 
+#include "base/elementary.h"
+
 #include <cmath>
 #include <vector>
 
@@ -14,7 +16,7 @@ constexpr double min_stops = -20, max_stops = 40;
 constexpr double max_lift = 4;
 
 double mean_shown(const std::vector<double>& luminances, double stops) {
-    const double factor = std::exp2(stops);
+    const double factor = math::exp2(stops);
     double sum = 0;
     for (const double each : luminances) sum += factor * each / (1 + factor * each);
     return sum / static_cast<double>(luminances.size());
@@ -39,7 +41,7 @@ double stops_asked_by(const Image& image) {
         const double middle = (below + above) / 2;
         (mean_shown(lit, middle) < middle_grey_shown ? below : above) = middle;
     }
-    return below > 0 ? max_lift * -std::expm1(-below / max_lift) : below;
+    return below > 0 ? max_lift * -math::expm1(-below / max_lift) : below;
 }
 
 }  // namespace candelabra

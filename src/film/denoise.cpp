@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/denoise.h"
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -125,7 +126,7 @@ private:
                 const DenoisedPixel& other = pixel(x + du, y + dv);
                 exponent += surface_difference(pixel(x, y), other, steps);
                 if (exponent >= no_weight && steps > 0) continue;
-                const double weight = steps > 0 ? std::exp(-exponent) : 1;
+                const double weight = steps > 0 ? math::exp(-exponent) : 1;
                 const std::size_t at = place(x, y, top_);
                 sums_[at] += weight * other.light;
                 weights_[at] += weight;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/develop.h"
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "film/auto_exposure.h"
@@ -55,15 +56,15 @@ public:
         : negative_(negative),
           film_(film),
           curve_(film.curve()),
-          exposure_(std::exp2(exposure_of(negative, film))),
+          exposure_(math::exp2(exposure_of(negative, film))),
           balance_(white_balance(film.white_balance)) {}
 
     Vec3 operator()(const Image& light, int x, int y) const {
         const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(light.width) +
                            static_cast<std::size_t>(x);
         const double right = 2 * (x + 0.5) - light.width, down = 2 * (y + 0.5) - light.height;
-        const double corner = std::hypot(light.width, light.height);
-        const double falls = vignetted(film_.vignette, std::hypot(right, down) / corner);
+        const double corner = math::hypot(light.width, light.height);
+        const double falls = vignetted(film_.vignette, math::hypot(right, down) / corner);
         const double alpha = negative_.alpha.empty() ? 1 : negative_.alpha[pixel];
         const bool clear = alpha > 0 && alpha < 1;
         const Vec3 exposed = balance_(light.pixels[pixel] * (exposure_ * falls));

@@ -2,6 +2,7 @@
 #include "film/glare.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "base/fft.h"
 #include "base/parallel.h"
 
@@ -37,7 +38,7 @@ double veil_density(double degrees) {
 double halo_density(double degrees, double nanometres) {
     constexpr double ring_wavelength = 568;
     const double off = degrees - 3 * nanometres / ring_wavelength;
-    return ring_wavelength / nanometres * std::exp(-off * off);
+    return ring_wavelength / nanometres * math::exp(-off * off);
 }
 
 /// Sums a function over rows. Sums of rows are added in row order.
@@ -120,12 +121,12 @@ GlareKernel::Parts& GlareKernel::Parts::operator+=(const Parts& other) {
 GlareKernel::GlareKernel(const Glare& glare, int width, int height, int threads)
     : glare_(glare), width_(width), height_(height) {
     const double field = glare.field > 0 ? glare.field : usual_field;
-    plane_ = width / 2.0 / std::tan(field / 2 * radians_per_degree);
+    plane_ = width / 2.0 / math::tan(field / 2 * radians_per_degree);
     if (glare.blades < 3) glare_.star = 0;
     const int rays = glare.blades % 2 == 0 ? glare.blades : 2 * glare.blades;
     for (int i = 0; i < rays && glare_.star > 0; ++i) {
         const double turn = (glare.angle + 90 + 360.0 * i / rays) * radians_per_degree;
-        rays_.emplace_back(std::cos(turn), -std::sin(turn));
+        rays_.emplace_back(math::cos(turn), -math::sin(turn));
     }
     const Parts all = sum_rows<Parts>(height, threads, [&](int dy) {
         Parts sum;
@@ -144,7 +145,7 @@ GlareKernel::GlareKernel(const Glare& glare, int width, int height, int threads)
 
 void GlareKernel::add_point(double dx, double dy, Parts& parts) const {
     const double squared = (dx * dx + dy * dy) / (plane_ * plane_);
-    const double angle = std::atan(std::sqrt(squared)) / radians_per_degree;
+    const double angle = math::atan(std::sqrt(squared)) / radians_per_degree;
     // Pixels far from the centre subtend a smaller solid angle.
     const double smaller = 1 / ((1 + squared) * std::sqrt(1 + squared));
     if (glare_.veil > 0) parts.veil += veil_density(angle) * smaller;
@@ -160,7 +161,7 @@ void GlareKernel::add_star(double dx, double dy, double angle, Parts& parts) con
         if (along < 0) continue;
         const double aside = (dx * ray.y - dy * ray.x) / ray_width;
         constexpr double far = 50;
-        if (aside * aside < far) lit += std::exp(-aside * aside / 2);
+        if (aside * aside < far) lit += math::exp(-aside * aside / 2);
     }
     if (lit == 0) return;
     for (int i = 0; i < 3; ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/pixel_filter.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -35,7 +37,7 @@ double mitchell(double x) {
 double blackman_harris(double x, double reach) {
     constexpr double a0 = 0.35875, a1 = 0.48829, a2 = 0.14128, a3 = 0.01168;
     const double turn = std::numbers::pi * x / reach;
-    return (a0 + a1 * std::cos(turn) + a2 * std::cos(2 * turn) + a3 * std::cos(3 * turn)) /
+    return (a0 + a1 * math::cos(turn) + a2 * math::cos(2 * turn) + a3 * math::cos(3 * turn)) /
            (2 * reach * a0);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/response.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,10 +38,10 @@ double bent(double x, double way, double room, double power) {
     const double scale =
         room == 0
             ? 0
-            : std::pow(std::pow(slope * way, -power) * (std::pow(slope * way / room, power) - 1),
-                       -1 / power);
+            : math::pow(math::pow(slope * way, -power) * (math::pow(slope * way / room, power) - 1),
+                        -1 / power);
     const double steep = slope * x / scale;
-    return scale * steep / std::pow(1 + std::pow(steep, power), 1 / power);
+    return scale * steep / math::pow(1 + math::pow(steep, power), 1 / power);
 }
 
 /// Fraction of each channel that is mixed from all channels before the curve, and unmixed after it.
@@ -67,14 +69,14 @@ double filmic_curve(double exposure) {
 
 double agx_curve(double exposure) {
     if (!(exposure > 0)) return 0;
-    const double stops = std::log2(exposure / middle_grey);
+    const double stops = math::log2(exposure / middle_grey);
     const double place = std::clamp((stops + stops_below) / (stops_below + stops_above), 0.0, 1.0);
-    static const double pivot = std::pow(middle_grey, 1 / curve_gamma);
+    static const double pivot = math::pow(middle_grey, 1 / curve_gamma);
     const double shown =
         place < pivot_place
             ? pivot - bent(pivot_place - place, pivot_place, pivot, toe_power)
             : pivot + bent(place - pivot_place, 1 - pivot_place, 1 - pivot, shoulder_power);
-    return std::pow(std::clamp(shown, 0.0, 1.0), curve_gamma);
+    return math::pow(std::clamp(shown, 0.0, 1.0), curve_gamma);
 }
 
 Vec3 respond(ResponseCurve curve, const Vec3& exposure) {

@@ -2,6 +2,7 @@
 #include "formula/enclosed_function.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "base/infinity.h"
 
 #include <algorithm>
@@ -68,8 +69,8 @@ struct Circular {
 
 Circular circular(const Bounds& a) {
     if (!(a.high - a.low < pi) || std::abs(a.low) > 1e9) return {};
-    const double c1 = std::cos(a.low), s1 = std::sin(a.low);
-    const double c2 = std::cos(a.high), s2 = std::sin(a.high);
+    const double c1 = math::cos(a.low), s1 = math::sin(a.low);
+    const double c2 = math::cos(a.high), s2 = math::sin(a.high);
     // In less than half a turn each has at most one extremum, which is where the other changes
     // sign.
     return {
@@ -85,7 +86,7 @@ Enclosure absolute(const Enclosure& a) {
 
 Enclosure arc_sine(const Enclosure& a) {
     return growing(
-        a, [](double x) { return std::asin(x); },
+        a, [](double x) { return math::asin(x); },
         [](double x) { return 1 / std::sqrt(std::max(0.0, 1 - x * x)); }, {-1, 1});
 }
 
@@ -96,19 +97,19 @@ Enclosure cosine(const Enclosure& a) {
 
 Enclosure hyperbolic_cosine(const Enclosure& a) {
     const Bounds far = size(a.value);
-    return {{std::cosh(far.low), std::cosh(far.high)},
-            Bounds{std::sinh(a.value.low), std::sinh(a.value.high)} * a.slope};
+    return {{math::cosh(far.low), math::cosh(far.high)},
+            Bounds{math::sinh(a.value.low), math::sinh(a.value.high)} * a.slope};
 }
 
 Enclosure logarithm(const Enclosure& a) {
     return growing(
-        a, [](double x) { return std::log(x); }, [](double x) { return 1 / x; }, {0, infinity});
+        a, [](double x) { return math::log(x); }, [](double x) { return 1 / x; }, {0, infinity});
 }
 
 Enclosure tangent(const Enclosure& a) {
     if (!(a.value.high - a.value.low < pi) || has_place(a.value, pi / 2, pi))
         return Enclosure::unknown();
-    const Bounds value{std::tan(a.value.low), std::tan(a.value.high)};
+    const Bounds value{math::tan(a.value.low), math::tan(a.value.high)};
     const Bounds far = size(value);
     return {value, Bounds{1 + square(far.low), 1 + square(far.high)} * a.slope};
 }
@@ -119,23 +120,23 @@ constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 
     [](const Enclosure& a) { return plus(negated(arc_sine(a)), pi / 2); },
     [](const Enclosure& a) {
         return growing(
-            a, [](double x) { return std::acosh(x); },
+            a, [](double x) { return math::acosh(x); },
             [](double x) { return 1 / std::sqrt(x * x - 1); }, {1, infinity});
     },
     arc_sine,
     [](const Enclosure& a) {
         return growing(
-            a, [](double x) { return std::asinh(x); },
+            a, [](double x) { return math::asinh(x); },
             [](double x) { return 1 / std::sqrt(x * x + 1); }, all_numbers);
     },
     [](const Enclosure& a) {
         return growing(
-            a, [](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); },
+            a, [](double x) { return math::atan(x); }, [](double x) { return 1 / (1 + x * x); },
             all_numbers);
     },
     [](const Enclosure& a) {
         return growing(
-            a, [](double x) { return std::atanh(x); }, [](double x) { return 1 / (1 - x * x); },
+            a, [](double x) { return math::atanh(x); }, [](double x) { return 1 / (1 - x * x); },
             {-1, 1});
     },
     [](const Enclosure& a) { return stepped(a, [](double x) { return std::ceil(x); }); },
@@ -143,7 +144,7 @@ constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 
     hyperbolic_cosine,
     [](const Enclosure& a) { return scaled(a, 1 / radians_per_degree); },
     [](const Enclosure& a) {
-        const Bounds value{std::exp(a.value.low), std::exp(a.value.high)};
+        const Bounds value{math::exp(a.value.low), math::exp(a.value.high)};
         return Enclosure{value, value * a.slope};
     },
     [](const Enclosure& a) { return stepped(a, [](double x) { return std::floor(x); }); },
@@ -152,7 +153,7 @@ constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 
         return stepped(a, [](double x) { return double(to_int32(x)); });
     },
     logarithm,
-    [](const Enclosure& a) { return scaled(logarithm(a), 1 / std::log(10)); },
+    [](const Enclosure& a) { return scaled(logarithm(a), 1 / math::log(10)); },
     [](const Enclosure& a) { return scaled(a, radians_per_degree); },
     [](const Enclosure& a) {
         const Circular c = circular(a.value);
@@ -160,7 +161,7 @@ constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 
     },
     [](const Enclosure& a) {
         return growing(
-            a, [](double x) { return std::sinh(x); }, [](double x) { return std::cosh(x); },
+            a, [](double x) { return math::sinh(x); }, [](double x) { return math::cosh(x); },
             all_numbers);
     },
     [](const Enclosure& a) {
@@ -171,8 +172,8 @@ constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 
     tangent,
     [](const Enclosure& a) {
         return growing(
-            a, [](double x) { return std::tanh(x); },
-            [](double x) { return 1 - square(std::tanh(x)); }, all_numbers);
+            a, [](double x) { return math::tanh(x); },
+            [](double x) { return 1 - square(math::tanh(x)); }, all_numbers);
     },
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula/enclosure.h"
 
+#include "base/elementary.h"
 #include "base/infinity.h"
 #include "formula/enclosed_function.h"
 #include "formula/formula.h"
@@ -80,7 +81,8 @@ Enclosure greatest(const Enclosure& a, const Enclosure& b) {
 Enclosure whole_power(const Enclosure& a, double n) {
     if (n == 0) return Enclosure::constant(1);
     const auto values = [&](double exponent) {
-        const double low = std::pow(a.value.low, exponent), high = std::pow(a.value.high, exponent);
+        const double low = math::pow(a.value.low, exponent),
+                     high = math::pow(a.value.high, exponent);
         const bool even = std::fmod(exponent, 2) == 0;
         Bounds result = bounds(std::min(low, high), std::max(low, high));
         if (even && a.value.contains(0)) result.low = 0;
@@ -101,17 +103,18 @@ Enclosure power(Enclosure a, const Enclosure& b) {
     Bounds value{infinity, -infinity};
     for (const double base : {a.value.low, a.value.high})
         for (const double exponent : {b.value.low, b.value.high}) {
-            const double corner = std::pow(base, exponent);
+            const double corner = math::pow(base, exponent);
             value = {std::min(value.low, corner), std::max(value.high, corner)};
         }
     if (cut) return {value, all_numbers};
     if (b.value.single() && b.value.low > 1) {
         const double n = b.value.low;
-        return {value, Bounds{n * std::pow(a.value.low, n - 1), n * std::pow(a.value.high, n - 1)} *
-                           a.slope};
+        return {value,
+                Bounds{n * math::pow(a.value.low, n - 1), n * math::pow(a.value.high, n - 1)} *
+                    a.slope};
     }
     if (a.value.low == 0) return {value, all_numbers};
-    const Bounds logarithm{std::log(a.value.low), std::log(a.value.high)};
+    const Bounds logarithm{math::log(a.value.low), math::log(a.value.high)};
     return {value, value * (b.slope * logarithm + b.value * a.slope / a.value)};
 }
 
@@ -122,7 +125,7 @@ Enclosure arc_tangent(const Enclosure& y, const Enclosure& x) {
     Bounds value{infinity, -infinity};
     for (const double a : {y.value.low, y.value.high})
         for (const double b : {x.value.low, x.value.high}) {
-            const double corner = std::atan2(a, b);
+            const double corner = math::atan2(a, b);
             value = {std::min(value.low, corner), std::max(value.high, corner)};
         }
     const Bounds across = square(x).value + square(y).value;

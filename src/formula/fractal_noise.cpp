@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula/fractal_noise.h"
 
+#include "base/elementary.h"
 #include "base/noise.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ double hetero_mf(const double* arguments) {
     Vec3 at = point_of(arguments);
     const auto height = [&] { return 2 * noise(at, generator) - 1 + offset; };
 
-    const double fading = std::pow(lacunarity, -roughness), times = std::trunc(p[4]);
+    const double fading = math::pow(lacunarity, -roughness), times = std::trunc(p[4]);
     double sum = height(), weight = 1;
     const auto next = [&] {
         at *= lacunarity;
@@ -37,7 +38,7 @@ double hetero_mf(const double* arguments) {
     };
     for (int i = 1; i < octaves; ++i) {
         const double more = next();
-        sum += times > 1 ? more * std::pow(sum, times) : times == 1 ? more * sum : more;
+        sum += times > 1 ? more * math::pow(sum, times) : times == 1 ? more * sum : more;
     }
     // A partial octave has already been added in full; one more is added by the fraction.
     const double fraction = octaves - std::floor(octaves);
@@ -79,7 +80,7 @@ double ridged_mf(const double* arguments) {
         return signal * signal;
     };
 
-    const double fading = std::pow(lacunarity, -roughness);
+    const double fading = math::pow(lacunarity, -roughness);
     double signal = crest(), sum = signal, weight = 1;
     for (int i = 1; i < octaves; ++i) {
         at *= lacunarity;

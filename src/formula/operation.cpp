@@ -2,6 +2,7 @@
 #include "formula/operation.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 
 #include <array>
 #include <cmath>
@@ -17,27 +18,27 @@ struct Named {
 
 constexpr auto number_functions = std::array{
     Named{"abs", [](double x) { return std::abs(x); }},
-    Named{"acos", [](double x) { return std::acos(x); }},
-    Named{"acosh", [](double x) { return std::acosh(x); }},
-    Named{"asin", [](double x) { return std::asin(x); }},
-    Named{"asinh", [](double x) { return std::asinh(x); }},
-    Named{"atan", [](double x) { return std::atan(x); }},
-    Named{"atanh", [](double x) { return std::atanh(x); }},
+    Named{"acos", [](double x) { return math::acos(x); }},
+    Named{"acosh", [](double x) { return math::acosh(x); }},
+    Named{"asin", [](double x) { return math::asin(x); }},
+    Named{"asinh", [](double x) { return math::asinh(x); }},
+    Named{"atan", [](double x) { return math::atan(x); }},
+    Named{"atanh", [](double x) { return math::atanh(x); }},
     Named{"ceil", [](double x) { return std::ceil(x); }},
-    Named{"cos", [](double x) { return std::cos(x); }},
-    Named{"cosh", [](double x) { return std::cosh(x); }},
+    Named{"cos", [](double x) { return math::cos(x); }},
+    Named{"cosh", [](double x) { return math::cosh(x); }},
     Named{"degrees", [](double x) { return x / radians_per_degree; }},
-    Named{"exp", [](double x) { return std::exp(x); }},
+    Named{"exp", [](double x) { return math::exp(x); }},
     Named{"floor", [](double x) { return std::floor(x); }},
     Named{"int", [](double x) { return static_cast<double>(to_int32(x)); }},
-    Named{"ln", [](double x) { return std::log(x); }},
-    Named{"log", [](double x) { return std::log10(x); }},
+    Named{"ln", [](double x) { return math::log(x); }},
+    Named{"log", [](double x) { return math::log10(x); }},
     Named{"radians", [](double x) { return x * radians_per_degree; }},
-    Named{"sin", [](double x) { return std::sin(x); }},
-    Named{"sinh", [](double x) { return std::sinh(x); }},
+    Named{"sin", [](double x) { return math::sin(x); }},
+    Named{"sinh", [](double x) { return math::sinh(x); }},
     Named{"sqrt", [](double x) { return std::sqrt(x); }},
-    Named{"tan", [](double x) { return std::tan(x); }},
-    Named{"tanh", [](double x) { return std::tanh(x); }},
+    Named{"tan", [](double x) { return math::tan(x); }},
+    Named{"tanh", [](double x) { return math::tanh(x); }},
 };
 
 }  // namespace

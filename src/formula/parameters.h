@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +40,8 @@ struct Parameters {
         const double angle = p[first + 2] * radians_per_degree;
         result.x = away;
         if (angle != 0) {
-            result.x = away * std::cos(angle) - y * std::sin(angle);
-            result.y = away * std::sin(angle) + y * std::cos(angle);
+            result.x = away * math::cos(angle) - y * math::sin(angle);
+            result.y = away * math::sin(angle) + y * math::cos(angle);
         }
         result.xx = square(result.x);
         result.yy = square(result.y);
@@ -58,7 +59,7 @@ inline double cross_section(double u, double w, double shape) {
     if (shape == 1) return std::sqrt(u * u + w * w);
     const double a = std::abs(u), b = std::abs(w);
     if (shape == 0) return std::max(a, b);
-    return std::pow(std::pow(a, 2 / shape) + std::pow(b, 2 / shape), shape / 2);
+    return math::pow(math::pow(a, 2 / shape) + math::pow(b, 2 / shape), shape / 2);
 }
 
 /// Returns the remainder of the division in [0, divisor).

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula/program.h"
 
+#include "base/elementary.h"
 #include "formula/formula.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace candelabra {
 
@@ -52,8 +52,8 @@ bool execute(const Program& program, double* r, std::uint32_t& passes) {
             case not_true: r[i.to] = !is_true(r[i.a]); break;
             case least: r[i.to] = r[i.b] < r[i.a] ? r[i.b] : r[i.a]; break;
             case greatest: r[i.to] = r[i.b] > r[i.a] ? r[i.b] : r[i.a]; break;
-            case power: r[i.to] = std::pow(r[i.a], r[i.b]); break;
-            case arc_tangent: r[i.to] = std::atan2(r[i.a], r[i.b]); break;
+            case power: r[i.to] = math::pow(r[i.a], r[i.b]); break;
+            case arc_tangent: r[i.to] = math::atan2(r[i.a], r[i.b]); break;
             case remainder: r[i.to] = remainder_of(r[i.a], r[i.b]); break;
             case whole_quotient: r[i.to] = to_int32(r[i.a] / r[i.b]); break;
             case apply: r[i.to] = apply_function(i.b, r[i.a]); break;

@@ -2,6 +2,7 @@
 #include "formula/solid.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "formula/parameters.h"
 
 #include <array>
@@ -16,9 +17,9 @@ namespace {
 /// and 1 along the third; p1 is the steepness.
 std::array<double, 3> bells(const Parameters& a) {
     const double thin = a.p[0], steep = a.p[1];
-    return {std::exp(-steep * (thin * (a.xx + a.yy) + a.zz)),
-            std::exp(-steep * (thin * (a.xx + a.zz) + a.yy)),
-            std::exp(-steep * (thin * (a.yy + a.zz) + a.xx))};
+    return {math::exp(-steep * (thin * (a.xx + a.yy) + a.zz)),
+            math::exp(-steep * (thin * (a.xx + a.zz) + a.yy)),
+            math::exp(-steep * (thin * (a.yy + a.zz) + a.xx))};
 }
 
 /// Position in a hexagonal tiling of the plane: the absolute offsets from the nearest centre.
@@ -35,7 +36,7 @@ HexagonPlace hexagon_place(const Parameters& a) {
         x = width - x;
         y = 1.5 - y;
     }
-    return {x, y, std::atan2(y, x) < pi / 6};
+    return {x, y, math::atan2(y, x) < pi / 6};
 }
 
 /// Distance from a point of the plane to the nearest of `parts` points, which are spread evenly
@@ -45,12 +46,12 @@ double to_nearest_on_circle(double x, double z, double radius, double parts) {
     if (!(last >= 0)) return 10000;
     const double step = 2 * pi / parts;
     // The distance grows with the difference of the angles, so only the neighbours can be nearest.
-    const double at = wrapped(radius < 0 ? std::atan2(-x, -z) : std::atan2(x, z), 2 * pi) / step;
+    const double at = wrapped(radius < 0 ? math::atan2(-x, -z) : math::atan2(x, z), 2 * pi) / step;
     double nearest = std::numeric_limits<double>::infinity();
     for (const double candidate : {0.0, std::floor(at), std::ceil(at), last}) {
         const double angle = std::clamp(candidate, 0.0, last) * step;
-        nearest = std::min(nearest, std::sqrt(square(x - radius * std::sin(angle)) +
-                                              square(z - radius * std::cos(angle))));
+        nearest = std::min(nearest, std::sqrt(square(x - radius * math::sin(angle)) +
+                                              square(z - radius * math::cos(angle))));
     }
     return nearest;
 }
@@ -67,8 +68,8 @@ double blob(const double* arguments) {
 
 double blob2(const double* arguments) {
     const Parameters a(arguments);
-    return a.p[3] - a.p[2] * (std::exp(-a.p[1] * a.sum()) +
-                              std::exp(-a.p[1] * (square(a.x - a.p[0]) + a.yy + a.zz)));
+    return a.p[3] - a.p[2] * (math::exp(-a.p[1] * a.sum()) +
+                              math::exp(-a.p[1] * (square(a.x - a.p[0]) + a.yy + a.zz)));
 }
 
 double comma(const double* arguments) {
@@ -76,7 +77,7 @@ double comma(const double* arguments) {
     const double x = a.x == 0 && a.z == 0 ? 1e-4 : a.x;
     const double half = a.p[0] / 2;
     const double along = std::sqrt(square(x + half / 2) + a.zz);
-    const double tail = std::min(a.z, half * std::cos(std::atan2(a.z, x) / 2) -
+    const double tail = std::min(a.z, half * math::cos(math::atan2(a.z, x) / 2) -
                                           std::sqrt(square(along - 1.5 * half) + a.yy));
     return -std::max(tail, half - std::sqrt(square(x - half) + a.zz + a.yy));
 }
@@ -100,12 +101,12 @@ double flange_cover(const double* arguments) {
 double helical_torus(const double* arguments) {
     const Parameters a(arguments);
     const double around = std::sqrt(a.xx + a.zz);
-    const double phi = std::atan2(a.xx + a.zz == 0 ? 1e-6 : a.x, a.z);
-    const double psi = std::atan2(around - a.p[0], a.y);
+    const double phi = math::atan2(a.xx + a.zz == 0 ? 1e-6 : a.x, a.z);
+    const double psi = math::atan2(around - a.p[0], a.y);
     const double away = std::sqrt(square(around - a.p[0]) + a.yy);
     const double theta = wrapped(phi * a.p[1] + psi * a.p[2], 2 * pi) - pi;
-    const double winding = std::atan2(theta * a.p[8], away - a.p[5]);
-    double body = a.p[3] * std::cos(winding * a.p[7] + phi * a.p[9]) + a.p[4];
+    const double winding = math::atan2(theta * a.p[8], away - a.p[5]);
+    double body = a.p[3] * math::cos(winding * a.p[7] + phi * a.p[9]) + a.p[4];
     body -= std::min(std::sqrt(square(away - a.p[5]) + a.p[6] * square(theta)), away + a.p[5]);
     return -std::max(a.p[4] + a.p[5] - a.p[0] - around, body);
 }
@@ -113,11 +114,11 @@ double helical_torus(const double* arguments) {
 double helix1(const double* arguments) {
     const Parameters a(arguments);
     const double away = std::sqrt(a.xx + a.zz);
-    const double theta = wrapped(a.p[0] * std::atan2(a.z, a.x) + a.p[0] * a.p[1] * a.y, 2 * pi);
+    const double theta = wrapped(a.p[0] * math::atan2(a.z, a.x) + a.p[0] * a.p[1] * a.y, 2 * pi);
     double u = away - a.p[3], w = (theta - pi) / (a.p[4] * a.p[1] * a.p[0]);
     if (a.p[5] != 1 && a.p[6] != 0) {
-        const double angle = a.p[6] * radians_per_degree, cosine = std::cos(angle),
-                     sine = std::sin(angle);
+        const double angle = a.p[6] * radians_per_degree, cosine = math::cos(angle),
+                     sine = math::sin(angle);
         const double turned = u * cosine - w * sine;
         w = u * sine + w * cosine;
         u = turned;
@@ -127,7 +128,7 @@ double helix1(const double* arguments) {
 
 double helix2(const double* arguments) {
     const Parameters a(arguments);
-    const double cosine = std::cos(a.p[1] * a.y), sine = std::sin(a.p[1] * a.y);
+    const double cosine = math::cos(a.p[1] * a.y), sine = math::sin(a.p[1] * a.y);
     const double x = a.x - a.p[3] * cosine, z = a.z - a.p[3] * sine;
     return cross_section(x * cosine + z * sine, -x * sine + z * cosine, a.p[5]) - a.p[2];
 }
@@ -156,7 +157,7 @@ double mesh1(const double* arguments) {
     const auto thread = [&](double wave, double across) {
         return std::sqrt(square((a.y + wave * a.p[3]) * a.p[4]) + square(across));
     };
-    const double wave_z = std::cos(pi * a.z / pz), wave_x = std::cos(pi * a.x / px);
+    const double wave_z = math::cos(pi * a.z / pz), wave_x = math::cos(pi * a.x / px);
     return std::min(
         std::min(thread(-wave_z, up_and_down(a.x, px)), thread(wave_z, up_and_down(a.x - px, px))),
         std::min(thread(wave_x, up_and_down(a.z, pz)), thread(-wave_x, up_and_down(a.z - pz, pz))));
@@ -164,7 +165,7 @@ double mesh1(const double* arguments) {
 
 double ph(const double* arguments) {
     const Parameters a(arguments);
-    return std::atan2(std::sqrt(a.xx + a.zz), a.y);
+    return math::atan2(std::sqrt(a.xx + a.zz), a.y);
 }
 
 double poly4(const double* arguments) {
@@ -185,9 +186,9 @@ double polytubes(const double* arguments) {
 double quantum(const double* arguments) {
     const Parameters a(arguments);
     const double x = a.x == 0 && a.z == 0 ? 1e-6 : a.x;
-    const double cosine = std::cos(std::atan2(std::sqrt(square(x) + a.zz), a.y));
+    const double cosine = math::cos(math::atan2(std::sqrt(square(x) + a.zz), a.y));
     const double radius = 2 * std::sqrt(square(x) + a.yy + a.zz);
-    const double wave = square(radius) * std::exp(-0.33333333 * radius) * (3 * square(cosine) - 1);
+    const double wave = square(radius) * math::exp(-0.33333333 * radius) * (3 * square(cosine) - 1);
     return -0.1 * (square(wave) - 12);
 }
 
@@ -211,19 +212,19 @@ double sphere(const double* arguments) {
 double spikes(const double* arguments) {
     const Parameters a(arguments);
     const auto bell = bells(a);
-    return -a.p[2] * (a.p[4] * std::exp(-a.p[3] * a.sum()) - bell[0] - bell[1] - bell[2]);
+    return -a.p[2] * (a.p[4] * math::exp(-a.p[3] * a.sum()) - bell[0] - bell[1] - bell[2]);
 }
 
 double spikes_2d(const double* arguments) {
     const Parameters a(arguments);
-    return a.y - a.p[0] * std::cos(a.p[1] * a.x) * std::cos(a.p[2] * a.z) *
-                     std::exp(-a.p[3] * (a.xx + a.zz));
+    return a.y - a.p[0] * math::cos(a.p[1] * a.x) * math::cos(a.p[2] * a.z) *
+                     math::exp(-a.p[3] * (a.xx + a.zz));
 }
 
 /// POV-Ray 3.7 ignores parameters p3 and p4.
 double spiral(const double* arguments) {
     const Parameters a(arguments);
-    const double away = std::sqrt(a.xx + a.zz) + a.p[0] * std::atan2(a.z, a.x) / (2 * pi);
+    const double away = std::sqrt(a.xx + a.zz) + a.p[0] * math::atan2(a.z, a.x) / (2 * pi);
     const double between = std::fmod(away, a.p[0]) - a.p[0] / 2;
     const double tube = cross_section(between, a.y, a.p[5]);
     const double radius = std::sqrt(a.sum());
@@ -234,11 +235,11 @@ double superellipsoid(const double* arguments) {
     const Parameters a(arguments);
     const double east = 2 / a.p[0], north = 2 / a.p[1];
     const double ring =
-        std::pow(std::pow(std::abs(a.x), east) + std::pow(std::abs(a.y), east), a.p[0] / a.p[1]);
-    return 1 - std::pow(ring + std::pow(std::abs(a.z), north), a.p[1] / 2);
+        math::pow(math::pow(std::abs(a.x), east) + math::pow(std::abs(a.y), east), a.p[0] / a.p[1]);
+    return 1 - math::pow(ring + math::pow(std::abs(a.z), north), a.p[1] / 2);
 }
 
-double th(const double* arguments) { return std::atan2(arguments[0], arguments[2]); }
+double th(const double* arguments) { return math::atan2(arguments[0], arguments[2]); }
 
 double torus(const double* arguments) {
     const Parameters a(arguments);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/data_writer.h"
 
+#include "base/elementary.h"
+
 #include <array>
 #include <cmath>
 
@@ -58,7 +60,7 @@ void DataWriter::write(const Value& value) {
 }
 
 void DataWriter::write(const Numbers& numbers, BinaryForm form) {
-    const double most = std::exp2(8 * form.bytes - (form.is_signed ? 1 : 0)) - 1;
+    const double most = math::exp2(8 * form.bytes - (form.is_signed ? 1 : 0)) - 1;
     const double least = form.is_signed ? -most - 1 : 0;
     for (int i = 0; i < numbers.count; ++i) {
         const double value = std::floor(numbers.at[static_cast<std::size_t>(i)] + 0.5);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/number_functions.h"
 
+#include "base/elementary.h"
 #include "base/noise.h"
 #include "base/transform.h"
 #include "formula/operation.h"
@@ -57,14 +58,14 @@ Value arc_tangent(Call call) {
     const double y = call.number(0), x = call.number(1);
     if (std::abs(x) <= 1e-10 && std::abs(y) <= 1e-10 && !call.failed())
         return call.fail(Fault::domain, 2, "atan2(0, 0) has no direction");
-    return std::atan2(y, x);
+    return math::atan2(y, x);
 }
 
 Value power(Call call) {
     const double base = call.number(0), exponent = call.number(1);
     if (base == 0 && exponent == 0 && !call.failed())
         return call.fail(Fault::domain, 2, "0 to the power of 0 has no value");
-    return std::pow(base, exponent);
+    return math::pow(base, exponent);
 }
 
 Value divide_whole(Call call) {
@@ -104,19 +105,19 @@ Value rotated_about(Call call) {
 }
 
 Value arc_cosine(Call call) {
-    return clamped(call, [](double x) { return std::acos(x); });
+    return clamped(call, [](double x) { return math::acos(x); });
 }
 
 Value arc_sine(Call call) {
-    return clamped(call, [](double x) { return std::asin(x); });
+    return clamped(call, [](double x) { return math::asin(x); });
 }
 
 Value natural_logarithm(Call call) {
-    return logarithm(call, [](double x) { return std::log(x); });
+    return logarithm(call, [](double x) { return math::log(x); });
 }
 
 Value decimal_logarithm(Call call) {
-    return logarithm(call, [](double x) { return std::log10(x); });
+    return logarithm(call, [](double x) { return math::log10(x); });
 }
 
 Value bits_and(Call call) {

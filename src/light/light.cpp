@@ -2,6 +2,7 @@
 #include "light/light.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "base/transform.h"
 #include "vocabulary/schema.h"
 
@@ -57,7 +58,7 @@ double smooth(double x) {
     return t * t * (3 - 2 * t);
 }
 
-double cosine_of(double degrees) { return std::cos(degrees * radians_per_degree); }
+double cosine_of(double degrees) { return math::cos(degrees * radians_per_degree); }
 
 LightConeShape cone_shape(const PointLight& light) {
     return {axis_of(light), cosine_of(light.radius.value_or(30)),
@@ -67,7 +68,7 @@ LightConeShape cone_shape(const PointLight& light) {
 double faded(const PointLight& light, double distance) {
     if (light.fade_power <= 0 || light.fade_distance == 0) return 1;
     const double share = distance / light.fade_distance, power = light.fade_power;
-    const double amount = 2 / (1 + (power == 2 ? share * share : std::pow(share, power)));
+    const double amount = 2 / (1 + (power == 2 ? share * share : math::pow(share, power)));
     // A negative base has no fractional powers, and with odd powers the divisor may be 0.
     return std::isfinite(amount) ? amount : 0;
 }
@@ -76,7 +77,7 @@ double faded(const PointLight& light, double distance) {
 double in_cone(const PointLight& light, const LightConeShape& shape, double cosine) {
     const double bright = shape.bright, dark = shape.dark;
     if (cosine <= 0 || (bright > 0 && cosine < bright && cosine < dark)) return 0;
-    double share = light.tightness == 0 ? 1 : std::pow(cosine, light.tightness);
+    double share = light.tightness == 0 ? 1 : math::pow(cosine, light.tightness);
     if (bright > 0 && cosine < bright) share *= smooth((cosine - dark) / (bright - dark));
     return share;
 }
@@ -86,7 +87,7 @@ double in_beam(const PointLight& light, double away) {
     const double bright = light.radius.value_or(0.75), dark = light.falloff.value_or(1);
     if (away >= dark) return 0;
     const double inside = 1 - away / dark;
-    double share = light.tightness == 0 ? 1 : std::pow(inside, light.tightness);
+    double share = light.tightness == 0 ? 1 : math::pow(inside, light.tightness);
     if (bright > 0 && away > bright) share *= smooth(inside / (1 - bright / dark));
     return share;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cut_calibration.h"
 
+#include "base/elementary.h"
 #include "base/random.h"
 #include "lighting/cluster_descent.h"
 #include "luminaire/volume.h"
@@ -141,7 +142,7 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
             if (!(weight > 0)) continue;
             ++tried;
             weight_sum += weight;
-            squares += std::pow(counts[place] * given[entry][i], 2);
+            squares += math::pow(counts[place] * given[entry][i], 2);
         }
         if (tried > 0) trials[entry] = {std::sqrt(squares / tried), weight_sum / tried};
     }

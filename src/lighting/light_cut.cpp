@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cut.h"
 
+#include "base/elementary.h"
 #include "base/target_clones.h"
 
 #include <algorithm>
@@ -304,7 +305,8 @@ void LightCut::fill(std::size_t entry, const Falloff& f, double nearer) {
     column(fade_power)[entry] = f.fades() ? static_cast<float>(f.fade_power) : 0;
     const double distance = f.fades() ? std::fmax(f.fade_distance * scale_ * nearer, 1e-30) : 1;
     column(per_fade_distance)[entry] = static_cast<float>(1 / distance);
-    const double least = std::cos(f.dark), wide = std::fmax(std::cos(f.bright) - least, cone_slack);
+    const double least = math::cos(f.dark),
+                 wide = std::fmax(math::cos(f.bright) - least, cone_slack);
     column(dark)[entry] = f.all_around() ? -10 : static_cast<float>(least);
     column(per_edge)[entry] = f.all_around() ? 1 : static_cast<float>(1 / wide);
 }

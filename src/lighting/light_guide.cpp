@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_guide.h"
 
+#include "base/elementary.h"
 #include "base/random.h"
 #include "base/target_clones.h"
 
@@ -41,8 +42,8 @@ const Compass& compass() {
         Compass c{};
         for (std::size_t i = 0; i < sectors; ++i) {
             const double angle = 2 * pi * (static_cast<double>(i) + 0.5) / sectors;
-            c.cosine[i] = static_cast<float>(std::cos(angle));
-            c.sine[i] = static_cast<float>(std::sin(angle));
+            c.cosine[i] = static_cast<float>(math::cos(angle));
+            c.sine[i] = static_cast<float>(math::sin(angle));
         }
         return c;
     }();
@@ -221,7 +222,7 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<V
         const double height = 2 * outlook_number(i, 0, 4) - 1,
                      angle = 2 * pi * outlook_number(i, 0, 5);
         const double across = std::sqrt(1 - height * height);
-        return Ray{place, Vec3(across * std::cos(angle), across * std::sin(angle), height)};
+        return Ray{place, Vec3(across * math::cos(angle), across * math::sin(angle), height)};
     });
     for (auto& kind : found)
         if (!kind.empty()) return std::move(kind);
@@ -234,7 +235,7 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<V
 Vec3 LightGuide::Cone::direction(double ring, double sector) const {
     const double versine = ring / rings * widest, angle = 2 * pi * sector / sectors;
     const double sine = std::sqrt(versine * (2 - versine));
-    return (1 - versine) * middle + sine * (std::cos(angle) * x + std::sin(angle) * y);
+    return (1 - versine) * middle + sine * (math::cos(angle) * x + math::sin(angle) * y);
 }
 
 double LightGuide::Cone::bin_density() const { return bins / (2 * pi * widest); }
@@ -355,7 +356,7 @@ double LightGuide::density(const Weights& weights, const Vec3& direction) {
     const double share = dot(off, off) / 2 / weights.cone.widest;
     if (share > 1 + 1e-12) return 0;
     const double angle =
-        std::atan2(dot(direction, weights.cone.y), dot(direction, weights.cone.x)) / (2 * pi);
+        math::atan2(dot(direction, weights.cone.y), dot(direction, weights.cone.x)) / (2 * pi);
     const auto ring = static_cast<std::size_t>(share * rings);
     const auto sector = static_cast<std::size_t>((angle < 0 ? angle + 1 : angle) * sectors);
     const std::size_t bin = std::min(ring, rings - 1) * sectors + std::min(sector, sectors - 1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_hierarchy.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <numbers>
 #include <numeric>
@@ -32,12 +34,12 @@ Normals join(Normals a, Normals b) {
     if (a.spread >= pi / 2) return {Vec3(0), pi};
     if (dot(a.axis, b.axis) < 0) b.axis = -b.axis;
     const Vec3 across = b.axis - dot(a.axis, b.axis) * a.axis;
-    const double between = std::atan2(length(across), dot(a.axis, b.axis));
+    const double between = math::atan2(length(across), dot(a.axis, b.axis));
     if (between + b.spread <= a.spread) return a;
     const double spread = (a.spread + between + b.spread) / 2;
     if (spread >= pi / 2) return {Vec3(0), pi};
     const double turn = spread - a.spread;
-    return {unit(std::cos(turn) * a.axis + std::sin(turn) * unit(across)), spread};
+    return {unit(math::cos(turn) * a.axis + math::sin(turn) * unit(across)), spread};
 }
 
 /// Solid angle into which luminaires with these normals emit, weighted by cosine (Conty Estevez and
@@ -45,8 +47,9 @@ Normals join(Normals a, Normals b) {
 double orientation_measure(const Normals& normals) {
     if (normals.spread >= pi / 2) return 4 * pi;
     const double o = normals.spread, w = o + pi / 2;
-    return 2 * pi * (1 - std::cos(o)) +
-           pi / 2 * (2 * w * std::sin(o) - std::cos(o - 2 * w) - 2 * o * std::sin(o) + std::cos(o));
+    return 2 * pi * (1 - math::cos(o)) +
+           pi / 2 *
+               (2 * w * math::sin(o) - math::cos(o - 2 * w) - 2 * o * math::sin(o) + math::cos(o));
 }
 
 /// One or several luminaires.
@@ -195,8 +198,8 @@ private:
             node.intensity = c.intensity;
             if (c.normals.spread >= pi / 2) continue;
             node.axis = glm::vec<3, float>(c.normals.axis);
-            node.cos_spread = static_cast<float>(std::cos(c.normals.spread));
-            node.sin_spread = static_cast<float>(std::sin(c.normals.spread));
+            node.cos_spread = static_cast<float>(math::cos(c.normals.spread));
+            node.sin_spread = static_cast<float>(math::sin(c.normals.spread));
         }
     }
 

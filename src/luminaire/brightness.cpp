@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/brightness.h"
 
+#include "base/elementary.h"
 #include "base/running_sums.h"
 
 #include <algorithm>
@@ -30,12 +31,12 @@ bool within(const BrightFace& face, const Vec2& place) {
 /// Point of the unit sphere.
 Vec3 direction_at(double height, double turn) {
     const double across = std::sqrt(std::fmax(0, 1 - height * height));
-    return {across * std::cos(2 * pi * turn), height, across * std::sin(2 * pi * turn)};
+    return {across * math::cos(2 * pi * turn), height, across * math::sin(2 * pi * turn)};
 }
 
 /// Angle around the y axis to a direction, in turns from 0 to 1.
 double turn_of(const Vec3& direction) {
-    const double turn = std::atan2(direction.z, direction.x) / (2 * pi);
+    const double turn = math::atan2(direction.z, direction.x) / (2 * pi);
     return turn < 0 ? turn + 1 : turn;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/falloff.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 
 namespace candelabra {
@@ -12,11 +14,11 @@ using std::numbers::pi;
 /// Fraction of a cone's light in a direction whose angle to the axis has this cosine, where
 /// `sine_of_ball` is the sine of the ball's angular radius as seen from the point.
 double in_cone(const Falloff& f, double cosine, double sine_of_ball) {
-    const double ball = std::asin(sine_of_ball), dark = std::cos(f.dark);
-    const double angle = std::fmax(std::acos(std::clamp(cosine, -1.0, 1.0)) - ball, 0);
-    const double inside = std::cos(angle) + cone_slack - dark;
+    const double ball = math::asin(sine_of_ball), dark = math::cos(f.dark);
+    const double angle = std::fmax(math::acos(std::clamp(cosine, -1.0, 1.0)) - ball, 0);
+    const double inside = math::cos(angle) + cone_slack - dark;
     if (!(inside > 0)) return 0;
-    const double t = std::fmin(inside / std::fmax(std::cos(f.bright) - dark, cone_slack), 1);
+    const double t = std::fmin(inside / std::fmax(math::cos(f.bright) - dark, cone_slack), 1);
     return std::fmax(t * t * (3 - 2 * t), cone_edge);
 }
 
@@ -25,7 +27,7 @@ double in_cone(const Falloff& f, double cosine, double sine_of_ball) {
 double against_square_law(const Falloff& f, const Vec3& v, double radius) {
     const double away = length(v), distance = std::fmax(away, radius);
     double result = distance * distance;
-    if (f.fades()) result *= 2 / (1 + std::pow(distance / f.fade_distance, f.fade_power));
+    if (f.fades()) result *= 2 / (1 + math::pow(distance / f.fade_distance, f.fade_power));
     if (!f.all_around() && away > radius)
         result *= in_cone(f, -dot(f.axis, v) / away, radius / away);
     return result;
@@ -42,7 +44,7 @@ Falloff join(const Falloff& a, const Falloff& b) {
     if (!(dot(sum, sum) > 1e-6)) return result;
     const Vec3 axis = unit(sum);
     const auto around = [&](const Vec3& other) {
-        return std::acos(std::clamp(dot(axis, other), -1.0, 1.0)) * (1 + 1e-9) + 1e-7;
+        return math::acos(std::clamp(dot(axis, other), -1.0, 1.0)) * (1 + 1e-9) + 1e-7;
     };
     const double turn_a = around(a.axis), turn_b = around(b.axis);
     result.dark = std::fmax(turn_a + a.dark, turn_b + b.dark);

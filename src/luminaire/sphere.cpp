@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/sphere.h"
 
+#include "base/elementary.h"
 #include "luminaire/emit.h"
 #include "luminaire/light_proxy.h"
 
@@ -30,7 +31,7 @@ double area_density(const SphereEmitter& s, double distance, double cosine) {
 
 std::optional<LightPoint> sample_area(const SphereEmitter& s, const Vec3& from, const Vec2& u) {
     const double across = 2 * std::sqrt(u.x * (1 - u.x)), angle = 2 * pi * u.y;
-    const Vec3 normal(across * std::cos(angle), across * std::sin(angle), 1 - 2 * u.x);
+    const Vec3 normal(across * math::cos(angle), across * math::sin(angle), 1 - 2 * u.x);
     const Vec3 position = s.centre + s.radius * normal, offset = position - from;
     const double distance = length(offset);
     const double cosine = std::abs(dot(normal, offset)) / distance;
@@ -68,7 +69,7 @@ LightPoint sample_cone(const SphereEmitter& s, const SphereView& view, const Vec
     const double sine = std::sqrt(versine * (2 - versine));
     const auto [x, y] = perpendiculars(view.middle);
     const double angle = 2 * pi * u.y;
-    const Vec3 across = sine * (std::cos(angle) * x + std::sin(angle) * y);
+    const Vec3 across = sine * (math::cos(angle) * x + math::sin(angle) * y);
     return point_towards(s, view, cosine, across, 1 / (2 * pi * widest));
 }
 
@@ -97,7 +98,7 @@ LightPoint sample_projected(const SphereEmitter& s, const SphereView& view, cons
     const Vec3 outward = dot(level, level) > 1e-20 ? unit(level) : perpendiculars(normal).first;
     const Vec3 sideways = cross(normal, outward);
     const double radius = sine * std::sqrt(u.x), angle = 2 * pi * u.y;
-    const double along = radius * std::cos(angle), beside = radius * std::sin(angle);
+    const double along = radius * math::cos(angle), beside = radius * math::sin(angle);
     // The ellipse's centre is the cap's centre times the cosine of the cap's half angle. The point
     // of the ellipse is then projected up to the sphere of directions.
     const double cosine_rim = std::sqrt(1 - view.sine2);
@@ -162,7 +163,7 @@ void intersect(const SphereEmitter& s, const Receiver& point, const Vec3& direct
 
 std::optional<EmittedRay> emit(const SphereEmitter& s, double inner, const EmissionDraw& u) {
     const double across = 2 * std::sqrt(u.where.x * (1 - u.where.x)), angle = 2 * pi * u.where.y;
-    const Vec3 normal(across * std::cos(angle), across * std::sin(angle), 1 - 2 * u.where.x);
+    const Vec3 normal(across * math::cos(angle), across * math::sin(angle), 1 - 2 * u.where.x);
     return emitted_ray(s.centre + s.radius * normal, normal, 1 / emitting_area(s), inner, u);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/spherical_rectangle.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -9,7 +11,7 @@ namespace candelabra {
 namespace {
 
 double angle_between(const Vec3& a, const Vec3& b) {
-    return std::acos(std::clamp(-dot(a, b), -1.0, 1.0));
+    return math::acos(std::clamp(-dot(a, b), -1.0, 1.0));
 }
 
 }  // namespace
@@ -42,7 +44,7 @@ SphericalRectangle::SphericalRectangle(const Vec3& from, const Vec3& corner, con
 
 Vec3 SphericalRectangle::sample(const Vec2& u) const {
     const double turned = u.x * solid_angle_ + k_;
-    const double f = (std::cos(turned) * b0_ - b1_) / std::sin(turned);
+    const double f = (math::cos(turned) * b0_ - b1_) / math::sin(turned);
     const double c = std::clamp(std::copysign(1 / std::sqrt(f * f + b0_ * b0_), f), -1.0, 1.0);
     const double x = std::clamp(-c * z0_ / std::sqrt(std::fmax(1 - c * c, 1e-300)), x0_, x1_);
     const double d2 = x * x + z0_ * z0_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/triangle.h"
 
+#include "base/elementary.h"
 #include "luminaire/emit.h"
 #include "luminaire/light_proxy.h"
 #include "shape/triangle.h"
@@ -38,7 +39,7 @@ struct TriangleView {
         const double volume = std::abs(dot(a, scaled_normal));
         if (!(volume > 0)) return 0;
         return 2 *
-               std::atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+               math::atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
     }
 
     std::array<Vec3, 3> corners;  ///< relative to the point
@@ -63,7 +64,7 @@ Vec3 away(const Vec3& v, const Vec3& u) { return unit(v - dot(v, u) * u); }
 /// Angle between the planes through u that contain v and w.
 double angle_at(const Vec3& u, const Vec3& v, const Vec3& w) {
     const Vec3 a = cross(u, v), b = cross(u, w);
-    return std::atan2(length(cross(a, b)), dot(a, b));
+    return math::atan2(length(cross(a, b)), dot(a, b));
 }
 
 /// Returns a direction in the triangle, uniform in solid angle (Arvo 1995): u.x cuts off part of
@@ -71,10 +72,10 @@ double angle_at(const Vec3& u, const Vec3& v, const Vec3& w) {
 /// second corner to the new one.
 Vec3 direction_in(const TriangleView& view, double solid_angle, const Vec2& u) {
     const Vec3 a = unit(view.corners[0]), b = unit(view.corners[1]), c = unit(view.corners[2]);
-    const double alpha = angle_at(a, b, c), cos_alpha = std::cos(alpha),
-                 sin_alpha = std::sin(alpha);
+    const double alpha = angle_at(a, b, c), cos_alpha = math::cos(alpha),
+                 sin_alpha = math::sin(alpha);
     const double part = u.x * solid_angle - alpha;
-    const double s = std::sin(part), t = std::cos(part);
+    const double s = math::sin(part), t = math::cos(part);
     const double p = t - cos_alpha, q = s + sin_alpha * dot(a, b);
     const double bottom = (q * s + p * t) * sin_alpha;
     const double cosine =
@@ -130,7 +131,7 @@ double polygon_irradiance(const Polygon& polygon, const Vec3& normal) {
         const Vec3 &from = polygon.corners[i], &to = polygon.next(i);
         const Vec3 across = cross(from, to);
         const double size = length(across);
-        if (size > 0) sum += std::atan2(size, dot(from, to)) * dot(normal, across) / size;
+        if (size > 0) sum += math::atan2(size, dot(from, to)) * dot(normal, across) / size;
     }
     return std::abs(sum) / 2;
 }

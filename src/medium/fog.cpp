@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medium/fog.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ const ItemInfo Fog::vocabulary = described<Fog>([] {
 namespace {
 
 /// Integral of the density over height, in units of fog_alt.
-double column(double height) { return height <= 0 ? height : std::atan(height); }
+double column(double height) { return height <= 0 ? height : math::atan(height); }
 
 double density(double height) { return height <= 0 ? 1 : 1 / (1 + height * height); }
 
@@ -60,9 +61,9 @@ double share_left(const Fog& fog, const Ray& ray, double distance, NoiseGenerato
         const Octaves octaves{fog.octaves, static_cast<float>(fog.omega),
                               static_cast<float>(fog.lambda)};
         const double noise = scalar_turbulence(middle, octaves, generator) * fog.turb_depth;
-        way *= 1 - std::exp(-way / fog.distance) * std::min(1.0, noise);
+        way *= 1 - math::exp(-way / fog.distance) * std::min(1.0, noise);
     }
-    return std::max(std::exp(-way * mean_density(fog, ray, distance) / fog.distance),
+    return std::max(math::exp(-way * mean_density(fog, ray, distance) / fog.distance),
                     fog.colour.transmit);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medium/interior.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -41,8 +42,8 @@ Vec3 attenuation(const Interior& interior, double distance) {
     if (std::abs(interior.fade_distance) < 1e-10) return Vec3(1);
     const double way = distance / interior.fade_distance;
     const Vec3& kept = interior.fade_color;
-    if (interior.fade_power >= 1000) return glm::exp((kept - Vec3(1)) * way);
-    return kept + (Vec3(1) - kept) / (1 + std::pow(way, interior.fade_power));
+    if (interior.fade_power >= 1000) return math::exp((kept - Vec3(1)) * way);
+    return kept + (Vec3(1) - kept) / (1 + math::pow(way, interior.fade_power));
 }
 
 }  // namespace candelabra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medium/march.h"
 
+#include "base/elementary.h"
 #include "medium/transmittance.h"
 
 #include <algorithm>
@@ -31,9 +32,10 @@ public:
     double distance(double u) const {
         switch (kind_) {
             case Kind::exponential:
-                return std::min(to_, from_ - std::log1p(u * std::expm1(-rate_ * length())) / rate_);
+                return std::min(to_,
+                                from_ - math::log1p(u * math::expm1(-rate_ * length())) / rate_);
             case Kind::ratios:
-                return from_ * std::pow(to_ / from_, u);
+                return from_ * math::pow(to_ / from_, u);
             case Kind::even:
                 break;
         }
@@ -43,10 +45,10 @@ public:
     double per_density(double distance) const {
         switch (kind_) {
             case Kind::exponential:
-                return -std::expm1(-rate_ * length()) / rate_ *
-                       std::exp(rate_ * (distance - from_));
+                return -math::expm1(-rate_ * length()) / rate_ *
+                       math::exp(rate_ * (distance - from_));
             case Kind::ratios:
-                return distance * std::log(to_ / from_);
+                return distance * math::log(to_ / from_);
             case Kind::even:
                 break;
         }
@@ -100,7 +102,7 @@ private:
 /// Emission of one channel along a segment with constant coefficients.
 double emitted(double emission, double extinction, double way) {
     const double depth = extinction * way;
-    return std::abs(depth) < 1e-12 ? emission * way : -emission * std::expm1(-depth) / extinction;
+    return std::abs(depth) < 1e-12 ? emission * way : -emission * math::expm1(-depth) / extinction;
 }
 
 class Marcher {
@@ -122,7 +124,7 @@ public:
         if (!even_) greatest_ = max_extinction(media_);
         if (!even_ || scatters) walk();
         if (even_) {
-            left_ = glm::exp(-stretch_.distance * first_.extinction);
+            left_ = math::exp(-stretch_.distance * first_.extinction);
             emitted_ = whole(first_.emission);
             of_luminaires_ = whole(first_.luminaires);
         }
@@ -174,14 +176,14 @@ private:
         for (std::size_t i = 0; i < places.size(); ++i) {
             const double distance = spread.distance(MarchCells::middle(i));
             worth[i] *= spread.per_density(distance);
-            if (even_) worth[i] *= max_component(glm::exp(-distance * first_.extinction));
+            if (even_) worth[i] *= max_component(math::exp(-distance * first_.extinction));
         }
         return MarchCells(worth);
     }
 
     void add(double distance, double way) {
         if (even_) {
-            const Vec3 left = glm::exp(-distance * first_.extinction);
+            const Vec3 left = math::exp(-distance * first_.extinction);
             result_.places.push_back({distance, way * left, first_.scattering});
             return;
         }

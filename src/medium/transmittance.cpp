@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medium/transmittance.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,7 @@ Vec3 tracked(MediaView media, const MediaSegment& segment, double greatest,
              const PatternScene& scene, RandomStream& random) {
     Vec3 left(1);
     double t = segment.from;
-    while ((t -= std::log1p(-random.next()) / greatest) < segment.to) {
+    while ((t -= math::log1p(-random.next()) / greatest) < segment.to) {
         left *= Vec3(1) - coefficients(media, segment.ray.at(t), scene).extinction / greatest;
         if (!survives(left, random)) return Vec3(0);
     }
@@ -63,7 +65,7 @@ Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double 
     const double way = segment.to - segment.from, depth = greatest * way;
     if (!(depth > 0)) return Vec3(1);
     if (depth > max_tracked)
-        return glm::exp(-0.5 * way * (segment.extinction_from + segment.extinction_to));
+        return math::exp(-0.5 * way * (segment.extinction_from + segment.extinction_to));
     if (depth > max_series) return tracked(media, segment, greatest, scene, random);
     const Vec3 pivot = -0.5 * way * (segment.extinction_from + segment.extinction_to);
     const double expected = std::fmax(max_component(glm::abs(pivot)), share_of_greatest * depth);
@@ -85,7 +87,7 @@ Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double 
         goes_on =
             std::min(order < long_series ? 1.0 : 0.5, kept_terms * max_component(glm::abs(term)));
     }
-    return glm::exp(pivot) * sum;
+    return math::exp(pivot) * sum;
 }
 
 Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const PatternScene& scene,
@@ -93,7 +95,7 @@ Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const P
     const double length = way.max - way.min, greatest = max_extinction(media);
     if (!(greatest > 0)) return Vec3(1);
     const Vec3 first = coefficients(media, ray.at(way.min), scene).extinction;
-    if (homogeneous(media)) return glm::exp(-length * first);
+    if (homogeneous(media)) return math::exp(-length * first);
     const double parts = std::ceil(std::clamp(std::sqrt(greatest * length), 1.0, max_parts));
     RandomStream random(key, Purpose::media_transmittance);
     Vec3 left(1);

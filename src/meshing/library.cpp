@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshing/library.h"
 
+#include "base/elementary.h"
 #include "base/loaded_library.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -16,7 +17,7 @@ Vec3 vector(const Polyhedron::Point& p) { return {p[0], p[1], p[2]}; }
 /// The angle at `corner` between the directions to a and b.
 double angle(const Vec3& corner, const Vec3& a, const Vec3& b) {
     const Vec3 u = a - corner, v = b - corner;
-    return std::atan2(length(cross(u, v)), dot(u, v));
+    return math::atan2(length(cross(u, v)), dot(u, v));
 }
 
 }  // namespace

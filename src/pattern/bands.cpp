@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/bands.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <numbers>
@@ -62,7 +63,7 @@ double spiral(int arms, const PatternPoint& at) {
     const double away = std::sqrt(p.x * p.x + p.y * p.y);
     double angle = 0;
     if (away != 0) {
-        const double rise = std::asin(p.y / away);
+        const double rise = math::asin(p.y / away);
         angle = p.x < 0 ? 1.5 * pi - rise : 0.5 * pi + rise;
     }
     return p.z + away + arms * angle / (2 * pi) + added_turbulence(at);
@@ -93,14 +94,14 @@ double evaluate(const Wood&, const PatternPoint& at) {
 double evaluate(const Onion&, const Vec3& point) { return std::fmod(length(point), 1); }
 
 double evaluate(const Leopard&, const Vec3& point) {
-    const double mean = (std::sin(point.x) + std::sin(point.y) + std::sin(point.z)) / 3;
+    const double mean = (math::sin(point.x) + math::sin(point.y) + math::sin(point.z)) / 3;
     return mean * mean;
 }
 
 double evaluate(const Radial&, const Vec3& point) {
     constexpr double axis = 0.001;  // half the width of the square around the axis
     if (std::abs(point.x) < axis && std::abs(point.z) < axis) return 0.25;
-    return 0.25 + (std::atan2(point.x, point.z) + pi) / (2 * pi);
+    return 0.25 + (math::atan2(point.x, point.z) + pi) / (2 * pi);
 }
 
 double evaluate(const Spiral1& kind, const PatternPoint& at) { return spiral(kind.arms, at); }

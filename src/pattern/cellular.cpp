@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/cellular.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ Cell cell_of(const Vec3& p) {
 }
 
 double power(double base, double exponent) {
-    return exponent == 2 ? base * base : exponent == 1 ? base : std::pow(base, exponent);
+    return exponent == 2 ? base * base : exponent == 1 ? base : math::pow(base, exponent);
 }
 
 /// Returns the distance raised to the power of the metric.
@@ -58,7 +59,7 @@ double raised_distance(const Vec3& v, double metric) {
 
 double root(double raised, double metric) {
     if (metric == 2) return std::sqrt(raised);
-    return metric == 1 ? raised : std::pow(raised, 1 / metric);
+    return metric == 1 ? raised : math::pow(raised, 1 / metric);
 }
 
 /// Steps along the axes, each -2 to 2.

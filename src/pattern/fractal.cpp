@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/fractal.h"
 
+#include "base/complex.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -61,21 +62,6 @@ const ItemInfo Magnet::vocabulary = described<Magnet>([] {
 
 namespace {
 
-/// A complex number. (std::complex would check every product for infinities.)
-struct Complex {
-    double a = 0, b = 0;
-
-    double squared_size() const { return a * a + b * b; }
-};
-Complex operator+(Complex u, Complex v) { return {u.a + v.a, u.b + v.b}; }
-Complex operator+(Complex u, double v) { return {u.a + v, u.b}; }
-Complex operator*(Complex u, Complex v) { return {u.a * v.a - u.b * v.b, u.a * v.b + u.b * v.a}; }
-Complex operator*(double s, Complex v) { return {s * v.a, s * v.b}; }
-Complex operator/(Complex u, Complex v) {
-    const double size = v.squared_size();
-    return {(u.a * v.a + u.b * v.b) / size, (u.b * v.a - u.a * v.b) / size};
-}
-
 Complex power(Complex z, int exponent) {
     Complex result = z;
     for (int i = 1; i < exponent; ++i) result = result * z;
@@ -88,13 +74,13 @@ double exterior(const FractalColouring& colouring, int step, int steps, Complex 
         case 0:
             return factor;
         case 2:
-            return z.a * factor;
+            return z.re * factor;
         case 3:
-            return z.b * factor;
+            return z.im * factor;
         case 4:
-            return z.a * z.a * factor;
+            return z.re * z.re * factor;
         case 5:
-            return z.b * z.b * factor;
+            return z.im * z.im * factor;
         case 6:
             return std::sqrt(z.squared_size()) * factor;
         case 7:
@@ -112,16 +98,16 @@ double interior(const FractalColouring& colouring, double least, Complex z) {
         case 1:
             return std::sqrt(least) * factor;
         case 2:
-            return z.a * factor;
+            return z.re * factor;
         case 3:
-            return z.b * factor;
+            return z.im * factor;
         case 4:
-            return z.a * z.a * factor;
+            return z.re * z.re * factor;
         case 5:
-            return z.b * z.b * factor;
+            return z.im * z.im * factor;
         case 6:
             // The factor applies to the second term only, as in POV-Ray.
-            return z.a * z.a + z.b * z.b * factor;
+            return z.re * z.re + z.im * z.im * factor;
         default:
             return factor;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/noise_patterns.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include "pattern/waveform.h"
@@ -102,7 +103,7 @@ double evaluate(const Agate& agate, const PatternPoint& at) {
         single_precision(agate.agate_turb) *
         scalar_turbulence(at.position, at.modifiers.noise_octaves(), at.noise_generator());
     const double band = 0.5 * (cycle(1.3 * disturbed + 1.1 * at.position.z) + 1);
-    return std::pow(std::clamp(band, 0.0, 1.0), 0.77);
+    return math::pow(std::clamp(band, 0.0, 1.0), 0.77);
 }
 
 }  // namespace candelabra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/picture_map.h"
 
+#include "base/elementary.h"
 #include "base/revolution.h"
 #include "vocabulary/schema.h"
 
@@ -108,7 +109,7 @@ std::optional<Vec2> unrolled(const PictureMap& map, const Vec3& p, const Vec2& s
     const bool off_plane = map.once && (p.x < 0 || p.x > 1),
                off_height = map.once && (p.y < 0 || p.y > 1);
     const double around = p.x == 0 && p.z == 0 ? 0 : turn(p.x, p.z);
-    const double from_axis = std::hypot(p.x, p.z), distance = length(p);
+    const double from_axis = math::hypot(p.x, p.z), distance = length(p);
     const Vec2 flat(std::fmod(p.x * size.x, size.x), std::fmod(p.y * size.y, size.y));
     switch (map.map_type) {
         case 0:
@@ -116,7 +117,7 @@ std::optional<Vec2> unrolled(const PictureMap& map, const Vec3& p, const Vec2& s
             return flat;
         case 1:
             if (distance == 0) return std::nullopt;
-            return Vec2(size.x * around, size.y * (0.5 + std::asin(p.y / distance) / pi));
+            return Vec2(size.x * around, size.y * (0.5 + math::asin(p.y / distance) / pi));
         case 2:
             if (off_height || from_axis == 0) return std::nullopt;
             return Vec2(size.x * around, flat.y);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/slope.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ double evaluate(const Slope& slope, const PatternPoint& at) {
         to_point ? *slope.point_at - view->position : slope.direction.value_or(Vec3(0));
     const double cosine = std::clamp(dot(view->normal, unit(towards)), -1.0, 1.0);
     const double steepness =
-        rescaled(std::asin(cosine) / pi + 0.5, to_point ? slope.point_low : slope.low,
+        rescaled(math::asin(cosine) / pi + 0.5, to_point ? slope.point_low : slope.low,
                  to_point ? slope.point_high : slope.high);
     if (to_point || !slope.altitude || *slope.altitude == Vec3(0)) return below_one(steepness);
     const double height =
@@ -67,7 +68,7 @@ double evaluate(const Slope& slope, const PatternPoint& at) {
 double evaluate(const Aoi&, const PatternPoint& at) {
     const SurfaceView* view = at.scene.view;
     if (!view) return 0;
-    return std::acos(std::clamp(dot(view->normal, view->direction), -1.0, 1.0)) / pi;
+    return math::acos(std::clamp(dot(view->normal, view->direction), -1.0, 1.0)) / pi;
 }
 
 }  // namespace candelabra

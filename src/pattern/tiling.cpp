@@ -2,6 +2,7 @@
 #include "pattern/tiling.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -63,11 +64,11 @@ struct Tile {
 
 Vec2 direction(double degrees) {
     const double radians = degrees * radians_per_degree;
-    return {std::cos(radians), std::sin(radians)};
+    return {math::cos(radians), math::sin(radians)};
 }
 
 /// Apothem of a regular polygon with sides of length 1.
-double apothem(int sides) { return 0.5 / std::tan(std::numbers::pi / sides); }
+double apothem(int sides) { return 0.5 / math::tan(std::numbers::pi / sides); }
 
 /// Returns a regular polygon with sides of length 1, one of which faces the direction in degrees.
 Tile regular(int sides, const Vec2& centre, double facing, Values values) {

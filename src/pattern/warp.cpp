@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/warp.h"
 
+#include "base/elementary.h"
 #include "base/revolution.h"
 #include "vocabulary/schema.h"
 
@@ -101,7 +102,7 @@ Vec3 oriented(const Vec3& orientation, double u, double v, double w) {
 }
 
 double stretch(const MapWarp& warp, double distance) {
-    return warp.dist_exp == 0 ? 1 : std::pow(distance, warp.dist_exp);
+    return warp.dist_exp == 0 ? 1 : math::pow(distance, warp.dist_exp);
 }
 
 Vec3 warped(const TurbulenceWarp& warp, const Vec3& p) {
@@ -145,7 +146,7 @@ Vec3 warped(const BlackHole& hole, const Vec3& p) {
     if (dot(away, away) > surely_outside * hole.radius * hole.radius) return p;
     const double distance = length(away);
     if (distance >= hole.radius || hole.type != 0) return p;
-    const double share = std::pow((hole.radius - distance) / hole.radius, hole.falloff);
+    const double share = math::pow((hole.radius - distance) / hole.radius, hole.falloff);
     const double force = std::min(1.0, hole.strength * share);
     return hole.inverse ? p - force * away : p + force * away;
 }
@@ -159,7 +160,7 @@ Vec3 warped(const CylindricalWarp& warp, const Vec3& p) {
 Vec3 warped(const SphericalWarp& warp, const Vec3& p) {
     const double distance = length(p);
     if (distance == 0) return p;
-    const double height = 0.5 + std::asin(std::clamp(p.y / distance, -1.0, 1.0)) / pi;
+    const double height = 0.5 + math::asin(std::clamp(p.y / distance, -1.0, 1.0)) / pi;
     const double around = p.x == 0 && p.z == 0 ? 0 : turn(p.x, p.z);
     const double factor = stretch(warp, distance);
     return oriented(warp.orientation, around * factor, height * factor, distance);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/waveform.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <numbers>
@@ -36,7 +37,7 @@ double shaped(const SineWave&, double v) { return 0.5 * (1 + cycle(v)); }
 double shaped(const ScallopWave&, double v) { return std::abs(cycle(v / 2)); }
 double shaped(const CubicWave&, double v) { return v * v * (3 - 2 * v); }
 double shaped(const PolyWave& wave, double v) {
-    return std::pow(v, single_precision(wave.exponent));
+    return math::pow(v, single_precision(wave.exponent));
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ double triangle(double value) {
 
 double cycle(double value) {
     const double size = std::abs(value);
-    const double sine = std::sin(2 * std::numbers::pi * (size - std::floor(size)));
+    const double sine = math::sin(2 * std::numbers::pi * (size - std::floor(size)));
     return value < 0 ? -sine : sine;
 }
 

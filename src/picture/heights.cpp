@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/heights.h"
 
+#include "base/elementary.h"
 #include "picture/file_facts.h"
 #include "picture/formats.h"
 
@@ -44,7 +45,7 @@ std::optional<Heights> read_heights(const Found& file, double gamma, Diagnostics
     // Heights by colour numbers have no gamma.
     if (gamma > 0 && facts.table.empty())
         for (float& value : stored.values)
-            value = std::pow(std::max(0.0F, value), static_cast<float>(gamma));
+            value = math::pow(std::max(0.0F, value), static_cast<float>(gamma));
     const ColourNumbers number_of(facts);
     Heights result{stored.width, stored.height, {}};
     const auto width = static_cast<std::size_t>(stored.width);

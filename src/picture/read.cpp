@@ -2,6 +2,7 @@
 #include "picture/read.h"
 
 #include "base/colour.h"
+#include "base/elementary.h"
 #include "base/gamma.h"
 #include "picture/file_facts.h"
 #include "picture/formats.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace candelabra {
 
@@ -19,7 +19,7 @@ namespace {
 /// Converts a stored value to a linear one by the encoding that the file declares.
 double decoded(float stored, const StoredPicture& picture) {
     if (picture.linear) return stored;
-    return picture.gamma > 0 ? std::pow(static_cast<double>(stored), picture.gamma)
+    return picture.gamma > 0 ? math::pow(static_cast<double>(stored), picture.gamma)
                              : srgb_decode(stored);
 }
 
@@ -52,7 +52,7 @@ private:
         if (coding_.gamma < 0)
             value = srgb_decode(value);
         else if (coding_.gamma > 0)
-            value = std::pow(std::max(0.0, value), coding_.gamma);
+            value = math::pow(std::max(0.0, value), coding_.gamma);
         else if (decodes_)
             value = decoded(stored, picture_);
         else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/render.h"
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "film/develop.h"
 #include "film/pixel_filter.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <mutex>
 #include <utility>
 
@@ -26,8 +26,8 @@ std::vector<Region> tiles_of(int width, int height, int size) {
 
 void nearest_first(std::vector<Region>& tiles, const Vec2& pixel) {
     const auto away = [&](const Region& tile) {
-        return std::hypot(0.5 * (tile.left + tile.right) - pixel.x,
-                          0.5 * (tile.top + tile.bottom) - pixel.y);
+        return math::hypot(0.5 * (tile.left + tile.right) - pixel.x,
+                           0.5 * (tile.top + tile.bottom) - pixel.y);
     };
     std::ranges::stable_sort(tiles, {}, away);
 }
@@ -209,7 +209,7 @@ private:
         if (plan_.is_even() || is_settled_by_tiles(plan_.rule)) return share_of_round;
         const double rounds = state_.rounds - 1 + share_of_round;
         const bool open = settings_.noise > 0 || std::holds_alternative<BlurRule>(plan_.rule);
-        return open ? 1 - std::exp2(-rounds) : rounds / 2;
+        return open ? 1 - math::exp2(-rounds) : rounds / 2;
     }
 
     bool wants(const Region& tile, std::uint32_t level) const {

@@ -3,6 +3,7 @@
 
 #include "base/colour.h"
 #include "base/cosine_direction.h"
+#include "base/elementary.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
 #include "scattering/real_surface.h"
@@ -25,12 +26,12 @@ constexpr double max_specular_probability = 0.9;
 /// Draws a direction around an axis in proportion to a power of the cosine.
 Vec3 draw_about(const Vec3& axis, double exponent, Vec2 u) {
     const auto [x, y] = perpendiculars(axis);
-    const double cosine2 = std::pow(1 - u.x, 2 / (exponent + 1)), angle = 2 * pi * u.y;
+    const double cosine2 = math::pow(1 - u.x, 2 / (exponent + 1)), angle = 2 * pi * u.y;
     const double across = std::sqrt(1 - cosine2);
-    return across * (std::cos(angle) * x + std::sin(angle) * y) + std::sqrt(cosine2) * axis;
+    return across * (math::cos(angle) * x + math::sin(angle) * y) + std::sqrt(cosine2) * axis;
 }
 double density_about(double cosine, double exponent) {
-    return cosine > 0 ? (exponent + 1) / (2 * pi) * std::pow(cosine, exponent) : 0;
+    return cosine > 0 ? (exponent + 1) / (2 * pi) * math::pow(cosine, exponent) : 0;
 }
 
 }  // namespace

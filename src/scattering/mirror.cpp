@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scattering/mirror.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,7 +14,7 @@ namespace {
 /// POV-Ray's fit of the metallic Fresnel curve: 0 at normal incidence, 1 at grazing angles, and
 /// less again beyond them, where a perturbed normal faces away.
 double metal_fresnel(double cosine) {
-    const double x = std::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2);
+    const double x = math::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2);
     return std::clamp(0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903, 0.0, 1.0);
 }
 
@@ -40,7 +42,7 @@ Vec3 reflectivity(const Shading& s, double ior_ratio) {
     // angles.
     const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
     const double grazing = !r.fresnel
-                               ? (r.falloff == 1 ? 1 - cosine : std::pow(1 - cosine, r.falloff))
+                               ? (r.falloff == 1 ? 1 - cosine : math::pow(1 - cosine, r.falloff))
                            : cosine < 0 ? 1
                                         : fresnel(cosine, 1 / ior_ratio);
     const Vec3 amount = r.least + (r.greatest - r.least) * grazing;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scattering/phase_function.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -32,7 +34,7 @@ double mean_phase(const Scattering& s) {
 /// lobe that has the fraction `even`.
 double even_or_power(double u, double even, double power) {
     if (u < even) return 2 * (u / even) - 1;
-    return 2 * std::pow((u - even) / (1 - even), 1 / (power + 1)) - 1;
+    return 2 * math::pow((u - even) / (1 - even), 1 / (power + 1)) - 1;
 }
 
 /// Draws the cosine between the view and a direction, in proportion to phase().
@@ -43,7 +45,7 @@ double drawn_cosine(const Scattering& s, double u) {
         case PhaseKind::mie_murky:
             return even_or_power(u, 33.0 / 83, 32);
         case PhaseKind::rayleigh:
-            return u < 0.75 ? 2 * (u / 0.75) - 1 : std::cbrt(2 * (u - 0.75) / 0.25 - 1);
+            return u < 0.75 ? 2 * (u / 0.75) - 1 : math::cbrt(2 * (u - 0.75) / 0.25 - 1);
         case PhaseKind::henyey_greenstein: {
             const double g = s.eccentricity;
             if (std::abs(g) < 1e-4) break;

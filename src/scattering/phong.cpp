@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scattering/phong.h"
 
+#include "base/elementary.h"
 #include "scattering/mirror.h"
 
 #include <cmath>
@@ -32,7 +33,7 @@ Vec3 iridescence(const Shading& s, const ShadingRules& rules, const Vec3& direct
     const double phase = 2 * std::numbers::pi * thickness *
                          (std::abs(dot(s.normal, direction)) + std::abs(dot(s.normal, s.view)));
     const Vec3 turns = Vec3(phase) / rules.irid_wavelength;
-    return Vec3(1) + irid.amount * Vec3(std::cos(turns.x), std::cos(turns.y), std::cos(turns.z));
+    return Vec3(1) + irid.amount * Vec3(math::cos(turns.x), math::cos(turns.y), math::cos(turns.z));
 }
 
 Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, double grain) {
@@ -43,7 +44,7 @@ Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, 
     const double cosine = std::abs(signed_cosine);
     const double falloff = f.brilliance == 1 || !terms.brilliance
                                ? cosine
-                               : std::pow(std::fmax(cosine, 1e-10), f.brilliance);
+                               : math::pow(std::fmax(cosine, 1e-10), f.brilliance);
     const bool back = behind && !s.both_sides;
     const double diffuse = !terms.diffuse ? 0 : back ? f.diffuse_back : std::fmax(f.diffuse, 0);
     const double crand = terms.diffuse ? f.crand * grain : 0;
@@ -55,12 +56,12 @@ Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, 
     if (f.phong > 0) {
         const double alignment = dot(mirrored(s.view, s.normal), to_light);
         if (shows(alignment, f.phong_size))
-            result += f.phong * std::pow(alignment, f.phong_size) * tint;
+            result += f.phong * math::pow(alignment, f.phong_size) * tint;
     }
     if (f.specular > 0) {
         const double alignment = dot(s.normal, unit(to_light - s.view));
         if (shows(alignment, 1 / f.roughness))
-            result += f.specular * std::pow(alignment, 1 / f.roughness) * tint;
+            result += f.specular * math::pow(alignment, 1 / f.roughness) * tint;
     }
     return result;
 }

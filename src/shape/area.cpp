@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/area.h"
 
+#include "base/elementary.h"
 #include "shape/mesh_area.h"
 
 #include <numbers>
@@ -32,7 +33,7 @@ std::size_t choose_part(const std::array<double, N>& areas, double& x) {
 /// Direction perpendicular to the unit vector `up`, at the fraction u of a full turn.
 Vec3 around(const Vec3& up, double u) {
     const auto [first, second] = perpendiculars(up);
-    return std::cos(2 * pi * u) * first + std::sin(2 * pi * u) * second;
+    return math::cos(2 * pi * u) * first + math::sin(2 * pi * u) * second;
 }
 
 /// Point of a ring around `up`, uniform by area, relative to the ring's centre.
@@ -42,7 +43,7 @@ Vec3 on_ring(const Vec3& up, double hole, double radius, const Vec2& u) {
 
 /// Areas of the side, the base and the cap.
 std::array<double, 3> part_areas(const Cone& c) {
-    const double slant = std::hypot(length(c.cap - c.base), c.cap_radius - c.base_radius);
+    const double slant = math::hypot(length(c.cap - c.base), c.cap_radius - c.base_radius);
     const double ends = c.open ? 0 : pi;
     return {pi * (c.base_radius + c.cap_radius) * slant, ends * c.base_radius * c.base_radius,
             ends * c.cap_radius * c.cap_radius};
@@ -81,7 +82,7 @@ double surface_area(const Sphere& s) { return 4 * pi * s.radius * s.radius; }
 
 SurfacePoint sample_area(const Sphere& s, const Vec2& u) {
     const double z = 1 - 2 * u.x, across = 2 * std::sqrt(u.x * (1 - u.x));
-    const Vec3 normal(across * std::cos(2 * pi * u.y), across * std::sin(2 * pi * u.y), z);
+    const Vec3 normal(across * math::cos(2 * pi * u.y), across * math::sin(2 * pi * u.y), z);
     return {s.centre + s.radius * normal, normal};
 }
 

@@ -1,72 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/julia_formula.h"
 
-#include <complex>
+#include "base/complex.h"
+
+#include <cmath>
 
 namespace candelabra {
 
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr Complex i(0, 1);
-
-Complex logarithm(const Complex& a) { return std::log(a); }
-
 /// F of complex numbers, by the formulas of the reproduced behaviour; NaN where it has no value (a
 /// division by 0).
 Complex value(const JuliaFractal& julia, const Complex& a) {
-    const Complex one = 1;
+    constexpr Complex one{1, 0};
     switch (function_of(julia)) {
         case julia_exp:
-            return std::exp(a);
+            return exp(a);
         case julia_ln:
-            return logarithm(a);
+            return log(a);
         case julia_reciprocal:
             return one / a;
         case julia_sin:
-            return std::sin(a);
+            return sin(a);
         case julia_asin:
-            return -i * logarithm(i * a + std::sqrt(one - a * a));
+            return -1 * turned(log(turned(a) + sqrt(one - a * a)));
         case julia_sinh:
-            return std::sinh(a);
+            return sinh(a);
         case julia_asinh:
-            return logarithm(a + std::sqrt(a * a + one));
+            return log(a + sqrt(a * a + one));
         case julia_cos:
-            return std::cos(a);
+            return cos(a);
         case julia_acos:
-            return -i * logarithm(a + std::sqrt(a * a - one));
+            return -1 * turned(log(a + sqrt(a * a - one)));
         case julia_cosh:
-            return std::cosh(a);
+            return cosh(a);
         case julia_acosh:
-            return logarithm(a + std::sqrt(a * a - one));
+            return log(a + sqrt(a * a - one));
         case julia_tan:
-            return std::tan(a);
+            return tan(a);
         case julia_atan:
-            return 0.5 * i * logarithm((one - i * a) / (one + i * a));
+            return 0.5 * turned(log((one - turned(a)) / (one + turned(a))));
         case julia_tanh:
-            return std::tanh(a);
+            return tanh(a);
         case julia_atanh:
-            return 0.5 * logarithm((one + a) / (one - a));
+            return 0.5 * log((one + a) / (one - a));
         default:
             break;
     }
-    if (a == Complex(0)) return 0;
-    const Complex power = Complex(julia.exponent.x, julia.exponent.y) * logarithm(a);
-    return power.real() < -690 ? 0 : std::exp(power);
+    if (a == Complex{}) return {};
+    const Complex power = Complex{julia.exponent.x, julia.exponent.y} * log(a);
+    return power.re < -690 ? Complex{} : exp(power);
 }
 
 /// A hypercomplex number as two complex ones.
 struct Halves {
     Complex a, b;
 
-    explicit Halves(const Vec4& q) : a(q.x - q.w, q.y + q.z), b(q.x + q.w, q.y - q.z) {}
+    explicit Halves(const Vec4& q) : a{q.x - q.w, q.y + q.z}, b{q.x + q.w, q.y - q.z} {}
     Halves(const Complex& first, const Complex& second) : a(first), b(second) {}
 
-    Vec4 joined() const {
-        return 0.5 * Vec4(a.real() + b.real(), a.imag() + b.imag(), a.imag() - b.imag(),
-                          b.real() - a.real());
-    }
+    Vec4 joined() const { return 0.5 * Vec4(a.re + b.re, a.im + b.im, a.im - b.im, b.re - a.re); }
 };
 
 Halves value(const JuliaFractal& julia, const Halves& q) {
@@ -106,7 +99,7 @@ Vec3 formula_slope(const JuliaSet& set, const Vec3& point) {
         if (n > 0) {
             const Halves image = value(julia, Halves(q));
             derivative = product(derivative, image);
-            if (reciprocal) derivative = product(derivative, Halves(-image.a, -image.b));
+            if (reciprocal) derivative = product(derivative, Halves(-1 * image.a, -1 * image.b));
         }
         escaped = escaped || glm::dot(counted, counted) > set.limit2;
         if (!escaped) counted = formula_image(julia, counted) + julia.parameter;
@@ -114,7 +107,7 @@ Vec3 formula_slope(const JuliaSet& set, const Vec3& point) {
     }
     const Halves last(escaped ? other : counted);
     const Vec4 slope =
-        product(last, Halves(std::conj(derivative.a), std::conj(derivative.b))).joined();
+        product(last, Halves(conjugate(derivative.a), conjugate(derivative.b))).joined();
     return Vec3(slope) - slope.w / set.slice.w * Vec3(set.slice);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/julia_fractal.h"
 
+#include "base/elementary.h"
 #include "shape/julia_formula.h"
 #include "shape/julia_orbit.h"
 #include "shape/line_search.h"
@@ -60,8 +61,8 @@ Vec3 normal_at(const JuliaSet& julia, const Vec3& p, const Vec3& direction, bool
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 aside(0);
         aside[axis] = step;
-        slope[axis] = std::log(julia_size(julia, p + aside) + 1e-300) -
-                      std::log(julia_size(julia, p - aside) + 1e-300);
+        slope[axis] = math::log(julia_size(julia, p + aside) + 1e-300) -
+                      math::log(julia_size(julia, p - aside) + 1e-300);
     }
     return normal_against(slope, direction, entering);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/julia_orbit.h"
 
+#include "base/elementary.h"
 #include "base/target_clones.h"
 #include "shape/julia_formula.h"
 
@@ -71,7 +72,7 @@ private:
         return {glm::dot(a, a), glm::dot(b, b)};
     }
     double bound(double size2, double product2) const {
-        const double step = 0.25 * factor_ * std::sqrt(size2 / product2) * std::log(size2);
+        const double step = 0.25 * factor_ * std::sqrt(size2 / product2) * math::log(size2);
         return std::isfinite(step) && size2 > 1 ? step : 0;
     }
 

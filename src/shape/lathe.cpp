@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/lathe.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include "shape/slab_interval.h"
@@ -198,7 +199,7 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
             Vec2 slope = part.piece.slope(m.u);
             // Beyond the axis the curve is mirrored.
             if (part.piece.at(m.u).x < 0) slope.x = -slope.x;
-            const double radius = std::hypot(p.x, p.z), side = lathe.outside_right ? 1 : -1;
+            const double radius = math::hypot(p.x, p.z), side = lathe.outside_right ? 1 : -1;
             const Vec3 out = radius > 0 ? Vec3(p.x, 0, p.z) / radius : Vec3(0);
             const Vec3 normal = unit(side * (slope.y * out - Vec3(0, slope.x, 0)));
             if (normal == Vec3(0)) return;
@@ -211,7 +212,7 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
 }
 
 bool inside(const BuiltLathe& lathe, const Vec3& point) {
-    const double radius = std::hypot(point.x, point.z);
+    const double radius = math::hypot(point.x, point.z);
     bool result = false;
     for (const BuiltLathe::Part& part : lathe.parts) {
         if (!part.heights.contains(point.y) || radius > part.radii.max) continue;

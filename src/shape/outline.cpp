@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/outline.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
 
 namespace candelabra {
 
 namespace {
 
-double length(const Vec2& v) { return std::hypot(v.x, v.y); }
+double length(const Vec2& v) { return math::hypot(v.x, v.y); }
 
 Vec2 right_of(const Vec2& direction) { return {direction.y, -direction.x}; }
 

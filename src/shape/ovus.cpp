@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/ovus.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include "shape/sphere.h"
@@ -73,9 +74,9 @@ void crossings(const Ovus& ovus, const Ray& ray, Crossings& found) {
         const Vec3 p = ray.at(ring[i].t) - up;
         if (!(p.y + arc.height > arc.low && p.y + arc.height < arc.high)) continue;
         // Only the inner sheet of the torus, whose tube lies beyond the axis.
-        const double from_axis = std::hypot(p.x, p.z);
-        const double inner = std::hypot(from_axis + arc.offset, p.y) - arc.radius;
-        const double outer = std::hypot(from_axis - arc.offset, p.y) - arc.radius;
+        const double from_axis = math::hypot(p.x, p.z);
+        const double inner = math::hypot(from_axis + arc.offset, p.y) - arc.radius;
+        const double outer = math::hypot(from_axis - arc.offset, p.y) - arc.radius;
         if (std::abs(inner) < std::abs(outer)) found.add(ring[i]);
     }
 }
@@ -85,7 +86,7 @@ bool inside(const Ovus& ovus, const Vec3& point) {
     const Arc arc(ovus);
     if (point.y <= arc.low) return inside(Sphere{Vec3(0), ovus.bottom_radius}, point);
     if (point.y >= arc.high) return inside(top(ovus), point);
-    return std::hypot(std::hypot(point.x, point.z) + arc.offset, point.y - arc.height) <=
+    return math::hypot(math::hypot(point.x, point.z) + arc.offset, point.y - arc.height) <=
            arc.radius;
 }
 

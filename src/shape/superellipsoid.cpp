@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/superellipsoid.h"
 
+#include "base/elementary.h"
 #include "base/infinity.h"
 #include "vocabulary/schema.h"
 
@@ -31,7 +32,7 @@ public:
 
     double of(double base) const {
         if (base == 1) return 1;
-        if (doublings_ == none) return std::pow(base, exponent_);
+        if (doublings_ == none) return math::pow(base, exponent_);
         for (int i = 0; i < doublings_; ++i) base *= base;
         return base;
     }

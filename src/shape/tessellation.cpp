@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/tessellation.h"
 
+#include "base/elementary.h"
 #include "shape/triangle.h"
 
 #include <numbers>
@@ -141,9 +142,9 @@ Mesh revolved(const std::vector<Vec2>& line, const Axes& axes, int around) {
         starts.push_back(static_cast<int>(mesh.vertices.size()));
         for (int i = 0; i < (p.x > 0 ? around : 1); ++i) {
             const double angle = 2 * pi * i / around;
-            mesh.vertices.push_back(axes.origin + p.y * axes.up +
-                                    p.x *
-                                        (std::cos(angle) * axes.out + std::sin(angle) * axes.side));
+            mesh.vertices.push_back(
+                axes.origin + p.y * axes.up +
+                p.x * (math::cos(angle) * axes.out + math::sin(angle) * axes.side));
         }
     }
     for (std::size_t row = 0; row + 1 < line.size(); ++row) {
@@ -171,7 +172,7 @@ Mesh triangles_of(const Sphere& s, int cells) {
     for (int i = 0; i <= cells; ++i) {
         const double angle = pi * i / cells;
         line.push_back(
-            {i % cells == 0 ? 0 : s.radius * std::sin(angle), -s.radius * std::cos(angle)});
+            {i % cells == 0 ? 0 : s.radius * math::sin(angle), -s.radius * math::cos(angle)});
     }
     return revolved(line, axes_about(s.centre, Vec3(0, 1, 0)), 2 * cells);
 }
@@ -201,9 +202,9 @@ Mesh triangles_of(const Torus& t, int cells) {
     for (int i = 0; i < around; ++i)
         for (int j = 0; j < across; ++j) {
             const double turn = 2 * pi * i / around, lift = 2 * pi * j / across;
-            const double radius = t.major + t.minor * std::cos(lift);
+            const double radius = t.major + t.minor * math::cos(lift);
             mesh.vertices.push_back(
-                {radius * std::cos(turn), t.minor * std::sin(lift), radius * std::sin(turn)});
+                {radius * math::cos(turn), t.minor * math::sin(lift), radius * math::sin(turn)});
         }
     for (int i = 0; i < around; ++i)
         for (int j = 0; j < across; ++j) {

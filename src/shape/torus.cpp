@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/torus.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include "base/roots.h"
@@ -18,7 +19,7 @@ const ItemInfo Torus::vocabulary = described<Torus>([] {
 
 namespace {
 
-double from_axis(const Vec3& p) { return std::hypot(p.x, p.z); }
+double from_axis(const Vec3& p) { return math::hypot(p.x, p.z); }
 
 /// Outward unit normal. The inner sheet of a torus that intersects itself is the one whose tube
 /// lies on the other side of the axis.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/uv.h"
 
+#include "base/elementary.h"
 #include "base/revolution.h"
 #include "shape/triangle.h"
 
@@ -16,7 +17,7 @@ using std::numbers::pi;
 Vec2 around_ball(const Vec3& p) {
     const Vec3 n = unit(p);
     const bool pole = n.x * n.x + n.z * n.z < 1e-10;
-    return {pole ? 0 : turn(n.x, n.z), 0.5 + std::asin(std::clamp(n.y, -1.0, 1.0)) / pi};
+    return {pole ? 0 : turn(n.x, n.z), 0.5 + math::asin(std::clamp(n.y, -1.0, 1.0)) / pi};
 }
 
 double turn_around_axis(const Vec3& p) { return p.x == 0 && p.z == 0 ? 0 : turn(p.x, p.z); }
@@ -97,13 +98,13 @@ std::optional<Vec2> uv(const Cuboid& cuboid, const Vec3& point, std::uint32_t) {
 }
 
 std::optional<Vec2> uv(const Torus& torus, const Vec3& point, std::uint32_t) {
-    const double outwards = std::hypot(point.x, point.z) - torus.major;
-    return Vec2(0.5 - std::atan2(point.z, point.x) / (2 * pi),
-                0.5 + std::atan2(point.y, outwards) / (2 * pi));
+    const double outwards = math::hypot(point.x, point.z) - torus.major;
+    return Vec2(0.5 - math::atan2(point.z, point.x) / (2 * pi),
+                0.5 + math::atan2(point.y, outwards) / (2 * pi));
 }
 
 std::optional<Vec2> uv(const BuiltLathe& lathe, const Vec3& point, std::uint32_t) {
-    const Vec2 flat(std::hypot(point.x, point.z), point.y);
+    const Vec2 flat(math::hypot(point.x, point.z), point.y);
     CurvePlace best;
     std::size_t piece = 0;
     for (std::size_t i = 0; i < lathe.parts.size(); ++i)
@@ -118,7 +119,7 @@ std::optional<Vec2> uv(const BuiltLathe& lathe, const Vec3& point, std::uint32_t
 
 std::optional<Vec2> uv(const BuiltSor& sor, const Vec3& point, std::uint32_t) {
     const double low = sor.parts.front().low, high = sor.parts.back().high;
-    const double share = (point.y - low) / (high - low), radius = std::hypot(point.x, point.z);
+    const double share = (point.y - low) / (high - low), radius = math::hypot(point.x, point.z);
     for (const bool top : {false, true}) {
         const double rim = std::sqrt(top ? sor.parts.back().high2 : sor.parts.front().low2);
         const bool on_end = !sor.open && std::abs(share - (top ? 1 : 0)) < 1e-9;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/subsurface.h"
 
+#include "base/elementary.h"
 #include "vocabulary/schema.h"
 
 #include <cmath>
@@ -32,13 +33,13 @@ namespace {
 /// Internal diffuse reflectance of the surface, by POV-Ray's fit.
 double inner_reflectance(double ior) {
     const double x = 1 - 1 / ior;
-    return (x + 3 * std::pow(x, 4.5)) / 4;
+    return (x + 3 * math::pow(x, 4.5)) / 4;
 }
 
 /// Diffuse reflectance of a half space of this reduced albedo.
 double given_back(double albedo, double boundary) {
     const double root = std::sqrt(3 * (1 - albedo));
-    return 0.5 * albedo * (1 + std::exp(-4.0 / 3.0 * boundary * root)) * std::exp(-root);
+    return 0.5 * albedo * (1 + math::exp(-4.0 / 3.0 * boundary * root)) * math::exp(-root);
 }
 
 /// Reduced albedo of a half space with this diffuse reflectance, which grows with it.
@@ -70,7 +71,7 @@ Dipole::Dipole(const Vec3& albedo, const Vec3& free_path, double ior) {
 Vec3 Dipole::spread(double distance2) const {
     const auto source = [&](const Vec3& height) {
         const Vec3 way2 = height * height + distance2, way = glm::sqrt(way2);
-        return height * (Vec3(1) + falloff_ * way) * glm::exp(-falloff_ * way) / (way2 * way);
+        return height * (Vec3(1) + falloff_ * way) * math::exp(-falloff_ * way) / (way2 * way);
     };
     return albedo_ / (4 * std::numbers::pi) * (source(real_) + source(virtual_));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/texture.h"
 
+#include "base/elementary.h"
 #include "surface/any_finish.h"
 #include "surface/lambertian.h"
 #include "surface/map_place.h"
@@ -255,7 +256,7 @@ Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scen
                    Vec3 left(weight);
                    for (const Layer& layer : layers) {
                        const double cosine = std::abs(dot(layer.normal, light.direction));
-                       left *= (1 + std::pow(cosine, light.power)) * layer.colour.passing();
+                       left *= (1 + math::pow(cosine, light.power)) * layer.colour.passing();
                    }
                    sum += left;
                });

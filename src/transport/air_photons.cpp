@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/air_photons.h"
 
+#include "base/elementary.h"
+
 #include <limits>
 #include <numbers>
 
@@ -20,7 +22,7 @@ AirPhotonMap::AirPhotonMap(std::vector<Photon> photons, const DiscRule& rule)
                 const auto count = static_cast<double>(part.size());
                 if (count <= rule.wanted && count_of_whole > rule.wanted) {
                     const PhotonGroup group = group_of(part);
-                    set_radii(part, group, group.half * std::cbrt(2 * rule.wanted / count), rule);
+                    set_radii(part, group, group.half * math::cbrt(2 * rule.wanted / count), rule);
                 }
                 return count;
             }) {}

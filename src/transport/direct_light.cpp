@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/direct_light.h"
 
+#include "base/elementary.h"
 #include "base/gamma.h"
 #include "lighting/draw.h"
 #include "transport/light_left.h"
@@ -47,7 +48,7 @@ Vec3 straight_answer(const LitLayer& layer, const Key& key) {
 /// Difference in radiance that amounts to hidden_steps steps of the displayed picture.
 double visible_step(double radiance) {
     constexpr double gamma = display_gamma, steps = 255;
-    return hidden_steps / steps * gamma * std::pow(std::fmin(radiance, 1), 1 - 1 / gamma);
+    return hidden_steps / steps * gamma * math::pow(std::fmin(radiance, 1), 1 - 1 / gamma);
 }
 
 }  // namespace
@@ -176,7 +177,7 @@ int DirectLight::rays_at(const Answer& answer, const LitLayer& layer, const Vec3
     ++noise_.hits;
     if (shadow_rays_.usual_noise == 0) return shadow_rays_.usual;
     const double wanted = shadow_rays_.usual * noise / shadow_rays_.usual_noise;
-    const double exponent = std::round(std::log2(std::clamp<double>(wanted, 1, max_rays)));
+    const double exponent = std::round(math::log2(std::clamp<double>(wanted, 1, max_rays)));
     return 1 << static_cast<int>(exponent);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/media_stack.h"
 
+#include "base/elementary.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace candelabra {
 
@@ -38,7 +39,7 @@ Interface interface_at(const World& world, const MediaStack& media, PrimitiveInd
     result.dispersion = here.dispersion / there.dispersion;
     if (result.dispersion == 1) return result;
     if (band)
-        result.ratio *= std::pow(result.dispersion, band->power());
+        result.ratio *= math::pow(result.dispersion, band->power());
     else
         result.bands = (here.dispersion != 1 ? here : there).dispersion_samples;
     return result;

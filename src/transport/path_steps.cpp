@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/path_steps.h"
 
+#include "base/elementary.h"
 #include "scattering/microfacet.h"
 #include "scattering/mirror.h"
 
@@ -66,7 +67,7 @@ double refraction_ratio(PathState& path, const Interface& surface) {
                                          static_cast<double>(surface.bands));
     path.band = SpectralBand{std::min(number, surface.bands - 1), surface.bands};
     path.dim(hue(*path.band));
-    return surface.ratio * std::pow(surface.dispersion, path.band->power());
+    return surface.ratio * math::pow(surface.dispersion, path.band->power());
 }
 
 PathState gathering_path(const PathState& path, const Vertex& vertex, const Vec3& direction) {

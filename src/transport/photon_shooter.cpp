@@ -2,6 +2,7 @@
 #include "transport/photon_shooter.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "lighting/draw.h"
 #include "transport/sight.h"
 
@@ -33,7 +34,7 @@ Vec3 direction_in_cone(const Vec3& axis, double cosine, const Vec2& u) {
 Vec3 point_in_disc(const Vec3& axis, double radius, const Vec2& u) {
     const auto [x, y] = perpendiculars(axis);
     const double away = radius * std::sqrt(u.x), angle = 2 * pi * u.y;
-    return away * (std::cos(angle) * x + std::sin(angle) * y);
+    return away * (math::cos(angle) * x + math::sin(angle) * y);
 }
 
 bool meets_ball(const Ray& ray, const Vec3& centre, double radius) {
@@ -73,8 +74,8 @@ double light_at(const PointLight& light, const PhotonTarget& target) {
         const double aside = length(offset - dot(offset, axis) * axis);
         touches = aside < light.falloff.value_or(1) + target.radius;
     } else if (light.kept_to() == cone && !light.parallel && away > target.radius) {
-        const double angle = std::acos(std::clamp(dot(offset, axis) / away, -1.0, 1.0));
-        touches = angle - std::asin(target.radius / away) <
+        const double angle = math::acos(std::clamp(dot(offset, axis) / away, -1.0, 1.0));
+        touches = angle - math::asin(target.radius / away) <
                   light.falloff.value_or(45) * radians_per_degree;
     }
     if (!touches) return 0;
@@ -231,7 +232,7 @@ std::optional<PhotonShot> PhotonShooter::from_point(const PointLight& light,
     bool own = false;
     if (light.kept_to() == cone) {
         const double dark = std::clamp(light.falloff.value_or(45), 0.0, 90.0);
-        const LightCone shape{axis_of(light), std::cos(dark * radians_per_degree)};
+        const LightCone shape{axis_of(light), math::cos(dark * radians_per_degree)};
         own = shape.cosine > drawn.cosine;
         if (own) drawn = shape;
     }

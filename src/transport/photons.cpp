@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/photons.h"
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ void Photons::shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count
 PhotonMaps Photons::made(std::uint32_t number) const {
     const PhotonSettings& settings = world_.rules.settings.photons;
     const DiscRule rule{std::fmax(settings.gather_most, 1),
-                        std::pow(number + 1.0, 0.5 * (alpha - 1)), settings.radius,
+                        math::pow(number + 1.0, 0.5 * (alpha - 1)), settings.radius,
                         disc_of_target * world_.photon_targets.front().radius};
     DiscRule in_air = rule;
     in_air.wanted = std::fmax(wanted_in_air * rule.wanted, min_in_air);

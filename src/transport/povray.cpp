@@ -2,6 +2,7 @@
 #include "transport/povray.h"
 
 #include "base/cosine_direction.h"
+#include "base/elementary.h"
 #include "scattering/microfacet.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
@@ -190,7 +191,7 @@ Vec3 PovRayIntegrator::reflected_to_a_power(const PathState& path, const Vertex&
     // A power of a sum has no summands that could be attributed to lights.
     const Vec3 shown = iridescence(s, rules_, next.ray.direction) * follow(next.dimmed(Vec3(0)));
     const auto dimmed = [&](double channel) {
-        return channel > 0 ? std::pow(channel, 1 / s.finish->reflection.exponent) : 0.0;
+        return channel > 0 ? math::pow(channel, 1 / s.finish->reflection.exponent) : 0.0;
     };
     return amount * Vec3(dimmed(shown.x), dimmed(shown.y), dimmed(shown.z));
 }
@@ -215,7 +216,7 @@ Vec3 PovRayIntegrator::split(const PathState& path, const Vertex& vertex, const 
         PathState coloured = path.dimmed(hue(band) / static_cast<double>(surface.bands));
         coloured.band = band;
         Interface own = surface;
-        own.ratio *= std::pow(surface.dispersion, band.power());
+        own.ratio *= math::pow(surface.dispersion, band.power());
         sum +=
             hue(band) * (reflects_totally(s, own.ratio)
                              ? reflected(coloured, vertex, s, share, max_component(glm::abs(share)))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/subsurface.h"
 
+#include "base/elementary.h"
 #include "scattering/mirror.h"
 #include "surface/quality.h"
 #include "transport/point_lights.h"
@@ -180,7 +181,7 @@ private:
         if (radius > reach_) return Vec3(0);
         const double angle = 2 * pi * draw.v;
         const Vec3 aside =
-            std::cos(angle) * axes_[(axis + 1) % 3] + std::sin(angle) * axes_[(axis + 2) % 3];
+            math::cos(angle) * axes_[(axis + 1) % 3] + math::sin(angle) * axes_[(axis + 2) % 3];
         const Ray line{s_.position + radius * aside - reach_ * axes_[axis], axes_[axis]};
         Vec3 sum(0);
         double from = 0;
@@ -211,8 +212,8 @@ private:
                         unit(s_.view / ior_ + (cosine / ior_ - behind) * s_.geometric_normal)};
         const double u = 3 * draw.choice;
         const Vec3& extinction = dipole_.extinction();
-        const double way = -std::log(1 - draw.u) / extinction[static_cast<int>(u)];
-        const Vec3 left = glm::exp(-extinction * way);
+        const double way = -math::log(1 - draw.u) / extinction[static_cast<int>(u)];
+        const Vec3 left = math::exp(-extinction * way);
         const double chance = dot(extinction, left) / 3;
         double from = layer_.vertex.tolerance();
         if (!(chance > 0) || next(inner, from, way)) return Vec3(0);
@@ -243,7 +244,7 @@ private:
         const Bsdf bsdf = Bsdf::entering(vertex.shading, rules_, ior_);
         const double bent = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const double way = length(way_in->position - point) * cosine / bent;
-        return glm::exp(-dipole_.extinction() * way) *
+        return math::exp(-dipole_.extinction() * way) *
                source_light(world_, light, {vertex, bsdf}, key, ledger_);
     }
 

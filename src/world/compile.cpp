@@ -2,6 +2,7 @@
 #include "world/compile.h"
 
 #include "base/degrees.h"
+#include "base/elementary.h"
 #include "csg/assemble.h"
 #include "index/tree_builder.h"
 #include "luminaire/brightness.h"
@@ -109,7 +110,7 @@ FilmSettings film_of(const Scene& scene, const Projection& camera) {
     if (!film.glares || film.glare.field > 0 || !flat) return film;
     const double across = length(camera.right) / 2, ahead = length(camera.direction);
     constexpr double widest = 170;
-    film.glare.field = std::min(2 * std::atan2(across, ahead) / radians_per_degree, widest);
+    film.glare.field = std::min(2 * math::atan2(across, ahead) / radians_per_degree, widest);
     return film;
 }
 

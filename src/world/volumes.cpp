@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/volumes.h"
 
+#include "base/elementary.h"
 #include "luminaire/volume.h"
 #include "text/message.h"
 
@@ -43,7 +44,7 @@ class Cut {
 public:
     Cut(const Box& box, double count) : box_(box) {
         const Vec3 size = box.size();
-        const double edge = std::cbrt(size.x * size.y * size.z / count);
+        const double edge = math::cbrt(size.x * size.y * size.z / count);
         for (int axis = 0; axis < 3; ++axis)
             number_[axis] = std::clamp(std::round(size[axis] / edge), 1.0, longest);
     }

@@ -274,6 +274,32 @@ TEST_CASE("there are no mutable globals", "[house]") {
     }
 }
 
+TEST_CASE("no function of the C library whose last bits depend on the machine is used", "[house]") {
+    // base/elementary.h has those whose bits do not. Compilers may compute them with constants, so
+    // that the sources are searched as well as the machine code, which has those of templates.
+    const std::string names =
+        "(a?(sin|cos|tan)h?|atan2|sincos|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|cbrt|hypot|"
+        "erfc?|[lt]gamma|j[01n]|y[01n])[fl]?";
+    const std::regex called("\\b(std|glm)::" + names + "\\b|__builtin_" + names +
+                            "\\b|_distribution\\b|std::(shuffle|sample|generate_canonical)\\b");
+    const std::regex header(R"(^#include <(complex|glm/gt[cx]/.*)>)");
+    for (const fs::path& file : files_below(root / "src", {".h", ".cpp"}))
+        for (const std::string& line : lines_of(file)) {
+            INFO(file << ": " << line);
+            CHECK_FALSE(std::regex_search(line, called));
+            CHECK_FALSE(std::regex_search(line, header));
+        }
+    const std::regex symbol("^\\s*U (" + names + "|c(" + names +
+                            "|sqrt[fl]?|abs[fl]?|arg[fl]?))(@.*)?$");
+    for (const auto& [name, module] : modules()) {
+        const fs::path archive = fs::path(CANDELABRA_BINARY).parent_path() / ("lib" + name + ".a");
+        if (!fs::exists(archive)) continue;  // headers only
+        std::istringstream symbols(output_of("nm -u '" + archive.string() + "'"));
+        for (std::string line; std::getline(symbols, line);)
+            if (std::regex_match(line, symbol)) FAIL_CHECK("lib" << name << ".a: " << line);
+    }
+}
+
 TEST_CASE("each line of the threat model names tests that there are", "[house]") {
     std::string tests;
     for (const fs::path& path : files_below(root / "tests", {".cpp"})) tests += read(path);
