@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/object_functions.h"
 
+#include "base/order.h"
 #include "bind/modelling_functions.h"
 #include "csg/extent.h"
 
@@ -80,7 +81,7 @@ std::span<const FunctionInfo> object_functions() { return functions_of_objects; 
 std::vector<FunctionInfo> all_functions() {
     std::vector<FunctionInfo> result(functions().begin(), functions().end());
     result.insert(result.end(), functions_of_objects.begin(), functions_of_objects.end());
-    std::ranges::sort(result, {}, &FunctionInfo::name);
+    sort_stably(result, {}, &FunctionInfo::name);
     return result;
 }
 

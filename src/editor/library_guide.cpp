@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/library_guide.h"
 
+#include "base/order.h"
 #include "text/ascii.h"
 #include "text/loader.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace candelabra {
 
@@ -178,7 +180,7 @@ LibraryGuide library_guide(const std::string& folder) {
         if (const auto text = read(entry.path().string()))
             guide.push_back(library_file(entry.path().filename().string(), *text));
     }
-    std::ranges::sort(guide, {}, &LibraryFile::name);
+    sort_stably(guide, {}, &LibraryFile::name);
     return guide;
 }
 

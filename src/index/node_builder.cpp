@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "index/node_builder.h"
 
+#include "base/order.h"
 #include "base/parallel.h"
 #include "base/round_outward.h"
 #include "base/short_list.h"
@@ -182,9 +183,7 @@ std::pair<Part, Part> NodeBuilder::halves(Part& part) const {
     Part below, above;
     std::size_t count = all.size() / 2;
     if (part.kind == Part::Kind::divided) {
-        const auto second = std::partition(
-            all.begin(), all.end(), [&](const PrimRef& f) { return part.split.puts_below(f.box); });
-        count = static_cast<std::size_t>(second - all.begin());
+        count = put_in_front(all, [&](const PrimRef& f) { return part.split.puts_below(f.box); });
         below.box = part.split.below;
         above.box = part.split.above;
     } else {
@@ -270,7 +269,7 @@ void NodeBuilder::finish_leaf(Part& part) {
     const double whole = area(part.box);
     double passing = 1;
     for (const PrimRef& f : held) passing *= 1 - chance_to_stop(area(f.box), whole);
-    std::ranges::sort(held, {}, &PrimRef::item);
+    sort_stably(held, {}, &PrimRef::item);
     const auto end = std::unique(held.begin(), held.end(), [](const PrimRef& a, const PrimRef& b) {
         return a.item == b.item;
     });

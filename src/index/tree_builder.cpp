@@ -2,6 +2,7 @@
 #include "index/tree_builder.h"
 
 #include "base/memory_pages.h"
+#include "base/order.h"
 #include "base/parallel.h"
 #include "index/node_builder.h"
 
@@ -55,7 +56,7 @@ private:
         for (const PrimRef& f : fragments)
             if (chance_to_stop(area(f.box), whole) * steps * leaf_limit > cost)
                 largest.push_back(&f);
-        std::ranges::sort(largest, larger);
+        sort_stably(largest, larger);
         for (std::size_t leaf = 0; leaf < max_leaves && leaf * leaf_limit < largest.size();
              ++leaf) {
             const auto items = std::span(largest).subspan(

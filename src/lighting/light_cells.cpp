@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cells.h"
 
+#include "base/order.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ private:
                 return nearest_distance2(region.box, centres_[light]) / reach2_[light];
             };
             const auto last = lights.begin() + static_cast<std::ptrdiff_t>(longest_list);
-            std::ranges::nth_element(lights, last, [&](LightIndex a, LightIndex b) {
+            put_nth(lights.begin(), last, lights.end(), [&](LightIndex a, LightIndex b) {
                 return std::pair(farness(a), a) < std::pair(farness(b), b);
             });
             lights.erase(last, lights.end());

@@ -2,6 +2,7 @@
 #include "lighting/light_hierarchy.h"
 
 #include "base/elementary.h"
+#include "base/order.h"
 
 #include <algorithm>
 #include <numbers>
@@ -173,12 +174,11 @@ private:
             return static_cast<std::size_t>(middle - order_.begin());
         }
         const std::size_t half = (work.first + work.end) / 2;
-        std::nth_element(begin, order_.begin() + static_cast<std::ptrdiff_t>(half), end,
-                         [&](LightIndex a, LightIndex b) {
-                             const double x = lights_[a].centre[longest],
-                                          y = lights_[b].centre[longest];
-                             return x != y ? x < y : a < b;
-                         });
+        put_nth(begin, order_.begin() + static_cast<std::ptrdiff_t>(half), end,
+                [&](LightIndex a, LightIndex b) {
+                    const double x = lights_[a].centre[longest], y = lights_[b].centre[longest];
+                    return x != y ? x < y : a < b;
+                });
         return half;
     }
 

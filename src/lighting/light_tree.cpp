@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_tree.h"
 
+#include "base/order.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -220,7 +222,7 @@ private:
             return static_cast<std::uint32_t>(middle - items_.begin());
         }
         const std::uint32_t half = work.first + (work.end - work.first) / 2;
-        std::nth_element(begin, items_.begin() + half, end, [&](const Item& a, const Item& b) {
+        put_nth(begin, items_.begin() + half, end, [&](const Item& a, const Item& b) {
             return a.middle(longest) != b.middle(longest) ? a.middle(longest) < b.middle(longest)
                                                           : a.light < b.light;
         });

@@ -2,6 +2,7 @@
 #include "lighting/refined_cut.h"
 
 #include "base/box.h"
+#include "base/order.h"
 #include "lighting/light_cut.h"
 
 #include <algorithm>
@@ -35,15 +36,14 @@ public:
         add(tree_.root());
         // A block of entries takes the same time whether it is full or not.
         while (heap_.size() < most && (heap_.size() < CutWeights::block || noise() > rule.noise)) {
-            std::pop_heap(heap_.begin(), heap_.end());
-            const Entry coarse = heap_.back();
+            const Entry coarse = heap_.front();
             if (coarse.excess <= 0) break;
-            heap_.pop_back();
+            remove_greatest(heap_);
             const auto [first, second] = tree_.halves(coarse.cluster);
             add(first);
             add(second);
         }
-        std::ranges::sort(heap_, {}, [](const Entry& e) { return e.cluster.first; });
+        sort_stably(heap_, {}, [](const Entry& e) { return e.cluster.first; });
     }
     const std::vector<Entry>& entries() const { return heap_; }
     double noise() const {
@@ -69,8 +69,7 @@ private:
             const double spread = g.radius / std::fmax(d - radius_, g.radius);
             entry.excess = std::fmax(entry.weight, nearest_weight(cluster, g)) * spread * spread;
         }
-        heap_.push_back(entry);
-        std::push_heap(heap_.begin(), heap_.end());
+        add_to_heap(heap_, entry);
     }
 
     /// The weight of one member of a cluster where the cluster is nearest. It may exceed that of

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshing/voronoi.h"
 
+#include "base/order.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -33,7 +35,7 @@ std::vector<Vec2> voronoi_cell(std::span<const Vec2> points, std::size_t i, cons
     std::vector<Vec2> cell = {low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)};
     std::vector<std::size_t> others(points.size());
     std::iota(others.begin(), others.end(), std::size_t{0});
-    std::ranges::sort(others, {}, [&](std::size_t k) { return square(points[k] - own); });
+    sort_stably(others, {}, [&](std::size_t k) { return square(points[k] - own); });
     for (const std::size_t k : others) {
         if (k == i || cell.empty()) continue;
         if (points[k] == own) return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/blob.h"
 
+#include "base/order.h"
 #include "vocabulary/parts.h"
 #include "vocabulary/schema.h"
 
@@ -205,10 +206,7 @@ public:
 
     /// Called before the place moves.
     void begin() {
-        const auto by_start = [](const FieldStretch& a, const FieldStretch& b) {
-            return a.range.min < b.range.min;
-        };
-        std::sort(stretches_.begin(), stretches_.end(), by_start);
+        sort_stably(stretches_, {}, [](const FieldStretch& s) { return s.range.min; });
     }
 
     /// Moves the place forwards, never back. The origin of the polynomials is kept while it is

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/sphere_sweep.h"
 
+#include "base/order.h"
 #include "vocabulary/schema.h"
 
 #include "base/roots.h"
@@ -203,8 +204,7 @@ void crossings(const BuiltSphereSweep& sweep, const Ray& ray, Crossings& found) 
     std::vector<SweepStretch> stretches;
     sweep.index.along(near, {-std::numeric_limits<double>::infinity()},
                       [&](std::uint32_t i) { meet(sweep.pieces[i], near, stretches); });
-    std::sort(stretches.begin(), stretches.end(),
-              [](const SweepStretch& a, const SweepStretch& b) { return a.first < b.first; });
+    sort_stably(stretches, {}, &SweepStretch::first);
     for (std::size_t i = 0; i < stretches.size();) {
         SweepStretch whole = stretches[i];
         for (++i; i < stretches.size() && stretches[i].first <= whole.last; ++i)

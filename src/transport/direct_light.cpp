@@ -3,6 +3,7 @@
 
 #include "base/elementary.h"
 #include "base/gamma.h"
+#include "base/order.h"
 #include "lighting/draw.h"
 #include "transport/light_left.h"
 #include "transport/point_lights.h"
@@ -264,7 +265,7 @@ void DirectLight::meet_along(const LightTree& tree, const Vertex& vertex, const 
             // The point may lie on a luminaire, which does not light itself there.
             if (meeting.distance > vertex.tolerance()) met_.push_back({meeting, light});
     });
-    std::ranges::sort(met_, [](const Met& a, const Met& b) {
+    sort_stably(met_, [](const Met& a, const Met& b) {
         return std::pair(a.meeting.distance, a.light) < std::pair(b.meeting.distance, b.light);
     });
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/photon_tree.h"
 
+#include "base/order.h"
+
 namespace candelabra {
 
 namespace {
@@ -10,7 +12,7 @@ constexpr double straying = 3;
 
 double median(std::vector<double>& values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
+    put_nth(values.begin(), middle, values.end());
     return *middle;
 }
 
@@ -57,9 +59,8 @@ std::uint32_t PhotonTree::halve(std::uint32_t first, std::uint32_t last) {
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::uint32_t half = first + (last - first) / 2;
     const auto place = [&](std::uint32_t i) { return photons_.begin() + i; };
-    std::nth_element(place(first), place(half), place(last), [&](const Photon& a, const Photon& b) {
-        return a.position[axis] < b.position[axis];
-    });
+    put_nth(place(first), place(half), place(last),
+            [&](const Photon& a, const Photon& b) { return a.position[axis] < b.position[axis]; });
     return half;
 }
 

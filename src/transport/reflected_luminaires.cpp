@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/reflected_luminaires.h"
 
+#include "base/order.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -91,8 +92,9 @@ void ReflectedLuminaires::find_bound() {
         if (tried[i].reflections == tried[i - 1].reflections + 1)
             distances.push_back(length(tried[i].position - tried[i - 1].position));
     if (distances.empty()) return;
-    std::ranges::nth_element(distances, distances.begin() + distances.size() / 2);
-    const double usual = distances[distances.size() / 2];
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    put_nth(distances.begin(), middle, distances.end());
+    const double usual = *middle;
     const double number = static_cast<double>(tried.size()) * count_ / pilot_paths;
     if (usual > 0) bound_ = kappa * number / (usual * usual);
 }

@@ -2,6 +2,7 @@
 // Ray queries of a world.
 #include "world/world.h"
 
+#include "base/order.h"
 #include "index/asked.h"
 #include "shape/leaf_pack.h"
 #include "shape/ray_start.h"
@@ -350,7 +351,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     Vec3 left(1);
     Passages found;
     for (const std::uint32_t item : clear) collect(item, ray, range, found);
-    std::ranges::sort(found, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
+    sort_stably(found, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
     const Passages all = shade.stretches ? found : Passages();
     if (shade.apart > 0) keep_apart(found, ray, distance, shade.apart);
     for (const Passage& each : found) left *= passed(each, ray);

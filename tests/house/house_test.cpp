@@ -251,6 +251,25 @@ TEST_CASE("functions stay small", "[house]") {
     }
 }
 
+TEST_CASE("no order that the standard leaves open reaches a result", "[house]") {
+    // base/order.h has orders that follow from the input. Sorting by operator< is allowed: what is
+    // equal by it is the same. In cellular.cpp no two keys are equal, and the compiler sorts.
+    const std::regex open(
+        R"(\b(nth_element|partition|partial_sort(_copy)?|(push|pop|make|sort)_heap|)"
+        R"(priority_queue|reduce|transform_reduce)\s*[(<])");
+    const std::regex sorted(R"(std::(ranges::)?sort\()");
+    const std::regex by_itself(
+        R"(std::(ranges::sort\([\w.]+\)|sort\(([\w.]+)\.begin\(\)[ +\w]*, \2\.end\(\)\));)");
+    for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
+        if (file.filename() == "order.h" || file.filename() == "cellular.cpp") continue;
+        for (const std::string& line : lines_of(file)) {
+            INFO(file << ": " << line);
+            CHECK_FALSE(std::regex_search(line, open));
+            CHECK((!std::regex_search(line, sorted) || std::regex_search(line, by_itself)));
+        }
+    }
+}
+
 TEST_CASE("there are no mutable globals", "[house]") {
     for (const auto& [name, module] : modules()) {
         const fs::path archive = fs::path(CANDELABRA_BINARY).parent_path() / ("lib" + name + ".a");
