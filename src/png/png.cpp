@@ -3,7 +3,10 @@
 
 #include <cmath>
 #include <csetjmp>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <span>
 
 #include <png.h>
@@ -175,6 +178,25 @@ struct RowBytes {
     std::vector<png_byte> operator()(const std::vector<float>&) const { return {}; }
 };
 
+/// Writes how the values are encoded. Versions of libpng would write these chunks in different
+/// orders.
+void write_coding(png_structp png, double gamma) {
+    const auto chunk = [&](const char* name, std::initializer_list<std::uint32_t> numbers) {
+        png_byte bytes[32];
+        std::size_t size = 0;
+        for (const std::uint32_t number : numbers)
+            for (const int shift : {24, 16, 8, 0})
+                bytes[size++] = static_cast<png_byte>(number >> shift & 0xff);
+        png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), bytes, size);
+    };
+    // In 100,000ths; the primaries are those of sRGB: white, red, green and blue.
+    chunk("gAMA", {gamma > 0 ? static_cast<std::uint32_t>(std::lround(100000 / gamma)) : 45455});
+    if (gamma > 0) return;
+    constexpr png_byte intent = PNG_sRGB_INTENT_PERCEPTUAL;
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("sRGB"), &intent, 1);
+    chunk("cHRM", {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000});
+}
+
 bool write(PngWork& work, const RawPicture& picture, int bits, std::span<png_text> texts,
            png_bytepp rows) {
     static constexpr int colour_types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
@@ -184,10 +206,8 @@ bool write(PngWork& work, const RawPicture& picture, int bits, std::span<png_tex
     png_set_IHDR(work.png, work.info, static_cast<png_uint_32>(picture.width),
                  static_cast<png_uint_32>(picture.height), bits, colour_types[picture.channels - 1],
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (picture.gamma > 0)
-        png_set_gAMA(work.png, work.info, 1 / picture.gamma);
-    else
-        png_set_sRGB_gAMA_and_cHRM(work.png, work.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info_before_PLTE(work.png, work.info);
+    write_coding(work.png, picture.gamma);
     png_set_text(work.png, work.info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(work.png, work.info);
     png_write_image(work.png, rows);

@@ -62,6 +62,24 @@ TEST_CASE("PNG files say which gamma they have", "[png]") {
     }
 }
 
+TEST_CASE("the chunks of PNG files stand in the same order with each libpng", "[png]") {
+    RawPicture picture = picture_of<std::uint8_t>(3);
+    for (const double gamma : {-1.0, 2.0}) {
+        picture.gamma = gamma;
+        std::string bytes, names;
+        REQUIRE(write_png(picture, bytes) == "");
+        for (std::size_t at = 8; at + 12 <= bytes.size();) {
+            std::size_t length = 0;
+            for (std::size_t i = 0; i < 4; ++i)
+                length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+            names += bytes.substr(at + 4, 4) + " ";
+            at += length + 12;
+        }
+        CHECK(names == (gamma > 0 ? "IHDR gAMA tEXt tEXt IDAT IEND "
+                                  : "IHDR gAMA sRGB cHRM tEXt tEXt IDAT IEND "));
+    }
+}
+
 TEST_CASE("damaged PNG files are refused", "[png]") {
     std::string bytes;
     REQUIRE(write_png(picture_of<std::uint8_t>(3), bytes) == "");
