@@ -15,6 +15,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 namespace candelabra {

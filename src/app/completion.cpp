@@ -2,6 +2,7 @@
 #include "app/completion.h"
 
 #include "app/child.h"
+#include "app/help.h"
 #include "app/option_table.h"
 #include "text/message.h"
 

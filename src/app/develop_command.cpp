@@ -17,6 +17,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 namespace candelabra {
 

@@ -5,6 +5,7 @@
 #include "text/printable.h"
 
 #include <filesystem>
+#include <system_error>
 
 // Both are relative to the folder of the program, so that the program contains no path of the build
 // machine.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <system_error>
 
 #include <poll.h>
 #include <stdlib.h>

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <ostream>
 #include <vector>
 
 #include <fcntl.h>

@@ -8,6 +8,7 @@
 #include "text/printable.h"
 
 #include <filesystem>
+#include <system_error>
 
 namespace candelabra {
 

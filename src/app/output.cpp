@@ -7,6 +7,7 @@
 #include "text/printable.h"
 
 #include <filesystem>
+#include <system_error>
 
 namespace candelabra {
 

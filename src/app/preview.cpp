@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace candelabra {
 

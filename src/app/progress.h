@@ -4,6 +4,7 @@
 // it can be tested.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <optional>

@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <span>
+#include <system_error>
 
 #include <fcntl.h>
 #include <linux/landlock.h>

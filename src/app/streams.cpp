@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/streams.h"
 
+#include <ostream>
+#include <utility>
+
 namespace candelabra {
 
 Streams::Streams(const StreamSettings& settings, std::function<void(std::string_view)> console)

@@ -6,6 +6,7 @@
 #include "base/function_ref.h"
 #include "base/vector.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace candelabra {

@@ -5,6 +5,8 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <cstddef>
+
 namespace candelabra {
 
 template <class T, std::size_t room>

@@ -2,6 +2,7 @@
 #include "base/spline.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace candelabra {
 

@@ -4,6 +4,7 @@
 // Used by the reader of settings.
 #pragma once
 
+#include "bind/bind.h"
 #include "bind/block.h"
 #include "text/message.h"
 #include "vocabulary/kinds.h"

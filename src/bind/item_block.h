@@ -3,6 +3,7 @@
 // finish. Used by the readers of finishes and of settings.
 #pragma once
 
+#include "bind/bind.h"
 #include "bind/block.h"
 
 #include <span>

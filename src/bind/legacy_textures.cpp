@@ -4,6 +4,7 @@
 #include "bind/normals.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace candelabra {
 

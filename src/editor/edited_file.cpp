@@ -2,6 +2,7 @@
 #include "editor/edited_file.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace candelabra {
 

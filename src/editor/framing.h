@@ -4,6 +4,7 @@
 // whatever length a header states.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

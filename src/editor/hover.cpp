@@ -9,6 +9,7 @@
 #include "vocabulary/manual.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace candelabra {
 

@@ -4,6 +4,7 @@
 #include "editor/edited_file.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace candelabra {

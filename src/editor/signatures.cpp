@@ -6,6 +6,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <iterator>
 #include <ranges>
 
 namespace candelabra {

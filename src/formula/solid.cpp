@@ -6,6 +6,7 @@
 #include "formula/parameters.h"
 
 #include <array>
+#include <limits>
 
 namespace candelabra {
 

@@ -9,6 +9,7 @@
 #include "base/short_list.h"
 
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <variant>
 

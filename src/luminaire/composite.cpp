@@ -9,6 +9,8 @@
 #include "shape/tessellation.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <utility>

@@ -7,6 +7,8 @@
 #include "shape/tessellation.h"
 #include "text/message.h"
 
+#include <iterator>
+
 namespace candelabra {
 
 namespace {

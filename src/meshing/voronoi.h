@@ -5,6 +5,7 @@
 
 #include "base/vector.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 

@@ -4,6 +4,7 @@
 // stated size. Called before OpenImageIO opens a file, since its readers reserve memory then.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -6,6 +6,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 
 namespace candelabra {

@@ -2,6 +2,7 @@
 #include "pattern/pattern.h"
 
 #include <concepts>
+#include <type_traits>
 
 namespace candelabra {
 

@@ -6,6 +6,7 @@
 #include "vocabulary/schema.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <numbers>
 
 namespace candelabra {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/tga.h"
 
+#include <cstddef>
+
 namespace candelabra {
 
 namespace {

@@ -4,6 +4,7 @@
 #include "raster/bytes.h"
 #include "raster/lzw.h"
 
+#include <algorithm>
 #include <array>
 
 namespace candelabra {

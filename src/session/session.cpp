@@ -8,6 +8,7 @@
 #include "world/review.h"
 
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace candelabra {

@@ -4,6 +4,7 @@
 #include "base/elementary.h"
 #include "shape/triangle.h"
 
+#include <iterator>
 #include <numbers>
 #include <unordered_map>
 

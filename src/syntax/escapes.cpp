@@ -2,6 +2,7 @@
 #include "syntax/escapes.h"
 
 #include <charconv>
+#include <system_error>
 
 namespace candelabra {
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace candelabra {

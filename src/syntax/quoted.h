@@ -2,6 +2,7 @@
 // Strings as literals of the language.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 

@@ -5,6 +5,7 @@
 #include "text/written_name.h"
 
 #include <algorithm>
+#include <system_error>
 
 namespace candelabra {
 

@@ -7,6 +7,7 @@
 
 #include "text/made_files.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>

@@ -5,6 +5,7 @@
 // have been resolved in the path beforehand, none is followed any more, and all checks apply to the
 // open handle. FileAccess decides which paths may be opened.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>

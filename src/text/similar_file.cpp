@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
+#include <system_error>
+#include <utility>
 
 namespace candelabra {
 

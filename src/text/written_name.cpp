@@ -4,6 +4,7 @@
 #include "text/ascii.h"
 
 #include <algorithm>
+#include <system_error>
 
 namespace candelabra {
 

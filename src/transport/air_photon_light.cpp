@@ -5,6 +5,7 @@
 #include "scattering/phase_function.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace candelabra {
 

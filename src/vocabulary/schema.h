@@ -8,6 +8,7 @@
 #include "vocabulary/reserved.h"
 
 #include <span>
+#include <type_traits>
 
 namespace candelabra {
 

@@ -8,6 +8,8 @@
 #include <array>
 #include <charconv>
 #include <optional>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>

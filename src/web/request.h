@@ -5,6 +5,7 @@
 // no sockets.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <variant>

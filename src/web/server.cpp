@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <new>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <arpa/inet.h>

@@ -8,6 +8,7 @@
 #include "web/request.h"
 
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <thread>
 

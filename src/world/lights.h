@@ -3,6 +3,7 @@
 #pragma once
 
 #include "method/photons.h"
+#include "world/geometry.h"
 #include "world/sources.h"
 
 #include <cstdint>

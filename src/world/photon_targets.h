@@ -3,6 +3,7 @@
 // flatten().
 #pragma once
 
+#include "base/ray.h"
 #include "base/vector.h"
 #include "method/photons.h"
 #include "text/span.h"

@@ -2,6 +2,7 @@
 // The surroundings of a world's surfaces. Filled by compile().
 #pragma once
 
+#include "backdrop/background.h"
 #include "backdrop/rainbow.h"
 #include "backdrop/sky_light.h"
 #include "backdrop/sky_sphere.h"
