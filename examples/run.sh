@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds the program and renders the paper's pair of sphereflakes to sphereflakes.png. What the build needs and Debian 12
+# Builds the program and renders the paper's pair of sphereflakes to sphereflakes.png. What the build needs and Debian 12 or 13
 # has is installed before, which is said and, at a terminal, asked. To do without:
 #   INSTALL=no examples/run.sh            # says what is missing, and builds with what is there
 #   CANDELABRA=candelabra examples/run.sh # renders by a program that is there, and builds nothing

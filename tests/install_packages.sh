@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what the build needs on Debian 12, where it is missing, and with --all the programs that some tests run. Called
+# Installs what the build needs on Debian 12 and 13, where it is missing, and with --all the programs that some tests run. Called
 # by tests/run.sh and examples/run.sh. It says first what it installs; INSTALL=no has it only say so, and end with 1 if
 # something is missing. At a terminal it asks, unless INSTALL=yes.
 set -euo pipefail
