@@ -5,7 +5,6 @@
 #include "cgal/polyhedra.h"
 
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace candelabra {

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstddef>
-#include <utility>
 
 namespace candelabra {
 

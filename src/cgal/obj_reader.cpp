@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstddef>
-#include <system_error>
 
 namespace candelabra {
 

@@ -7,11 +7,9 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <optional>
-#include <system_error>
 
 namespace candelabra {
 

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstddef>
 #include <string_view>
-#include <system_error>
 
 namespace candelabra {
 

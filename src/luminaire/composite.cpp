@@ -2,6 +2,7 @@
 #include "luminaire/composite.h"
 
 #include "base/elementary.h"
+#include "base/order.h"
 #include "base/random.h"
 #include "base/short_list.h"
 #include "luminaire/guide.h"
@@ -337,7 +338,7 @@ std::optional<EmittedRay> emit(const CompositeEmitter& e, double inner, const Em
             found.push_back(met);
             sum += weight(met);
         });
-    std::ranges::sort(found, {}, &Composite::Meeting::t);
+    sort_stably(found, {}, &Composite::Meeting::t);
     const Composite::Meeting* drawn = nullptr;
     double left = u.side * sum;
     for (const Composite::Meeting& met : found) {
