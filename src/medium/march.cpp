@@ -113,20 +113,21 @@ public:
           stretch_(stretch),
           ray_(stretch.ray),
           scene_(scene),
-          first_(coefficients(media, ray_.origin, scene)),
+          first_(coefficients(media, ray_.origin, scene, stretch.light)),
           even_(homogeneous(media)),
           random_(key, Purpose::media_transmittance),
           shift_(uniform(key, Purpose::media_distance)),
           result_(result) {}
 
     void go() {
-        const bool scatters = std::ranges::any_of(media_, &Media::scatters);
+        const bool scatters = std::ranges::any_of(
+            media_, [&](const Media* each) { return each->scatters(stretch_.light); });
         if (!even_) greatest_ = max_extinction(media_);
-        if (!even_ || scatters) walk();
+        if (!even_ || scatters || stretch_.shows) walk();
         if (even_) {
             left_ = math::exp(-stretch_.distance * first_.extinction);
-            emitted_ = whole(first_.emission);
-            of_luminaires_ = whole(first_.luminaires);
+            emitted_ += whole(first_.emission);
+            if (!stretch_.shows) of_luminaires_ = whole(first_.luminaires);
         }
         if (!scatters) result_.places.clear();
         if (!stretch_.counted) result_.of_luminaires = of_luminaires_;
@@ -185,18 +186,23 @@ private:
         if (even_) {
             const Vec3 left = math::exp(-distance * first_.extinction);
             result_.places.push_back({distance, way * left, first_.scattering});
+            if (stretch_.shows) add_luminaires(distance, way * left * first_.luminaires);
             return;
         }
         const MediumPoint here = pass_to(distance);
         emitted_ += way * left_ * here.emission;
-        of_luminaires_ += way * left_ * here.luminaires;
+        add_luminaires(distance, way * left_ * here.luminaires);
         if (here.scattering != Vec3(0))
             result_.places.push_back({distance, way * left_, here.scattering});
     }
 
+    void add_luminaires(double distance, const Vec3& light) {
+        if (!stretch_.shows || (*stretch_.shows)(ray_.at(distance))) of_luminaires_ += light;
+    }
+
     /// Advances to a distance, and returns the coefficients there.
     MediumPoint pass_to(double distance) {
-        const MediumPoint here = coefficients(media_, ray_.at(distance), scene_);
+        const MediumPoint here = coefficients(media_, ray_.at(distance), scene_, stretch_.light);
         left_ *= segment_transmittance(media_, {ray_, passed_, distance, before_, here.extinction},
                                        greatest_, scene_, random_);
         opaque_ = !survives(left_, random_);

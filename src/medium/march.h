@@ -41,6 +41,10 @@ struct MediaStretch {
     using Worth = FunctionRef<void(std::span<const Vec3>, std::span<double>)>;
     const Worth* worth = nullptr;
     bool counted = false;  ///< luminaires' emission is counted elsewhere
+    /// Whether luminaires' emission shows at a point; null: everywhere.
+    using Shows = FunctionRef<bool(const Vec3&)>;
+    const Shows* shows = nullptr;
+    LightInAir light = LightInAir::any;  ///< what may be scattered
 };
 
 void march(MediaView, const MediaStretch&, const PatternScene&, const Key&, MediaMarch&);

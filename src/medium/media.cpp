@@ -82,6 +82,28 @@ double phase(const Scattering& scattering, double cosine) {
     return 1;
 }
 
+double mean_phase(const Scattering& s) {
+    switch (static_cast<PhaseKind>(s.type)) {
+        case PhaseKind::mie_haze:
+            return 0.576655 * 2;
+        case PhaseKind::mie_murky:
+            return 0.495715 * (1 + 50.0 / 33);
+        case PhaseKind::rayleigh:
+            return 0.799372 * 4 / 3;
+        case PhaseKind::henyey_greenstein:
+            return std::abs(s.eccentricity) < 1 ? 1 : 0;
+        case PhaseKind::isotropic:
+            break;
+    }
+    return 1;
+}
+
+double unit_of_light(const Scattering& scattering) {
+    if (!scattering.physical) return 1;
+    const double mean = mean_phase(scattering);
+    return mean > 0 ? 0.25 / mean : 0;
+}
+
 bool Media::homogeneous() const {
     return std::ranges::none_of(densities, [](const Pigment& d) { return d.pattern != nullptr; });
 }
@@ -103,13 +125,14 @@ Vec3 max_density(const Media& media) {
     return product;
 }
 
-MediumPoint coefficients(MediaView media, const Vec3& point, const PatternScene& scene) {
+MediumPoint coefficients(MediaView media, const Vec3& point, const PatternScene& scene,
+                         LightInAir light) {
     MediumPoint sum;
     for (const Media* each : media) {
         const Vec3 here = density(*each, point, scene);
         sum.extinction += here * each->extinction();
         (each->luminaire ? sum.luminaires : sum.emission) += here * each->emission;
-        sum.scattering += here * each->scattering.colour;
+        if (each->scatters(light)) sum.scattering += here * each->scattering.colour;
     }
     return sum;
 }
@@ -119,7 +142,7 @@ Vec3 scattered(MediaView media, const Vec3& point, const PatternScene& scene, do
     for (const Media* each : media)
         if (each->scatters())
             sum += density(*each, point, scene) * each->scattering.colour *
-                   phase(each->scattering, cosine);
+                   (phase(each->scattering, cosine) * unit_of_light(each->scattering));
     return sum;
 }
 

@@ -2,7 +2,8 @@
 // Participating media, which absorb, emit and scatter light between surfaces: in the interior of a
 // solid, or everywhere outside solids. As in POV-Ray 3.7, coefficients are per unit of length of
 // the scene, even if the solid is scaled. Isotropic scattering of colour 1 along one unit of length
-// sends the light's whole colour to the viewer, without a factor of 1 / (4 pi).
+// sends the light's whole colour to the viewer. That is four times the light of a phase function
+// whose integral is 1, as light of colour 1 has an irradiance of pi.
 #pragma once
 
 #include "surface/pigment.h"
@@ -17,6 +18,14 @@ namespace candelabra {
 /// Phase functions by POV-Ray's numbers. Other numbers act as isotropic.
 enum class PhaseKind : int { isotropic = 1, mie_haze, mie_murky, rayleigh, henyey_greenstein };
 
+/// Light by how often media without `multiple` have scattered it. These scatter light once on its
+/// way, and other media as often as it comes.
+enum class LightInAir {
+    any,              ///< no such medium has scattered it yet
+    repeatedly_only,  ///< one has, so that only media with `multiple` scatter it
+    once_only         ///< is to be scattered by one: only media without `multiple` count
+};
+
 /// How a medium scatters light.
 struct Scattering {
     int type = 1;             ///< see PhaseKind
@@ -24,6 +33,10 @@ struct Scattering {
     double extinction = 1;    ///< fraction of the scattered light that the ray loses; any sign
     double eccentricity = 0;  ///< of type 5: above 0, light scatters forward
     bool multiple = false;    ///< whether paths scatter light repeatedly
+    /// Whether it scatters exactly the light that it takes at an extinction of 1, as must be where
+    /// light is scattered repeatedly: the integral of its phase function is 1. If not, it has
+    /// POV-Ray's unit. Set when a world is compiled.
+    bool physical = false;
 
     static const ItemInfo vocabulary;
 };
@@ -32,6 +45,10 @@ struct Scattering {
 /// between the directions of the view and to the light: 1 looks into the light. Types 2, 3 and 4
 /// have POV-Ray's constants, whose means over the sphere are 1.153, 1.247 and 1.066.
 double phase(const Scattering&, double cosine);
+/// The mean of phase() over the sphere.
+double mean_phase(const Scattering&);
+/// Factor on phase(): 1 in POV-Ray's unit.
+double unit_of_light(const Scattering&);
 
 /// One medium. The product of all its densities, per channel, multiplies all three coefficients.
 struct Media {
@@ -57,6 +74,11 @@ struct Media {
     static const ItemInfo vocabulary;
 
     bool scatters() const { return scattering.colour != Vec3(0); }
+    /// Whether it scatters that light.
+    bool scatters(LightInAir light) const {
+        return scatters() && (scattering.multiple ? light != LightInAir::once_only
+                                                  : light != LightInAir::repeatedly_only);
+    }
     /// Extinction coefficient at a density of 1, per unit of length.
     Vec3 extinction() const { return absorption + scattering.extinction * scattering.colour; }
     /// Whether its density is constant.
@@ -84,7 +106,9 @@ struct MediumPoint {
     Vec3 luminaires = Vec3(0);  ///< radiance emitted by luminaires
     Vec3 scattering = Vec3(0);  ///< without phase functions
 };
-MediumPoint coefficients(MediaView, const Vec3& point, const PatternScene&);
+/// `light` is what may be scattered.
+MediumPoint coefficients(MediaView, const Vec3& point, const PatternScene&,
+                         LightInAir light = LightInAir::any);
 
 /// Radiance per unit of length that media at a point scatter towards the viewer, for light of
 /// colour 1 at this cosine (see phase()).

@@ -13,23 +13,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// The mean of phase() over the sphere.
-double mean_phase(const Scattering& s) {
-    switch (static_cast<PhaseKind>(s.type)) {
-        case PhaseKind::mie_haze:
-            return 0.576655 * 2;
-        case PhaseKind::mie_murky:
-            return 0.495715 * (1 + 50.0 / 33);
-        case PhaseKind::rayleigh:
-            return 0.799372 * 4 / 3;
-        case PhaseKind::henyey_greenstein:
-            return std::abs(s.eccentricity) < 1 ? 1 : 0;
-        case PhaseKind::isotropic:
-            break;
-    }
-    return 1;
-}
-
 /// Draws a cosine from a lobe in proportion to a power of (1 + cosine) / 2, mixed with a uniform
 /// lobe that has the fraction `even`.
 double even_or_power(double u, double even, double power) {
@@ -61,23 +44,25 @@ double drawn_cosine(const Scattering& s, double u) {
 }  // namespace
 
 bool collects_photons(MediaView media) {
-    return std::ranges::any_of(media, &Media::scatters) &&
+    return std::ranges::any_of(media, [](const Media* each) { return each->scatters(); }) &&
            std::ranges::all_of(
                media, [](const Media* each) { return each->collect || !each->scatters(); });
 }
 
 PhaseFunction::PhaseFunction(MediaView media, const Vec3& position, const Vec3& view,
-                             const PatternScene& scene, const Vec3& weight)
+                             const PatternScene& scene, const Vec3& weight, LightInAir light)
     : position_(position), view_(view), collects_(collects_photons(media)) {
     for (const Media* each : media) {
-        if (!each->scatters()) continue;
-        const Vec3 coefficient = weight * density(*each, position, scene) * each->scattering.colour;
+        if (!each->scatters(light)) continue;
+        const Vec3 coefficient = weight * density(*each, position, scene) *
+                                 each->scattering.colour * unit_of_light(each->scattering);
         const double share = max_component(glm::abs(coefficient)) * mean_phase(each->scattering);
         if (!(share > 0)) continue;
         parts_.push_back({coefficient, &each->scattering, share});
         total_ += share;
-        multiple_ |= each->scattering.multiple;
+        if (each->scattering.multiple) multiple_ += share;
     }
+    if (total_ > 0) multiple_ /= total_;
     for (Part& part : parts_) part.share /= total_;
 }
 

@@ -16,9 +16,9 @@ bool collects_photons(MediaView);
 class PhaseFunction {
 public:
     /// `view` is the unit direction of the ray that sees the point; `weight` is the factor of the
-    /// light scattered there.
+    /// light scattered there; `light` is what may be scattered.
     PhaseFunction(MediaView, const Vec3& position, const Vec3& view, const PatternScene&,
-                  const Vec3& weight = Vec3(1));
+                  const Vec3& weight = Vec3(1), LightInAir light = LightInAir::any);
 
     bool answers_light() const { return total_ > 0; }
     /// Radiance towards the viewer per unit of length, times the weight, due to light of colour 1
@@ -33,8 +33,8 @@ public:
     double pdf(const Vec3& direction) const;
     /// The point as a receiver: without a horizon.
     Receiver receiver() const { return {position_, Vec3(0), Horizon::none}; }
-    /// Whether a medium has multiple scattering.
-    bool multiple() const { return multiple_; }
+    /// Fraction of the drawn directions by media with `multiple`.
+    double multiple() const { return multiple_; }
     bool collects() const { return collects_; }  ///< see collects_photons()
 
 private:
@@ -46,8 +46,8 @@ private:
 
     Vec3 position_, view_;
     ShortList<Part, 4> parts_;
-    double total_ = 0;
-    bool multiple_ = false, collects_ = false;
+    double total_ = 0, multiple_ = 0;
+    bool collects_ = false;
 };
 
 }  // namespace candelabra

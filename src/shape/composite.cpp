@@ -187,6 +187,7 @@ void CompositeBuilder::show(const PartRef& part, const Box& within) {
     if (node.limit != Composite::nothing) inner = clip(inner, made_.limits_[node.limit]->bounds());
     for (const PartRef& child : parts_[part.index]) {
         (child.leaf ? made_.parents_[child.index] : made_.nodes_[child.index].parent) = part.index;
+        made_.clipped_ |= child.clips;
         if (!child.clips)
             show(child, inner);
         else if (!child.leaf)

@@ -57,6 +57,9 @@ public:
     void all(const Ray&, const Interval&, Wanted, FunctionRef<void(const Meeting&)> take) const;
 
     bool inside(const Vec3&) const;
+    /// Whether rays may pass between inside and outside other than through a visible surface,
+    /// because the whole or a part of it is clipped or bounded.
+    bool has_openings() const { return clipped_ || limited_; }
 
     /// Bounds of the visible surface; infinite when part of it is unbounded.
     const Box& bounds() const { return bounds_; }
@@ -117,7 +120,7 @@ private:
     std::vector<Node> nodes_;
     std::vector<Handle<Composite>> limits_;
     PartRef root_;
-    bool limited_ = false;
+    bool limited_ = false, clipped_ = false;
     std::vector<std::uint32_t> apart_;  ///< leaves with unbounded surface; all when they are few
     WideTree tree_;                     ///< over the other leaves
     Box bounds_, inside_bounds_;

@@ -216,6 +216,14 @@ bool scatters(const Texture& texture) {
     return any_finish(texture, [](const Finish& finish) { return finish.microfacet.on; });
 }
 
+bool takes_from_behind(const Texture& texture) {
+    return any_finish(texture, [](const Finish& f) {
+        const Reflection& mirror = f.reflection;
+        const bool reflects = mirror.least != Vec3(0) || mirror.greatest != Vec3(0);
+        return (f.conserve_energy && reflects) || f.refraction != 1;
+    });
+}
+
 bool has_other_light(const Texture& texture) {
     return any_finish(texture, [](const Finish& f) {
         const Reflection& mirror = f.reflection;

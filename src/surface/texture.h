@@ -81,6 +81,10 @@ struct FocusedLight {
 /// The same with bright spots in the shadow, by the angle to the normal of each layer.
 Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const FocusedLight&);
 
+/// Whether less than passing() is seen behind it, as one of its finishes reflects the rest or has
+/// `refraction`.
+bool takes_from_behind(const Texture&);
+
 /// Whether one of its finishes is a microfacet material.
 bool scatters(const Texture&);
 

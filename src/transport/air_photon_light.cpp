@@ -24,7 +24,7 @@ struct Passed {
 
 class AirGatherer {
 public:
-    AirGatherer(const World& world, const AirStretch& stretch, LightLedger& ledger)
+    AirGatherer(const World& world, const PhotonStretch& stretch, LightLedger& ledger)
         : scene_(world.pattern_scene()),
           stretch_(stretch),
           ledger_(ledger),
@@ -56,8 +56,10 @@ private:
         const Vec3 left = transmittance(
             stretch_.media, ray, {0, passed.distance}, scene_,
             stretch_.path.key.branched(Branch::medium, static_cast<std::uint32_t>(number)));
-        const PhaseFunction phase(stretch_.media, ray.at(passed.distance), ray.direction, scene_,
-                                  weight * left * passed.power);
+        const PhaseFunction phase(
+            stretch_.media, ray.at(passed.distance), ray.direction, scene_,
+            weight * left * passed.power,
+            stretch_.path.scattered ? LightInAir::repeatedly_only : LightInAir::any);
         const Vec3 seen = phase.evaluate(-Vec3(passed.photon->direction));
         sum_ += seen;
         if (ledger_.lights.empty()) return;
@@ -67,7 +69,7 @@ private:
     }
 
     PatternScene scene_;
-    const AirStretch& stretch_;
+    const PhotonStretch& stretch_;
     LightLedger& ledger_;
     int choices_;  ///< number of photons that are evaluated
     Vec3 sum_ = Vec3(0);
@@ -75,7 +77,7 @@ private:
 
 }  // namespace
 
-Vec3 light_of_air_photons(const World& world, const AirPhotonMap& map, const AirStretch& stretch,
+Vec3 light_of_air_photons(const World& world, const AirPhotonMap& map, const PhotonStretch& stretch,
                           LightLedger& ledger) {
     std::vector<Passed> passed;
     double total = 0;

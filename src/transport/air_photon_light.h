@@ -10,7 +10,7 @@
 namespace candelabra {
 
 /// A segment of a path through media.
-struct AirStretch {
+struct PhotonStretch {
     const PathState& path;
     double distance;  ///< from the ray's origin
     MediaView media;
@@ -18,6 +18,6 @@ struct AirStretch {
 };
 
 /// Radiance along the path's ray; an unbiased estimate, except for the blur of the photons' balls.
-Vec3 light_of_air_photons(const World&, const AirPhotonMap&, const AirStretch&, LightLedger&);
+Vec3 light_of_air_photons(const World&, const AirPhotonMap&, const PhotonStretch&, LightLedger&);
 
 }  // namespace candelabra

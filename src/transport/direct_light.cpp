@@ -8,6 +8,7 @@
 #include "transport/light_left.h"
 #include "transport/point_lights.h"
 #include "transport/sight.h"
+#include "world/volumes.h"
 
 #include <algorithm>
 #include <numbers>
@@ -21,6 +22,21 @@ using std::numbers::pi;
 
 /// Distance beyond all objects.
 constexpr double far_away = 1e20;
+
+/// The solids that contain a ray from the vertex.
+EnteredSolids solids_along(const World& world, const Vertex& vertex, const Vec3& direction) {
+    EnteredSolids inside;
+    for (const PrimitiveIndex each : vertex.around) inside.push_back(each);
+    const bool behind = dot(direction, vertex.shading.geometric_normal) < 0;
+    if (behind && vertex.material->transparent) world.pass(vertex.hit.primitive, inside);
+    return inside;
+}
+
+/// What dims light on its way to a layer: the same that dims a ray which the layer follows. As in
+/// POV-Ray, air dims light that radiosity gathers only if that is asked for.
+AirOnWay air_on_way_to(const LitLayer& layer) {
+    return layer.radiosity && !layer.radiosity->media ? AirOnWay::none : AirOnWay::followed;
+}
 
 /// Maximum number of shadow rays at one hit, where the number varies.
 constexpr int max_rays = 32;
@@ -62,12 +78,12 @@ double LitLayer::grain(const Key& key) const {
 Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
     Vec3 sum(0);
     if (!layer.scatterer.answers_light()) return sum;
-    if (layer.sources) sum = from_sources(layer, key, ledger);
+    if (layer.light.has(LightKind::sources)) sum = from_sources(layer, key, ledger);
     if (photons_ && !layer.scatterer.in_air() && layer.collects())
         sum += photons_(layer, key, ledger, passes_surfaces(world_));
-    if (layer.luminaires && !world_.lights.luminaires.empty())
+    if (layer.light.has(LightKind::luminaires) && !world_.lights.luminaires.empty())
         sum += from_luminaires(layer, key, sum, ledger);
-    if (!layer.sky || world_.sky.light.empty()) return sum;
+    if (!layer.light.has(LightKind::sky) || world_.sky.light.empty()) return sum;
     Vec3 of_sky(0);
     const int count = shadow_rays_.usual;
     for (int i = 0; i < count; ++i) {
@@ -184,14 +200,34 @@ int DirectLight::rays_at(const Answer& answer, const LitLayer& layer, const Vec3
 
 /// Fraction of a luminaire's light that surfaces and media let through. It is 0 where photons bring
 /// the light instead.
-Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double distance) const {
+Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double distance,
+                             bool ends) const {
     const Vertex& vertex = layer.vertex;
-    const Vec3 left = candelabra::light_left(
-        world_, {ray, vertex.tolerance(), distance, vertex.around}, medium_key_);
+    const EnteredSolids around = solids_along(world_, vertex, ray.direction);
+    const Vec3 left = candelabra::light_left(world_,
+                                             {.ray = ray,
+                                              .tolerance = vertex.tolerance(),
+                                              .distance = distance,
+                                              .ends = ends,
+                                              .around = {around.data(), around.size()},
+                                              .air = air_on_way_to(layer)},
+                                             medium_key_);
     const bool brought =
         photons_ && left != Vec3(0) && layer.collects() &&
         target_between(world_, ways_of_luminaires, ray, vertex.tolerance(), distance);
     return brought ? Vec3(0) : left;
+}
+
+/// Radiance of a luminaire at a point on the ray, as the layer sees it; of a volume, per unit of
+/// length.
+Vec3 DirectLight::emitted(const LitLayer& layer, const Luminaire& luminaire, const Ray& ray,
+                          double distance) const {
+    const double tolerance = layer.vertex.tolerance();
+    if (!luminaire.is_volume())
+        return radiance_seen(world_, {luminaire, ray, tolerance, distance});
+    const EnteredSolids around = solids_along(world_, layer.vertex, ray.direction);
+    return volume_emission(world_, luminaire.primitive,
+                           {ray, tolerance, distance, {around.data(), around.size()}});
 }
 
 double DirectLight::expected_luminaires(const Vec3& position) const {
@@ -231,7 +267,7 @@ Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, c
     const Ray ray{position, point->direction};
     Vec3 seen = light_left(layer, ray, point->distance);
     if (seen != Vec3(0))
-        seen *= radiance_seen(world_, {luminaire, ray, layer.vertex.tolerance(), point->distance});
+        seen *= emitted(layer, luminaire, ray, point->distance);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
     if (seen != Vec3(0))
         seen = answer * gathered(layer, seen) / (pi * density(point->direction, point->density));
@@ -283,8 +319,7 @@ Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, Light
         const Vec3 passed = light_left(layer, ray, met.meeting.distance);
         if (passed == Vec3(0)) break;
         // Something else may cover it in its place.
-        const Vec3 light = passed * radiance_seen(world_, {luminaire, ray, vertex.tolerance(),
-                                                           met.meeting.distance});
+        const Vec3 light = passed * emitted(layer, luminaire, ray, met.meeting.distance);
         if (light == Vec3(0)) continue;
         const Vec3 seen = weight(met.light, met.meeting.density) * gathered(layer, light);
         record(ledger, met.light, seen, layer.throughput, 1);
@@ -303,14 +338,14 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
     const Ray ray{vertex.position(), direction};
     Vec3 sum(0);
     met_.clear();
+    const bool has_air = world_.has_media() || world_.has_air();
     bool first = true;
     world_.along(ray, vertex.tolerance(), RayKind::light, [&](const Hit& hit, double distance) {
         const bool unobstructed = std::exchange(first, false);
         const bool passes = !world_.material(hit.primitive).stops_light();
         const LightIndex light = world_.lights.luminaire_of[hit.primitive];
         if (light == no_primitive) return passes;
-        const Vec3 clear =
-            unobstructed && !world_.has_media() ? Vec3(1) : light_left(layer, ray, distance);
+        const Vec3 clear = unobstructed && !has_air ? Vec3(1) : light_left(layer, ray, distance);
         if (clear == Vec3(0)) return false;
         Vec3 weights(0);
         for_densities(light, layer, direction, {distance, hit.tolerance},
@@ -362,7 +397,7 @@ Vec3 DirectLight::from_sky(const LitLayer& layer, const Key& key, LightLedger& l
     const Vec3 answer = direction ? answer_to(layer, *direction, key) : Vec3(0);
     if (answer == Vec3(0)) return Vec3(0);
     ++ledger.shadow;
-    const Vec3 passed = light_left(layer, {vertex.position(), *direction}, far_away);
+    const Vec3 passed = light_left(layer, {vertex.position(), *direction}, far_away, false);
     if (passed == Vec3(0)) return Vec3(0);
     const double density = 0.5 * (sky.density(*direction) + layer.scatterer.pdf(*direction));
     return answer * gathered(layer, passed * world_.sky_radiance(*direction)) / (pi * density);

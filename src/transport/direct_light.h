@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "scattering/scatterer.h"
+#include "transport/light_kinds.h"
 #include "transport/light_ledger.h"
 #include "transport/photon_light.h"
 #include "transport/vertex.h"
@@ -44,11 +45,9 @@ struct HitNoise {
 struct LitLayer {
     const Vertex& vertex;
     Scatterer scatterer;
+    LightKinds light;           ///< the kinds that count
     Vec3 throughput = Vec3(1);  ///< of the layer's radiance, in the sample
     bool highlights = true;     ///< phong and specular highlights count
-    bool sources = true;        ///< light sources and their photons count
-    bool luminaires = true;     ///< luminaires and their photons count
-    bool sky = true;            ///< as far as it is a luminaire
     /// Settings of the radiosity that gathers the luminaires' light; null: nothing gathers it.
     const Radiosity* radiosity = nullptr;
 
@@ -118,13 +117,14 @@ private:
     /// point.
     template <class Weight>
     Vec3 seen_towards(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&);
-    Vec3 light_left(const LitLayer&, const Ray&, double distance) const;
+    Vec3 light_left(const LitLayer&, const Ray&, double distance, bool ends = true) const;
     void meet_along(const LightTree&, const Vertex&, const Receiver&, const Vec3& direction);
     template <class Weight>
     Vec3 seen_along(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&) const;
 
     void record(LightLedger&, LightIndex, const Vec3& seen, const Vec3& throughput,
                 std::uint64_t rays) const;
+    Vec3 emitted(const LitLayer&, const Luminaire&, const Ray&, double distance) const;
     static Vec3 gathered(const LitLayer&, const Vec3& light);
     template <LightAnswer Answer>
     double chance_of_asking(const Answer&, const LitLayer&, const Vec3& straight,

@@ -24,6 +24,16 @@ public:
         double weight = 1;       ///< grey of `through`
         /// Fraction of the radiance from the mirror direction, without the factor `through`.
         Vec3 reflected = Vec3(0);
+        /// Factor on the diffuse part. Where energy is kept, a finish with `conserve_energy` has at
+        /// most what its reflection and the light from behind leave.
+        double diffuse = 1;
+
+        /// The shading with that factor, for a BSDF.
+        Shading scattering() const {
+            Shading s = shading;
+            s.opacity *= diffuse;
+            return s;
+        }
     };
     /// Calls use(layer) from the top down to the last layer that matters.
     void visit(FunctionRef<void(const Seen&)> use) const;
@@ -38,8 +48,6 @@ public:
     bool reflects_totally() const { return total_; }
 
 private:
-    Vec3 kept(const Shading&) const;
-
     const World& world_;
     const Vertex& vertex_;
     std::span<const Layer> layers_;
@@ -48,6 +56,12 @@ private:
     Vec3 behind_ = Vec3(0);
     bool clear_ = false, total_ = false;
 };
+
+/// Fraction of light from behind that the surface at a hit transmits to a ray that goes straight
+/// through it, as shadow rays and photons do before their target. In integrators that keep energy
+/// it is what a refracted ray would see behind the surface: Fresnel's reflection is the same from
+/// both sides, for the angle on the side of the lower index. `solids` contain the ray to the hit.
+Vec3 passed_straight(const World&, const Ray&, const Hit&, std::span<const PrimitiveIndex> solids);
 
 /// Fraction of light that a solid's interior transmits along the segment of a path that ends at the
 /// solid's surface.

@@ -2,6 +2,9 @@
 #include "transport/light_left.h"
 
 #include "medium/transmittance.h"
+#include "transport/atmosphere.h"
+#include "transport/layer_stack.h"
+#include "transport/media_stack.h"
 
 #include <algorithm>
 
@@ -19,34 +22,87 @@ void add_atmosphere(const World& world, MediaList& list) {
     for (const Media& media : world.sky.media) list.push_back(&media);
 }
 
-Vec3 light_left(const World& world, const WayOfLight& way, const Key& key) {
-    if (!world.has_media())
-        return world.transmittance(way.ray, way.tolerance, way.distance, way.around, way.apart);
-    const PatternScene scene = world.pattern_scene();
-    Vec3 left(1);
-    std::uint32_t number = 0;
+void add_followed(const World& world, std::span<const PrimitiveIndex> solids, bool ends,
+                  MediaList& list) {
+    if (ends) add_media(world, solids, list);
+    if (in_atmosphere(world, solids)) add_atmosphere(world, list);
+}
+
+namespace {
+
+Vec3 left_by_media(const World& world, const MediaList& media, const AirStretch& stretch,
+                   const Key& key) {
+    const Interval part{stretch.part.min, std::min(stretch.part.max, end_of_air)};
+    if (media.empty() || !(part.max > part.min)) return Vec3(1);
+    return transmittance(view_of(media), stretch.ray, part, world.pattern_scene(), key);
+}
+
+/// Whether anything but surfaces dims light.
+bool dims(const World& world, AirOnWay air) {
+    switch (air) {
+        case AirOnWay::none:
+            return false;
+        case AirOnWay::in_solids:
+            return world.appearance.any_media;
+        case AirOnWay::followed:
+        case AirOnWay::throughout:
+            break;
+    }
+    return world.has_media() || world.has_air();
+}
+
+/// Transmittance of media and fog outside of solids on the whole way.
+Vec3 left_throughout(const World& world, const WayOfLight& way, const Key& key) {
     MediaList media;
-    const auto pass = [&](const Interval& stretch) {
-        if (media.empty() || !(stretch.max > stretch.min)) return;
-        left *= transmittance(view_of(media), way.ray, stretch, scene,
-                              key.branched(Branch::medium, number++));
+    add_atmosphere(world, media);
+    const Vec3 left =
+        left_by_media(world, media, {way.ray, {0, way.distance}, {}}, key.branched(Branch::medium));
+    if (left == Vec3(0)) return left;
+    return left *
+           left_by(world.sky.fogs, way.ray, way.distance, world.pattern_scene().noise_generator);
+}
+
+}  // namespace
+
+Vec3 left_in_air(const World& world, const AirStretch& stretch, const Key& key) {
+    MediaList media;
+    add_followed(world, stretch.solids, stretch.ends, media);
+    const Vec3 left = left_by_media(world, media, stretch, key);
+    if (world.sky.fogs.empty() && world.sky.rainbows.empty()) return left;
+    const Ray from{stretch.ray.at(stretch.part.min), stretch.ray.direction};
+    const double distance = stretch.part.max - stretch.part.min;
+    return left * veil_along(world, from, distance, stretch.solids, key).transmittance;
+}
+
+Vec3 light_left(const World& world, const WayOfLight& way, const Key& key) {
+    const auto at_surface = [&](const Hit& hit, std::span<const PrimitiveIndex> solids) {
+        return passed_straight(world, way.ray, hit, solids);
     };
-    const auto in_solids = [&](const Interval& stretch, std::span<const PrimitiveIndex> solids) {
-        media.clear();
-        add_media(world, solids, media);
-        pass({stretch.min, std::min(stretch.max, end_of_air)});
+    const World::UseSurface surfaces(at_surface);
+    const bool reflect = world.appearance.any_keeps_energy && world.keeps_energy();
+    World::Shade shade{way.around, way.apart, nullptr, reflect ? &surfaces : nullptr};
+    if (!dims(world, way.air))
+        return world.transmittance(way.ray, way.tolerance, way.distance, shade);
+    Vec3 left(1);
+    std::uint32_t number = way.air == AirOnWay::throughout ? 1 : 0;
+    const auto between = [&](const Interval& part, std::span<const PrimitiveIndex> solids) {
+        if (!(part.max > part.min)) return;
+        const Key own = key.branched(Branch::medium, number++);
+        const AirStretch stretch{way.ray, part, solids, way.ends || part.max < way.distance};
+        if (way.air == AirOnWay::followed) {
+            left *= left_in_air(world, stretch, own);
+        } else {
+            MediaList media;
+            add_media(world, solids, media);
+            left *= left_by_media(world, media, stretch, own);
+        }
     };
-    const World::UseStretch use(in_solids);
-    const bool asks = world.appearance.any_media;
-    const Vec3 passed = world.transmittance(way.ray, way.tolerance, way.distance,
-                                            {way.around, way.apart, asks ? &use : nullptr});
+    const World::UseStretch stretches(between);
+    shade.stretches = &stretches;
+    const Vec3 passed = world.transmittance(way.ray, way.tolerance, way.distance, shade);
     if (passed == Vec3(0)) return passed;
     left *= passed;
-    if (!way.in_atmosphere) return left;
-    media.clear();
-    add_atmosphere(world, media);
-    pass({0, std::min(way.distance, end_of_air)});
-    return left;
+    return way.air == AirOnWay::throughout ? left * left_throughout(world, way, key) : left;
 }
 
 }  // namespace candelabra

@@ -5,23 +5,47 @@
 #include "base/random.h"
 #include "world/world.h"
 
+#include <cstdint>
 #include <span>
 
 namespace candelabra {
+
+/// What dims light between surfaces.
+enum class AirOnWay : std::uint8_t {
+    /// What dims a ray that is followed: between two surfaces media of the solids around, if all of
+    /// these are hollow, and then fog, rainbows and media outside of solids, too.
+    followed,
+    /// Media in solids, and on the whole way media and fog outside of solids: as in POV-Ray, also
+    /// within solids.
+    throughout,
+    in_solids,  ///< only media in solids
+    none
+};
 
 /// A straight line to a light.
 struct WayOfLight {
     Ray ray;               ///< its direction is a unit vector
     double tolerance = 0;  ///< see World::transmittance()
     double distance = 0;   ///< of the light, which may be very far away
+    bool ends = true;      ///< at a surface or a point; false: nothing is met, as towards the sky
     std::span<const PrimitiveIndex> around = {};
     double apart = 0;
-    /// Whether media outside of solids attenuate the light: as in POV-Ray, also within solids.
-    bool in_atmosphere = true;
+    AirOnWay air = AirOnWay::followed;
 };
 
-/// Transmittance per channel; an unbiased estimate for inhomogeneous media, otherwise exact.
+/// Transmittance of surfaces and air per channel; an unbiased estimate for inhomogeneous media,
+/// otherwise exact.
 Vec3 light_left(const World&, const WayOfLight&, const Key&);
+
+/// A part of a ray between two surfaces, inside of the solids.
+struct AirStretch {
+    const Ray& ray;
+    Interval part;
+    std::span<const PrimitiveIndex> solids;
+    bool ends = true;  ///< the ray meets a surface after it
+};
+/// Transmittance of all that dims a ray which is followed (see AirOnWay::followed), as above.
+Vec3 left_in_air(const World&, const AirStretch&, const Key&);
 
 /// Depth of media with nothing behind them, as in POV-Ray.
 constexpr double end_of_air = 2e10;
@@ -33,5 +57,8 @@ inline MediaView view_of(const MediaList& list) { return {list.data(), list.size
 void add_media(const World&, std::span<const PrimitiveIndex> solids, MediaList&);
 /// Adds the media outside of solids.
 void add_atmosphere(const World&, MediaList&);
+/// Adds the media that a followed ray meets inside of the solids. As in POV-Ray, media in solids do
+/// not show on a ray that meets no surface any more.
+void add_followed(const World&, std::span<const PrimitiveIndex> solids, bool ends, MediaList&);
 
 }  // namespace candelabra

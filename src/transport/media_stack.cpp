@@ -14,8 +14,8 @@ const Interior& innermost(const World& world, const MediaStack& media) {
     return inside ? *inside : atmosphere;
 }
 
-bool in_atmosphere(const World& world, const MediaStack& media) {
-    return std::ranges::all_of(media,
+bool in_atmosphere(const World& world, std::span<const PrimitiveIndex> solids) {
+    return std::ranges::all_of(solids,
                                [&](PrimitiveIndex solid) { return world.material(solid).hollow; });
 }
 

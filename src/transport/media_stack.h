@@ -6,6 +6,7 @@
 #include "world/world.h"
 
 #include <optional>
+#include <span>
 
 namespace candelabra {
 
@@ -15,8 +16,11 @@ using MediaStack = EnteredSolids;
 /// Returns the interior of the innermost solid; that of the atmosphere if there is none.
 const Interior& innermost(const World&, const MediaStack&);
 
-/// Whether fog and rainbows apply, because all solids are hollow.
-bool in_atmosphere(const World&, const MediaStack&);
+/// Whether fog, rainbows and media outside of solids apply, because all solids are hollow.
+bool in_atmosphere(const World&, std::span<const PrimitiveIndex> solids);
+inline bool in_atmosphere(const World& world, const MediaStack& media) {
+    return in_atmosphere(world, std::span<const PrimitiveIndex>(media.data(), media.size()));
+}
 
 /// Whether the primitive's solid is one of them.
 bool is_in(const World&, const MediaStack&, PrimitiveIndex);

@@ -3,6 +3,7 @@
 
 #include "medium/transmittance.h"
 #include "transport/air_photon_light.h"
+#include "world/volumes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,9 +60,7 @@ double ParticipatingMedia::near(const Vec3& from) const {
 
 void ParticipatingMedia::fill(const PathState& path, double distance) {
     media_.clear();
-    const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
-    if (std::isfinite(distance)) add_media(world_, solids, media_);
-    if (in_atmosphere(world_, path.media)) add_atmosphere(world_, media_);
+    add_followed(world_, {path.media.data(), path.media.size()}, std::isfinite(distance), media_);
 }
 
 Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLight& direct_light,
@@ -72,16 +71,27 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
     fill(path, distance);
     if (media_.empty()) return {};
     places_ = path.depth + path.bounces > 0 ? min_places : effort(media_);
+    light_ = path.scattered ? LightInAir::repeatedly_only : LightInAir::any;
     // In homogeneous media only the light differs, so that more places cost little.
     const int count = homogeneous(view_of(media_)) ? 2 * places_ : places_;
     const auto worth = [&](std::span<const Vec3> places, std::span<double> values) {
         expect_light(direct_light, places, values);
     };
     const MediaStretch::Worth expected(worth);
-    const bool scatters = std::ranges::any_of(media_, &Media::scatters);
+    const bool scatters =
+        std::ranges::any_of(media_, [&](const Media* each) { return each->scatters(light_); });
+    // A ray that leaves a solid through an opening meets its media outside as well, as in POV-Ray.
+    // Those that are luminaires emit nothing there, where no point of them is sampled.
+    const auto emits = [&](const Vec3& point) {
+        return std::ranges::all_of(path.media, [&](PrimitiveIndex solid) {
+            return !lights_from_inside(world_.material(solid)) || is_within(world_, solid, point);
+        });
+    };
+    const MediaStretch::Shows shows(emits);
     march(view_of(media_),
           {path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
-           scatters ? &expected : nullptr, path.counted || path.brought},
+           scatters ? &expected : nullptr, path.counted || path.brought,
+           world_.lights.volumes_with_openings ? &shows : nullptr, light_},
           world_.pattern_scene(), path.key, march_);
     Veil veil = march_.veil;
     if (march_.of_luminaires != Vec3(0))
@@ -161,20 +171,19 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
     const PatternScene scene = world_.pattern_scene();
     const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
     Vec3 sum(0);
+    EachKindOnce once;
     const auto light = [&](const MediaPlace& place, const Key& key, double per_chance,
-                           bool sources) {
+                           LightKinds kinds) {
         const Vertex vertex = vertex_in_air(world_, path.ray, place.distance, solids);
         const PhaseFunction phase(view_of(media_), vertex.position(), path.ray.direction, scene,
-                                  per_chance * place.weight);
-        sum += direct_light({.vertex = vertex,
-                             .scatterer = phase,
-                             .throughput = path.throughput,
-                             .sources = sources,
-                             .luminaires = !sources},
-                            key, ledger);
+                                  per_chance * place.weight, light_);
+        sum += direct_light(
+            {.vertex = vertex, .scatterer = phase, .light = kinds, .throughput = path.throughput},
+            key, ledger);
     };
     if (!world_.lights.sources.empty()) {
         const Key key = path.key.branched(Branch::medium, 0);
+        const LightKinds kinds = once.take({LightKind::sources});
         const int count = lights_all_ ? places_ : std::max(1, places_ / places_for_lit);
         choose(
             key, count,
@@ -183,7 +192,7 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
                 return brightness_of(place) * unshadowed(path.ray.at(place.distance));
             },
             [&](const MediaPlace& place, int number, double per_chance) {
-                light(place, key.part(count, number), per_chance, true);
+                light(place, key.part(count, number), per_chance, kinds);
             });
     }
     if (world_.lights.luminaires.empty() && world_.sky.light.empty()) return sum;
@@ -195,6 +204,7 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
                         luminaires_at(direct_light, path.ray.at(place.distance)));
         mean += given.back() / static_cast<double>(march_.places.size());
     }
+    const LightKinds kinds = once.take({LightKind::luminaires, LightKind::sky});
     const Key key = path.key.branched(Branch::medium, 1);
     const int count = path.depth + path.bounces > 0 ? 1 : luminaire_places;
     choose(
@@ -203,42 +213,59 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
             return brightness_of(march_.places[i]) > 0 ? given[i] + any_place * mean : 0;
         },
         [&](const MediaPlace& place, int number, double per_chance) {
-            light(place, key.part(count, number), per_chance, false);
+            light(place, key.part(count, number), per_chance, kinds);
         });
     return sum;
 }
 
-double ParticipatingMedia::multiple_scattering() const {
-    if (std::ranges::none_of(media_, [](const Media* m) { return m->scattering.multiple; }))
-        return 0;
+double ParticipatingMedia::scattering() const {
     double sum = 0;
     for (const MediaPlace& place : march_.places) sum += brightness_of(place);
     return sum;
 }
 
 PathState ParticipatingMedia::scattered_path(const PathState& path) const {
-    const double total = multiple_scattering();
-    double target = uniform(path.key, Purpose::media_lobe) * total;
+    const double total = scattering();
+    double target = uniform(path.key, Purpose::media_lobe) * total, u = 0;
     const MediaPlace* place = &march_.places.back();
     for (const MediaPlace& each : march_.places) {
         place = &each;
-        target -= brightness_of(each);
-        if (target < 0) break;
+        const double own = brightness_of(each);
+        if (target < own) {
+            u = target / own;
+            break;
+        }
+        target -= own;
     }
     PathState next = path;
+    const PatternScene scene = world_.pattern_scene();
     const Vec3 position = path.ray.at(place->distance);
-    const PhaseFunction phase(view_of(media_), position, path.ray.direction,
-                              world_.pattern_scene());
+    const auto phase_of = [&](LightInAir light) {
+        return PhaseFunction(view_of(media_), position, path.ray.direction, scene, Vec3(1), light);
+    };
+    PhaseFunction phase = phase_of(light_);
     if (!phase.answers_light()) return next.dimmed(Vec3(0));
+    // The path remembers whether a medium without `multiple` has scattered it.
+    const double repeatedly = phase.multiple();
+    const bool once = u >= repeatedly;
+    if (repeatedly > 0 && repeatedly < 1) {
+        phase = phase_of(once ? LightInAir::once_only : LightInAir::repeatedly_only);
+        next.dim(Vec3(1 / (once ? 1 - repeatedly : repeatedly)));
+    }
     const Vec3 direction = phase.sample({uniform(path.key, Purpose::media_direction_u),
                                          uniform(path.key, Purpose::media_direction_v)});
+    // Light from one steradian of radiance 1 is light of colour 1/pi.
     next.dim(place->weight * (total / brightness_of(*place)) * phase.evaluate(direction) /
-             (4 * std::numbers::pi * phase.pdf(direction)));
+             (std::numbers::pi * phase.pdf(direction)));
     next.go_on({position, direction}, 0, Branch::medium_scattering);
     next.depth = path.depth;
     ++next.bounces;
     next.kind = RayKind::gathering;
     next.counted = true;
+    // Photons in the air bring what mirrors send to it.
+    next.collects = phase.collects() && world_.rules.settings.photons.media > 0;
+    next.brought = false;
+    next.scattered |= once;
     return next;
 }
 

@@ -21,13 +21,12 @@ public:
     /// media in solids do not show on an infinite segment.
     Veil along(const PathState&, double distance, DirectLight&, LightLedger&);
 
-    /// Amount of multiple scattering along the last segment, on the scale of transmittance: the
-    /// weight of scattering the path there. 0: none.
-    double multiple_scattering() const;
+    /// Amount of scattering along the last segment, on the scale of transmittance: the weight of
+    /// scattering the path there. 0: none.
+    double scattering() const;
     /// Continues the path from a point of the last segment, scattered by the media; the scattering
-    /// is part of the throughput. Each order after the first has a quarter of the radiance that
-    /// POV-Ray's unit of light would give, to conserve energy: an isotropic medium with extinction
-    /// 1 has an albedo of 1. Precondition: multiple_scattering() > 0.
+    /// is part of the throughput, in the unit in which media scatter the light of lamps.
+    /// Precondition: scattering() > 0.
     PathState scattered_path(const PathState&) const;
 
 private:
@@ -47,6 +46,7 @@ private:
     std::vector<std::uint32_t> sources_;  ///< that show where light is bright, if they are few
     bool lights_all_ = true;              ///< light sources are sampled at all places
     int places_ = 0;                      ///< number of places for the last segment
+    LightInAir light_ = LightInAir::any;  ///< what the last segment may scatter
     // Kept as members to reuse their memory.
     MediaList media_;
     MediaMarch march_;

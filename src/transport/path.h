@@ -34,6 +34,8 @@ struct PathState {
     bool collects = false;             ///< photons light the surface that the ray leaves
     bool brought = false;              ///< photons bring the light of luminaires that the ray hits
     bool counted = false;  ///< light of luminaires that the ray hits has been counted already
+    /// Whether a medium without `multiple` has scattered the path, which only one of them does.
+    bool scattered = false;
     /// For a ray that leaves a surface lit by reflected luminaires: its cosine to the normal there.
     /// 0 for other rays.
     double leaving = 0;

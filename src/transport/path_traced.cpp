@@ -10,8 +10,11 @@
 #include "transport/subsurface.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 namespace candelabra {
 
@@ -33,6 +36,15 @@ Vec3 diffuse_albedo(const Shading& s) {
     return s.colour.rgb * (s.opacity * amount);
 }
 
+/// Whether a layer reflects and transmits no more than all light, as its finish says.
+[[maybe_unused]] bool adds_no_light(const Layer& layer) {
+    const Finish& f = *layer.finish;
+    const bool mirrors = f.reflection.least != Vec3(0) || f.reflection.greatest != Vec3(0);
+    return f.diffuse + f.diffuse_back <= 1 && (f.conserve_energy || !mirrors) &&
+           f.refraction <= 1 && f.brilliance >= 1 && !f.microfacet.on &&
+           min_component(layer.colour.rgb) >= 0 && max_component(layer.colour.rgb) <= 1;
+}
+
 }  // namespace
 
 PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wanted)
@@ -48,11 +60,18 @@ PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wa
 
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     sum_ = Vec3(0);
-    PathState path = ends_.begin(ray, key);
+    const PathState path = ends_.begin(ray, key);
     direct_light_.begin(key.sample);
     reflected_.begin(key.sample);
     if (ray.direction == Vec3(0)) return sum_;
     ++ledger_.camera;
+    divided_ = false;
+    trace(path);
+    if (const auto scattered = std::exchange(aside_, std::nullopt)) trace(*scattered);
+    return sum_;
+}
+
+void PathTracedIntegrator::trace(PathState path) {
     while (path.throughput != Vec3(0)) {
         Hit hit;
         const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
@@ -79,11 +98,12 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
         });
         path = next;
     }
-    return sum_;
 }
 
 /// Adds the radiance of fog and media along the path's ray, and attenuates the throughput. Returns
-/// whether the path was scattered there and continues in another direction.
+/// whether the path was scattered there and continues in another direction. Where media may scatter
+/// the path for the first time, it goes on in both ways, so that media in front of a thing add no
+/// noise to it.
 bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     const Veil fog = veil_along(world_, path, distance);
     sum_ += path.throughput * fog.added;
@@ -91,15 +111,21 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     if (!world_.has_media()) return false;
     const Veil veil = media_.along(path, distance, direct_light_, ledger_);
     sum_ += path.throughput * veil.added;
-    const double scattered = path.bounces < max_bounces_ ? media_.multiple_scattering() : 0;
+    const double scattered = path.bounces < max_bounces_ ? media_.scattering() : 0;
     if (scattered > 0) {
         const double chance = scattered / (scattered + max_component(veil.transmittance));
+        const bool divides = !std::exchange(divided_, true);
         if (uniform(path.key, Purpose::media_event) < chance) {
-            path = media_.scattered_path(path.dimmed(Vec3(1 / chance)));
+            const PathState next = media_.scattered_path(path.dimmed(Vec3(1 / chance)));
             ++ledger_.scattered;
-            return true;
+            if (!divides) {
+                path = next;
+                return true;
+            }
+            aside_ = next;
+        } else if (!divides) {
+            path.dim(Vec3(1 / (1 - chance)));
         }
-        path.dim(Vec3(1 / (1 - chance)));
     }
     path.dim(veil.transmittance);
     return false;
@@ -116,17 +142,21 @@ void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
     const LayerStack stack(world_, path, vertex, layers);
     Ways ways;
     stack.visit([&](const LayerStack::Seen& layer) {
-        gather(path.dimmed(layer.through), vertex, layer.shading);
+        gather(path.dimmed(layer.through), vertex, layer);
         add_ways(path, layer, ways);
     });
     if (stack.is_clear()) {
-        const Vec3 left = left_inside(world_, path, vertex.hit) * stack.top().finish->refraction;
-        if (stack.reflects_totally())
-            ways.push_back({Way::total_reflection, stack.top(), left, left});
-        else
-            ways.push_back(
-                {Way::behind, stack.top(), left * stack.behind(), left * stack.behind()});
+        // Total reflection takes the place of what would pass, so that all ways together have no
+        // more than all light.
+        const Vec3 left =
+            left_inside(world_, path, vertex.hit) * stack.top().finish->refraction * stack.behind();
+        ways.push_back({stack.reflects_totally() ? Way::total_reflection : Way::behind, stack.top(),
+                        left, left});
     }
+    assert(vertex.shading.both_sides || !std::ranges::all_of(layers, adds_no_light) ||
+           max_component(std::accumulate(
+               ways.begin(), ways.end(), Vec3(0),
+               [](const Vec3& sum, const Way& way) { return sum + way.share; })) <= 1 + 1e-9);
     double all = 0;
     for (const Way& way : ways) all += max_component(glm::abs(way.share));
     double u = uniform(path.key, Purpose::way_choice) * all;
@@ -158,43 +188,44 @@ bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double 
 }
 
 /// Adds the radiance that one layer emits and the direct light that it reflects.
-void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex, const Shading& s) {
-    const Vec3 own = own_radiance(s, rules_, shows_emission(world_, path, vertex.hit.primitive));
+void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex,
+                                  const LayerStack::Seen& layer) {
+    const Vec3 own =
+        own_radiance(layer.shading, rules_, shows_emission(world_, path, vertex.hit.primitive));
+    const Shading s = layer.scattering();
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
     const Bsdf whole(s, rules_);
     Vec3 light = own;
     const bool by_reflected = reflected_ && is_lambertian(world_, vertex, s);
     if (by_reflected && path.covered) {
+        // What the diffuse part reflects of luminaires has been counted.
+        EachKindOnce once;
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
-        light += direct_light_({.vertex = vertex,
-                                .scatterer = highlights,
-                                .throughput = path.throughput,
-                                .sources = false,
-                                .sky = false},
-                               path.key, ledger_);
-        light += direct_light_({.vertex = vertex,
-                                .scatterer = whole,
-                                .throughput = path.throughput,
-                                .luminaires = false},
-                               path.key, ledger_);
+        light +=
+            direct_light_({vertex, highlights, once.take({LightKind::luminaires}), path.throughput},
+                          path.key, ledger_);
+        light += direct_light_(
+            {vertex, whole, once.take({LightKind::sources, LightKind::sky}), path.throughput},
+            path.key, ledger_);
     } else if (!scatters_inside(world_, s)) {
-        light += direct_light_({vertex, whole, path.throughput}, path.key, ledger_);
+        light += direct_light_({vertex, whole, all_light, path.throughput}, path.key, ledger_);
         if (by_reflected && path.bounces < max_bounces_)
             light += reflected_(vertex, s, max_bounces_ - path.bounces, path.throughput, path.key,
                                 ledger_);
     } else {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
-        light += direct_light_({vertex, highlights, path.throughput}, path.key, ledger_);
-        light += light_from_inside(world_, direct_light_, {vertex, whole, path.throughput}, path,
-                                   ledger_);
+        light += direct_light_({vertex, highlights, all_light, path.throughput}, path.key, ledger_);
+        light += light_from_inside(world_, direct_light_,
+                                   {vertex, whole, all_light, path.throughput}, path, ledger_);
     }
     sum_ += path.throughput * light;
 }
 
 void PathTracedIntegrator::add_ways(const PathState& path, const LayerStack::Seen& layer,
                                     Ways& ways) const {
+    const Shading scattering = layer.scattering();
     const auto add = [&](Way::Kind kind, const Vec3& through, const Vec3& share) {
-        if (share != Vec3(0)) ways.push_back({kind, layer.shading, through, share});
+        if (share != Vec3(0)) ways.push_back({kind, scattering, through, share});
     };
     if (path.depth + 1 < world_.rules.settings.max_trace_level) {
         add(Way::mirror, layer.reflected, layer.reflected);
@@ -202,7 +233,7 @@ void PathTracedIntegrator::add_ways(const PathState& path, const LayerStack::See
             add(Way::facets, layer.through, layer.through);
     }
     if (path.bounces < max_bounces_ && world_.rules.quality >= quality_full)
-        add(Way::diffuse, layer.through, layer.through * diffuse_albedo(layer.shading));
+        add(Way::diffuse, layer.through, layer.through * diffuse_albedo(scattering));
 }
 
 /// Continues the path in the way, which was chosen with probability `chance`. Returns false if the

@@ -12,6 +12,8 @@
 #include "transport/reflected_light.h"
 #include "transport/tracing.h"
 
+#include <optional>
+
 namespace candelabra {
 
 class PathTracedIntegrator {
@@ -41,10 +43,11 @@ private:
     };
     using Ways = ShortList<Way, 4>;
 
+    void trace(PathState);
     bool pass_air(PathState&, double distance);
     void at_vertex(PathState&, const Vertex&, std::span<const Layer>);
     bool ends_covered(PathState&, const Hit&, double distance) const;
-    void gather(const PathState&, const Vertex&, const Shading&);
+    void gather(const PathState&, const Vertex&, const LayerStack::Seen&);
     void add_ways(const PathState&, const LayerStack::Seen&, Ways&) const;
     bool follow(const Way&, double chance, const Vertex&, const LayerStack&, PathState&);
     bool bounce(const Shading&, const Vertex&, const LayerStack&, PathState&);
@@ -58,6 +61,9 @@ private:
     PathEnds ends_;
     LightLedger ledger_;
     Vec3 sum_ = Vec3(0);  ///< radiance of the sample so far
+    /// The part of the path that media have scattered away; nothing: they have not.
+    std::optional<PathState> aside_;
+    bool divided_ = false;  ///< the path has met a medium that could scatter it
     int max_bounces_;
     double chance_of_covered_;  ///< see ends_covered()
 };

@@ -21,7 +21,7 @@ Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     const double grain = layer.grain(key);
     Vec3 sum(0);
     current().on_surfaces.around(point, [&](const Photon& photon) {
-        if (!(photon.glows ? layer.luminaires : layer.sources)) return;
+        if (!layer.light.has(photon.glows ? LightKind::luminaires : LightKind::sources)) return;
         const double density = photon_density(photon, point, normal);
         if (density == 0) return;
         const Vec3 to_light = -Vec3(photon.direction);

@@ -55,7 +55,7 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
         if (journey.met > 0) deposit_in_air(journey, distance, found);
         if (!met) return;
         journey.way += distance;
-        pass_media(path, distance);
+        path.throughput *= left_after(journey, distance, true);
         const Ray came = path.ray;
         const Vertex vertex = vertex_at(world_, came, hit, {path.media.data(), path.media.size()});
         const PhotonSurface& surface = vertex.material->photons;
@@ -80,15 +80,13 @@ void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
                                  std::vector<Photon>& found) const {
     if (places_in_air_ == 0) return;
     const PathState& path = journey.path;
-    MediaList inside;
-    if (std::isfinite(distance)) add_media(world_, {path.media.data(), path.media.size()}, inside);
-    MediaList all = inside;
-    if (in_atmosphere(world_, path.media)) add_atmosphere(world_, all);
+    const bool ends = std::isfinite(distance);
+    MediaList all;
+    add_followed(world_, {path.media.data(), path.media.size()}, ends, all);
     if (!collects_photons(view_of(all))) return;
     const auto add = [&](double way, double stands_for) {
-        const Vec3 left = attenuation(innermost(world_, path.media), way) *
-                          transmittance(view_of(inside), path.ray, {0, way}, world_.pattern_scene(),
-                                        path.key.branched(Branch::medium));
+        const Vec3 left =
+            attenuation(innermost(world_, path.media), way) * left_after(journey, way, ends);
         const Vec3 power = journey.shot.power_after(journey.way + way) * path.throughput * left *
                            (journey.share * stands_for);
         if (power != Vec3(0))
@@ -106,20 +104,25 @@ void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
     add(way, share * way * way / near);
 }
 
-/// Attenuates the path by media in solids along a segment. Media outside of solids do not attenuate
-/// photons, as in POV-Ray.
-void PhotonPaths::pass_media(PathState& path, double distance) const {
+/// Fraction of the photon's light that the air leaves after a distance. Photons of light sources
+/// are not attenuated by air outside of solids, as in POV-Ray; those of luminaires are by all that
+/// attenuates a ray on the same way. `ends`: the photon meets a surface after the segment.
+Vec3 PhotonPaths::left_after(const Journey& journey, double distance, bool ends) const {
+    const PathState& path = journey.path;
+    const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
+    const Key key = path.key.branched(Branch::medium);
+    if (journey.shot.glows)
+        return left_in_air(world_, {path.ray, {0, distance}, solids, ends}, key);
     MediaList media;
-    add_media(world_, {path.media.data(), path.media.size()}, media);
-    if (media.empty()) return;
-    path.throughput *= transmittance(view_of(media), path.ray, {0, distance},
-                                     world_.pattern_scene(), path.key.branched(Branch::medium));
+    if (ends) add_media(world_, solids, media);
+    if (media.empty()) return Vec3(1);
+    return transmittance(view_of(media), path.ray, {0, distance}, world_.pattern_scene(), key);
 }
 
 /// Continues straight through the surface, attenuated as a shadow ray is. Returns whether any light
 /// passes.
 bool PhotonPaths::pass(Journey& journey, const Vertex& vertex, const Ray& came) const {
-    const Vec3 left = world_.passed(vertex.hit, came);
+    const Vec3 left = passed_straight(world_, came, vertex.hit, vertex.around);
     if (left == Vec3(0)) return false;
     PathState& path = journey.path;
     ++journey.passed;
@@ -174,8 +177,7 @@ bool PhotonPaths::choose(Journey& journey, const Vertex& vertex,
     const bool bent = is_refracted(journey, surface);
     if (stack.is_clear() && (bent || journey.met > 1)) {
         const bool total = bent && stack.reflects_totally();
-        add(stack.top().finish->refraction * (total ? Vec3(1) : stack.behind()), stack.top(),
-            total);
+        add(stack.top().finish->refraction * stack.behind(), stack.top(), total);
     }
     double all = 0;
     for (const Way& way : ways) all += max_component(glm::abs(way.share));

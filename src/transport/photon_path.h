@@ -29,7 +29,7 @@ private:
     };
     using Ways = ShortList<Way, 4>;
 
-    void pass_media(PathState&, double distance) const;
+    Vec3 left_after(const Journey&, double distance, bool ends) const;
     bool pass(Journey&, const Vertex&, const Ray&) const;
     bool scatter(Journey&, const Vertex&, const Key&) const;
     bool choose(Journey&, const Vertex&, std::span<const Layer>) const;

@@ -78,6 +78,7 @@ private:
         if (!until) return Vec3(0);
         ++ledger_.shadow;
         const Ray ray{vertex_.position(), light.direction};
+        // As in POV-Ray, the source says whether air outside of solids dims its light.
         const bool air = light_.media_attenuation && light_.media_interaction;
         const Vec3 left = light_left(world_,
                                      {.ray = ray,
@@ -85,11 +86,9 @@ private:
                                       .distance = *until,
                                       .around = vertex_.around,
                                       .apart = apart_for_light,
-                                      .in_atmosphere = air},
+                                      .air = air ? AirOnWay::throughout : AirOnWay::in_solids},
                                      key_);
-        if (left != Vec3(0) && brought(ray, *until)) return Vec3(0);
-        if (!air || left == Vec3(0)) return left;
-        return left * left_by(world_.sky.fogs, ray, *until, world_.pattern_scene().noise_generator);
+        return left != Vec3(0) && brought(ray, *until) ? Vec3(0) : left;
     }
 
     /// Whether photons bring the light along that ray instead.

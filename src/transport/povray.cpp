@@ -114,21 +114,21 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
     if (!scatters_inside(world_, s)) {
         const Bsdf bsdf(s, rules_);
         if (!world_.gathers_light())
-            return own + direct_light_({vertex, bsdf, path.throughput}, path.key, ledger_);
+            return own +
+                   direct_light_({vertex, bsdf, all_light, path.throughput}, path.key, ledger_);
         return own +
                direct_light_({.vertex = vertex,
                               .scatterer = bsdf,
+                              .light = {LightKind::sources},
                               .throughput = path.throughput,
-                              .highlights = highlights,
-                              .luminaires = false,
-                              .sky = false},
+                              .highlights = highlights},
                              path.key, ledger_) +
                (luminaires ? gathered(path, vertex, s) : Vec3(0));
     }
     const Bsdf whole(s, rules_), shine = Bsdf::highlights_of(s, rules_);
-    return own + direct_light_({vertex, shine, path.throughput}, path.key, ledger_) +
-           light_from_inside(world_, direct_light_, {vertex, whole, path.throughput}, path,
-                             ledger_);
+    return own + direct_light_({vertex, shine, all_light, path.throughput}, path.key, ledger_) +
+           light_from_inside(world_, direct_light_, {vertex, whole, all_light, path.throughput},
+                             path, ledger_);
 }
 
 /// Light of other surfaces that the diffuse part reflects: POV-Ray's radiosity, with one ray for
@@ -148,9 +148,9 @@ Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, con
     const Bsdf bsdf(one_side, rules_);
     const Vec3 straight = direct_light_({.vertex = vertex,
                                          .scatterer = bsdf,
+                                         .light = {LightKind::luminaires, LightKind::sky},
                                          .throughput = path.throughput,
                                          .highlights = path.bounces == 0,
-                                         .sources = false,
                                          .radiosity = &radiosity_},
                                         path.key, ledger_);
     return straight + side(front, false) + side(f.microfacet.on ? 0 : f.diffuse_back, true);

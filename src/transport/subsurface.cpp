@@ -200,12 +200,12 @@ private:
 
     Vec3 light_at(const Vertex& vertex, const Vec3& throughput, const Key& key) {
         const Bsdf bsdf = Bsdf::entering(vertex.shading, rules_, ior_);
-        return lights_({vertex, bsdf, throughput}, key, ledger_);
+        return lights_({vertex, bsdf, layer_.light, throughput}, key, ledger_);
     }
 
     /// Light of a source that is scattered once, on the refracted ray inside the solid.
     Vec3 light_scattered_once(const Draw& draw) {
-        if (world_.lights.sources.empty()) return Vec3(0);
+        if (world_.lights.sources.empty() || !layer_.light.has(LightKind::sources)) return Vec3(0);
         const double cosine = std::fmax(-dot(s_.view, s_.geometric_normal), 0);
         const double behind = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const Ray inner{s_.position,
@@ -245,7 +245,7 @@ private:
         const double bent = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const double way = length(way_in->position - point) * cosine / bent;
         return math::exp(-dipole_.extinction() * way) *
-               source_light(world_, light, {vertex, bsdf}, key, ledger_);
+               source_light(world_, light, {vertex, bsdf, {LightKind::sources}}, key, ledger_);
     }
 
     static constexpr auto chances = std::to_array<double>({0.75, 0.125, 0.125});

@@ -143,6 +143,8 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
         world.sky.fogs = scene.fogs;
         world.sky.rainbows = scene.rainbows;
         world.sky.media = scene.media;
+        for (Media& media : world.sky.media)
+            media.scattering.physical = media.scattering.multiple && world.keeps_energy();
     }
     flatten(scene, world, diagnostics, what, options.remembers_objects);
     simplify_lights(world);

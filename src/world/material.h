@@ -27,9 +27,10 @@ struct Material {
     bool no_radiosity = false;
     bool double_illuminate = false;
     bool hollow = false;
-    bool other_light = false;  ///< whether it sends more than diffuse reflection to other surfaces
-    bool uv = false;           ///< whether a texture needs u and v
-    bool by_view = false;      ///< whether a pattern depends on the direction of the ray
+    bool keeps_energy = false;  ///< whether a layer takes what it reflects from what passes
+    bool other_light = false;   ///< whether it sends more than diffuse reflection to other surfaces
+    bool uv = false;            ///< whether a texture needs u and v
+    bool by_view = false;       ///< whether a pattern depends on the direction of the ray
     Handle<Texture> inner = nullptr;  ///< of the inner side; null: as outside
     std::uint32_t light_group = 0;    ///< in WorldLights::groups; 0: none
     /// Number of the union that gave its interior to all of its parts: rays treat these as one
@@ -58,6 +59,7 @@ struct Appearance {
     bool any_drawn_media = false;  ///< and samples of these differ
     bool any_other_light = false;  ///< see World::has_other_light()
     bool any_clear = false;        ///< shadow rays may pass through some surface
+    bool any_keeps_energy = false;
 };
 
 }  // namespace candelabra

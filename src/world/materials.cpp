@@ -108,11 +108,18 @@ void Materials::add(const Inherited& look) {
             !std::isinf(world_.rules.settings.luminaires_above))
             for (Media& media : material.interior.edit().media)
                 media.luminaire = media.emission != Vec3(0);
+        const auto repeats = [](const Media& media) { return media.scattering.multiple; };
+        if (world_.keeps_energy() && std::ranges::any_of(material.interior->media, repeats))
+            for (Media& media : material.interior.edit().media)
+                media.scattering.physical = repeats(media);
         world_.appearance.any_media |= !material.interior->media.empty();
         world_.appearance.any_drawn_media |=
             std::ranges::any_of(material.interior->media, &Media::drawn);
     }
     material.transparent = transparent(texture) || (material.inner && transparent(*material.inner));
+    material.keeps_energy =
+        material.transparent &&
+        (takes_from_behind(texture) || (material.inner && takes_from_behind(*material.inner)));
     material.light_group = look.light_group;
     material.shared_interior = look.shared_interior;
     material.no_shadow = look.no_shadow || world_.rules.quality < quality_shadows;
@@ -129,6 +136,7 @@ void Materials::add(const Inherited& look) {
     material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
     world_.appearance.any_transparent |= material.transparent;
     world_.appearance.any_clear |= material.transparent || material.no_shadow;
+    world_.appearance.any_keeps_energy |= material.keeps_energy;
     world_.appearance.any_left_out |= look.no_image || look.no_reflection || look.no_radiosity;
     world_.appearance.any_scattering |= scatters(texture);
     double emission = max_component(lighting_emission(texture));
@@ -169,6 +177,7 @@ void Materials::include(std::uint32_t material, std::uint32_t part) {
     Material& whole = world_.appearance.materials[material];
     const Material& other = world_.appearance.materials[part];
     whole.transparent |= other.transparent;
+    whole.keeps_energy |= other.keeps_energy;
     whole.uv |= other.uv;
     whole.by_view |= other.by_view;
     whole.other_light |= other.other_light;

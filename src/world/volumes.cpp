@@ -137,6 +137,30 @@ private:
     bool surveyed_;
 };
 
+template <class S>
+bool is_open(const S& shape) {
+    if constexpr (requires { shape.open; }) return shape.open;
+    return false;
+}
+
+/// Whether rays may pass between the solid's inside and outside other than through its surface.
+bool has_openings(const World& world, std::uint32_t item) {
+    const auto closed = [](const auto&) { return false; };
+    return world.geometry.visit(
+        item, closed, closed,
+        [](const PlacedShape& placed) {
+            return std::visit(
+                [](const auto& shape) {
+                    if constexpr (requires { *shape; })
+                        return is_open(*shape);
+                    else
+                        return is_open(shape);
+                },
+                placed.shape);
+        },
+        [](const PlacedComposite& placed) { return placed.composite->has_openings(); });
+}
+
 }  // namespace
 
 bool lights_from_inside(const Material& material) {
@@ -165,18 +189,67 @@ void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool s
             maker.add(world.lights.volumes.back(), box);
         }
     }
+    for (std::uint32_t item = 0; !world.lights.volumes.empty() && item < geometry.item_count();
+         ++item)
+        world.lights.volumes_with_openings |=
+            world.is_noted_solid(item) && has_openings(world, item);
 }
 
-Vec3 volume_emission(const World& world, PrimitiveIndex volume, const Vec3& point) {
+namespace {
+
+/// The parts that share the volume's media and contain a point.
+struct PartsThere {
     int together = 0;
-    bool within = false;
-    for (const PrimitiveIndex solid : world.containing(point)) {
-        if (!world.material(solid).hollow) return Vec3(0);
-        within |= world.geometry.item_of(solid) == world.geometry.item_of(volume);
-        together += is_same_solid(world, solid, volume) ? 1 : 0;
+    bool within = false;  ///< the volume itself is among them
+};
+PartsThere parts_there(const World& world, PrimitiveIndex volume,
+                       std::span<const PrimitiveIndex> solids) {
+    PartsThere parts;
+    for (const PrimitiveIndex solid : solids) {
+        parts.within |= world.geometry.item_of(solid) == world.geometry.item_of(volume);
+        parts.together += is_same_solid(world, solid, volume) ? 1 : 0;
     }
-    if (!within || together % 2 == 0) return Vec3(0);
-    return emission_of_media(world, volume, point) / static_cast<double>(together);
+    return parts;
+}
+
+bool all_hollow(const World& world, std::span<const PrimitiveIndex> solids) {
+    return std::ranges::all_of(solids, [&](PrimitiveIndex s) { return world.material(s).hollow; });
+}
+
+}  // namespace
+
+Vec3 volume_emission(const World& world, PrimitiveIndex volume, const Vec3& point) {
+    const EnteredSolids there = world.containing(point);
+    const std::span<const PrimitiveIndex> solids(there.data(), there.size());
+    const PartsThere parts = parts_there(world, volume, solids);
+    if (!parts.within || parts.together % 2 == 0 || !all_hollow(world, solids)) return Vec3(0);
+    return emission_of_media(world, volume, point) / static_cast<double>(parts.together);
+}
+
+Vec3 volume_emission(const World& world, PrimitiveIndex volume, const SightOfVolume& sight) {
+    const Vec3 point = sight.ray.at(sight.distance);
+    if (!world.lights.volumes_with_openings) return volume_emission(world, volume, point);
+    const EnteredSolids there = world.containing(point);
+    const PartsThere parts = parts_there(world, volume, {there.data(), there.size()});
+    if (!parts.within) return Vec3(0);
+    EnteredSolids entered(sight.solids.begin(), sight.solids.end());
+    bool ends = false;
+    world.along(sight.ray, sight.tolerance, RayKind::gathering, [&](const Hit& hit, double t) {
+        ends = t > sight.distance;
+        if (!ends) world.pass(hit.primitive, entered);
+        return !ends;
+    });
+    const std::span<const PrimitiveIndex> solids(entered.data(), entered.size());
+    const bool seen = std::ranges::any_of(
+        solids, [&](PrimitiveIndex solid) { return is_same_solid(world, solid, volume); });
+    if (!ends || !seen || !all_hollow(world, solids)) return Vec3(0);
+    return emission_of_media(world, volume, point) / static_cast<double>(parts.together);
+}
+
+bool is_within(const World& world, PrimitiveIndex solid, const Vec3& point) {
+    return std::ranges::any_of(world.containing(point), [&](PrimitiveIndex there) {
+        return is_same_solid(world, there, solid);
+    });
 }
 
 const GlowingVolume* volume_among(const World& world, std::span<const PrimitiveIndex> solids) {

@@ -23,6 +23,20 @@ void add_volumes(World&, std::span<const GlowingPrimitive>, bool surveyed, Diagn
 /// number of them overlap, nor in a solid that is not hollow.
 Vec3 volume_emission(const World&, PrimitiveIndex volume, const Vec3& point);
 
+/// A ray inside of some solids, for emission that it sees at a distance.
+struct SightOfVolume {
+    const Ray& ray;
+    double tolerance;
+    double distance;
+    std::span<const PrimitiveIndex> solids;
+};
+/// The same as a ray that is followed sees it: the media of the solids that the ray has entered
+/// through a surface and not left, on its way from one surface to the next.
+Vec3 volume_emission(const World&, PrimitiveIndex volume, const SightOfVolume&);
+
+/// Whether the point is inside of the solid.
+bool is_within(const World&, PrimitiveIndex solid, const Vec3& point);
+
 /// Returns the innermost of those solids whose media light the scene; null if there is none.
 const GlowingVolume* volume_among(const World&, std::span<const PrimitiveIndex> solids);
 

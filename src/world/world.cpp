@@ -296,6 +296,34 @@ Vec3 World::dimmed(const Passages& passages, std::span<const PrimitiveIndex> sol
     return left;
 }
 
+Hit World::hit_at(const Passage& passage, const Ray& ray) const {
+    Hit hit{passage.primitive, passage.part, ray.at(passage.t), unit(passage.normal)};
+    hit.tolerance = tolerance_at(ray, passage.t);
+    hit.smooth_normal = hit.normal;
+    if (!geometry.is_triangle(passage.primitive)) return hit;
+    const CornerNormals* smooth = geometry.normals_of_triangle(passage.primitive);
+    if (!smooth) return hit;
+    const TrianglePrimitive& face = geometry.triangle(passage.primitive);
+    const Vec3 w = corner_weights({face.corner1, face.corner2, face.corner3}, hit.position);
+    hit.smooth_normal = unit(w.x * smooth->normal1 + w.y * smooth->normal2 + w.z * smooth->normal3);
+    return hit;
+}
+
+/// Fraction of light that passes all surfaces of its way.
+Vec3 World::passed(const Passages& passages, const Ray& ray, std::span<const PrimitiveIndex> around,
+                   const UseSurface& use) const {
+    EnteredSolids inside;
+    for (const PrimitiveIndex each : around) inside.push_back(each);
+    Vec3 left(1);
+    for (const Passage& each : passages) {
+        left *= material(each.primitive).keeps_energy
+                    ? use(hit_at(each, ray), {inside.data(), inside.size()})
+                    : passed(each, ray);
+        pass(each.primitive, inside);
+    }
+    return left;
+}
+
 /// Passes on the parts of a light's way between the surfaces that it passes.
 void World::for_stretches(const Passages& passages, std::span<const PrimitiveIndex> around,
                           double distance, const UseStretch& use) const {
@@ -354,7 +382,10 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     sort_stably(found, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
     const Passages all = shade.stretches ? found : Passages();
     if (shade.apart > 0) keep_apart(found, ray, distance, shade.apart);
-    for (const Passage& each : found) left *= passed(each, ray);
+    if (shade.surfaces)
+        left = passed(found, ray, shade.around, *shade.surfaces);
+    else
+        for (const Passage& each : found) left *= passed(each, ray);
     left *= dimmed(found, shade.around);
     if (shade.stretches && left != Vec3(0))
         for_stretches(all, shade.around, distance, *shade.stretches);

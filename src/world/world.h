@@ -80,10 +80,15 @@ public:
 
     /// Takes a part of a light's way between two surfaces, and the solids that contain it.
     using UseStretch = FunctionRef<void(const Interval&, std::span<const PrimitiveIndex>)>;
+    /// Takes a surface and the solids that contain the way in front of it; returns the fraction of
+    /// light that passes, per channel.
+    using UseSurface = FunctionRef<Vec3(const Hit&, std::span<const PrimitiveIndex>)>;
     struct Shade {
         std::span<const PrimitiveIndex> around = {};
         double apart = 0;
         const UseStretch* stretches = nullptr;  ///< null: not wanted
+        /// Asked about materials that keep energy; null: passed() holds for them, too.
+        const UseSurface* surfaces = nullptr;
     };
     /// The same, and calls `stretches` for each part of the way if light passes. Objects that cast
     /// no shadow are ignored.
@@ -187,6 +192,12 @@ public:
         return gathers_light() || std::holds_alternative<PathTraced>(rules.settings.integrator);
     }
 
+    /// Whether surfaces with `conserve_energy` take what they reflect from all other light: only
+    /// from what is seen behind them otherwise, as in POV-Ray.
+    bool keeps_energy() const {
+        return std::holds_alternative<PathTraced>(rules.settings.integrator);
+    }
+
     /// Whether surfaces receive other light than that of luminaires by way of diffuse surfaces.
     bool has_other_light() const {
         return appearance.any_other_light || !is_lit_by_luminaires_only();
@@ -244,6 +255,9 @@ private:
     Hit complete(const Ray&, const Candidate&) const;
     void collect(std::uint32_t item, const Ray&, const Interval&, Passages&) const;
     Vec3 passed(const Passage&, const Ray&) const;
+    Vec3 passed(const Passages&, const Ray&, std::span<const PrimitiveIndex> around,
+                const UseSurface&) const;
+    Hit hit_at(const Passage&, const Ray&) const;
     void keep_apart(Passages&, const Ray&, double distance, double apart) const;
     Vec3 dimmed(const Passages&, std::span<const PrimitiveIndex> around) const;
     void for_stretches(const Passages&, std::span<const PrimitiveIndex> around, double distance,

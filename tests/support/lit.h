@@ -28,7 +28,7 @@ inline Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, i
         const Vertex vertex = vertex_at(world, ray, hit);
         for_visible_layers(world, vertex, 0, [&](double, std::span<const Layer> layers) {
             const Bsdf bsdf(with_layer(world, vertex, layers.front()), rules);
-            sum += light({vertex, bsdf}, key, rays).x;
+            sum += light({vertex, bsdf, all_light}, key, rays).x;
         });
     }
     return {sum / count, static_cast<double>(rays.shadow) / count,

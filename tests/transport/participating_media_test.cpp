@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/participating_media.h"
 
+#include "base/cosine_direction.h"
+#include "support/draw.h"
+#include "support/means.h"
 #include "support/scripts.h"
 #include "transport/integrator.h"
 
@@ -113,6 +116,163 @@ TEST_CASE("media are not there for low quality, nor beyond what the scene has", 
     CHECK(media.along(path, 3, light, ledger).added == Vec3(3));
     CHECK(media.along(path, std::numeric_limits<double>::infinity(), light, ledger).added ==
           Vec3(0));
+}
+
+TEST_CASE("media with multiple scattering change nothing in a furnace", "[transport]") {
+    // All that a medium takes it gives: by scattering at an extinction of 1, and by an emission
+    // equal to its absorption.
+    const char* const media[] = {
+        "scattering { 1, 2.4 multiple }",
+        "scattering { 2, 1.5 multiple }",
+        "scattering { 3, 1.5 multiple }",
+        "scattering { 4, 1.5 multiple }",
+        "scattering { 5, 2 eccentricity 0.6 multiple }",
+        "scattering { 5, 2 eccentricity -0.5 multiple } absorption 0.3 emission 0.3",
+        "scattering { 1, rgb <0.5, 2, 1> multiple } absorption 0.6 emission 0.6",
+        "scattering { 1, 3 multiple } absorption 0.8 emission 0.8 density { bozo scale 0.3 }",
+        "scattering { 3, 2 multiple } } media { scattering { 5, 1 eccentricity 0.7 multiple }"};
+    for (const char* const words : media)
+        for (const char* const walls : {"", "no_luminaire"}) {
+            const Mean seen = mean_seen(
+                std::string(
+                    "#version 3.7; #default { finish { ambient 0 diffuse 0 } } "
+                    "global_settings { max_trace_level 20 integrator { path_traced { bounces "
+                    "200 } } } sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { ") +
+                    words + " } } } sphere { 0, 9 hollow pigment { rgb 1 } finish { emission 1 " +
+                    walls + " } }",
+                {Vec3(0.1, 0.2, -5), Vec3(0, 0, 1)}, 4000);
+            CAPTURE(words, walls, seen.value, seen.error);
+            CHECK(agree(seen, {1, 0}));
+        }
+}
+
+TEST_CASE("media scatter light that is found by chance as light that is sampled", "[transport]") {
+    const std::string solid = "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { ",
+                      closed = " } } } ", open = "media { ";
+    const std::pair<std::string, std::string> places[] = {
+        {solid + "scattering { 1, 0.1 }" + closed, "in a solid"},
+        {solid + "scattering { 1, 0.8 multiple }" + closed, "multiple"},
+        {solid + "scattering { 3, 0.4 } absorption 0.2" + closed, "forward"},
+        {solid + "scattering { 5, 0.5 eccentricity 0.4 } density { bozo scale 0.4 }" + closed,
+         "patchy"},
+        {solid + "scattering { 1, 0.3 } } media { scattering { 5, 0.5 eccentricity 0.5 multiple }" +
+             closed,
+         "mixed"},
+        {open + "scattering { 1, 0.03 } } ", "outside"},
+        {open + "scattering { 4, 0.05 multiple } } fog { rgb 0 distance 30 } ", "outside and fog"}};
+    const std::pair<std::string, std::string> lights[] = {
+        {"sky_sphere { pigment { rgb 1 } luminaire } ", "sky_sphere { pigment { rgb 1 } } "},
+        {"sphere { 0, 20 hollow pigment { rgb 1 } finish { emission 1 } } ",
+         "sphere { 0, 20 hollow pigment { rgb 1 } finish { emission 1 no_luminaire } } "},
+        {"box { <-3, 2, -3>, <3, 2.1, 3> pigment { rgb 1 } finish { emission 3 } } ",
+         "box { <-3, 2, -3>, <3, 2.1, 3> pigment { rgb 1 } finish { emission 3 no_luminaire } } "},
+        {"sphere { <1, 0.5, -0.5>, 1.5 hollow pigment { rgbt 1 } interior { media { emission 1 "
+         "absorption 0.3 } luminaire } } ",
+         "sphere { <1, 0.5, -0.5>, 1.5 hollow pigment { rgbt 1 } interior { media { emission 1 "
+         "absorption 0.3 } } } "}};
+    for (const auto& [place, name] : places)
+        for (const auto& [sampled, met] : lights) {
+            const auto seen = [&](const std::string& light) {
+                return mean_seen(
+                    "#version 3.7; #default { finish { ambient 0 diffuse 0 } } "
+                    "global_settings { integrator { path_traced { bounces 6 } } } "
+                    "disc { 4*z, z, 2 pigment { rgb 0 } } " +
+                        place + light,
+                    {Vec3(0.1, 0.2, -5), Vec3(0, 0, 1)}, 6000);
+            };
+            const Mean one = seen(sampled), other = seen(met);
+            CAPTURE(name, met, one.value, one.error, other.value, other.error);
+            CHECK(agree(one, other));
+        }
+}
+
+TEST_CASE("the first order of scattering has POV-Ray's unit, or that of `multiple`",
+          "[transport]") {
+    // A thin medium before black, in a furnace: all light comes from it, and nearly none is
+    // scattered twice.
+    const auto seen = [](const std::string& integrator, const std::string& multiple,
+                         const std::string& sky) {
+        return mean_seen(
+                   "#version 3.7; #default { finish { ambient 0 diffuse 0 } } global_settings { "
+                   "integrator { " +
+                       integrator +
+                       " } } disc { 4*z, z, 0.1 pigment { rgb 0 } } "
+                       "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { scattering { 1, "
+                       "0.001 " +
+                       multiple + " } } } } sky_sphere { pigment { rgb 1 } " + sky + " }",
+                   {Vec3(0, 0, -5), Vec3(0, 0, 1)}, 20000)
+            .value;
+    };
+    const std::string traced = "path_traced { bounces 3 }";
+    for (const char* const sky : {"luminaire", ""}) {
+        CHECK(seen(traced, "", sky) == Approx(4 * 0.002).epsilon(0.02));
+        CHECK(seen(traced, "multiple", sky) == Approx(0.002).epsilon(0.02));
+    }
+    CHECK(seen("pov_ray", "", "luminaire") == Approx(4 * 0.002).epsilon(0.02));
+    CHECK(seen("pov_ray", "multiple", "luminaire") == Approx(4 * 0.002).epsilon(0.02));
+}
+
+TEST_CASE("media that are luminaires light a place exactly as the place sees them", "[transport]") {
+    const std::string ball = "sphere { 0, 0.8 pigment { rgbt 1 } finish { diffuse 0 } hollow ";
+    const std::pair<const char*, std::string> solids[] = {
+        {"whole", ball},
+        {"open above", ball + "clipped_by { plane { y, 0 } } "},
+        {"open below", ball + "clipped_by { plane { -y, 0 } } "},
+        {"open at a side", ball + "clipped_by { plane { x, 0 } } "},
+        {"with a hole", ball + "clipped_by { cylinder { -y, y, 0.3 inverse } } "},
+        {"intersection",
+         "intersection { sphere { 0, 0.8 } plane { y, 0 } pigment { rgbt 1 } finish "
+         "{ diffuse 0 } hollow "},
+        {"tube",
+         "cylinder { -0.6*y, 0.6*y, 0.5 open pigment { rgbt 1 } finish { diffuse 0 } hollow "},
+        {"cut into a union",
+         "union { sphere { -0.3*x, 0.6 } sphere { 0.3*x, 0.6 } clipped_by { "
+         "plane { y, 0.2 } } pigment { rgbt 1 } finish { diffuse 0 } hollow "},
+        {"without shadow", ball + "no_shadow "}};
+    const std::pair<const char*, std::string> beside[] = {
+        {"nothing", ""},
+        {"a ceiling", "disc { 4*y, y, 9 pigment { rgb 0 } } "},
+        {"a cut pane",
+         "box { <-9, 0.5, -9>, <9, 0.7, 9> clipped_by { plane { x, 0.1 } } pigment { "
+         "rgbt 1 } finish { diffuse 0 } } "}};
+    for (const auto& [name, solid] : solids)
+        for (const auto& [what, more] : beside) {
+            const auto scene = [&](const std::string& integrator, const std::string& luminaire,
+                                   const std::string& floor) {
+                return world_of(
+                    "#version 3.7; #default { finish { ambient 0 } } global_settings { "
+                    "integrator { " +
+                    integrator + " } } " + floor + more + solid +
+                    "interior { media { emission 1 absorption 0.3 } " + luminaire +
+                    " } translate 2*y }");
+            };
+            const std::string disc = "disc { 0, y, 0.001 pigment { rgb 1 } finish { diffuse 1 } } ";
+            const Ray down{Vec3(0, 0.0005, 0), Vec3(0, -1, 0)};
+            const Mean sampled = mean_seen(scene("pov_ray", "luminaire", disc), down, 6000);
+            // A fisheye camera at the place, weighted by the cosine.
+            const World dark = scene("pov_ray", "luminaire", "");
+            Integrator integrator(dark, {});
+            Draw draw(4);
+            Key key;
+            double sum = 0, squares = 0;
+            constexpr std::uint32_t count = 6000;
+            for (; key.sample < count; ++key.sample) {
+                const Vec3 towards =
+                    cosine_direction(Vec3(0, 1, 0), {draw.number(), draw.number()});
+                const double seen = grey(integrator.radiance({Vec3(0), towards}, key));
+                sum += seen, squares += seen * seen;
+            }
+            const double mean = sum / count;
+            const Mean sees{mean, std::sqrt(std::fmax(squares / count - mean * mean, 0) / count)};
+            const Mean met = mean_seen(scene("path_traced { bounces 1 }", "", disc), down, 6000);
+            const Mean traced =
+                mean_seen(scene("path_traced { bounces 1 }", "luminaire", disc), down, 6000);
+            CAPTURE(name, what, sampled.value, sees.value, met.value, traced.value);
+            CHECK(agree(sampled, sees));
+            CHECK(agree(traced, sees));
+            // Media that are no luminaires also show behind an opening, up to the next surface.
+            if (more.empty()) CHECK(agree(met, sees));
+        }
 }
 
 }  // namespace candelabra

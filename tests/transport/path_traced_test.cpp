@@ -2,6 +2,7 @@
 #include "transport/path_traced.h"
 
 #include "support/draw.h"
+#include "support/means.h"
 #include "support/scripts.h"
 #include "transport/integrator.h"
 #include "world/compile.h"
@@ -166,6 +167,109 @@ TEST_CASE("a thin surface lets diffuse light through to what is behind", "[trans
     };
     CHECK(seen("diffuse 0, 0.5") == Approx(0.5).epsilon(0.02));
     CHECK(seen("diffuse 0.5, 0") == 0);
+}
+
+TEST_CASE("no solid makes light in a furnace", "[transport]") {
+    // Before a radiance of 1 everywhere no weight of a path comes to more than 1, unless white light
+    // is split: then the mean does not.
+    const std::string half = " pigment { rgbt <1, 1, 1, 0.6> } ";
+    const std::string glossy = "reflection { 0, 1 fresnel } conserve_energy ";
+    const std::pair<std::string, double> solids[] = {
+        {"sphere { 0, 1" + half + "finish { diffuse 1 } interior { ior 1.05 } }", 1},
+        {"sphere { 0, 1" + half + "finish { diffuse 1 } interior { ior 1.5 } }", 1},
+        {"sphere { 0, 1" + half + "finish { diffuse 1 } interior { ior 2.4 } }", 1},
+        {"sphere { 0, 1" + half + "finish { diffuse 1 } interior { ior 0.7 } }", 1},
+        {"box { -0.8, 0.8 rotate <30, 40, 0>" + half +
+             "finish { diffuse 1 } interior { ior 1.3 } }",
+         1},
+        {"sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.9> } finish { diffuse 1 } interior { ior 1.5 } "
+         "}",
+         1},
+        {"sphere { 0, 1" + half + "finish { diffuse 0.5, 0.5 } interior { ior 1.5 } }", 1},
+        {"sphere { 0, 1 pigment { rgbf <0.9, 1, 0.8, 0.7> } finish { diffuse 0.8 } interior { ior "
+         "1.31 } }",
+         1},
+        {"merge { sphere { -0.3*x, 0.7 } box { -0.6, 0.6 }" + half +
+             "finish { diffuse 1 } interior { "
+             "ior 1.5 } }",
+         1},
+        {"sphere { 0, 1 clipped_by { plane { y, 0.3 } }" + half +
+             "finish { diffuse 1 } interior { ior "
+             "1.5 } }",
+         1},
+        {"sphere { 0, 1 texture {" + half + "finish { diffuse 1 } } texture {" + half +
+             "finish { diffuse 1 } } interior { ior 1.5 } }",
+         1},
+        {"sphere { 0, 1" + half + "finish { diffuse 1 " + glossy + "} interior { ior 1.5 } }", 1},
+        {"sphere { 0, 1 pigment { rgb 1 } finish { diffuse 1 " + glossy +
+             "} interior { ior 1.5 } }",
+         1},
+        {"sphere { 0, 1 pigment { rgb 1 } finish { diffuse 0.9 reflection 0.4 conserve_energy } }",
+         1},
+        {"sphere { 0, 1" + half + "finish { diffuse 1 } interior { ior 1.5 dispersion 1.1 } }", 3}};
+    for (const auto& [solid, greatest] : solids) {
+        const World world = world_of(
+            traced(30) + "camera { location <0.3, 0.9, -3.3> } background { rgb 1 } " + solid);
+        Integrator integrator(world, {});
+        Draw draw(3);
+        Key key;
+        double sum = 0, most = 0;
+        constexpr std::uint32_t count = 4000;
+        for (; key.sample < count; ++key.sample) {
+            const Vec3 towards(draw.between(-0.9, 0.9), draw.between(-0.9, 0.9), 0);
+            const Vec3 from(0.3, 0.9, -3.3);
+            const Vec3 seen = integrator.radiance({from, unit(towards - from)}, key);
+            sum += grey(seen), most = std::fmax(most, max_component(seen));
+        }
+        CAPTURE(solid);
+        CHECK(sum / count < 1.01);
+        CHECK(sum / count > 0.8);
+        if (greatest == 1) CHECK(most <= 1 + 1e-9);
+    }
+}
+
+TEST_CASE("glass dims light that is sampled as light that is found by chance", "[transport]") {
+    const std::string glossy =
+        " pigment { rgbt 1 } finish { diffuse 0 reflection { 0, 1 fresnel } conserve_energy } ";
+    const std::string pane =
+                          "box { <-90, 1, -90>, <90, 1.1, 90>" + glossy + "interior { ior 1.5 } } ",
+                      second =
+                          "box { <-90, 2, -90>, <90, 2.1, 90>" + glossy + "interior { ior 1.5 } } ",
+                      mirrored =
+                          "box { <-90, 1, -90>, <90, 1.1, 90> pigment { rgbt 1 } finish { "
+                          "diffuse 0 reflection 0.3 conserve_energy } } ",
+                      tinted =
+                          "box { <-90, 1, -90>, <90, 1.1, 90> texture { pigment { rgbf <0.9, 0.8, "
+                          "0.7, 1> } finish { diffuse 0 reflection 0.2 conserve_energy } } } ";
+    const std::pair<std::string, std::string> lights[] = {
+        {"sky_sphere { pigment { rgb 1 } luminaire } ", "sky_sphere { pigment { rgb 1 } } "},
+        {"sphere { 0, 500 pigment { rgb 1 } finish { diffuse 0 emission 1 } } ",
+         "sphere { 0, 500 pigment { rgb 1 } finish { diffuse 0 emission 1 no_luminaire } } "}};
+    const Ray ray{Vec3(0, 0.5, -0.5), unit(Vec3(0, -1, 1))};
+    for (const std::string& glass : {pane, pane + second, mirrored, tinted})
+        for (const auto& [sampled, met] : lights) {
+            const std::string scene = traced(6) + "plane { y, 0 pigment { rgb 0.5 } } " + glass;
+            CAPTURE(glass, met);
+            CHECK(
+                agree(mean_seen(scene + sampled, ray, 20000), mean_seen(scene + met, ray, 20000)));
+        }
+}
+
+TEST_CASE("clear glass changes nothing in a furnace", "[transport]") {
+    const std::string ball =
+        "sphere { 1.2*y, 1 pigment { rgbt 1 } finish { diffuse 0 reflection { 0, 1 fresnel } "
+        "conserve_energy } interior { ior 1.5 } } ";
+    for (const char* const walls : {"", "no_luminaire"}) {
+        const Mean seen = mean_seen(
+            traced(40) + ball +
+                "plane { y, 0 pigment { rgb 0.5 } finish { diffuse 1 emission 1 no_luminaire } } "
+                "sphere { 0, 50 hollow pigment { rgb 1 } finish { diffuse 0 emission 1 " +
+                walls + " } } ",
+            {Vec3(0.3, 0.1, -0.5), unit(Vec3(0, -1, 1))}, 20000);
+        // The floor emits half of what it would reflect in a furnace of 1.
+        CAPTURE(walls);
+        CHECK(agree(seen, {1, 0}));
+    }
 }
 
 }  // namespace candelabra

@@ -143,4 +143,23 @@ TEST_CASE("only surfaces that collect get photons, and that show light", "[trans
     CHECK(come_to("pigment { rgb 1 } finish { diffuse 0 }") == 0);
 }
 
+TEST_CASE("a photon that is totally reflected has no more than what would pass", "[transport]") {
+    // Straight into a prism, from whose long face all light is reflected to the side.
+    const auto power = [](const std::string& pigment) {
+        double sum = 0;
+        for (const Photon& photon : photons_in(with_photons(
+                 "box { <-50, -50, -50>, <50, -40, 50> pigment { rgb 1 } } "
+                 "box { <5, -9, -9>, <6, 9, 9> pigment { rgb 1 } } "
+                 "prism { -1, 1, 4, <-1, -1>, <1, 1>, <-1, 1>, <-1, -1> rotate -90*x scale <-1, 1, "
+                 "1> " +
+                 pigment + " finish { diffuse 0.9 } interior { ior 1.5 } photons { target } }")))
+            if (photon.position.x > 4.9) sum += photon.power.y;
+        return sum;
+    };
+    const double clear = power("pigment { rgbt 1 }");
+    REQUIRE(clear == Approx(4).epsilon(0.02));
+    CHECK(power("pigment { rgbt <1, 1, 1, 0.6> }") ==
+          Approx(0.6 * 0.6 * 0.6 * clear).epsilon(0.02));
+}
+
 }  // namespace candelabra
