@@ -3,6 +3,7 @@
 
 #include "base/random.h"
 #include "picture/layers.h"
+#include "picture/write.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -171,7 +172,7 @@ std::optional<std::string> encode(const Checkpoint& checkpoint, Diagnostics& dia
     for (int c = 0; c < 3; ++c) {
         ChannelPlane plane{channels[static_cast<std::size_t>(c)], false, {}};
         for (const PixelSum& pixel : film.pixels())
-            plane.bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(pixel.mean()[c])));
+            plane.bits.push_back(std::bit_cast<std::uint32_t>(finite_float(pixel.mean()[c])));
         picture.planes.push_back(std::move(plane));
     }
     for (const StatePart& part : parts(film.aovs(), has_negative(film))) {

@@ -28,7 +28,7 @@ FileLock::FileLock(const std::string& path) {
     const std::filesystem::path whole(path);
     path_ = (whole.parent_path() / ("." + whole.filename().string() + ".lock")).string();
     for (int attempt = 0; attempt < 10; ++attempt) {
-        file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (file_ < 0) return;
         if (::flock(file_, LOCK_EX | LOCK_NB) != 0)
             taken_ = errno == EWOULDBLOCK;

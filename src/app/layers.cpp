@@ -46,6 +46,32 @@ std::string_view next_word(std::string_view& text) {
     return word;
 }
 
+/// Whether the word before `text` stands for a whole item of its block, rather than for a position
+/// or another value in it: the block ends behind it, or goes on with a word of the language.
+bool stands_alone(std::string_view text, const Names& names) {
+    const std::size_t next = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+    text.remove_prefix(next);
+    if (text.starts_with('}')) return true;
+    const std::string word(next_word(text));
+    static constexpr auto colours =
+        std::to_array<std::string_view>({"color", "colour", "red", "green", "blue", "rgb", "rgbf",
+                                         "rgbt", "rgbft", "srgb", "srgbf", "srgbt", "srgbft"});
+    return !word.empty() && names.find(word) != no_name &&
+           std::ranges::find(colours, word) == colours.end();
+}
+
+/// Returns the name with the number of an element, if it has one: `Lamps[3]` is `Lamps_3`.
+std::string element_name(std::string_view word, std::string_view& text) {
+    std::string name(word);
+    while (text.starts_with('[')) {
+        const std::string_view index = text.substr(1, text.find(']') - 1);
+        if (text.find(']') == text.npos) break;
+        if (!index.empty() && std::ranges::all_of(index, is_digit)) name += message('_', index);
+        text.remove_prefix(index.size() + 2);
+    }
+    return name;
+}
+
 /// Returns a readable name for the statement.
 std::string name_of(const Span& span, const SourceStore& sources, const Names& names) {
     if (!span.known()) return "light";
@@ -56,13 +82,22 @@ std::string name_of(const Span& span, const SourceStore& sources, const Names& n
     const std::string_view directive = next_word(before);
     if (directive == "declare" || directive == "local") return std::string(next_word(before));
     const std::string first(next_word(text));
-    if (names.find(first) == no_name) return first.empty() ? "light" : first;
-    // object { Lamp ... }, light_group { Lamp ... }, union { object { Lamp ... } ... }
+    if (names.find(first) == no_name) return first.empty() ? "light" : element_name(first, text);
+    const auto holds_objects = [](std::string_view word) {
+        return word == "object" || word == "union" || word == "light_group";
+    };
+    // object { Lamp ... }, light_group { Lamps[2] ... }, union { object { Lamp ... } ... }
+    bool objects = holds_objects(first);
     for (int depth = 0; depth < 4; ++depth) {
         const std::string_view word = next_word(text);
         if (word.empty()) break;
-        if (names.find(std::string(word)) == no_name) return std::string(word);
-        if (word != "object" && word != "union" && word != "light_group") break;
+        if (names.find(std::string(word)) == no_name) {
+            std::string name = element_name(word, text);
+            if (objects || stands_alone(text, names)) return name;
+            break;
+        }
+        objects = holds_objects(word);
+        if (!objects) break;
     }
     return first;
 }
@@ -93,10 +128,15 @@ private:
 
     template <class Value>
     void add(const std::string& name, const Value& value) {
+        add_plane(name, [&](std::size_t i) { return finite_float(value(i)); });
+    }
+
+    template <class Value>
+    void add_plane(const std::string& name, const Value& value) {
         ChannelPlane plane{name, false, {}};
         plane.bits.reserve(film_.pixels().size());
         for (std::size_t i = 0; i < film_.pixels().size(); ++i)
-            plane.bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(value(i))));
+            plane.bits.push_back(std::bit_cast<std::uint32_t>(value(i)));
         made_.planes.push_back(std::move(plane));
     }
 
@@ -119,9 +159,10 @@ private:
             case PictureLayer::normal:
                 return add_three(name, xyz, extras_.normal());
             case PictureLayer::depth:
-                return add(name, [&](std::size_t i) {
+                // Where there is nothing, the depth is infinite.
+                return add_plane(name, [&](std::size_t i) {
                     const double depth = sum(i, extras_.depth());
-                    return depth > 0 ? depth : std::numeric_limits<double>::infinity();
+                    return depth > 0 ? finite_float(depth) : std::numeric_limits<float>::infinity();
                 });
             case PictureLayer::object:
                 return add(name, [&](std::size_t i) { return sum(i, extras_.object()); });

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -42,10 +43,10 @@ const TypeInfo& info(PictureType type) {
                          [&](const TypeInfo& each) { return each.type == type; });
 }
 
-/// Radiance's shared exponents cannot represent negative, infinite or undefined values.
+/// Radiance's shared exponents cannot represent negative values.
 float representable(double value, const PictureFormat& format) {
     if (format.encoded) value = to_linear(value, format.gamma);
-    if (format.type != PictureType::hdr) return static_cast<float>(value);
+    if (format.type != PictureType::hdr) return finite_float(value);
     return value > 0 ? static_cast<float>(std::min(value, 1e37)) : 0.0f;
 }
 
@@ -160,6 +161,11 @@ void describe(std::string& bytes, const PictureFormat& format) {
 }
 
 }  // namespace
+
+float finite_float(double value) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return std::isnan(value) ? 0.0f : static_cast<float>(std::clamp(value, -most, most));
+}
 
 std::string_view extension(PictureType type) { return info(type).extension; }
 

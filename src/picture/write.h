@@ -47,6 +47,9 @@ std::optional<PictureType> type_of_name(std::string_view path);
 /// for not-a-number.
 unsigned quantised(double value, unsigned most, const PictureFormat& = {});
 
+/// Returns the nearest float that is a number and finite; 0 for not-a-number.
+float finite_float(double);
+
 /// Linearises the values as an OpenEXR file would store them.
 Image linear(Image, const PictureFormat&);
 

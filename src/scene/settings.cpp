@@ -12,7 +12,7 @@ const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
         as_colour(F{"ambient_light", &GlobalSettings::ambient_light, item,
                     "light that seems to come from everywhere"}),
         F{"assumed_gamma", &GlobalSettings::assumed_gamma, item,
-          "power by which the scene's colours become linear light; 1: they are", above(0)},
+          "power by which the scene's colours become linear light; 1: they are", between(0.1, 10)},
         F{"max_trace_level", &GlobalSettings::max_trace_level, item,
           "how many reflections and refractions are followed; 0 is as 1", between(0, 256)},
         F{"noise_generator", &GlobalSettings::noise_generator, item,

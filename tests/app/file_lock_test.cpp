@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/file_lock.h"
 
+#include "support/folder.h"
+
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -27,6 +29,25 @@ TEST_CASE("one run at a time makes a file, and leaves no lock behind") {
     CHECK_FALSE(FileLock("/no/such/folder/a.png").taken());
     CHECK_FALSE(FileLock("").taken());
     fs::remove_all(folder);
+}
+
+TEST_CASE("a lock follows no link") {
+    const Folder folder;
+    std::filesystem::create_symlink("none", folder / ".a.png.lock");
+    const FileLock lock(folder / "a.png");
+    CHECK_FALSE(lock.taken());
+    CHECK_FALSE(std::filesystem::exists(folder / "none"));
+}
+
+TEST_CASE("a lock that a killed run has left locks nothing, and goes with the next run") {
+    const Folder folder;
+    folder.put(".a.png.lock", "");
+    {
+        const FileLock lock(folder / "a.png");
+        CHECK_FALSE(lock.taken());
+        CHECK(FileLock(folder / "a.png").taken());
+    }
+    CHECK_FALSE(std::filesystem::exists(folder / ".a.png.lock"));
 }
 
 }  // namespace candelabra

@@ -91,6 +91,33 @@ TEST_CASE("layers of light add up to the picture, and have the names that the sc
     CHECK(brightest > 1);
 }
 
+TEST_CASE("layers of light are named by their statements, not by variables of their positions") {
+    Shell shell;
+    shell.write("named.pov", R"(#version 3.7; global_settings { assumed_gamma 1 }
+        camera { location -4*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } }
+        #declare Here = <1, 2, -3>; #declare R = 2; #declare Tint = rgb 1;
+        #declare Lamps = array[2] { light_source { y, 1 }, light_source { 2*y, 1 } }
+        light_source { Here, 1 }
+        light_source { 2*Here, 1 }
+        light_source { <R, 2, -4>, 1 }
+        light_source { Here rgb 1 }
+        light_source { Here Tint }
+        light_source { Here + x, 1 }
+        sphere { Here, 0.1 pigment { rgb 1 } finish { emission 2 } }
+        light_source { Lamps[0] translate x }
+        light_source { Lamps[1] }
+        light_source { Lamps[1] translate R*x })");
+    REQUIRE(shell({shell.path("named.pov"), "-V", "+W4", "+H3", "+O" + shell.path("n.exr"),
+                   "--layers", "lights"}) == 0);
+    std::set<std::string> lights;
+    for (const std::string& name : Planes(shell.path("n.exr")).names())
+        if (name.starts_with("light.") && name.ends_with(".R"))
+            lights.insert(name.substr(6, name.size() - 8));
+    CHECK(lights == std::set<std::string>{"light_source", "light_source_2", "light_source_3",
+                                          "light_source_4", "light_source_5", "light_source_6",
+                                          "sphere", "Lamps_0", "Lamps_1", "Lamps_1_2", "rest"});
+}
+
 TEST_CASE("all layers are there, beside a picture that cannot have them") {
     Shell shell;
     REQUIRE(render(shell, {"+O" + shell.path("a.png"), "--layers", "all"}) == 0);

@@ -3,10 +3,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace candelabra {
@@ -67,6 +69,54 @@ TEST_CASE("links stay links and permissions stay as they were") {
     CHECK(content(folder.file("target")) == "new");
     CHECK(fs::status(folder.file("target")).permissions() ==
           (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("a link that leads out of its folder is not followed, whatever is written") {
+    const FileFolder folder;
+    fs::create_directories(folder.path / "out");
+    std::ofstream(folder.file("precious")) << "mine";
+    fs::create_symlink("../precious", folder.path / "out/a.png");
+    fs::create_symlink(folder.file("precious"), folder.path / "out/b.png");
+    fs::create_symlink("a.png", folder.path / "out/chain.png");
+    fs::create_symlink("../none", folder.path / "out/loose.png");
+    fs::create_symlink("/dev/null", folder.path / "out/device");
+    fs::create_symlink("out", folder.path / "way");
+    for (const char* name :
+         {"out/a.png", "out/b.png", "out/chain.png", "out/device", "way/a.png"}) {
+        CAPTURE(name);
+        Diagnostics diagnostics;
+        CHECK_FALSE(write_file(folder.file(name), "x", diagnostics));
+        REQUIRE(diagnostics.error_count() == 1);
+        CHECK(diagnostics.all()[0].message.find("leads out of its folder") != std::string::npos);
+        CHECK(problem_with_destination(folder.file(name)).find("leads out") != std::string::npos);
+        CHECK_FALSE(open_growing_file(folder.file(name)));
+    }
+    CHECK(content(folder.file("precious")) == "mine");
+    Diagnostics diagnostics;
+    CHECK(write_file(folder.file("out/loose.png"), "x", diagnostics));
+    CHECK_FALSE(fs::exists(folder.file("none")));
+    CHECK(write_file(folder.file("way/new.png"), "x", diagnostics));
+    CHECK(diagnostics.all().empty());
+}
+
+TEST_CASE("the system's own links lead where they lead") {
+    Diagnostics diagnostics;
+    CHECK(problem_with_destination("/dev/stdout").empty());
+    const FileFolder folder;
+    const OpenedFile file = open_growing_file(folder.file("log"));
+    REQUIRE(file);
+    CHECK(write_file("/proc/self/fd/" + std::to_string(file.descriptor()), "x", diagnostics));
+    CHECK(content(folder.file("log")) == "x");
+}
+
+TEST_CASE("a file that grows has all that was written") {
+    const FileFolder folder;
+    std::ofstream(folder.file("log")) << "an older and longer text";
+    const OpenedFile file = open_growing_file(folder.file("log"));
+    CHECK(write_all(file.descriptor(), "one ") == 0);
+    CHECK(write_all(file.descriptor(), "two") == 0);
+    CHECK(content(folder.file("log")) == "one two");
+    CHECK(write_all(OpenedFile(::open("/dev/full", O_WRONLY)).descriptor(), "x") == ENOSPC);
 }
 
 TEST_CASE("devices are written to, not replaced") {

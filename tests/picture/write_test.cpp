@@ -2,6 +2,7 @@
 #include "picture/write.h"
 
 #include "base/colour.h"
+#include "picture/formats.h"
 
 #include <catch2/catch.hpp>
 
@@ -87,6 +88,32 @@ TEST_CASE("a file may have another gamma than sRGB") {
         CHECK(quantised(value, 65535, linear) == std::floor(clipped * 65535 + 0.5));
         CHECK(quantised(value, 255, rooted) == std::floor(std::sqrt(clipped) * 255 + 0.5));
         CHECK(quantised(value, 255, plain) == std::floor(clipped * 255 + 0.5));
+    }
+}
+
+TEST_CASE("no file has infinity or what is no number", "[picture]") {
+    constexpr double most = std::numeric_limits<float>::max(), endless = INFINITY;
+    CHECK(finite_float(endless) == most);
+    CHECK(finite_float(-endless) == -most);
+    CHECK(finite_float(1e300) == most);
+    CHECK(finite_float(NAN) == 0);
+    CHECK(finite_float(0.25) == 0.25f);
+    Image image(4, 1);
+    image.pixels = {Vec3(endless, -endless, NAN), Vec3(1e300), Vec3(5), Vec3(1e39, 0.5, 0)};
+    for (const PictureType type :
+         {PictureType::png, PictureType::exr, PictureType::hdr, PictureType::ppm, PictureType::tga,
+          PictureType::jpeg, PictureType::bmp}) {
+        PictureFormat format;
+        format.type = type;
+        format.gamma = 10;
+        CAPTURE(std::string(extension(type)));
+        Diagnostics diagnostics;
+        const auto bytes = encode(image, format, diagnostics);
+        REQUIRE(bytes);
+        const auto read =
+            read_stored({"a." + std::string(extension(type)), *bytes}, diagnostics, {});
+        REQUIRE(read);
+        for (const float value : read->values) CHECK(std::isfinite(value));
     }
 }
 
