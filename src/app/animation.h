@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace candelabra {
@@ -24,12 +25,18 @@ struct AnimationSettings {
     std::optional<double> subset_start_frame;
     std::optional<double> subset_end_frame;
     int frame_step = 1;
+    /// The frames to render in their order, instead of a subset; empty: all.
+    std::vector<int> chosen;
     /// The frame after the last would be the first, so final_clock is not reached.
     bool cyclic = false;
     bool skip_existing = false;  ///< leaves out frames whose file exists
 
     static const ItemInfo vocabulary;
 };
+
+/// Parses `3,7,12-20,9-5`: numbers, and ranges in either direction. Returns nothing for another
+/// text, or if there are more frames than an animation has.
+std::optional<std::vector<int>> frame_list(std::string_view);
 
 struct AnimationFrame {
     int number = 0;
@@ -40,7 +47,9 @@ struct AnimationFrame {
 struct Animation {
     std::vector<AnimationFrame> frames;
     int initial_frame = 1;
-    int final_frame = 1;     ///< as scenes see it: one more in a cyclic animation, as in POV-Ray
+    /// As scenes see it: one further in a cyclic animation, as in POV-Ray. Below initial_frame if
+    /// the frames are numbered backwards.
+    int final_frame = 1;
     double clock_delta = 0;  ///< step of the clock between frames
     int digits = 1;          ///< width of the numbers in file names
 };

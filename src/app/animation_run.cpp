@@ -11,10 +11,13 @@
 #include "app/output.h"
 #include "app/scene_run.h"
 #include "picture/file.h"
+#include "picture/flaw.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -83,13 +86,43 @@ private:
         return read_shard(options_.shard, console_.environment, diagnostics_).value_or(Shard());
     }
 
-    /// Whether a frame is skipped because an earlier run has made it and all that belongs to it.
-    bool is_there(const std::string& path) const {
+    /// Whether a frame is skipped because an earlier run has made it and all that belongs to it. A
+    /// file that is there but not finished is warned of.
+    bool is_there(const std::string& path) {
         std::error_code none;
         if (!options_.to_file || options_.task != Task::render) return false;
         const bool begun = fs::exists(path + std::string(state_ending), none);
         const bool skips = options_.animation.skip_existing || (options_.go_on && !begun);
-        return skips && fs::exists(path, none) && fs::exists(quietest(path), none);
+        if (!skips) return false;
+        for (const std::string& each : files_of_frame(path)) {
+            if (!fs::exists(each, none)) return false;
+            const std::string why =
+                flaw_of_picture(each, options_.render.width, options_.render.height);
+            if (why.empty()) continue;
+            warn_of_flaw(each, why);
+            return false;
+        }
+        return true;
+    }
+
+    /// Says it once for a file, though a frame may be begun twice.
+    void warn_of_flaw(const std::string& path, const std::string& why) {
+        if (!flawed_.insert(path).second) return;
+        Diagnostics problems = diagnostics_.fresh();
+        problems.add(warning(
+            Fault::option, {},
+            message("`", printable(path), "` is no finished frame, and is made again: ", why)));
+        say_errors(console_, options_, problems);
+    }
+
+    /// Returns the paths of all pictures of a frame.
+    std::vector<std::string> files_of_frame(const std::string& frame) const {
+        FilmFiles files{frame, output_.format, options_.alpha, options_.layers};
+        files.denoise = options_.denoise;
+        std::vector<std::string> paths = {frame};
+        for (const std::string& path : {denoised_path(files), layers_path(files)})
+            if (!path.empty() && path != frame) paths.push_back(path);
+        return paths;
     }
 
     /// Returns the denoised picture beside a frame if one was requested, else the frame.
@@ -236,7 +269,8 @@ private:
 
     std::vector<std::size_t> mine_;  ///< frames of this run
     std::vector<std::string> files_;
-    bool said_ = false;  ///< problems with the command line have been reported
+    std::set<std::string> flawed_;  ///< files that were warned of
+    bool said_ = false;             ///< problems with the command line have been reported
     bool looks_ahead_ = true;
 };
 

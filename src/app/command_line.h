@@ -9,8 +9,15 @@
 
 namespace candelabra {
 
-/// Returns one line for the shell, with the scene's name without its folder. Options that do not
-/// change the pixels are left out: threads, names of outputs, limits, parts of a farm.
+/// Whether the picture decides how many samples each pixel gets, by the options of antialiasing.
+bool samples_are_adaptive(const Options&);
+
+/// Returns one line for the shell, with the scene's name without its folder. It has all options
+/// that change the light of the pixels, by the table of options. So it lacks threads, names of
+/// outputs, limits, permissions and parts of a farm.
 std::string command_line(const Options&);
+
+/// Returns the options with which the command makes a file of this format, each after a blank.
+std::string format_options(const PictureFormat&);
 
 }  // namespace candelabra

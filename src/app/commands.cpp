@@ -12,6 +12,8 @@
 #include "app/memory_limit.h"
 #include "app/merge.h"
 #include "app/mesh_export.h"
+#include "app/option_table.h"
+#include "app/option_values.h"
 #include "app/preview.h"
 #include "app/sandbox.h"
 #include "app/scene_run.h"
@@ -19,9 +21,11 @@
 #include "text/loader.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "text/scene_folders.h"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <vector>
 
 #include <unistd.h>
@@ -51,10 +55,18 @@ int run_task(const Options& options, const std::optional<Animation>& animation,
         .status;
 }
 
-/// Returns the options in effect as an INI file.
+/// Returns the options in effect as an INI file: all settings of the run, and what else was given.
 std::string ini_text(const Options& options) {
     std::string text;
-    for (const std::string& option : options.given) text += ini_line(option) + "\n";
+    for (const OptionRow& row : option_table()) {
+        if (row.field.empty() || row.unoffered != Unoffered::no) continue;
+        for (const std::string& value : values_in_force(row, options)) {
+            const bool switched_off = row.takes == Takes::nothing && value == "off";
+            if (!switched_off) text += ini_line(ini_option(row, value)) + "\n";
+        }
+    }
+    for (const GivenOption& option : options.given)
+        if (!option.row || option.row->field.empty()) text += ini_line(option.line) + "\n";
     return text;
 }
 
@@ -70,6 +82,18 @@ void leave_out_commands(Options& options, Diagnostics& diagnostics) {
                                             "that is permitted"))
                                 .with_help("--allow-commands"));
     options.commands = {};
+}
+
+/// Warns if the scene reads nothing from the current directory, although it lies below it.
+void warn_of_wide_folder(const Options& options, Diagnostics& diagnostics) {
+    if (!options.scene || *options.scene == "-") return;
+    const std::string wide = scene_folders(directory_of(*options.scene), {}).left_out;
+    if (!wide.empty())
+        diagnostics.add(
+            warning(Fault::file_access, {},
+                    message("the scene reads nothing from the current directory, `",
+                            printable(wide), "`, since that is or holds a home, or the system"))
+                .with_help("--allow-read FOLDER permits a folder of it"));
 }
 
 /// A subcommand of the program, given as the first argument.
@@ -165,19 +189,27 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
         return end_with_errors(exit_status::file);
     leave_out_commands(options, diagnostics);
     Streams streams(options.streams, console.err);
-    if (!streams.problem().empty()) {
-        diagnostics.add(error(
-            Fault::io, {}, message("`", printable(streams.problem()), "` cannot be written to")));
-        return end_with_errors(exit_status::file);
-    }
+    const auto log_works = [&] {
+        if (streams.problem().empty()) return true;
+        Diagnostics problem = diagnostics.fresh();
+        problem.add(error(Fault::io, {},
+                          message("`", printable(streams.problem()), "` cannot be written to")));
+        say_errors(console, options, problem);
+        return false;
+    };
+    if (!log_works()) return exit_status::file;
     Console sorted = console;
     sorted.sorted = [&](Stream stream, std::string_view text, std::string_view plain) {
         streams.say(stream, text, plain);
     };
     sorted.made_files = std::make_shared<MadeFiles>(*options.scene);
-    if (!confined(options, sandbox_rules(options, console.library), console, diagnostics))
-        return end_with_errors(exit_status::usage);
-    return run_task(options, animation, sorted, diagnostics);
+    warn_of_wide_folder(options, diagnostics);
+    const SandboxRules rules = sandbox_rules(options, console.library);
+    if (!confined(options, rules, console, diagnostics)) return end_with_errors(exit_status::usage);
+    const int status = run_task(options, animation, sorted, diagnostics);
+    std::error_code not_empty;  // or it does not exist
+    if (!rules.made.empty()) std::filesystem::remove(rules.made, not_empty);
+    return log_works() || status != exit_status::done ? status : exit_status::file;
 }
 
 }  // namespace candelabra

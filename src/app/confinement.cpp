@@ -6,6 +6,7 @@
 #include "text/message.h"
 #include "text/opened_file.h"
 #include "text/printable.h"
+#include "text/scene_folders.h"
 #include "text/written_name.h"
 
 #include <algorithm>
@@ -29,8 +30,14 @@ void add_real(std::vector<std::string>& folders, const std::string& folder) {
 
 /// Returns the part of a path below one of the folders.
 std::optional<fs::path> below_one(const std::vector<std::string>& folders, const fs::path& path) {
-    for (const std::string& folder : folders)
-        if (auto part = part_below(folder, path)) return part;
+    for (const std::string& folder : folders) {
+        auto part = part_below(folder, path);
+        // The first is that of the INI file. Of a whole home or disk, only the files that lie
+        // directly in it are the INI file's.
+        std::error_code none;
+        const bool deep = path.parent_path() != folder || fs::is_directory(path, none);
+        if (part && !(&folder == &folders.front() && deep && is_wide(folder))) return part;
+    }
     return std::nullopt;
 }
 
@@ -74,8 +81,9 @@ std::string Confinement::folder_rule() const {
 
 BrokenRule Confinement::of_file(const std::string& path) const {
     const auto real = path == "-" ? std::nullopt : path_without_links(path);
-    if (!real || !below_one(readable_, *real))
-        return {folder_rule(), permission("--allow-read", path)};
+    const auto part = real ? below_one(readable_, *real) : std::nullopt;
+    if (!part) return {folder_rule(), permission("--allow-read", path)};
+    if (const std::string rule = unread_name(*part); !rule.empty()) return {rule, {}};
     std::error_code none;
     if (fs::is_other(*real, none)) return {"it is no regular file", {}};
     return {};

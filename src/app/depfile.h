@@ -10,7 +10,11 @@
 
 namespace candelabra {
 
-/// Returns "picture.png: scene.pov part.inc", with each name escaped for make.
+/// Returns the first name that no rule of make can have, or "": make would obey it.
+std::string unnameable_in_depfile(const std::string& picture, const std::vector<ReadFile>&);
+
+/// Returns "picture.png: scene.pov part.inc", with each name escaped for make. Precondition: none
+/// is unnameable.
 std::string depfile(const std::string& picture, const std::vector<ReadFile>&);
 
 }  // namespace candelabra

@@ -68,7 +68,7 @@ DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
             others.push_back(argument);
     }
     request.options = read_options(others, diagnostics);
-    for (const std::string& given : request.options.given)
+    for (const auto& [row, given] : request.options.given)
         if (!matters_to_develop(given))
             diagnostics.add(warning(
                 Fault::option, {},

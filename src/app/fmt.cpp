@@ -7,6 +7,7 @@
 #include "text/excerpt.h"
 #include "text/loader.h"
 #include "text/message.h"
+#include "text/opened_file.h"
 #include "text/printable.h"
 
 #include <algorithm>
@@ -23,7 +24,9 @@ public:
     Formatter(const Console& console, bool checks) : console_(console), checks_(checks) {}
 
     void file(const std::string& path) {
-        const std::optional<std::string> text = disk_reader()(path);
+        // A pipe could keep the program waiting for ever.
+        const std::optional<std::string> text =
+            is_regular_file(path) ? disk_reader()(path) : std::nullopt;
         if (!text)
             return say(error(Fault::io, {}, message("`", printable(path), "` cannot be read")));
         const std::optional<std::string> better = laid_out_if_correct(path, *text);

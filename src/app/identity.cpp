@@ -3,14 +3,13 @@
 
 #include "app/command_line.h"
 #include "app/help.h"
-#include "app/region.h"
+#include "app/option_table.h"
+#include "app/option_values.h"
 #include "text/message.h"
 #include "text/printable.h"
 #include "text/sha256.h"
-#include "vocabulary/written.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -21,6 +20,7 @@ namespace {
 constexpr std::string_view file_prefix = "file ";
 constexpr std::string_view even = "even";
 constexpr std::string_view command_mark = "command";
+constexpr std::string_view film_mark = "developed";
 
 std::string one_line(std::string text) {
     std::ranges::replace_if(
@@ -28,46 +28,49 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// Adds the settings of the rendering, except the numbers of rays and of threads.
-void add_settings(Identity& identity, const RenderSettings& settings) {
-    static constexpr auto left_out = std::to_array<std::string_view>(
-        {"samples", "threads", "noise", "sampling_method", "antialias_threshold", "antialias_depth",
-         "antialias_gamma", "jitter", "jitter_amount"});
-    const ItemInfo& info = RenderSettings::vocabulary;
-    for (std::size_t i = 0; i < info.fields.size(); ++i) {
-        const FieldInfo& field = info.fields[i];
-        if (std::ranges::find(left_out, field.name) == left_out.end())
-            identity.emplace_back(field.name, written(info.get(&settings, i), field.type));
+std::string fact_name(const OptionRow& row) {
+    return std::string(!row.field.empty() ? row.field : !row.word.empty() ? row.word : row.keyword);
+}
+
+/// Returns the name of the fact whose option has this function.
+std::string fact_of(std::vector<std::string> (*values)(const Options&)) {
+    for (const OptionRow& row : option_table())
+        if (row.values == values) return fact_name(row);
+    return {};
+}
+
+/// Adds the options that change the picture.
+void add_options(Identity& identity, const Options& options) {
+    for (const OptionRow& row : option_table()) {
+        if (row.changes != Changes::picture) continue;
+        // A picture that is no frame has no word of animations.
+        const bool frames = find_setting(row.field).item == &AnimationSettings::vocabulary;
+        if (frames && !is_changed(row, options)) continue;
+        std::string all;
+        for (const std::string& value : values_in_force(row, options)) {
+            const std::size_t equals = value.find('=');
+            // Each declared name is a fact of its own.
+            if (row.parameter == "name=value")
+                identity.emplace_back(
+                    one_line(message(fact_name(row), '=', value.substr(0, equals))),
+                    one_line(value.substr(equals + 1)));
+            else
+                all += message(all.empty() ? "" : ",", value);
+        }
+        if (!all.empty()) identity.emplace_back(fact_name(row), one_line(all));
     }
-    const auto& sampler = settings.light_sampler;
-    identity.emplace_back(
-        "light-sampler",
-        sampler ? std::string(Kinds<LightSampler>::infos[sampler->index()]->name) : "the scene's");
-    if (settings.integrator)
-        identity.emplace_back(
-            "integrator",
-            std::string(Kinds<IntegratorSettings>::infos[settings.integrator->index()]->name));
 }
 
 std::string sampling(const Options& options) {
-    const RenderSettings& settings = options.render;
     if (options.time) return "as the time allows";
-    if (settings.noise > 0) return message("until the noise is below ", settings.noise);
-    if (settings.samples > 0 || !settings.antialias) return std::string(even);
-    return message("adaptive with method ", settings.sampling_method, ", threshold ",
-                   settings.antialias_threshold, ", depth ", settings.antialias_depth, ", gamma ",
-                   settings.antialias_gamma, " and jitter ",
-                   settings.jitter ? settings.jitter_amount : 0);
-}
-
-void add_facts(Identity& identity, const RunFacts& facts) {
-    if (facts.clock_given) identity.emplace_back("clock", message(facts.clock));
-    if (facts.version) identity.emplace_back("version", message(*facts.version));
-    if (facts.final_frame == 0 && facts.initial_frame == 0) return;
-    identity.emplace_back("frame_number", message(facts.frame_number));
-    identity.emplace_back("frames", message(facts.initial_frame, " to ", facts.final_frame));
-    identity.emplace_back("clocks", message(facts.initial_clock, " to ", facts.final_clock, " by ",
-                                            facts.clock_delta));
+    if (options.render.noise > 0) return message("until the noise is below ", options.render.noise);
+    if (!samples_are_adaptive(options)) return std::string(even);
+    std::string text;
+    for (const OptionRow& row : option_table())
+        if (row.changes == Changes::adaptive)
+            for (const std::string& value : values_in_force(row, options))
+                text += message(text.empty() ? "adaptive: " : ", ", fact_name(row), ' ', value);
+    return text;
 }
 
 }  // namespace
@@ -79,23 +82,12 @@ Identity identity_of(const Options& options, const std::vector<ReadFile>& files,
         identity.emplace_back(
             message(file_prefix, one_line(std::filesystem::path(file.path).filename().string())),
             file.digest);
-    add_settings(identity, options.render);
+    add_options(identity, options);
     identity.emplace_back("sampling", sampling(options));
-    for (const auto& [name, value] : options.declares)
-        identity.emplace_back(
-            message("Declare=", name),
-            std::visit([](const auto& v) { return one_line(message(v)); }, value));
-    add_facts(identity, options.facts);
-    const Region region = region_of(options);
-    if (region != Region{0, 0, options.render.width, options.render.height})
-        identity.emplace_back(
-            "region", message(region.left, ' ', region.top, ' ', region.right, ' ', region.bottom));
-    if (options.alpha) identity.emplace_back("alpha", "yes");
-    if (options.denoise) identity.emplace_back("denoise", "yes");
-    if (!options.layers.empty()) identity.emplace_back("layers", layer_list(options.layers));
+    if (const RunFacts& facts = options.facts; facts.initial_frame != 0 || facts.final_frame != 0)
+        identity.emplace_back("frame_number", message(facts.frame_number));
     identity.emplace_back("gamma", message(format.gamma));
     identity.emplace_back("encoded", format.encoded ? "yes" : "no");
-    if (format.file_gamma > 0) identity.emplace_back("file_gamma", message(format.file_gamma));
     identity.emplace_back(command_mark, one_line(command_line(options)));
     return identity;
 }
@@ -108,7 +100,7 @@ std::string scene_digest(const Identity& identity) {
     return sha256(files);
 }
 
-std::string description(const Identity& identity, int samples) {
+std::string description(const Identity& identity, int samples, const PictureFormat& format) {
     std::string text = message(fact(identity, "program"), "; scene ");
     bool first = true;
     for (const auto& [name, value] : identity)
@@ -119,18 +111,21 @@ std::string description(const Identity& identity, int samples) {
         if (name != "program" && name != command_mark && !name.starts_with(file_prefix))
             text += message(' ', name, '=', value, ';');
     if (fact(identity, "sampling") == even) text += message(" samples=", samples, ';');
-    return message(text, " made by: ", fact(identity, std::string(command_mark)));
+    return message(text, " made by: ", fact(identity, std::string(command_mark)),
+                   format_options(format));
 }
 
 void note_film(Identity& identity, const FilmSettings& film) {
-    if (film.on) identity.emplace_back("film", to_text(film));
+    if (film.on) identity.emplace_back(std::string(film_mark), to_text(film));
 }
 
 void tell_layers(const Identity& identity, FilmFiles& files) {
-    files.denoise = fact(identity, "denoise") == "yes";
-    files.film = film_from_text(fact(identity, "film")).value_or(FilmSettings());
-    files.alpha = fact(identity, "alpha") == "yes";
-    files.layers = read_layer_list(fact(identity, "layers")).value_or(std::vector<PictureLayer>());
+    const auto has = [&](auto* values) { return !fact(identity, fact_of(values)).empty(); };
+    files.denoise = has(in_force::denoise);
+    files.film = film_from_text(fact(identity, std::string(film_mark))).value_or(FilmSettings());
+    files.alpha = has(in_force::alpha);
+    files.layers = read_layer_list(fact(identity, fact_of(in_force::layers)))
+                       .value_or(std::vector<PictureLayer>());
     std::string names = fact(identity, "lights");
     while (!names.empty()) {
         const std::size_t end = std::min(names.find(','), names.size());
@@ -143,6 +138,10 @@ void note_lights(Identity& identity, std::span<const std::string> names) {
     std::string text;
     for (const std::string& name : names) text += message(text.empty() ? "" : ",", name);
     identity.emplace_back("lights", text);
+}
+
+double file_gamma_of(const Identity& identity) {
+    return number(fact(identity, fact_of(in_force::gamma))).value_or(-1);
 }
 
 std::string to_text(const Identity& identity) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The identity of a picture as a list of facts: the program, all files that were read, with their
-// digests, and all options that change the picture. States of the same picture have the same facts,
+// digests, and all options that change the picture, as the table of options says. States of the same picture have the same facts,
 // so only matching states are continued or merged, and differences can be named.
 #pragma once
 
@@ -24,9 +24,9 @@ Identity identity_of(const Options&, const std::vector<ReadFile>&, const Picture
 /// Returns the combined digest of all files.
 std::string scene_digest(const Identity&);
 
-/// Returns the text about its origin that a picture file holds: program, scene, options, and the
-/// command that makes it again.
-std::string description(const Identity&, int samples);
+/// Returns the text about its origin that a picture file of this format holds: program, scene,
+/// options, and the command that makes an equal file.
+std::string description(const Identity&, int samples, const PictureFormat&);
 
 std::string to_text(const Identity&);
 Identity identity_from(const std::string& text);
@@ -35,6 +35,9 @@ Identity identity_from(const std::string& text);
 void tell_layers(const Identity&, FilmFiles&);
 void note_film(Identity&, const FilmSettings&);
 void note_lights(Identity&, std::span<const std::string> names);
+
+/// Returns the exponent of the file's encoding that the options gave; below 0: the sRGB curve.
+double file_gamma_of(const Identity&);
 
 /// Returns the value of a fact, or empty if there is none.
 std::string fact(const Identity&, const std::string& name);

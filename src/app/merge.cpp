@@ -192,7 +192,7 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
             others.push_back(argument);
     }
     request.options = read_options(others, diagnostics);
-    for (const std::string& given : request.options.given)
+    for (const auto& [row, given] : request.options.given)
         if (!matters(given))
             diagnostics.add(warning(Fault::option, {},
                                     message("`", printable(given),
@@ -242,8 +242,9 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
     if (diagnostics.failed()) return false;
     output.format.gamma = number(fact(result.identity, "gamma")).value_or(1);
     output.format.encoded = fact(result.identity, "encoded") == "yes";
-    output.format.file_gamma = number(fact(result.identity, "file_gamma")).value_or(-1);
-    output.format.description = description(result.identity, static_cast<int>(result.samples));
+    output.format.file_gamma = file_gamma_of(result.identity);
+    output.format.description =
+        description(result.identity, static_cast<int>(result.samples), output.format);
     files.path = output.path;
     files.format = output.format;
     return write_film(result.state.film, files, diagnostics);

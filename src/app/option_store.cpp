@@ -12,6 +12,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <system_error>
 
@@ -257,7 +258,26 @@ void store::warning_level(Options&, const Given& given, Diagnostics& diagnostics
     for (const FaultInfo& fault : all_faults()) diagnostics.set_warning(fault.fault, *level > 0);
 }
 
+namespace {
+
+/// Reports an option that asks for another thing than one before it.
+bool is_second_task(const Options& options, const Given& given, Diagnostics& diagnostics,
+                    std::initializer_list<Task> same) {
+    using enum Task;
+    static constexpr auto exclusive =
+        std::array{check,      check_syntax, dump_tokens, dump_tree,
+                   dump_scene, dump_world,   dump_index,  export_mesh};
+    if (std::ranges::find(exclusive, options.task) == exclusive.end() ||
+        std::ranges::find(same, options.task) != same.end())
+        return false;
+    refuse(given, diagnostics, "a run checks, dumps or exports a scene, one of them only");
+    return true;
+}
+
+}  // namespace
+
 void store::check(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (is_second_task(options, given, diagnostics, {Task::check, Task::check_syntax})) return;
     options.task = given.value ? Task::check_syntax : Task::check;
     if (given.value && *given.value != "syntax")
         refuse(given, diagnostics, "only --check and --check=syntax are offered");
@@ -268,6 +288,10 @@ void store::dump(Options& options, const Given& given, Diagnostics& diagnostics)
         std::array{std::pair{"tokens", Task::dump_tokens}, std::pair{"tree", Task::dump_tree},
                    std::pair{"scene", Task::dump_scene}, std::pair{"world", Task::dump_world},
                    std::pair{"index", Task::dump_index}};
+    using enum Task;
+    if (is_second_task(options, given, diagnostics,
+                       {dump_tokens, dump_tree, dump_scene, dump_world, dump_index}))
+        return;
     for (const auto& [name, task] : stages)
         if (*given.value == name) {
             options.task = task;
@@ -277,7 +301,8 @@ void store::dump(Options& options, const Given& given, Diagnostics& diagnostics)
            "tokens, tree, scene, world or index");
 }
 
-void store::export_mesh(Options& options, const Given& given, Diagnostics&) {
+void store::export_mesh(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (is_second_task(options, given, diagnostics, {Task::export_mesh})) return;
     options.task = Task::export_mesh;
     options.mesh_file = *given.value;
 }

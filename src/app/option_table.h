@@ -7,7 +7,9 @@
 #include "app/option_store.h"
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace candelabra {
 
@@ -39,15 +41,29 @@ enum class Touches {
     permits,     ///< permits something to scenes or to others
 };
 
+/// What an option changes in the result. `picture` decides which states belong to the same picture;
+/// all but `none` are in the command that a picture records.
+enum class Changes {
+    none,      ///< no byte
+    folders,   ///< where files are found; the identity of a picture has their digests
+    format,    ///< how the picture is stored
+    samples,   ///< how many samples pixels get
+    adaptive,  ///< the same, if no option of `samples` is given
+    picture,   ///< the light of the picture, or what else is found for each pixel
+};
+
 struct OptionRow {
     std::string_view letters;    ///< POV-Ray's switch without its sign; empty: none
     std::string_view keyword;    ///< of `Keyword=value`; empty: none
     std::string_view word;       ///< of `--word`; empty: none
     std::string_view parameter;  ///< name of its value in help
     Takes takes;
-    std::string_view help;        ///< empty: that of the field
+    std::string_view help;  ///< empty: that of the field
+    Changes changes = Changes::none;
     std::string_view field = {};  ///< a setting; empty: `store` is called
     void (*store)(Options&, const Given&, Diagnostics&) = nullptr;
+    /// Returns the values in force; null: that of the field, or another row says it.
+    std::vector<std::string> (*values)(const Options&) = nullptr;
     Unoffered unoffered = Unoffered::no;
     Touches touches = Touches::nothing;
 };

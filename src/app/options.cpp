@@ -36,6 +36,22 @@ const OptionRow* find_named(std::string_view OptionRow::*name, std::string_view 
     return nullptr;
 }
 
+/// Returns the keyword as a long option: `output-file-name`.
+std::string long_name(std::string_view keyword) {
+    std::string name = lower_case(keyword);
+    std::ranges::replace(name, '_', '-');
+    return name;
+}
+
+/// Returns the row of a long option. Every keyword is one, too: `--output-file-name` is
+/// `Output_File_Name`.
+const OptionRow* find_long(std::string_view name) {
+    if (const OptionRow* row = find_named(&OptionRow::word, name)) return row;
+    std::string keyword(name);
+    std::ranges::replace(keyword, '-', '_');
+    return keyword.empty() ? nullptr : find_named(&OptionRow::keyword, keyword);
+}
+
 bool keyword_form(std::string_view argument) {
     const std::size_t equals = argument.find('=');
     if (equals == std::string_view::npos || equals == 0) return false;
@@ -51,6 +67,11 @@ bool names_a_scene(std::string_view argument) {
     return argument.size() > 4 && same_letters(argument.substr(argument.size() - 4), ".pov");
 }
 
+/// Whether the argument is the scene or an INI file rather than the value of an unknown option.
+bool names_a_file(std::string_view argument) {
+    return names_a_scene(argument) || ini_name(argument);
+}
+
 /// Returns the options that an argument may have been meant as, in its own form: "--seed", "+WT",
 /// "Width=".
 std::string meant(std::string_view argument) {
@@ -61,6 +82,8 @@ std::string meant(std::string_view argument) {
             texts.push_back(message(argument.substr(0, 1), row.letters));
         if (!row.word.empty()) texts.push_back(message("--", row.word));
         if (!row.keyword.empty()) texts.push_back(message(row.keyword, "="));
+        if (!row.keyword.empty() && argument.starts_with("--"))
+            texts.push_back(message("--", long_name(row.keyword)));
     }
     std::string_view word = argument.substr(0, argument.find('='));
     const std::string with_equals = message(word, "=");
@@ -123,7 +146,7 @@ private:
                                 printable(*options_.scene), "`"));
         bare_scene_ = true;
         options_.scene = argument;
-        options_.given.push_back(message("Input_File_Name=", argument));
+        options_.given.push_back({nullptr, message("Input_File_Name=", argument)});
     }
 
     /// Reads an INI file that the command line or another INI file names.
@@ -218,15 +241,20 @@ private:
             return refuse(given, diagnostics_, Confinement::limit_rule());
         options_.strange_names |= confined_ && row.touches == Touches::writes;
         if (diagnostics_.error_count() > before || row.unoffered != Unoffered::no) return;
+        // The user may name a header where the scene reads nothing.
+        if (row.store == store::header && !confined_) options_.readable.push_back(*given.value);
         if (row.store == store::create_ini || row.word.starts_with("allow-")) return;
         const std::string value = given.value.value_or(given.on ? "on" : "off");
+        options_.given.push_back({&row, line_of(row, given, value)});
+    }
+
+    /// Returns the option as a line of an INI file.
+    static std::string line_of(const OptionRow& row, const Given& given, const std::string& value) {
         if (row.keyword.empty())
-            options_.given.push_back(
-                message("--", row.word, given.value ? message("=", value) : std::string()));
-        else if (row.takes == Takes::sign_and_value && given.value)
-            options_.given.push_back(message(given.on ? "+" : "-", row.letters, value));
-        else
-            options_.given.push_back(message(row.keyword, "=", value));
+            return message("--", row.word, given.value ? message("=", value) : std::string());
+        if (row.takes == Takes::sign_and_value && given.value)
+            return message(given.on ? "+" : "-", row.letters, value);
+        return message(row.keyword, "=", value);
     }
 
     void read_switch(std::string_view argument) {
@@ -242,10 +270,18 @@ private:
         if (text.size() > row->letters.size()) value = text.substr(row->letters.size());
         if (row->takes == Takes::sign && value)
             return fail(argument, "there is no such option", help_for(argument));
+        if (row->takes == Takes::value && !value && next_is_value()) value = arguments_[next_++];
         if (row->takes == Takes::value && !value)
-            return fail(argument, message("needs a value directly behind it: `", argument,
-                                          row->parameter, "`"));
+            return fail(argument, message("needs a value: `", argument, row->parameter, "`"));
         accept(*row, {argument, argument[0] == '+' || row->takes == Takes::value, value, where_});
+    }
+
+    /// Whether the next argument is no option: a number may have a sign.
+    bool next_is_value() const {
+        if (next_ >= arguments_.size()) return false;
+        const std::string_view next = arguments_[next_];
+        return !next.starts_with('-') && !next.starts_with('+') ? !next.empty()
+                                                                : number(next).has_value();
     }
 
     std::string help_for(std::string_view argument) {
@@ -287,17 +323,24 @@ private:
     void read_long(std::string_view argument) {
         const std::size_t equals = argument.find('=');
         const OptionRow* row =
-            find_named(&OptionRow::word,
-                       argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
+            find_long(argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
         if (!row) {
-            const std::string near = meant(argument);
-            fail(argument, "there is no such option", near);
+            fail(argument, "there is no such option", meant(argument));
             // Skips its value, which would otherwise be taken for a scene.
-            if (!near.empty() && next_ < arguments_.size() && number(arguments_[next_])) ++next_;
+            if (equals == argument.npos && next_is_value() && !names_a_file(arguments_[next_]))
+                ++next_;
             return;
         }
         Given given{argument, true, {}, where_};
         if (equals != std::string_view::npos) given.value = argument.substr(equals + 1);
+        if (row->takes == Takes::sign || (row->takes == Takes::sign_and_value && given.value)) {
+            // A keyword that is on or off: --output-alpha, --output-alpha=off.
+            const std::optional<bool> on = given.value ? truth(*given.value) : true;
+            if (!on && row->takes == Takes::sign)
+                return fail(argument, "the value must be on or off");
+            if (on) given.value.reset();
+            given.on = on.value_or(true);
+        }
         if (given.value && row->takes == Takes::nothing) return fail(argument, "takes no value");
         if (!given.value && row->takes == Takes::value && next_ < arguments_.size())
             given.value = arguments_[next_++];

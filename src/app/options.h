@@ -47,6 +47,14 @@ enum class Task {
 /// A name that is declared for the scene, and its value.
 using Declaration = std::pair<std::string, std::variant<double, std::string>>;
 
+struct OptionRow;
+
+/// An option that was given, as a line of an INI file.
+struct GivenOption {
+    const OptionRow* row = nullptr;  ///< null: a bare name of a scene
+    std::string line;
+};
+
 struct Options {
     Task task = Task::render;
     std::optional<std::string> scene;  ///< "-": standard input
@@ -72,7 +80,7 @@ struct Options {
     std::string movie;                    ///< made from the frames; empty: none
     double frame_rate = 25;               ///< of the movie, in frames per second
     std::optional<std::string> ini_file;  ///< receives all options
-    std::vector<std::string> given;       ///< all options as lines of an INI file
+    std::vector<GivenOption> given;       ///< all options as given, in order
     RenderSettings render;
     bool verbose = true;
     StreamSettings streams;    ///< destinations of the output by kind

@@ -87,9 +87,9 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
     return output;
 }
 
-std::string folder_of(const Output& output) {
-    if (is_stream(output.path)) return {};
-    return fs::path(output.path).parent_path().string();
+std::string own_folder(const Output& output, const Options& options) {
+    const std::string name = scene_stem(options) + ".files";
+    return is_stream(output.path) ? name : (fs::path(output.path).parent_path() / name).string();
 }
 
 std::string problem_with_output(const Options& options, const std::string& path) {

@@ -17,9 +17,9 @@ struct Output {
 /// Reports contradictions.
 Output output_of(const Options&, Diagnostics&);
 
-/// Returns the folder of the picture, below which the scene may write. "" is the current folder,
-/// also for standard output, devices and pipes.
-std::string folder_of(const Output&);
+/// Returns the folder beside the picture to which a scene writes its files: `scene.files`. It is in
+/// the current folder if the picture goes to standard output, a device or a pipe.
+std::string own_folder(const Output&, const Options&);
 
 /// Describes why the file cannot be written; empty if no problem is known or the path is empty.
 std::string problem_with_output(const Options&, const std::string& path);

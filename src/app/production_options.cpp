@@ -79,6 +79,13 @@ void store::end_column(Options& options, const Given& given, Diagnostics& diagno
     row_or_column(options.end_column, given, diagnostics);
 }
 
+void store::frames(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (auto numbers = frame_list(*given.value))
+        options.animation.chosen = std::move(*numbers);
+    else
+        refuse(given, diagnostics, "needs numbers of frames, and ranges of them", "3,7,12-20,9-5");
+}
+
 void store::go_on(Options& options, const Given& given, Diagnostics&) { options.go_on = given.on; }
 
 void store::checkpoint(Options& options, const Given& given, Diagnostics& diagnostics) {

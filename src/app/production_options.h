@@ -18,6 +18,7 @@ void start_row(Options&, const Given&, Diagnostics&);
 void end_row(Options&, const Given&, Diagnostics&);
 void start_column(Options&, const Given&, Diagnostics&);
 void end_column(Options&, const Given&, Diagnostics&);
+void frames(Options&, const Given&, Diagnostics&);
 void go_on(Options&, const Given&, Diagnostics&);
 void checkpoint(Options&, const Given&, Diagnostics&);
 void keep_state(Options&, const Given&, Diagnostics&);

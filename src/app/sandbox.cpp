@@ -5,6 +5,8 @@
 #include "app/console.h"
 #include "app/library.h"
 #include "app/output.h"
+#include "text/scene_folders.h"
+#include "text/written_name.h"
 
 #include <array>
 #include <filesystem>
@@ -86,6 +88,8 @@ bool confine_files(const SandboxRules& rules) {
     for (const std::string& path : rules.readable) landlock.allow(path, read);
     for (const std::string& path : rules.writable)
         landlock.allow(path, read | writing | moving | truncating);
+    for (const std::string& path : rules.written)
+        landlock.allow(path, writing | moving | truncating);
     for (const char* device : {"/dev/null", "/dev/tty"}) landlock.allow(device, reading | writing);
     return landlock.enforce();
 }
@@ -162,6 +166,40 @@ std::vector<std::string> system_files(const std::string& library) {
             library};
 }
 
+/// Adds what the scene may read. Files that lie directly in a folder are added one by one.
+void add_scene_folders(SandboxRules& rules, const SceneFolders& folders) {
+    rules.readable.insert(rules.readable.end(), folders.whole.begin(), folders.whole.end());
+    for (const FolderFiles& each : folders.files) {
+        // The preview reads a scene again, which its editor may have replaced by another file.
+        if (rules.sockets && each.stem.empty()) rules.readable.push_back(each.folder);
+        std::error_code failed;
+        for (fs::directory_iterator entry(each.folder, failed), end; !failed && entry != end;
+             entry.increment(failed)) {
+            std::error_code none;
+            if (each.has(entry->path().filename().string()) && entry->is_regular_file(none))
+                rules.readable.push_back(entry->path().string());
+        }
+    }
+}
+
+/// Adds the folder of the picture. Files in a folder that is too wide are not readable because of
+/// it, unless frames and films read what the run itself makes.
+void add_picture_folder(SandboxRules& rules, const Options& options, const std::string& picture) {
+    const std::string folder = folder_around(picture);
+    const auto real = path_without_links(folder);
+    const bool wide = real && is_wide(*real);
+    const bool reads_frames = options.animation.final_frame || options.animation.initial_frame;
+    if (!wide || reads_frames) return rules.writable.push_back(folder);
+    rules.written.push_back(folder);
+    // What the scene has written it may read again.
+    std::error_code none;
+    Diagnostics said_elsewhere;
+    const std::string own = own_folder(output_of(options, said_elsewhere), options);
+    if (fs::is_symlink(own, none)) return;
+    if (!fs::exists(own, none)) rules.made = own;
+    rules.writable.push_back(own);
+}
+
 }  // namespace
 
 SandboxRules sandbox_rules(const Options& options, const std::string& library) {
@@ -169,16 +207,17 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library) {
     rules.sockets = options.preview_port.has_value();
     rules.programs = !options.movie.empty();
     rules.readable = system_files(library);
-    rules.readable.emplace_back(".");
-    if (options.scene && *options.scene != "-")
-        rules.readable.push_back(folder_around(*options.scene));
+    Diagnostics said_elsewhere;
+    const Output output = output_of(options, said_elsewhere);
+    const bool makes_picture = options.task == Task::render || options.task == Task::export_mesh;
+    const std::string scene = options.scene.value_or("-");
+    add_scene_folders(rules, scene_folders(scene == "-" ? "" : folder_around(scene), output.path));
+    if (scene != "-") rules.readable.insert(rules.readable.end(), {scene, scene + ".pov"});
     for (const auto* folders : {&options.library_paths, &options.readable})
         rules.readable.insert(rules.readable.end(), folders->begin(), folders->end());
-    Diagnostics said_elsewhere;
     if (rules.programs) rules.readable.push_back(folder_around(find_program("ffmpeg")));
     rules.writable = options.writable;
-    if (options.task == Task::render || options.task == Task::export_mesh)
-        rules.writable.push_back(folder_around(output_of(options, said_elsewhere).path));
+    if (makes_picture) add_picture_folder(rules, options, output.path);
     for (const std::string& file :
          {options.stats_file, options.depfile, options.mesh_file, options.movie})
         if (!file.empty()) rules.writable.push_back(folder_around(file));
@@ -212,7 +251,18 @@ bool confined(const Options& options, const SandboxRules& rules, const Console& 
               Diagnostics& diagnostics) {
     const bool wanted = options.sandbox.value_or(!options.commands.any());
     if (!wanted || !console.confine) return true;
-    if (console.confine(rules) || !options.sandbox) return true;
+    std::error_code none;
+    if (!rules.made.empty()) fs::create_directory(rules.made, none);
+    if (console.confine(rules)) return true;
+    if (!options.sandbox) {
+        diagnostics.add(
+            warning(
+                Fault::option, {},
+                "this system has no whole sandbox, Landlock and seccomp: only the program's own "
+                "rules keep the scene from other files")
+                .with_help("--sandbox off says that this is known"));
+        return true;
+    }
     diagnostics.add(
         error(Fault::option, {}, "this system has no sandbox: Landlock or seccomp is missing")
             .with_help("--sandbox off"));

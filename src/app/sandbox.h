@@ -21,6 +21,10 @@ struct SandboxRules {
     std::vector<std::string> writable;  ///< folders with everything below them; readable as well
     bool sockets = false;               ///< may open sockets
     bool programs = false;              ///< may start other programs
+    std::vector<std::string> written = {};  ///< folders with everything below, not readable
+    /// A writable folder of the scene's that is made before, since folders that do not exist get no
+    /// rights; empty: none.
+    std::string made = {};
 };
 
 /// Returns the rights that a run with these options needs: the system's libraries, fonts and status
@@ -39,8 +43,8 @@ SandboxRules sandbox_rules(const Options&, const std::string& library,
 bool confine(const SandboxRules&);
 
 /// Confines the program if the options and the console ask for it. Returns false, after an error
-/// has been reported, if a sandbox was requested and the system has none. Runs with shell commands
-/// are not confined, since those may need anything.
+/// has been reported, if a sandbox was requested and the system has none; warns if it has none and
+/// none was requested. Runs with shell commands are not confined, since those may need anything.
 bool confined(const Options&, const SandboxRules&, const Console&, Diagnostics&);
 
 }  // namespace candelabra

@@ -22,6 +22,7 @@
 #include "syntax/parser.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "text/scene_text.h"
 
 #include <iostream>
 #include <iterator>
@@ -139,7 +140,8 @@ private:
         source.library = library_folders(console_.library, options_.library_paths, diagnostics_);
         source.readable = options_.readable;
         source.writable = options_.writable;
-        source.writable.insert(source.writable.begin(), folder_of(output));
+        source.writable.insert(source.writable.begin(), own_folder(output, options_));
+        source.picture = is_stream(output.path) ? "" : output.path;
         source.made_files = console_.made_files;
         source.writes_files = options_.task == Task::render || options_.task == Task::export_mesh;
         settings.render = options_.render;
@@ -159,10 +161,27 @@ private:
             settings.source.text = std::string(std::istreambuf_iterator<char>(std::cin), {});
         settings.evaluation.print = [this](std::string_view text) {
             if (options_.diagnostics_as_json) return console_.err(debug_to_json(text));
-            candelabra::say(console_, Stream::debug, text);
+            candelabra::say(console_, Stream::debug, marked(text));
             if (!text.empty()) line_is_open_ = !text.ends_with('\n');
         };
         session_.emplace(std::move(settings), diagnostics_);
+    }
+
+    /// Returns the scene's text as it may be printed. To programs, which obey certain lines, each line
+    /// of the scene says whose it is.
+    std::string marked(std::string_view text) const {
+        const std::string shown = printable_lines(text);
+        using enum Progress::Style;
+        const auto style = progress_style(options_.progress);
+        if (style != alf && style != openjd && style != json) return shown;
+        std::string result;
+        bool open = line_is_open_;
+        for (const char c : shown) {
+            if (!open) result += "scene: ";
+            open = c != '\n';
+            result += c;
+        }
+        return result;
     }
 
     int dispatch(const Output& output) {
@@ -281,7 +300,7 @@ private:
         if (!take_turn()) return exit_status::stopped;
         const JobEnd end = work(job);
         if (end == JobEnd::stopped) return say_stopped(plan, job);
-        files.format.description = description(identity, job.samples());
+        files.format.description = description(identity, job.samples(), files.format);
         if (options_.to_file && !shard_ && end == JobEnd::finished)
             write_film(job.film(), files, diagnostics_);
         const bool lost = diagnostics_.failed();
@@ -337,13 +356,25 @@ private:
         statistics_.prepared_ahead = options_.prepared_ahead;
         complete(statistics_, world, options_.render);
         if (is_check()) say_correct();
-        if (!options_.depfile.empty() && options_.task == Task::render)
-            write_file(options_.depfile, depfile(made_path_, session_->files()), diagnostics_);
+        if (!options_.depfile.empty() && options_.task == Task::render) write_depfile();
         if (options_.stats_file == "-")
             console_.out(to_json(statistics_));
         else if (!options_.stats_file.empty())
             write_file(options_.stats_file, to_json(statistics_), diagnostics_);
         return say_diagnostics() ? exit_status::file : exit_status::done;
+    }
+
+    void write_depfile() {
+        const auto& files = session_->files();
+        const std::string odd = unnameable_in_depfile(made_path_, files);
+        if (odd.empty())
+            write_file(options_.depfile, depfile(made_path_, files), diagnostics_);
+        else
+            diagnostics_.add(error(Fault::io, {},
+                                   message("`", printable(options_.depfile),
+                                           "` is not written: a rule of make cannot name `",
+                                           printable(odd), "`"))
+                                 .with_help("rename the file"));
     }
 
     const Options& options_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/streams.h"
 
+#include "picture/file.h"
+
 #include <ostream>
 #include <utility>
 
@@ -14,15 +16,16 @@ Streams::Streams(const StreamSettings& settings, std::function<void(std::string_
         for (std::size_t k = 0; k < i; ++k)
             if (settings.all[k].file == file) file_of_[i] = file_of_[k];
         if (file.empty() || file_of_[i] != i) continue;
-        files_[i].open(file);
+        files_[i] = open_growing_file(file);
         if (!files_[i]) problem_ = file;
     }
 }
 
 void Streams::say(Stream stream, std::string_view text, std::string_view plain) {
     if (shown(stream)) console_(text);
-    std::ofstream& file = files_[file_of_[static_cast<std::size_t>(stream)]];
-    if (file.is_open()) file << plain << std::flush;
+    const std::size_t which = file_of_[static_cast<std::size_t>(stream)];
+    const OpenedFile& file = files_[which];
+    if (file && write_all(file.descriptor(), plain) != 0) problem_ = settings_.all[which].file;
 }
 
 }  // namespace candelabra

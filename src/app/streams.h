@@ -3,9 +3,10 @@
 // written to a file.
 #pragma once
 
+#include "text/opened_file.h"
+
 #include <array>
 #include <cstddef>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -37,7 +38,7 @@ public:
     /// Truncates the files; streams with the same file share it.
     Streams(const StreamSettings&, std::function<void(std::string_view)> console);
 
-    /// Returns the file that cannot be written to, or "".
+    /// Returns the file that cannot be written to, at the start or later, or "".
     const std::string& problem() const { return problem_; }
     bool shown(Stream stream) const { return settings_[stream].shown; }
     /// `plain`: the text without colours, for files.
@@ -46,7 +47,7 @@ public:
 private:
     StreamSettings settings_;
     std::function<void(std::string_view)> console_;
-    std::array<std::ofstream, stream_count> files_;
+    std::array<OpenedFile, stream_count> files_;
     std::array<std::size_t, stream_count> file_of_{};  ///< index in files_
     std::string problem_;
 };

@@ -49,8 +49,9 @@ public:
 private:
     void add_scene(Workspace& workspace, const std::string& scene) {
         const std::string folder = directory_of(scene);
-        loaders_.push_back(
-            workspace.loader(folder, FileAccess({folder, "", workspace.library()}, {})));
+        FileAccess access({workspace.library()}, {});
+        access.reads(scene_folders(folder, {}));
+        loaders_.push_back(workspace.loader(folder, access));
     }
 
     TokenKind kind(std::size_t i) const { return file_.tokens[i].kind; }

@@ -30,7 +30,8 @@ void report(const Workspace& workspace, const std::string& path,
         lint(tree, names, result.diagnostics);
         return;
     }
-    const FileAccess access({folder, "", workspace.library()}, {folder_for_writing});
+    FileAccess access({workspace.library()}, {folder_for_writing});
+    access.reads(scene_folders(folder, {}));
     EvaluateOptions options;
     options.limits.steps = max_steps;
     const Scene scene = evaluate(result.sources, workspace.loader(folder, access), main, options,

@@ -33,10 +33,10 @@ Reader Workspace::reader(const FileAccess& access) const {
 }
 
 Loader Workspace::loader(const std::string& folder) const {
-    std::vector<std::string> readable = {folder, "", library_};
-    if (library_.empty()) readable.pop_back();
-    for (const auto& [path, text] : documents_) readable.push_back(directory_of(path));
-    return loader(folder, FileAccess(readable, {}));
+    FileAccess access(library_.empty() ? std::vector<std::string>() : std::vector{library_}, {});
+    access.reads(scene_folders(folder, {}));
+    for (const auto& [path, text] : documents_) access.reads(scene_folders(directory_of(path), {}));
+    return loader(folder, access);
 }
 
 Loader Workspace::loader(const std::string& folder, const FileAccess& access) const {

@@ -320,6 +320,9 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
         stopped_ = true;
         return nullptr;
     }
+    for (const std::string& path : found->passed_over)
+        report(warning(Fault::file_access, span, Loader::passed_over(path))
+                   .with_help("remove the file, or include it by a path of its own"));
     if (!spend(found->text.size() / 4, span)) return nullptr;
     const FileTrees::Included file = files.included(*found, span, version);
     if (file.first) {

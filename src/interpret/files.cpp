@@ -4,6 +4,7 @@
 #include "interpret/state.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "text/scene_text.h"
 
 #include <algorithm>
 
@@ -46,8 +47,18 @@ void Evaluator::State::open_for_reading(DataFile& file, Span span) {
     std::optional<Found> found = loader.load(file.name, directory, FileKind::data);
     if (!found) return report(loader.problem(file.name, span, FileKind::data, directory));
     if (!spend(found->text.size() / 4, span)) return;
-    const SourceId source = sources.add(std::move(found->path), std::move(found->text), span);
+    const SourceId source = data_source(std::move(*found), span);
     file.reader = std::make_unique<DataReader>(source, sources, names, diagnostics);
+}
+
+/// A file that is opened again is kept once, as long as it stays the same.
+SourceId Evaluator::State::data_source(Found found, Span span) {
+    const auto known = data_sources.find(found.path);
+    if (known != data_sources.end() && sources.text(known->second) == found.text)
+        return known->second;
+    const SourceId source = sources.add(found.path, std::move(found.text), span);
+    data_sources[std::move(found.path)] = source;
+    return source;
 }
 
 void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) {
@@ -59,14 +70,14 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
                              : loader.keeps(*path) ? std::string()
                                                    : access.rule_of_file(*path);
     if (!rule.empty())
-        return report(
-            error(Fault::file_access, span, message("a scene may not write `", file.name, "`"))
-                .with_note(rule)
-                .with_help(access.writing_help(file.name)));
+        return report(error(Fault::file_access, span,
+                            message("a scene may not write `", clipped(file.name), "`"))
+                          .with_note(rule)
+                          .with_help(access.writing_help(file.name)));
     const std::shared_ptr<DataWriter> writer = writer_for(*path, append);
     if (!writer->good())
-        return report(
-            error(Fault::io, span, message("the file `", file.name, "` cannot be written")));
+        return report(error(Fault::io, span,
+                            message("the file `", clipped(file.name), "` cannot be written")));
     // A later #include of this file must see its new content.
     if (!loader.keeps_off_disk()) loader.written(*path);
     files.forget(*path);

@@ -306,6 +306,7 @@ struct Evaluator::State {
     // ---- files.cpp
     void open_file(const Tree&, const node::Open&, NodeId);
     void open_for_reading(DataFile&, Span);
+    SourceId data_source(Found, Span);
     void open_for_writing(DataFile&, bool append, Span);
     std::unique_ptr<DataWriter> writer_for(const std::string& path, bool append);
     /// The open file of a name; null after a report.
@@ -358,9 +359,10 @@ struct Evaluator::State {
     double working_gamma = 1;  ///< of colours, set by assumed_gamma
     std::uint64_t steps = 0;
     std::uint64_t objects = 0;
-    std::uint64_t placed = 0;                ///< objects in the scene with all their parts
-    std::vector<WrittenFile> written_files;  ///< that are still to be checked
-    std::set<std::string> crossed_lines;     ///< files in which a #read continued in the next line
+    std::uint64_t placed = 0;                      ///< objects in the scene with all their parts
+    std::vector<WrittenFile> written_files;        ///< that are still to be checked
+    std::map<std::string, SourceId> data_sources;  ///< of #fopen, by path
+    std::set<std::string> crossed_lines;  ///< files in which a #read continued in the next line
     std::uint64_t written_bytes = 0, said_bytes = 0, opened_files = 0;
     std::uint64_t work = 0;
     double version = 3.7;

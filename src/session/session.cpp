@@ -56,10 +56,10 @@ bool Session::read() {
 /// Returns access to the scene's own files and those that the run also permits.
 FileAccess Session::file_access() const {
     const SceneSource& source = settings_.source;
-    std::vector<std::string> readable = {folder_, ""};
-    readable.insert(readable.end(), source.library.begin(), source.library.end());
+    std::vector<std::string> readable = source.library;
     readable.insert(readable.end(), source.readable.begin(), source.readable.end());
     FileAccess access(readable, source.writable);
+    access.reads(scene_folders(folder_, source.picture));
     if (source.made_files) access.remembers(source.made_files);
     return access;
 }

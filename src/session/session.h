@@ -27,8 +27,13 @@ struct SceneSource {
     std::string standard_library = {};       ///< its folder; empty: none
     std::vector<std::string> library = {};   ///< folders that are searched for files, in order
     std::vector<std::string> readable = {};  ///< folders below which the scene may also read
-    std::vector<std::string> writable = {};  ///< folders below which it may write
-    bool writes_files = false;               ///< false: its output files are not stored on disk
+    /// Path of the picture: the scene may read pictures of that name, and what lies beside it if the
+    /// scene itself lies there. Empty: none.
+    std::string picture = {};
+    /// Folders below which it may write. The first is its own folder, which is made when it is
+    /// needed (text/file_access.h).
+    std::vector<std::string> writable = {};
+    bool writes_files = false;  ///< false: its output files are not stored on disk
     /// Files made by other runs, which this one may write to. Null: none.
     std::shared_ptr<MadeFiles> made_files = {};
 };

@@ -4,6 +4,7 @@
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/opened_file.h"
+#include "text/scene_text.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -97,6 +98,8 @@ std::vector<std::string> Loader::places(const std::string& name,
     if (!including_directory.empty() && !in_library) add_once(places, including);
     if (!scene_directory_.empty()) add_once(places, plain_directory(scene_directory_));
     add_once(places, "");
+    if (const std::string own = access_.own_folder(); !own.empty())
+        add_once(places, plain_directory(own));
     for (const std::string& path : library_paths_) add_once(places, plain_directory(path));
     return places;
 }
@@ -117,11 +120,15 @@ std::vector<std::string> Loader::searched(const std::string& name,
 
 std::optional<Found> Loader::load(const std::string& name, const std::string& including_directory,
                                   FileKind kind) const {
+    std::vector<std::string> passed_over;
     for (std::string& path : searched(name, including_directory, kind)) {
         if (!access_.may_read(path)) continue;
         if (const auto own = written_.find(path); own != written_.end() && own->second)
             return Found{std::move(path), *own->second};
-        if (auto text = reader_(path)) return Found{std::move(path), std::move(*text)};
+        if (passes_over(path, kind))
+            passed_over.push_back(std::move(path));
+        else if (auto text = reader_(path))
+            return Found{std::move(path), std::move(*text), std::move(passed_over)};
     }
     return {};
 }
@@ -165,7 +172,9 @@ std::optional<std::string> Loader::located(const std::string& name,
                                            const std::string& including_directory,
                                            FileKind kind) const {
     for (std::string& path : searched(name, including_directory, kind))
-        if (keeps(path) || (access_.may_read(path) && reader_.holds(path))) return std::move(path);
+        if (keeps(path) ||
+            (access_.may_read(path) && !passes_over(path, kind) && reader_.holds(path)))
+            return std::move(path);
     return {};
 }
 
@@ -180,18 +189,30 @@ bool Loader::refused(const std::string& name, const std::string& including_direc
            closed_path(name, including_directory, kind).has_value();
 }
 
+std::string Loader::passed_over(const std::string& path) {
+    return message("`", clipped(path), "` is passed over, since another scene has made it");
+}
+
 Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
                            const std::string& including_directory) const {
     if (const auto path = closed_path(name, including_directory, kind))
-        return error(Fault::file_access, span, message("a scene may not read `", *path, "`"))
-            .with_note(access_.reading_rule())
+        return error(Fault::file_access, span,
+                     message("a scene may not read `", clipped(*path), "`"))
+            .with_note(FileAccess::reading_rule())
             .with_help(FileAccess::reading_help(*path));
     if (const auto path = odd_path(name, including_directory, kind))
-        return error(Fault::file_access, span, message("a scene may not read `", *path, "`"))
+        return error(Fault::file_access, span,
+                     message("a scene may not read `", clipped(*path), "`"))
             .with_note("it is a pipe or a device, and a scene reads regular files only");
     Diagnostic result =
-        error(Fault::include_not_found, span, message("there is no file `", name, "`"));
+        error(Fault::include_not_found, span, message("there is no file `", clipped(name), "`"));
     result.with_note(searched_note(name, including_directory));
+    if (const std::string note = access_.left_out_note(); !note.empty() && !is_absolute(name))
+        result.with_note(note);
+    for (const std::string& path : searched(name, including_directory, kind))
+        if (access_.may_read(path) && passes_over(path, kind)) result.with_note(passed_over(path));
+    constexpr std::size_t longest_name = 4096;
+    if (name.size() > longest_name) return result;
     if (name.find('\\') != name.npos) {
         std::string meant = name;
         std::ranges::replace(meant, '\\', '/');

@@ -3,9 +3,10 @@
 
 // Finds and reads the files that a scene names, for the evaluator. The reader of paths is an
 // argument, so that tests need no disk. A relative name is looked for in the folder of the
-// including file, the folder of the scene, the current directory, and the library paths in order; a
-// file that the scene itself has written comes first. Files that FileAccess does not permit are not
-// opened. Existence is tested without reading.
+// including file, the folder of the scene, the current directory, the folder of what the scene has
+// written, and the library paths in order; a file that it has written in this run comes first. Files
+// that FileAccess does not permit are not opened, and files to be included that another scene has
+// made are passed over. Existence is tested without reading.
 
 #include "text/diagnostic.h"
 #include "text/file_access.h"
@@ -73,6 +74,7 @@ enum class FileKind { include, data };
 struct Found {
     std::string path;
     std::string text;
+    std::vector<std::string> passed_over = {};  ///< paths of other scenes' files before this one
 };
 
 /// Folders are spelt as directory_of() returns them; "" stands for none.
@@ -104,6 +106,9 @@ public:
     /// forbids it.
     Diagnostic problem(const std::string& name, Span, FileKind kind = FileKind::include,
                        const std::string& including_directory = {}) const;
+
+    /// Says that a file of another scene is passed over.
+    static std::string passed_over(const std::string& path);
 
     /// Whether the name leads to a path that the scene may not read, and to no file elsewhere. Does
     /// not look at that path.
@@ -139,6 +144,10 @@ public:
     }
 
 private:
+    /// Whether a file is not included because another scene has made it.
+    bool passes_over(const std::string& path, FileKind kind) const {
+        return kind == FileKind::include && access_.is_of_another(path);
+    }
     /// Returns the first pipe or device among the paths that may be read.
     std::optional<std::string> odd_path(const std::string& name,
                                         const std::string& including_directory,

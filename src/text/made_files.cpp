@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -32,6 +33,17 @@ bool is_single(const OpenedFile& file) {
     return ::fstat(file.descriptor(), &state) == 0 && is_single(state);
 }
 
+/// Returns the mark of the scene that has made the file; "" if it has none.
+std::string mark_of(const OpenedFile& file) {
+    // Read the attribute through /proc, since it cannot be read from an O_PATH handle.
+    const std::string link = "/proc/self/fd/" + std::to_string(file.descriptor());
+    std::array<char, 128> mark;
+    const ssize_t size = ::getxattr(link.c_str(), mark_name, mark.data(), mark.size());
+    // A mark that is too long is no scene's, but a mark.
+    if (size < 0 && errno == ERANGE) return "?";
+    return {mark.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
+}
+
 }  // namespace
 
 MadeFiles::MadeFiles(const std::string& scene) {
@@ -42,13 +54,9 @@ MadeFiles::MadeFiles(const std::string& scene) {
 }
 
 bool MadeFiles::has(const OpenedFile& file, const std::string& path) const {
-    // Read the attribute through /proc, since it cannot be read from an O_PATH handle.
-    const std::string link = "/proc/self/fd/" + std::to_string(file.descriptor());
-    std::array<char, 128> mark;
-    const ssize_t size = ::getxattr(link.c_str(), mark_name, mark.data(), mark.size());
-    const bool own = size > 0 && mark_ != no_scene &&
-                     std::string_view(mark.data(), static_cast<std::size_t>(size)) == mark_;
-    if (own || (size > 0 && path.ends_with(".tmp"))) return true;
+    const std::string mark = mark_of(file);
+    const bool own = mark_ != no_scene && mark == mark_;
+    if (own || (!mark.empty() && path.ends_with(".tmp"))) return true;
     struct stat state {};
     const std::lock_guard lock(mutex_);
     return ::fstat(file.descriptor(), &state) == 0 && files_.contains({state.st_dev, state.st_ino});
@@ -70,6 +78,11 @@ bool MadeFiles::may_write(const std::string& path, bool any) const {
     if (any) return true;
     const OpenedFile file = open_without_links(path, O_PATH);
     return file && has(file, path);
+}
+
+bool MadeFiles::made_by_another(const std::string& path) const {
+    const OpenedFile file = open_without_links(path, O_PATH);
+    return file && !mark_of(file).empty() && !has(file, path);
 }
 
 OpenedFile MadeFiles::open(const std::string& path, bool append, bool any) {

@@ -31,6 +31,10 @@ public:
     /// Whether open() would accept the existing file, if any. Never opens files made by others.
     bool may_write(const std::string& path, bool any) const;
 
+    /// Whether the file at the absolute path without links bears the mark of another scene. Never
+    /// opens it.
+    bool made_by_another(const std::string& path) const;
+
 private:
     bool has(const OpenedFile&, const std::string& path) const;
     void add(const OpenedFile&);

@@ -25,6 +25,15 @@ std::optional<std::filesystem::path> part_below(const std::string& folder,
 /// empty if none does. Allows for file systems that equate characters or drop the end of a name.
 std::string forbidden_name(const std::filesystem::path& part);
 
+/// The same for a folder that the user has not named: only names of data are written there, made of
+/// letters, digits, `_`, `-` and points, with an ending that no program runs or obeys.
+std::string forbidden_data_name(const std::filesystem::path& part);
+
+/// Returns the rule that forbids reading this path, relative to its readable folder; empty if none
+/// does: hidden names belong to other programs, and no line of a text can tell names with control
+/// characters.
+std::string unread_name(const std::filesystem::path& part);
+
 /// Whether the name is that of an INI file, or of a scene or a part of one, ignoring case.
 bool names_settings(std::string_view name);
 bool names_source(std::string_view name);

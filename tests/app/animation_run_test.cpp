@@ -41,7 +41,8 @@ TEST_CASE("a frame is prepared while the one before it is rendered") {
     std::atomic<bool> met = false, once = true;
     shell.interrupts.take = [&] {
         if (once.exchange(false))  // set by the rendering of the first frame
-            met = soon([&] { return std::filesystem::exists(shell.path("sign.txt")); });
+            met =
+                soon([&] { return std::filesystem::exists(shell.path("moving.files/sign.txt")); });
         return Interrupt::none;
     };
     REQUIRE(shell({shell.path("moving.pov"), "-V", "+W16", "+H12", "--samples", "2", "+KFF2",
@@ -89,6 +90,86 @@ TEST_CASE("a frame that is made from the picture before it waits for that") {
     const std::string first = run("+WT2");  // there is no previous picture
     CHECK(run("+WT2") == first);            // there are the pictures of the last run
     CHECK(run("+WT1") == first);
+}
+
+TEST_CASE("frames that are torn, empty or of another size are not finished", "[app]") {
+    for (const std::string way : {"--skip-existing", "+C"})
+        for (const std::string ending : {".png", ".jpg"}) {
+            CAPTURE(way, ending);
+            Shell shell;
+            const auto make = [&](std::vector<std::string> more) {
+                more.insert(more.end(), {shell.path("lit.pov"), "+W16", "+H12", "--samples", "2",
+                                         "+KFF6", "+O" + shell.path("f" + ending)});
+                return shell(more);
+            };
+            const auto frame = [&](int number) { return "f" + std::to_string(number) + ending; };
+            REQUIRE(make({"-V"}) == 0);
+            std::vector<std::string> whole(7);
+            for (int i = 1; i <= 6; ++i)
+                whole[static_cast<std::size_t>(i)] = shell.content(frame(i));
+            shell.write(frame(1), whole[1].substr(0, 60));
+            shell.write(frame(2), "");
+            shell.write(frame(3), "#EXTM3U\nfile:///etc/passwd\n");
+            fs::remove(shell.path(frame(4)));
+            REQUIRE(shell({shell.path("lit.pov"), "-V", "+W8", "+H8",
+                           "+O" + shell.path(frame(5))}) == 0);
+            REQUIRE(make({way}) == 0);
+            for (int i = 1; i <= 6; ++i)
+                CHECK(shell.content(frame(i)) == whole[static_cast<std::size_t>(i)]);
+            for (const int i : {1, 2, 3, 5})
+                CHECK(has(shell.err, frame(i) + "` is no finished frame, and is made again: "));
+            CHECK_FALSE(has(shell.err, frame(4) + "` is no finished"));
+            CHECK(has(shell.err, "frame 6 (6 of 6), clock 1: is there\n"));
+        }
+}
+
+TEST_CASE("a frame without its layers or its denoised picture is not finished", "[app]") {
+    Shell shell;
+    const std::vector<std::string> run = {shell.path("lit.pov"),
+                                          "-V",
+                                          "+W16",
+                                          "+H12",
+                                          "--samples",
+                                          "2",
+                                          "+KFF1",
+                                          "+O" + shell.path("f.png"),
+                                          "--layers",
+                                          "depth",
+                                          "--skip-existing"};
+    REQUIRE(shell(run) == 0);
+    const std::string whole = shell.content("f1.layers.exr");
+    REQUIRE_FALSE(whole.empty());
+    fs::remove(shell.path("f1.layers.exr"));
+    REQUIRE(shell(run) == 0);
+    CHECK(shell.content("f1.layers.exr") == whole);
+    shell.write("f1.layers.exr", whole.substr(0, whole.size() / 2));
+    REQUIRE(shell(run) == 0);
+    CHECK(shell.content("f1.layers.exr") == whole);
+}
+
+TEST_CASE("frames that are listed or numbered backwards have the clocks of the whole", "[app]") {
+    Shell shell;
+    shell.write("moving.pov", std::string(lit_scene) + "sphere { clock*x, 0.3 pigment { rgb 1 } }");
+    const auto make = [&](const std::string& name, std::vector<std::string> more) {
+        more.insert(more.end(), {shell.path("moving.pov"), "-V", "+W16", "+H12", "--samples", "2",
+                                 "+O" + shell.path(name + ".ppm")});
+        return shell(more);
+    };
+    // The recorded options differ, the pixels do not.
+    const auto pixels = [&](const std::string& name) {
+        const std::string file = shell.content(name + ".ppm");
+        return file.size() < 576 ? file : file.substr(file.size() - 576);
+    };
+    REQUIRE(make("a", {"+KFI1", "+KFF5"}) == 0);
+    REQUIRE(make("b", {"+KFI1", "+KFF5", "--frames", "4,2-1"}) == 0);
+    for (const char* number : {"4", "2", "1"})
+        CHECK(pixels(std::string("a") + number) == pixels(std::string("b") + number));
+    CHECK_FALSE(fs::exists(shell.path("b3.ppm")));
+    REQUIRE(make("c", {"+KFI5", "+KFF1"}) == 0);
+    CHECK(pixels("c5") == pixels("a1"));
+    CHECK(pixels("c2") == pixels("a4"));
+    CHECK(shell({shell.path("moving.pov"), "--frames", "2"}) == exit_status::usage);
+    CHECK(has(shell.err, "--frames chooses some frames of an animation"));
 }
 
 TEST_CASE("an error or a stop in one frame leaves nothing of the next") {

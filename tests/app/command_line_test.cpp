@@ -20,7 +20,7 @@ TEST_CASE("the command that makes a picture says what options come to", "[app]")
         {{"Width=20", "-V", "+WT3", "+Oz.png", "-"}, "candelabra - +W20 +H480"},
         {{"+Ia=b c.pov"}, "candelabra '+Ia=b c.pov' +W640 +H480"},
         {{"a.pov", "+A0.1", "--samples", "4"}, "candelabra a.pov +W640 +H480 --samples 4"},
-        {{"a.pov", "+A0.1"}, "candelabra a.pov +W640 +H480 +A0.1"},
+        {{"a.pov", "+A0.1"}, "candelabra a.pov +W640 +H480 Antialias_Threshold=0.1"},
         {{"a.pov", "+AM2"}, "candelabra a.pov +W640 +H480 +AM2"},
         {{"a.pov", "--time", "1m"}, "candelabra a.pov +W640 +H480 --time 60s"},
         {{"a.pov", "Declare=T=\"a b\"", "Declare=N=2"},
@@ -28,10 +28,12 @@ TEST_CASE("the command that makes a picture says what options come to", "[app]")
         {{"a.pov", "--shard", "2/3", "--seed", "5", "+Q3"},
          "candelabra a.pov +W640 +H480 --seed 5 +Q3"},
         {{"a.pov", "+UA", "--layers", "normal,albedo", "+Oa.exr"},
-         "candelabra a.pov +W640 +H480 +UA --layers albedo,normal"},
+         "candelabra a.pov +UA +W640 +H480 --layers albedo,normal"},
         {{"a.pov", "--index", "bounding_boxes"}, "candelabra a.pov +W640 +H480"},
         {{"a.pov", "+SR0.5", "+EC100", "--light-sampler", "light_bvh"},
-         "candelabra a.pov +W640 +H480 --light-sampler light_bvh +EC100 +SR241"},
+         "candelabra a.pov +W640 +H480 +SR241 +EC100 --light-sampler light_bvh"},
+        {{"a.pov", "--luminaires", "none", "+KFF9"},
+         "candelabra a.pov +W640 +H480 +KFF9 --luminaires none"},
     }));
     CHECK(command_line(read(words)) == command);
 }

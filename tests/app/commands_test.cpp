@@ -307,12 +307,39 @@ TEST_CASE("an error in a frame ends the animation", "[app]") {
     CHECK_FALSE(fs::exists(shell.path("bad3.png")));
 }
 
+TEST_CASE("a current folder that is the whole disk is left out, and named once", "[app]") {
+    Shell shell;
+    shell.write("t.pov", std::string(lit_scene) + "#include \"etc/hostname\"");
+    const fs::path before = fs::current_path();
+    fs::current_path("/");
+    const int frames = shell.render({"-V", "+KFF2", "+O" + shell.path("f.png")});
+    const std::string of_frames = shell.err;
+    const int refused = shell({shell.path("t.pov"), "--check"});
+    fs::current_path(before);
+    const std::string named = "the scene reads nothing from the current directory, `/`";
+    CHECK(frames == exit_status::done);
+    const std::size_t at = of_frames.find(named);
+    CHECK(at != std::string::npos);
+    CHECK(of_frames.find(named, at + 1) == std::string::npos);
+    CHECK(refused == exit_status::scene);
+    CHECK(has(shell.err, "there is no file `etc/hostname`"));
+    CHECK(has(shell.err, "the current directory, `/`, is not searched"));
+}
+
 TEST_CASE("options go to an INI file and come from it", "[app]") {
     Shell shell;
     shell.write("head.inc", "#declare Size = 3;");
     REQUIRE(shell({"--check", "+W77", "Declare=Size=2", "+HIhead.inc", shell.path("lit.pov"),
                    "+GI" + shell.path("all.ini")}) == exit_status::done);
-    CHECK(has(shell.content("all.ini"), "Width=77\nDeclare=Size=2\nInclude_Header=head.inc\n"));
+    const std::string all = shell.content("all.ini");
+    for (const char* line : {"Width=77\n", "Height=480\n", "Quality=9\n", "Antialias=on\n",
+                             "Antialias_Threshold=0.3\n", "Jitter=on\n", "--samples=0\n",
+                             "Declare=Size=2\nInclude_Header=head.inc\n"})
+        CHECK(has("\n" + all, "\n" + std::string(line)));
+    // It says nothing that the run did not do, and is read to the same settings.
+    CHECK_FALSE(has(all, "skip-existing"));
+    REQUIRE(shell({shell.path("all.ini"), "+GI" + shell.path("again.ini")}) == exit_status::done);
+    CHECK(shell.content("again.ini") == all);
     REQUIRE(shell({shell.path("all.ini")}) == exit_status::done);
     CHECK(has(shell.err, "no errors"));
 }

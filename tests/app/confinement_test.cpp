@@ -190,4 +190,31 @@ TEST_CASE("what the user permits holds for INI files as well, wherever it is sai
     CHECK(Stranger::read({"+L/", "+O/tmp/x.png", "+I/etc/passwd"}) == "");
 }
 
+TEST_CASE("an INI file of a stranger reads no hidden files, and no whole home or disk") {
+    const Stranger stranger;
+    for (const char* line : {"Library_Path=", "+L", "Include_Header=", "+I"}) {
+        CAPTURE(line);
+        CHECK(stranger.said(line + stranger.here + "/.secret") != "");
+        CHECK(stranger.said(line + stranger.here + "/.git/x.inc") != "");
+    }
+    const Confinement root("/x.ini", Options());
+    const auto refuses = [&](std::string_view keyword, const std::string& value) {
+        for (const OptionRow& row : option_table())
+            if (row.keyword == keyword)
+                return !root.of_option(row, {keyword, true, value}).rule.empty();
+        return false;
+    };
+    CHECK(refuses("Library_Path", "/etc"));
+    CHECK(refuses("Library_Path", "/"));
+    CHECK(refuses("Include_Header", "/etc/passwd"));
+    CHECK(refuses("Output_File_Name", "/usr/x.png"));
+    CHECK(refuses("Input_File_Name", "/etc/passwd"));
+    CHECK_FALSE(refuses("Input_File_Name", "/a.pov"));
+    CHECK_FALSE(refuses("Output_File_Name", "/a.png"));
+    Options permitted;
+    permitted.readable = {"/"};
+    const Confinement free("/x.ini", permitted);
+    CHECK(free.of_read("/etc/a.pov").rule.empty());
+}
+
 }  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <sys/stat.h>
+
 namespace candelabra {
 
 TEST_CASE("files are laid out in place, or only named") {
@@ -18,6 +20,18 @@ TEST_CASE("files are laid out in place, or only named") {
     CHECK(shell({"fmt", a, b}) == exit_status::done);
     CHECK(shell.content("a.pov") == "union {\n    A\n}\n");
     CHECK(shell({"fmt", "--check", a, b}) == exit_status::done);
+}
+
+TEST_CASE("fmt waits for no pipe, and writes through no link that leads elsewhere") {
+    Shell shell;
+    REQUIRE(::mkfifo(shell.path("pipe.pov").c_str(), 0600) == 0);
+    CHECK(shell({"fmt", shell.path("pipe.pov")}) == exit_status::file);
+    CHECK(has(shell.err, "cannot be read"));
+    std::filesystem::create_directories(shell.path("archive"));
+    shell.write("mine.pov", " A\n");
+    std::filesystem::create_symlink("../mine.pov", shell.path("archive/a.pov"));
+    CHECK(shell({"fmt", shell.path("archive/a.pov")}) == exit_status::file);
+    CHECK(shell.content("mine.pov") == " A\n");
 }
 
 TEST_CASE("files that cannot be read or have mistakes are left alone, and the others are not") {

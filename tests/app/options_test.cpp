@@ -173,6 +173,22 @@ TEST_CASE("scenes have any name") {
     for (const Case& each : cases) CHECK(options_of(each.words).scene == each.scene);
 }
 
+TEST_CASE("every keyword is a long option, too, and a switch may be followed by its value") {
+    const Options options =
+        options_of({"--width", "100", "--height=50", "-o", "x.png", "--output-alpha",
+                    "--jitter=off", "--antialias", "--initial-clock", "-2", "a.pov"});
+    CHECK(options.render.width == 100);
+    CHECK(options.render.height == 50);
+    CHECK(options.output == "x.png");
+    CHECK(options.alpha);
+    CHECK_FALSE(options.render.jitter);
+    CHECK(options.animation.initial_clock == -2);
+    CHECK(options.scene == "a.pov");
+    CHECK(options_of({"+W", "20", "+KFI", "-3", "a.pov"}).animation.initial_frame == -3);
+    CHECK(options_of({"--output", "y.png", "a.pov"}).output == "y.png");
+    CHECK(options_of({"--Output-File-Name=z.png", "a.pov"}).output == "z.png");
+}
+
 TEST_CASE("names are declared with numbers and strings") {
     const Options options = options_of({"Declare=Depth=5", "declare=Name=\"a = b\"",
                                         "Declare=Half=.5", "Declare=On=yes", "Declare=Depth=6"});
@@ -207,8 +223,8 @@ TEST_CASE("every wrong argument has one message") {
         {{"+W0"}, "`+W0`: width must be a whole number from 1 to 65535, but it is `0`"},
         {{"+W640.5"}, "`+W640.5`: width must be a whole number from 1 to 65535, but it is `640.5`"},
         {{"+Wide"}, "`+Wide`: width must be a whole number from 1 to 65535, but it is `ide`"},
-        {{"+W"}, "`+W`: needs a value directly behind it: `+Wn`"},
-        {{"+W", "640", "a.pov"}, "complaints: 2"},
+        {{"+W"}, "`+W`: needs a value: `+Wn`"},
+        {{"+W", "-V", "a.pov"}, "`+W`: needs a value: `+Wn`"},
         {{"Width="}, "`Width=`: needs a value"},
         {{"+Anan"}, "`+Anan`: antialias_threshold must be a number from 0 on, but it is `nan`"},
         {{"--samples"}, "`--samples`: needs a value: `--samples n`"},
@@ -217,6 +233,19 @@ TEST_CASE("every wrong argument has one message") {
          "`--samples`: samples must be a whole number from 0 to 1000000, but it is `-4`"},
         {{"--sample=4"}, "`--sample=4`: there is no such option | did you mean `--samples`?"},
         {{"--sample", "4"}, "`--sample`: there is no such option | did you mean `--samples`?"},
+        {{"--widht", "100", "a.pov"},
+         "`--widht`: there is no such option | did you mean `--width`?"},
+        {{"--frobnicate", "x", "a.pov"}, "`--frobnicate`: there is no such option"},
+        {{"--output-alpha=perhaps"}, "`--output-alpha=perhaps`: the value must be on or off"},
+        {{"--check", "--export-mesh", "m.ply"},
+         "`--export-mesh`: a run checks, dumps or exports a scene, one of them only"},
+        {{"--export-mesh", "m.ply", "--dump", "scene"},
+         "`--dump`: a run checks, dumps or exports a scene, one of them only"},
+        {{"--dump", "scene", "--check"},
+         "`--check`: a run checks, dumps or exports a scene, one of them only"},
+        {{"--frames", "1,"},
+         "`--frames`: needs numbers of frames, and ranges of them | "
+         "3,7,12-20,9-5"},
         {{"--version=2"}, "`--version=2`: takes no value"},
         {{"-samples"}, "`-samples`: there is no such option | did you mean `--samples`?"},
         {{"+Z"}, "`+Z`: there is no such option"},

@@ -88,12 +88,18 @@ TEST_CASE("16 bits a channel are for formats that have them") {
     CHECK(diagnostics.all()[0].message == "a file of format exr cannot have 16 bits a channel");
 }
 
-TEST_CASE("the folder of the picture") {
-    CHECK(folder_of({"a.png", {}}) == "");
-    CHECK(folder_of({"out/a.png", {}}) == "out");
-    CHECK(folder_of({"/a.png", {}}) == "/");
-    CHECK(folder_of({"-", {}}) == "");
-    CHECK(folder_of({"/dev/null", {}}) == "");
+TEST_CASE("a scene has a folder of its own beside the picture") {
+    const auto folder = [](const std::string& scene, const std::string& picture) {
+        Options options;
+        options.scene = scene;
+        return own_folder({picture, {}}, options);
+    };
+    CHECK(folder("a.pov", "b.png") == "a.files");
+    CHECK(folder("scenes/a.pov", "out/b.png") == "out/a.files");
+    CHECK(folder("a", "/b.png") == "/a.files");
+    CHECK(folder("-", "b.png") == "stdin.files");
+    CHECK(folder("x/a.pov", "-") == "a.files");
+    CHECK(folder("x/a.pov", "/dev/null") == "a.files");
 }
 
 TEST_CASE("alpha, grey and layers are for files that can have them") {

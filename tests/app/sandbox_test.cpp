@@ -142,7 +142,10 @@ TEST_CASE("a run may touch its scene, its library and the folders of what it mak
     options.readable = {"models"};
     options.writable = {"tables"};
     const SandboxRules rules = sandbox_rules(options, "library");
-    for (const char* each : {"scenes", ".", "models", "library"}) CHECK(has(rules.readable, each));
+    for (const char* each : {"models", "library"}) CHECK(has(rules.readable, each));
+    const std::filesystem::path here = std::filesystem::canonical(".");
+    for (const std::filesystem::path& each : {here, here / "scenes"})
+        CHECK(has(rules.readable, each.string()));
     for (const char* each : {"pictures", "figures", "tables"}) CHECK(has(rules.writable, each));
     CHECK_FALSE(has(rules.readable, "/etc"));
     CHECK_FALSE(has(rules.writable, "."));
@@ -154,6 +157,46 @@ TEST_CASE("a run may touch its scene, its library and the folders of what it mak
     options.movie = "film.mp4";
     CHECK(sandbox_rules(options, "").sockets);
     CHECK(sandbox_rules(options, "").programs);
+}
+
+TEST_CASE("a home that holds the scene and the picture is not opened as a whole", "[app]") {
+    const auto has = [](const std::vector<std::string>& list, const std::string& one) {
+        return std::ranges::find(list, one) != list.end();
+    };
+    const Folder folder;
+    folder.put("job/a.pov", "");
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path("/");
+    Options options;
+    options.scene = folder / "job/a.pov";
+    const SandboxRules elsewhere = sandbox_rules(options, "");
+    options.scene = "/a.pov";
+    const SandboxRules wide = sandbox_rules(options, "");
+    options.animation.final_frame = 3;
+    const SandboxRules frames = sandbox_rules(options, "");
+    std::filesystem::current_path(before);
+    for (const SandboxRules* rules : {&elsewhere, &wide})
+        for (const char* root : {"/", ".", ""}) {
+            CHECK_FALSE(has(rules->readable, root));
+            CHECK_FALSE(has(rules->writable, root));
+        }
+    CHECK(has(elsewhere.readable, std::filesystem::canonical(folder / "job").string()));
+    CHECK(has(wide.written, "."));
+    CHECK(has(frames.writable, "."));  // frames may read the one before
+}
+
+TEST_CASE("a sandbox that is missing is warned of, once", "[app]") {
+    Shell shell;
+    shell.confine = [](const SandboxRules&) { return false; };
+    const std::string warning = "this system has no whole sandbox";
+    for (const char* way : {"+KFF2", "+W16"}) {
+        REQUIRE(shell.render({way, "-V", "+O" + shell.path("a.png")}) == 0);
+        const std::size_t at = shell.err.find(warning);
+        CHECK(at != std::string::npos);
+        CHECK(shell.err.find(warning, at + 1) == std::string::npos);
+    }
+    REQUIRE(shell.render({"-V", "--sandbox", "off", "+O" + shell.path("a.png")}) == 0);
+    CHECK(shell.err.empty());
 }
 
 TEST_CASE("who develops or merges reaches the files, and the folder of the output", "[app]") {

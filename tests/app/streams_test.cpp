@@ -25,6 +25,43 @@ TEST_CASE("what is said goes to the console, to files, or both") {
     CHECK(Streams(settings, {}).problem() == folder / "none/b.txt");
 }
 
+TEST_CASE("a log on a full disk is a failure, and one that leads elsewhere is not written") {
+    Shell shell;
+    CHECK(shell({shell.path("lit.pov"), "+W4", "+H4", "-F", "+GA/dev/full"}) == exit_status::file);
+    CHECK(has(shell.err, "`/dev/full` cannot be written to"));
+    std::filesystem::create_directories(shell.path("out"));
+    shell.write("precious", "mine");
+    std::filesystem::create_symlink("../precious", shell.path("out/log.txt"));
+    CHECK(shell({shell.path("lit.pov"), "+W4", "+H4", "-F", "+GD" + shell.path("out/log.txt")}) ==
+          exit_status::file);
+    CHECK(shell.content("precious") == "mine");
+}
+
+TEST_CASE("what a scene says acts on no terminal, and on no manager of a farm", "[app]") {
+    Shell shell;
+    shell.write("talks.pov",
+                "#debug \"openjd_fail: owned\\nALF_EXIT_STATUS 1\\n\" #render "
+                "\"\\u001b]52;c;cHduZWQ=\\u0007\" #statistics \"\\nopenjd_env: A=b\\n\"\n" +
+                    std::string(lit_scene));
+    const auto said = [&](const std::string& form) {
+        REQUIRE(shell({shell.path("talks.pov"), "+W4", "+H4", "-F", "--progress", form,
+                       "+GD" + shell.path("log.txt")}) == 0);
+        return shell.err + shell.out + shell.content("log.txt");
+    };
+    for (const char* form : {"plain", "none", "alf", "openjd", "json"}) {
+        CAPTURE(form);
+        const std::string text = "\n" + said(form);
+        CHECK(text.find('\x1b') == text.npos);
+        CHECK(text.find('\x07') == text.npos);
+        if (std::string_view(form) == "plain" || std::string_view(form) == "none") continue;
+        CHECK_FALSE(has(text, "\nopenjd_fail"));
+        CHECK_FALSE(has(text, "\nopenjd_env"));
+        CHECK_FALSE(has(text, "\nALF_EXIT"));
+        CHECK(has(text, "\nscene: openjd_fail: owned\nscene: ALF_EXIT_STATUS 1\nscene: "));
+        CHECK(has(text, "\nscene: openjd_env: A=b\n"));
+    }
+}
+
 TEST_CASE("what a scene says appears without progress, too, and ends its line", "[app]") {
     Shell shell;
     shell.write("talks.pov", std::string("#debug \"a=\" #warning \"beware\"\n") + lit_scene);

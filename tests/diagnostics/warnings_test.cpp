@@ -6,7 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <map>
+
+#include <sys/xattr.h>
 
 namespace candelabra {
 
@@ -29,6 +32,7 @@ const std::map<std::string_view, std::vector<std::string>>& careless() {
         {"domain", {all + "#declare A = asin(2);"}},
         {"division-by-zero", {all + "#declare A = 1 / 0;"}},
         {"degenerate", {all + "triangle { 0, x, 2*x }"}},
+        {"file-access", {all + "#include \"foreign.inc\" #if (Mine) #end"}},
         {"option", {all, "+L/no/such/folder"}},
         {"deprecated", {all + "max_trace_level 5"}},
         {"unused-parameter", {all + "#macro M(A) 1 #end"}},
@@ -58,6 +62,13 @@ bool warned(Shell& shell, const std::vector<std::string>& scene, std::string_vie
 TEST_CASE("each warning has a name, which switches it", "[diagnostics]") {
     Shell shell;
     shell.write("mixed.csv", "x\n1\n2\nn/a\n");
+    std::filesystem::create_directories(shell.path("library"));
+    shell.write("library/foreign.inc", "#declare Mine = 1;");
+    shell.library = shell.path("library");
+    shell.write("foreign.inc", "");
+    const std::string another = "the mark of another scene";
+    REQUIRE(::setxattr(shell.path("foreign.inc").c_str(), "user.candelabra.scene", another.data(),
+                       another.size(), 0) == 0);
     for (const FaultInfo& info : all_faults()) {
         if (info.warns_of.empty()) continue;
         INFO(info.name);

@@ -109,7 +109,7 @@ bomb include_in_loop limit- '#while (1) #include "f0.inc" #end'
 bomb include_what_it_writes limit- '#while (1) #fopen F "w.inc" write #write (F, "#declare A = 1;") #fclose F #include "w.inc" #end'
 bomb write limit-written '#fopen F "w.txt" write #while (1) #write (F, "0123456789012345678901234567890123456789012345678901234567890123456789", "0123456789012345678901234567890123456789012345678901234567890123456789") #end'
 bomb open_and_close limit- '#while (1) #fopen F "c.txt" append #fclose F #end'
-bomb open_many 'limit-\|cannot be written' '#for (I, 1, 1e9) #fopen F concat("w", str(I, 0, 0)) write #undef F #end'
+bomb open_many 'limit-\|cannot be written' '#for (I, 1, 1e9) #fopen F concat("w", str(I, 0, 0), ".txt") write #undef F #end'
 bomb read_again limit- '#fopen F "r.txt" write #write (F, "1,2,3,4,5") #fclose F #while (1) #fopen G "r.txt" read #while (defined(G)) #read (G, A) #end #end'
 bomb exists limit- '#while (1) #declare A = file_exists("none.txt"); #end'
 

@@ -88,6 +88,8 @@ TEST_CASE("the rules name the folder of the picture", "[file_access]") {
     CHECK(FileAccess::reading_help("/data/a.inc") == "`--allow-read /data` allows it");
     CHECK(here.writing_help("../a.txt") == "`--allow-write ..` allows it");
     CHECK(here.writing_help("a.ini").empty());
+    CHECK(here.writing_rule("a.sh").starts_with("a scene writes files of data"));
+    CHECK(here.writing_help("a.sh") == "`--allow-write .` allows it");
     CHECK(here.writing_help("a.txt") ==
           "`--allow-write .` allows it, and to overwrite what others have made");
     CHECK(here.writing_help("a.inc") == "remove that file before, or choose another name");
@@ -131,6 +133,65 @@ TEST_CASE("files of others are overwritten only where the run permits it", "[fil
     CHECK_FALSE(opens(folder / "more/old.inc"));
     CHECK(opens(folder / "more/new.inc"));
     CHECK(opens(folder / "more/new.inc"));
+}
+
+TEST_CASE("where the user permits it a scene writes as from the current folder, under freer names",
+          "[file_access]") {
+    const Folder folder;
+    folder.put("out/a.txt", "");
+    folder.put("more/a.txt", "");
+    const FileAccess access({}, {folder / "out", folder / "more"});
+    CHECK_FALSE(access.destination("run.sh"));
+    CHECK(access.destination(folder / "more/run.sh"));
+    CHECK_FALSE(access.destination(folder / "more/.bashrc"));
+    const fs::path before = fs::current_path();
+    fs::current_path(folder / "more");
+    CHECK(access.destination("b.txt") == fs::canonical(folder / "more").string() + "/b.txt");
+    fs::current_path(before);
+}
+
+TEST_CASE("the scene's own folder is made when it is needed, and is no link", "[file_access]") {
+    const Folder folder;
+    folder.put("other/a.txt", "mine");
+    const FileAccess access({}, {folder / "scene.files"});
+    CHECK(access.own_folder().empty());
+    const auto place = access.destination("a.txt");
+    REQUIRE(place);
+    CHECK_FALSE(fs::exists(folder / "scene.files"));
+    CHECK(access.open(*place, false));
+    CHECK(fs::exists(folder / "scene.files/a.txt"));
+    CHECK(access.own_folder() == folder / "scene.files");
+    for (const char* target : {"other", "none"}) {
+        const std::string link = folder / (std::string(target) + ".files");
+        fs::create_symlink(target, link);
+        const FileAccess linked({}, {link});
+        CHECK_FALSE(linked.destination("a.txt"));
+        CHECK(linked.writing_rule("a.txt").ends_with("is a link"));
+    }
+    CHECK(folder.get("other/a.txt") == "mine");
+}
+
+TEST_CASE("hidden files are not read, and of some folders only what lies directly in them",
+          "[file_access]") {
+    const Folder folder;
+    FileAccess access({folder / "scene"}, {});
+    access.reads({{folder / "more"}, {{folder / "home"}, {folder / "out", "pic"}}, "/"});
+    // As scene_folders() does, the folders above have no links.
+    const std::string here = fs::canonical(folder.path()).string() + "/";
+    access.reads({{here + "more"}, {{here + "home"}, {here + "out", "pic"}}, "/"});
+    for (const char* name : {"scene/a.inc", "more/sub/a.inc", "home/a.inc", "out/pic.png",
+                             "out/pic07.png", "out/pic-1.layers.exr"}) {
+        INFO(name);
+        CHECK(access.may_read(folder / name));
+    }
+    for (const char* name :
+         {"scene/.a.inc", "scene/.git/a.inc", "home/.netrc", "home/sub/a.inc", "home",
+          "out/other.png", "out/picture.png", "out/pic/a.png", "scene/a\nb.inc"}) {
+        INFO(name);
+        CHECK_FALSE(access.may_read(folder / name));
+    }
+    CHECK(access.left_out_note().find("`/`") != std::string::npos);
+    CHECK(FileAccess({"/"}, {}).left_out_note().empty());
 }
 
 TEST_CASE("pipes and devices are odd", "[file_access]") {

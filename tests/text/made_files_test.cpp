@@ -54,6 +54,25 @@ TEST_CASE("files of a scene are known in its next run, and by no other scene", "
     CHECK_FALSE(place.write(nobody, "a.txt", 'c'));
 }
 
+TEST_CASE("the mark of another scene is known", "[file_access]") {
+    const MadePlace place;
+    place.folder.put("one.pov", "");
+    place.folder.put("two.pov", "");
+    place.folder.put("plain.inc", "");
+    MadeFiles one(place.folder / "one.pov"), two(place.folder / "two.pov"), nobody("");
+    REQUIRE(place.write(one, "a.inc", 'a'));
+    CHECK_FALSE(one.made_by_another(place.here + "a.inc"));
+    CHECK_FALSE(one.made_by_another(place.here + "plain.inc"));
+    CHECK_FALSE(one.made_by_another(place.here + "none.inc"));
+    MadeFiles again(place.folder / "one.pov");
+    if (!place.write(again, "a.inc", 'b')) return;  // the file system keeps no attributes
+    CHECK(two.made_by_another(place.here + "a.inc"));
+    CHECK(nobody.made_by_another(place.here + "a.inc"));
+    REQUIRE(place.write(nobody, "b.inc", 'b'));
+    CHECK_FALSE(nobody.made_by_another(place.here + "b.inc"));
+    CHECK(one.made_by_another(place.here + "b.inc"));
+}
+
 TEST_CASE("links and what has two names are not written to", "[file_access]") {
     const MadePlace place;
     place.folder.put("victim.txt", "v");

@@ -44,6 +44,66 @@ TEST_CASE("names that programs believe are not written", "[file_access]") {
     CHECK(names_settings("a.InI"));
 }
 
+TEST_CASE("a scene writes files of data, under names that nobody obeys", "[file_access]") {
+    for (const char* name : {"a.txt", "a.CSV", "lamps_2.json", "a.b-c.df3", "sub/a.inc",
+                             "gr\xC3\xB6\xC3\x9F"
+                             "e.obj",
+                             "7.dat", "CMakeLists.txt"}) {
+        INFO(name);
+        CHECK(forbidden_data_name(name).empty());
+    }
+    for (const char* name : {"GNUmakefile",
+                             "Makefile",
+                             "json.py",
+                             "x.sh",
+                             "x.so",
+                             "x.exe",
+                             "x.desktop",
+                             "x.html",
+                             "x.lnk",
+                             "autorun.inf",
+                             "-rf",
+                             "-rf.txt",
+                             "sub/-a/b.txt",
+                             "$(id).txt",
+                             "`id`.txt",
+                             "a;b.txt",
+                             "a|b.txt",
+                             "a b.txt",
+                             "a'b.txt",
+                             "a\nb.txt",
+                             "a&b.txt",
+                             "a=b.txt",
+                             "*.txt",
+                             "a.txt/b",
+                             "a",
+                             "txt",
+                             ".txt",
+                             "a.txt~",
+                             "a.ini",
+                             "a.state.exr",
+                             "a\xE2\x80\xAEtxt.txt",
+                             "a\xFF.txt",
+                             "x.yml",
+                             "x.toml",
+                             "x.cfg",
+                             "x.js",
+                             "x.mk",
+                             "x.d"}) {
+        INFO(name);
+        CHECK_FALSE(forbidden_data_name(name).empty());
+    }
+}
+
+TEST_CASE("hidden names and names with control characters are not read", "[file_access]") {
+    for (const char* name : {".netrc", ".ssh/id_rsa", "a/.git/config", "a\nb", "a\tb.inc", "a\x7F"})
+        CHECK_FALSE(unread_name(name).empty());
+    for (const char* name : {"", "a.inc", "a b.inc", "a/b.c",
+                             "gr\xC3\xB6\xC3\x9F"
+                             "e"})
+        CHECK(unread_name(name).empty());
+}
+
 TEST_CASE("a path has no links, and none that leads to nothing", "[file_access]") {
     const Folder folder;
     const fs::path here = fs::canonical(folder.path());
