@@ -149,7 +149,13 @@ int write_all(int descriptor, std::string_view bytes) {
 }
 
 OpenedFile open_growing_file(const std::string& path) {
-    return is_link_out(path) ? OpenedFile() : open_in_place(path);
+    if (is_link_out(path)) return {};
+    const auto old = state_of(path);
+    if (is_link(path) && !old) ::unlink(path.c_str());  // it leads nowhere, perhaps elsewhere
+    std::error_code failed;
+    const bool regular = old && S_ISREG(old->st_mode);
+    const fs::path target = regular ? fs::canonical(path, failed) : fs::path(path);
+    return open_in_place(failed ? path : target.string());
 }
 
 bool write_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics) {

@@ -166,7 +166,7 @@ TEST_CASE("layers are the same by any threads, after a stop, and from shards") {
     REQUIRE(render(shell, {"+O" + shell.path("a.exr"), "--layers", "all", "--shard", "2/2"}) == 0);
     CHECK(shell({"merge", shell.path("a.exr.2of2.state.exr"),
                  shell.path("a.exr.1of2.state.exr")}) == 2);
-    CHECK(has(shell.err, "alpha was yes and is not given"));
+    CHECK(has(shell.err, "Output_Alpha was on and is not given"));
 }
 
 TEST_CASE("a state of other layers is not continued") {

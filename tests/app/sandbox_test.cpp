@@ -176,7 +176,7 @@ TEST_CASE("a home that holds the scene and the picture is not opened as a whole"
     const SandboxRules frames = sandbox_rules(options, "");
     std::filesystem::current_path(before);
     for (const SandboxRules* rules : {&elsewhere, &wide})
-        for (const char* root : {"/", ".", ""}) {
+        for (const char* root : {"/", "."}) {
             CHECK_FALSE(has(rules->readable, root));
             CHECK_FALSE(has(rules->writable, root));
         }

@@ -95,6 +95,9 @@ TEST_CASE("a link that leads out of its folder is not followed, whatever is writ
     Diagnostics diagnostics;
     CHECK(write_file(folder.file("out/loose.png"), "x", diagnostics));
     CHECK_FALSE(fs::exists(folder.file("none")));
+    fs::create_symlink("../none", folder.path / "out/log");
+    CHECK(open_growing_file(folder.file("out/log")));
+    CHECK_FALSE(fs::exists(folder.file("none")));
     CHECK(write_file(folder.file("way/new.png"), "x", diagnostics));
     CHECK(diagnostics.all().empty());
 }
