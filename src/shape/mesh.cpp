@@ -127,7 +127,10 @@ MeshTriangle face(const Mesh& mesh, std::size_t i) {
             const Vec3 given = unit(mesh.normals[static_cast<std::size_t>((*places)[k])]);
             if (given != Vec3(0)) result.normals[k] = given;
         }
-        result.smooth = true;
+        // As in POV-Ray, three equal normals leave a face flat, and its winding decides its side.
+        const std::array<Vec3, 3>& n = result.normals;
+        result.smooth = n[0] != n[1] || n[1] != n[2];
+        if (!result.smooth) result.normals = {own, own, own};
     }
     return result;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The corners of triangles that are placed in a world. Used by flatten().
+// The corners of triangles that are placed in a world. Used by flatten() and for hits.
 #pragma once
 
 #include "shape/mesh.h"
 #include "shape/triangle.h"
 #include "world/world.h"
 
+#include <array>
 #include <utility>
 
 namespace candelabra {
@@ -26,15 +27,23 @@ inline CornerNormals units(const CornerNormals& n) {
     return {unit(n.normal1), unit(n.normal2), unit(n.normal3)};
 }
 
+/// Unit normal of a smooth triangle itself, on its outer side: as in POV-Ray, the side to which the
+/// normals of its corners point together. 0 if it has no area.
+inline Vec3 outer_normal(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals) {
+    const Vec3 own = triangle_normal(corners[0], corners[1], corners[2]);
+    return dot(own, normals[0] + normals[1] + normals[2]) < 0 ? -own : own;
+}
+
 /// A single smooth triangle.
 struct SmoothCorners {
     TrianglePrimitive corners;
     CornerNormals normals;
 
-    /// Makes the side to which the normals point the outer one, as in POV-Ray.
     void put_outer_side_first() {
-        const Vec3 flat = triangle_normal(corners.corner1, corners.corner2, corners.corner3);
-        if (dot(normals.normal1 + normals.normal2 + normals.normal3, flat) >= 0) return;
+        const auto& [a, b, c] = corners;
+        const Vec3 outer =
+            outer_normal({a, b, c}, {normals.normal1, normals.normal2, normals.normal3});
+        if (dot(triangle_normal(a, b, c), outer) >= 0) return;
         std::swap(corners.corner2, corners.corner3);
         std::swap(normals.normal2, normals.normal3);
     }
@@ -61,6 +70,13 @@ struct MeshFace {
     MeshTriangle shape;
     std::array<Vec2, 3> uvs;
     Face looks;
+
+    /// Whether the winding has the normals on its inner side.
+    bool is_inside_out() const {
+        const auto& [a, b, c] = shape.corners;
+        return shape.smooth &&
+               dot(triangle_normal(a, b, c), outer_normal(shape.corners, shape.normals)) < 0;
+    }
 
     /// Exchanges the two sides.
     void turn_over() {

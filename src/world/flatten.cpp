@@ -258,13 +258,13 @@ private:
     /// `materials`: that of the mesh, and those of its textures.
     void add_mesh(const Mesh& mesh, const Transform* transform,
                   const std::vector<std::uint32_t>& materials, Span span) {
+        const bool sided = world_.appearance.materials[materials.front()].inner != nullptr;
         // Reflection does not change the outer side of a mesh.
-        const bool turned = world_.appearance.materials[materials.front()].inner && transform &&
-                            transform->determinant() < 0;
+        const bool mirrored = transform && transform->determinant() < 0;
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             MeshFace f{face(mesh, i), face_uvs(mesh, i),
                        mesh.looks.empty() ? Face{-1, -1, -1} : mesh.looks[i]};
-            if (turned) f.turn_over();
+            if (sided && f.is_inside_out() != mirrored) f.turn_over();
             const std::uint32_t material = materials_.of_face(materials, f.looks);
             const auto& [a, b, c] = f.shape.corners;
             add_triangle(placed(TrianglePrimitive{a, b, c}, transform), material, span);

@@ -7,6 +7,7 @@
 #include "shape/leaf_pack.h"
 #include "shape/ray_start.h"
 #include "shape/uv.h"
+#include "world/corners.h"
 #include "world/precedence.h"
 #include "world/ray_constants.h"
 
@@ -89,6 +90,28 @@ bool begins_on(const Ray& ray, double t, const TrianglePrimitive& face) {
     return begins_on(ray, t, normal, size);
 }
 
+/// The outer normal of the flat face that a crossing of a smooth shape belongs to; 0 for crossings
+/// that have the normal of the surface itself.
+struct FaceNormal {
+    std::uint32_t part;
+
+    template <class T>
+    Vec3 operator()(const T&) const {
+        return Vec3(0);
+    }
+    Vec3 operator()(const SmoothTriangle& t) const {
+        return outer_normal({t.corner1, t.corner2, t.corner3},
+                            {unit(t.normal1), unit(t.normal2), unit(t.normal3)});
+    }
+    Vec3 operator()(const BuiltMesh& built) const {
+        const MeshTriangle met = face(*built.mesh, part);
+        return outer_normal(met.corners, met.normals);
+    }
+    Vec3 operator()(const BuiltBicubicPatch& patch) const {
+        return outer_normal(patch.facets[part].corners, patch.facets[part].normals);
+    }
+};
+
 }  // namespace
 
 template <class Wanted>
@@ -135,7 +158,12 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
     hit.position = ray.at(found.t);
     hit.tolerance = tolerance_at(ray, found.t);
     const CornerNormals* smooth = nullptr;
-    const auto unit_found = [&](const auto&...) { return unit(found.normal); };
+    const Vec3 shown = unit(found.normal);
+    const auto real = [&](const BuiltShape& shape, const Handle<Transform>& place, bool turned) {
+        const Vec3 face = visit_shape(FaceNormal{found.part}, shape);
+        const Vec3 there = unit(place ? place->normal(face) : face);
+        return there == Vec3(0) ? shown : turned ? -there : there;
+    };
     hit.normal = geometry.visit(
         geometry.item_of(found.primitive),
         [&](const SpherePrimitive& s) { return (hit.position - s.centre) / s.radius; },
@@ -143,11 +171,16 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
             smooth = geometry.normals_of_triangle(found.primitive);
             return unit(cross(f.corner1 - f.corner2, f.corner3 - f.corner2));
         },
-        unit_found, unit_found);
+        [&](const PlacedShape& placed) { return real(placed.shape, placed.transform, false); },
+        [&](const PlacedComposite& placed) {
+            const CompositeLeaf& leaf = placed.composite->leaf(found.primitive - placed.first_leaf);
+            return real(leaf.shape, leaf.transform, leaf.inverse != leaf.turned);
+        });
     hit.smooth_normal =
-        smooth ? unit((1 - found.weight2 - found.weight3) * smooth->normal1 +
-                      found.weight2 * smooth->normal2 + found.weight3 * smooth->normal3)
-               : hit.normal;
+        smooth             ? unit((1 - found.weight2 - found.weight3) * smooth->normal1 +
+                                  found.weight2 * smooth->normal2 + found.weight3 * smooth->normal3)
+        : shown == Vec3(0) ? hit.normal
+                           : shown;
     return hit;
 }
 

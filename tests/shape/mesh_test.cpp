@@ -53,11 +53,18 @@ TEST_CASE("normals of a mesh come from vertices, from normal_indices, or from th
     mesh.normals = {-z, Vec3(1, 0, -1), Vec3(0, 1, -1)};
     const Vec3 blended = unit(0.5 * -z + 0.2 * unit(Vec3(1, 0, -1)) + 0.3 * unit(Vec3(0, 1, -1)));
     CHECK(answers(build(mesh), {ray, {{5, blended, true}}}));
-    mesh.normal_faces = {{1, 1, 1}};
-    CHECK(answers(build(mesh), {ray, {{5, unit(Vec3(1, 0, -1)), true}}}));
+    mesh.normal_faces = {{1, 1, 2}};
+    const Vec3 indexed = unit(0.7 * unit(Vec3(1, 0, -1)) + 0.3 * unit(Vec3(0, 1, -1)));
+    CHECK(answers(build(mesh), {ray, {{5, indexed, true}}}));
     mesh.normals[1] = o;
+    mesh.normal_faces = {{1, 1, 0}};
     CHECK(answers(build(mesh), {ray, {{5, -z, true}}}));
+    mesh.normal_faces = {{0, 1, 2}};
     CHECK(face(mesh, 0).smooth);
+    // As in POV-Ray, three equal normals leave a face flat.
+    mesh.normal_faces = {{2, 2, 2}};
+    CHECK(answers(build(mesh), {ray, {{5, -z, true}}}));
+    CHECK_FALSE(face(mesh, 0).smooth);
 
     mesh.faces.push_back({0, 2, 1});
     CHECK(problem(mesh) == "");

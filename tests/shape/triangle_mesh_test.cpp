@@ -12,6 +12,7 @@ TEST_CASE("a mesh of single triangles becomes one of lists", "[shape]") {
     mesh.triangles = {{o, x, y}, {o, x, 2.0 * x}};
     mesh.triangles[0].looks = {1, 1, 1};
     mesh.smooth_triangles.resize(1);
+    mesh.smooth_triangles[0].normal1 = Vec3(0.5, 0, 1);
     mesh.smooth_triangles[0].uv2 = Vec2(1, 0);
     const Mesh built = as_mesh(mesh);
     CHECK(problem(built).empty());
