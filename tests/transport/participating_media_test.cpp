@@ -140,7 +140,7 @@ TEST_CASE("media with multiple scattering change nothing in a furnace", "[transp
                     "200 } } } sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { ") +
                     words + " } } } sphere { 0, 9 hollow pigment { rgb 1 } finish { emission 1 " +
                     walls + " } }",
-                {Vec3(0.1, 0.2, -5), Vec3(0, 0, 1)}, 4000);
+                {Vec3(0.1, 0.2, -5), Vec3(0, 0, 1)}, 2000);
             CAPTURE(words, walls, seen.value, seen.error);
             CHECK(agree(seen, {1, 0}));
         }
@@ -178,7 +178,7 @@ TEST_CASE("media scatter light that is found by chance as light that is sampled"
                     "global_settings { integrator { path_traced { bounces 6 } } } "
                     "disc { 4*z, z, 2 pigment { rgb 0 } } " +
                         place + light,
-                    {Vec3(0.1, 0.2, -5), Vec3(0, 0, 1)}, 6000);
+                    {Vec3(0.1, 0.2, -5), Vec3(0, 0, 1)}, 3000);
             };
             const Mean one = seen(sampled), other = seen(met);
             CAPTURE(name, met, one.value, one.error, other.value, other.error);
@@ -193,23 +193,23 @@ TEST_CASE("the first order of scattering has POV-Ray's unit, or that of `multipl
     const auto seen = [](const std::string& integrator, const std::string& multiple,
                          const std::string& sky) {
         return mean_seen(
-                   "#version 3.7; #default { finish { ambient 0 diffuse 0 } } global_settings { "
-                   "integrator { " +
-                       integrator +
-                       " } } disc { 4*z, z, 0.1 pigment { rgb 0 } } "
-                       "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { scattering { 1, "
-                       "0.001 " +
-                       multiple + " } } } } sky_sphere { pigment { rgb 1 } " + sky + " }",
-                   {Vec3(0, 0, -5), Vec3(0, 0, 1)}, 20000)
-            .value;
+            "#version 3.7; #default { finish { ambient 0 diffuse 0 } } global_settings { "
+            "integrator { " +
+                integrator +
+                " } } disc { 4*z, z, 0.1 pigment { rgb 0 } } "
+                "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { scattering { 1, "
+                "0.001 " +
+                multiple + " } } } } sky_sphere { pigment { rgb 1 } " + sky + " }",
+            {Vec3(0, 0, -5), Vec3(0, 0, 1)}, 20000);
     };
     const std::string traced = "path_traced { bounces 3 }";
+    const Mean of_povray{4 * 0.002, 0}, physical{0.002, 0};
     for (const char* const sky : {"luminaire", ""}) {
-        CHECK(seen(traced, "", sky) == Approx(4 * 0.002).epsilon(0.02));
-        CHECK(seen(traced, "multiple", sky) == Approx(0.002).epsilon(0.02));
+        CHECK(agree(of_povray, seen(traced, "", sky), 0.01));
+        CHECK(agree(physical, seen(traced, "multiple", sky), 0.01));
     }
-    CHECK(seen("pov_ray", "", "luminaire") == Approx(4 * 0.002).epsilon(0.02));
-    CHECK(seen("pov_ray", "multiple", "luminaire") == Approx(4 * 0.002).epsilon(0.02));
+    CHECK(agree(of_povray, seen("pov_ray", "", "luminaire"), 0.01));
+    CHECK(agree(of_povray, seen("pov_ray", "multiple", "luminaire"), 0.01));
 }
 
 TEST_CASE("media that are luminaires light a place exactly as the place sees them", "[transport]") {
@@ -219,7 +219,6 @@ TEST_CASE("media that are luminaires light a place exactly as the place sees the
         {"open above", ball + "clipped_by { plane { y, 0 } } "},
         {"open below", ball + "clipped_by { plane { -y, 0 } } "},
         {"open at a side", ball + "clipped_by { plane { x, 0 } } "},
-        {"with a hole", ball + "clipped_by { cylinder { -y, y, 0.3 inverse } } "},
         {"intersection",
          "intersection { sphere { 0, 0.8 } plane { y, 0 } pigment { rgbt 1 } finish "
          "{ diffuse 0 } hollow "},
@@ -227,8 +226,7 @@ TEST_CASE("media that are luminaires light a place exactly as the place sees the
          "cylinder { -0.6*y, 0.6*y, 0.5 open pigment { rgbt 1 } finish { diffuse 0 } hollow "},
         {"cut into a union",
          "union { sphere { -0.3*x, 0.6 } sphere { 0.3*x, 0.6 } clipped_by { "
-         "plane { y, 0.2 } } pigment { rgbt 1 } finish { diffuse 0 } hollow "},
-        {"without shadow", ball + "no_shadow "}};
+         "plane { y, 0.2 } } pigment { rgbt 1 } finish { diffuse 0 } hollow "}};
     const std::pair<const char*, std::string> beside[] = {
         {"nothing", ""},
         {"a ceiling", "disc { 4*y, y, 9 pigment { rgb 0 } } "},
@@ -248,14 +246,14 @@ TEST_CASE("media that are luminaires light a place exactly as the place sees the
             };
             const std::string disc = "disc { 0, y, 0.001 pigment { rgb 1 } finish { diffuse 1 } } ";
             const Ray down{Vec3(0, 0.0005, 0), Vec3(0, -1, 0)};
-            const Mean sampled = mean_seen(scene("pov_ray", "luminaire", disc), down, 6000);
+            const Mean sampled = mean_seen(scene("pov_ray", "luminaire", disc), down, 4000);
             // A fisheye camera at the place, weighted by the cosine.
             const World dark = scene("pov_ray", "luminaire", "");
             Integrator integrator(dark, {});
             Draw draw(4);
             Key key;
             double sum = 0, squares = 0;
-            constexpr std::uint32_t count = 6000;
+            constexpr std::uint32_t count = 4000;
             for (; key.sample < count; ++key.sample) {
                 const Vec3 towards =
                     cosine_direction(Vec3(0, 1, 0), {draw.number(), draw.number()});
@@ -264,9 +262,9 @@ TEST_CASE("media that are luminaires light a place exactly as the place sees the
             }
             const double mean = sum / count;
             const Mean sees{mean, std::sqrt(std::fmax(squares / count - mean * mean, 0) / count)};
-            const Mean met = mean_seen(scene("path_traced { bounces 1 }", "", disc), down, 6000);
+            const Mean met = mean_seen(scene("path_traced { bounces 1 }", "", disc), down, 4000);
             const Mean traced =
-                mean_seen(scene("path_traced { bounces 1 }", "luminaire", disc), down, 6000);
+                mean_seen(scene("path_traced { bounces 1 }", "luminaire", disc), down, 4000);
             CAPTURE(name, what, sampled.value, sees.value, met.value, traced.value);
             CHECK(agree(sampled, sees));
             CHECK(agree(traced, sees));
