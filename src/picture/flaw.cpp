@@ -46,10 +46,20 @@ std::optional<PictureSize> size_of_png(std::string_view bytes) {
     return std::nullopt;
 }
 
+/// Whether the file has the end that the program gives to such files, and that readers may not miss:
+/// the footer of Targa files of version 2, and the marker at the end of JPEG files.
+bool has_end(PictureType type, std::string_view bytes) {
+    using namespace std::literals;
+    if (type == PictureType::tga) return bytes.ends_with("TRUEVISION-XFILE.\0"sv);
+    return type != PictureType::jpeg || bytes.ends_with("\xFF\xD9"sv);
+}
+
 /// Reads the whole file; nothing if a part of it is missing.
 std::optional<PictureSize> size_by_reading(const std::string& path, std::string text) {
     Diagnostics unsaid;
-    if (type_of_name(path) == PictureType::exr) {
+    const auto type = type_of_name(path);
+    if (type && !has_end(*type, text)) return std::nullopt;
+    if (type == PictureType::exr) {
         const auto picture = read_layers(path, {}, unsaid);
         if (!picture) return std::nullopt;
         return PictureSize{picture->width, picture->height};

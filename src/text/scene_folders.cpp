@@ -45,7 +45,7 @@ const std::vector<fs::path>& known_homes() {
 }  // namespace
 
 bool is_wide(const fs::path& folder) {
-    return folder == folder.root_path() || folder.parent_path() == "/home" ||
+    return folder == folder.root_path() || folder == "/home" || folder.parent_path() == "/home" ||
            is_of_system(folder) || std::ranges::any_of(known_homes(), [&](const fs::path& home) {
                return is_below(folder, home);
            });
