@@ -223,8 +223,7 @@ Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double dista
 Vec3 DirectLight::emitted(const LitLayer& layer, const Luminaire& luminaire, const Ray& ray,
                           double distance) const {
     const double tolerance = layer.vertex.tolerance();
-    if (!luminaire.is_volume())
-        return radiance_seen(world_, {luminaire, ray, tolerance, distance});
+    if (!luminaire.is_volume()) return radiance_seen(world_, {luminaire, ray, tolerance, distance});
     const EnteredSolids around = solids_along(world_, layer.vertex, ray.direction);
     return volume_emission(world_, luminaire.primitive,
                            {ray, tolerance, distance, {around.data(), around.size()}});
@@ -266,8 +265,7 @@ Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, c
     ++ledger.shadow;
     const Ray ray{position, point->direction};
     Vec3 seen = light_left(layer, ray, point->distance);
-    if (seen != Vec3(0))
-        seen *= emitted(layer, luminaire, ray, point->distance);
+    if (seen != Vec3(0)) seen *= emitted(layer, luminaire, ray, point->distance);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
     if (seen != Vec3(0))
         seen = answer * gathered(layer, seen) / (pi * density(point->direction, point->density));

@@ -271,8 +271,8 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
     return false;
 }
 
-/// Samples a direction for the diffuse part, on one side of the surface or on both. Returns false if
-/// the path ends.
+/// Samples a direction for the diffuse part, on one side of the surface or on both. Returns false
+/// if the path ends.
 bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const LayerStack& stack,
                                   PathState& path) {
     const Bsdf bsdf(s, rules_);
