@@ -83,7 +83,9 @@ void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
     const bool ends = std::isfinite(distance);
     MediaList all;
     add_followed(world_, {path.media.data(), path.media.size()}, ends, all);
-    if (!collects_photons(view_of(all))) return;
+    static const Material air;
+    const Material& around = path.media.empty() ? air : world_.material(path.media.back());
+    if (!collects_photons(view_of(all)) || !reaches(journey, around)) return;
     const auto add = [&](double way, double stands_for) {
         const Vec3 left =
             attenuation(innermost(world_, path.media), way) * left_after(journey, way, ends);
@@ -218,6 +220,11 @@ bool PhotonPaths::go_behind(PathState& path, const Vertex& vertex, const LayerSt
     return true;
 }
 
+/// Whether the light group of the photon's lamp lights objects of the material.
+bool PhotonPaths::reaches(const Journey& journey, const Material& material) const {
+    return journey.shot.glows || world_.reaches(journey.shot.light_group, material);
+}
+
 /// Whether any layer reflects arriving light to the viewer.
 bool PhotonPaths::answers(const Vertex& vertex) const {
     bool any = false;
@@ -230,7 +237,9 @@ bool PhotonPaths::answers(const Vertex& vertex) const {
 
 void PhotonPaths::deposit(const Journey& journey, const Vertex& vertex,
                           std::vector<Photon>& found) const {
-    if (!vertex.material->photons.collects || !answers(vertex)) return;
+    if (!vertex.material->photons.collects || !reaches(journey, *vertex.material) ||
+        !answers(vertex))
+        return;
     const Vec3 power =
         journey.shot.power_after(journey.way) * journey.path.throughput * journey.share;
     if (power == Vec3(0)) return;

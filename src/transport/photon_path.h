@@ -38,6 +38,7 @@ private:
     bool is_reflected(const Journey&, const PhotonSurface&) const;
     void deposit(const Journey&, const Vertex&, std::vector<Photon>&) const;
     void deposit_in_air(const Journey&, double distance, std::vector<Photon>&) const;
+    bool reaches(const Journey&, const Material&) const;
     bool answers(const Vertex&) const;
 
     const World& world_;

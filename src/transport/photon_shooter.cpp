@@ -206,6 +206,7 @@ std::optional<PhotonShot> PhotonShooter::shoot(const Aim& aim, const Key& key) c
     }
     shot.lamp = ways_of_source(world_, aim.lamp);
     shot.statement = world_.provenance.statement_of_light[aim.lamp];
+    shot.light_group = world_.lights.reach[aim.lamp].group;
     return std::visit(
         [&](const auto& light) {
             shot.source = &light;

@@ -22,7 +22,8 @@ struct PhotonShot {
     PhotonWays lamp = {};      ///< the lamp's photon settings
     bool glows = false;        ///< the lamp is a luminaire
     std::uint32_t statement = 0;
-    Vec3 power = Vec3(0);  ///< of a luminaire's photon: colour of light times area
+    std::uint32_t light_group = 0;  ///< of a light source
+    Vec3 power = Vec3(0);           ///< of a luminaire's photon: colour of light times area
     /// Of a light source's photon: solid angle in steradians, or area if all of its light is
     /// parallel.
     double extent = 0;

@@ -120,7 +120,7 @@ void refuse_many(const World& world, const PhotonPairs& pairs, Diagnostics& diag
 
 PhotonSurface photon_surface(World& world, const ObjectPhotons& said, Span span) {
     PhotonSurface surface{0, said.ways(), said.collect, said.pass_through};
-    if (!said.target) return surface;
+    if (said.target.value_or(0) == 0) return surface;
     world.photon_targets.push_back({span, *said.target > 0 ? *said.target : 1, surface.ways});
     surface.target = static_cast<std::uint32_t>(world.photon_targets.size());
     return surface;
@@ -130,7 +130,7 @@ PhotonWays ways_of_source(const World& world, std::uint32_t light) {
     const LightReach& reach = world.lights.reach[light];
     const bool shadowless =
         std::visit([](const auto& l) { return l.shadowless; }, world.lights.sources[light]);
-    return shadowless || reach.group != 0 || reach.window ? without_photons : reach.photons;
+    return shadowless || reach.window ? without_photons : reach.photons;
 }
 
 void place_photon_targets(World& world, Diagnostics& diagnostics) {

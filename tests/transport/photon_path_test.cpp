@@ -134,6 +134,30 @@ TEST_CASE("a photon meets as many surfaces as it may", "[transport]") {
               .empty());
 }
 
+TEST_CASE("photons of a light group light what the group lights", "[transport]") {
+    const std::string right = "box { <0, -1, -5>, <5, 0, 5> pigment { rgb 1 } } ",
+                      left = "box { <-5, -1, -5>, <0, 0, 5> pigment { rgb 1 } } ";
+    const auto on_sides = [](const std::string& scene) {
+        const World world =
+            world_of("#version 3.7; global_settings { photons { count 100 } } " + scene);
+        std::pair<int, int> found{0, 0};
+        for (const Photon& photon : photons_in(world))
+            ++(photon.position.x < 0 ? found.first : found.second);
+        return found;
+    };
+    const auto all = on_sides(sun_for_photons + ball_at(4) + left + right);
+    CHECK(all.first > 100);
+    CHECK(all.second > 100);
+    const auto grouped =
+        on_sides("light_group { " + sun_for_photons + ball_at(4) + left + "} " + right);
+    CHECK(grouped.first == all.first);
+    CHECK(grouped.second == 0);
+    const auto outer = on_sides(sun_for_photons + ball_at(4) + "light_group { " + left +
+                                "} light_group { " + right + "global_lights on } ");
+    CHECK(outer.first == 0);
+    CHECK(outer.second == all.second);
+}
+
 TEST_CASE("only surfaces that collect get photons, and that show light", "[transport]") {
     const auto come_to = [](const std::string& more) {
         return photons_in(with_photons("plane { y, 0 " + more + " } " + ball_at(5))).size();

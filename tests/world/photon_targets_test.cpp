@@ -59,6 +59,27 @@ TEST_CASE("without a light that shoots there are no targets", "[world]") {
     CHECK(targets(lamp + "sphere { 0, 1 no_image " + glass + "}").photon_targets.empty());
 }
 
+TEST_CASE("an object whose target is off is none", "[world]") {
+    for (const char* off : {"target off", "target 0", "target no refraction on"}) {
+        CAPTURE(off);
+        Diagnostics diagnostics;
+        const std::string photons = std::string("photons { ") + off + " } ";
+        const World world =
+            compile(scene_of("#version 3.7; global_settings { photons { count 100 } } " + lamp +
+                             "sphere { 0, 1 " + glass + photons + "} plane { y, -2 " + photons +
+                             "} sphere { 5, 1 " + glass + "}"),
+                    CompileOptions(), diagnostics);
+        CHECK(diagnostics.all().empty());
+        REQUIRE(world.photon_targets.size() == 1);
+        CHECK(world.photon_targets[0].centre == Vec3(5));
+    }
+}
+
+TEST_CASE("lights of a light group shoot, too", "[world]") {
+    CHECK_FALSE(
+        targets("light_group { " + lamp + "sphere { 0, 1 " + glass + "} }").photon_targets.empty());
+}
+
 TEST_CASE("lamps shoot at targets in a bounded number of pairs", "[world]") {
     const auto said = [](int lamps, int glasses, const std::string& ways) {
         const auto times = [](int count, const std::string& what) {
