@@ -79,6 +79,116 @@ TEST_CASE("in a closed isothermal room all things look the same", "[transport]")
     CHECK(mean == Approx(1).epsilon(1e-3));
 }
 
+TEST_CASE("a sheet that is lit from behind shows light from everywhere", "[transport]") {
+    // Under a dome of radiance 1 it shows the sum of both its diffuse values.
+    for (const char* const integrator : {"pov_ray", "path_traced { reflected_luminaires 0 }"})
+        for (const auto& [finish, expected] : std::vector<std::pair<std::string, double>>{
+                 {"diffuse 0.4, 0.4", 0.8}, {"diffuse 0.7, 0.3", 1.0}, {"diffuse 0, 0.6", 0.6}}) {
+            const Vec3 seen = path_seen(
+                "#version 3.7; global_settings { integrator { " + std::string(integrator) +
+                    " } } sphere { 0, 20 hollow pigment { rgb 1 } finish { ambient 0 diffuse 0 "
+                    "emission 1 } } polygon { 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> "
+                    "pigment { rgb 1 } finish { ambient 0 " +
+                    finish + " } }",
+                4000, {Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)});
+            CAPTURE(integrator, finish);
+            CHECK(seen.x == Approx(expected).epsilon(0.01));
+        }
+}
+
+namespace {
+
+/// A closed body with normals that make it look round, in various forms.
+std::vector<std::string> smooth_bodies() {
+    const std::string mesh =
+        "mesh2 { vertex_vectors { 4, <-0.9, -0.7, -0.9>, <0.9, -0.7, -0.9>, <0, -0.7, 0.9>, "
+        "<0, 0.9, 0> } normal_vectors { 4, <-1, -0.5, -1>, <1, -0.5, -1>, <0, -0.5, 1>, y } "
+        "face_indices { 4, <0, 1, 3>, <1, 2, 3>, <2, 0, 3>, <0, 2, 1> } inside_vector y ";
+    return {mesh, mesh + "clipped_by { sphere { 0, 3 } } ", mesh + "rotate 30 scale <1, -1.5, 1> ",
+            "intersection { " + mesh + "} sphere { 0, 3 } "};
+}
+
+}  // namespace
+
+TEST_CASE("a convex body that glows does not light itself, however smooth it looks",
+          "[transport]") {
+    for (const std::string& body : smooth_bodies())
+        for (const char* const integrator :
+             {"pov_ray", "path_traced { reflected_luminaires 200 }"}) {
+            const World world = world_of(
+                "#version 3.7; global_settings { integrator { " + std::string(integrator) +
+                " } } " + body + "pigment { rgb 1 } finish { ambient 0 diffuse 0.5 emission 1 } }");
+            Integrator integrating(world, {});
+            Draw draw(7);
+            Key key;
+            int met = 0;
+            CAPTURE(body, integrator);
+            for (key.sample = 0; key.sample < 300; ++key.sample) {
+                const Vec3 from = 5.0 * draw.direction();
+                const double seen =
+                    integrating.radiance({from, unit(draw.point(0.7) - from)}, key).x;
+                if (seen == 0) continue;
+                CHECK(seen == Approx(1).epsilon(1e-9));
+                ++met;
+            }
+            CHECK(met > 100);
+        }
+}
+
+TEST_CASE("a closed body keeps the light of a lamp inside, however smooth it looks",
+          "[transport]") {
+    for (const std::string& body : smooth_bodies())
+        for (const std::string& lamp :
+             {"sphere { 0, 0.1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 50 } } ",
+              "light_source { 0, rgb 1 } "}) {
+            const World world =
+                world_of(traced(4) + lamp + body +
+                         "pigment { rgb 1 } } box { <-9, -4, -9>, <9, -3, 9> pigment { rgb 1 } }");
+            Integrator integrating(world, {});
+            Draw draw(8);
+            Key key;
+            double sum = 0;
+            CAPTURE(body, lamp);
+            for (key.sample = 0; key.sample < 3000; ++key.sample) {
+                const Vec3 from = 5.0 * draw.direction();
+                sum += integrating.radiance({from, unit(draw.point(1) - from)}, key).x;
+            }
+            CHECK(sum == 0);
+        }
+}
+
+TEST_CASE("white facets disappear before a white sky, at every angle and with any bumps",
+          "[transport]") {
+    for (const std::string& facets :
+         {"metallic 0 roughness 0.05", "metallic 1 roughness 0.05", "metallic 1 roughness 0.6",
+          "metallic 0 roughness 0.3 coat 1"})
+        for (const std::string& bumps :
+             {"", "normal { bumps 0.3 scale 0.01 }", "normal { bumps 2 scale 0.01 }"})
+            for (const double elevation : {0.05, 0.3}) {
+                const World world =
+                    world_of(traced(1) +
+                             "sky_sphere { pigment { rgb 1 } } plane { y, 0 pigment { rgb 1 } "
+                             "finish { microfacet { " +
+                             facets + " } } " + bumps + " }");
+                Integrator integrating(world, {});
+                Draw draw(9);
+                Key key;
+                double sum = 0, squares = 0;
+                constexpr int count = 6000;
+                for (key.sample = 0; key.sample < count; ++key.sample) {
+                    const double x = draw.between(-1, 1);
+                    const double seen =
+                        integrating.radiance({Vec3(x, 1, 0), unit(Vec3(0.1, -elevation, 1))}, key)
+                            .x;
+                    sum += seen, squares += seen * seen;
+                }
+                const double mean = sum / count;
+                const double error = std::sqrt((squares / count - mean * mean) / count);
+                CAPTURE(facets, bumps, elevation, error);
+                CHECK(mean == Approx(1).margin(0.015 + 4 * error));
+            }
+}
+
 TEST_CASE("luminaires light by reflections as surfaces that glow do", "[transport]") {
     // Light of luminaires is sampled by the strategy, which looks one reflection further; light of
     // other glowing surfaces is found by chance.
