@@ -145,6 +145,20 @@ void complete_isosurface(OpenBlock& block, Shared<Isosurface>& surface) {
     correct("max_gradient", &Isosurface::max_gradient);
 }
 
+/// Reports a lathe that begins or ends beyond the axis, which POV-Ray 3.8 refuses and older
+/// versions render.
+void check_ends(OpenBlock& block, const Lathe& lathe) {
+    const auto beyond = [](const Vec2& point) { return point.x < 0; };
+    if (lathe.points.empty() || static_cast<CurveKind>(lathe.spline) == cubic_curve ||
+        !(beyond(lathe.points.front()) || beyond(lathe.points.back())))
+        return;
+    const bool modern = block.binder.evaluator.version() >= modern_version;
+    const std::string text = "the first and the last radius of a `lathe` should not be below 0";
+    block.report((modern ? error(Fault::out_of_range, block.span, text)
+                         : warning(Fault::no_effect, block.span, text))
+                     .with_help(block.help()));
+}
+
 }  // namespace
 
 void complete(OpenBlock& block, Shape& shape) {
@@ -154,6 +168,8 @@ void complete(OpenBlock& block, Shape& shape) {
         complete_heights(block, *field);
     else if (auto* surface = std::get_if<Shared<Isosurface>>(&shape))
         complete_isosurface(block, *surface);
+    else if (const auto* lathe = std::get_if<Shared<Lathe>>(&shape))
+        check_ends(block, **lathe);
     else if (const auto* mesh = std::get_if<Shared<TriangleMesh>>(&shape))
         if (problem(**mesh).empty()) shape = Shared<Mesh>(as_mesh(**mesh));
 }

@@ -9,6 +9,7 @@
 #include "bind/scene_content.h"
 #include "bind/solid_queries.h"
 #include "bind/textures.h"
+#include "bind/version_defaults.h"
 #include "surface/pigment_map.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -85,6 +86,7 @@ public:
     }
 
     void set_default(const Element& element) {
+        defaults_.keep();
         const bool block = element.kind == Element::Kind::block;
         const BlockRow* row = block ? block_row(element.word) : nullptr;
         if (row && row->as_default) return row->as_default(binder_, element);
@@ -92,6 +94,8 @@ public:
         whole.form = "{ texture { ... } }, or pigment, normal, finish, camera";
         whole.refuse(element, words_with(&BlockRow::as_default));
     }
+
+    void set_version(double version, Span span) { defaults_.follow(version, span); }
 
     /// Completes the scene after the last element.
     void finish(bool version_given) {
@@ -165,6 +169,7 @@ private:
     }
 
     Binder binder_;
+    VersionDefaults defaults_{binder_};
     Scene& scene_;
     OpenBlock top_{binder_, {}, {}};
     SceneContent content_{binder_, scene_};
@@ -188,6 +193,7 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
     handlers.value = [&](std::span<const Element> elements) { return reader.value(elements); };
     handlers.function = [&](const Element& element) { return reader.function(element); };
     handlers.set_default = [&](const Element& element) { reader.set_default(element); };
+    handlers.set_version = [&](double version, Span span) { reader.set_version(version, span); };
     handlers.layered = [&](const Value& below, const Value& above, Span span) {
         return reader.layered(below, above, span);
     };

@@ -115,6 +115,8 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
                                  "`shadowless` has no effect: the kind of light that follows it "
                                  "has shadows"));
     }
+    const bool modern = binder.evaluator.version() >= modern_version;
+    std::visit([&](auto& light) { light.fades_from_source = modern; }, placed.light);
     const std::string wrong = std::visit([](const auto& l) { return problem(l); }, placed.light);
     if (!wrong.empty())
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));

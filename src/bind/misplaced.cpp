@@ -128,6 +128,9 @@ bool Misplaced::reject(const Element& element, const WordList& words, bool wante
         case Element::Kind::joined:
             reject_form(element, "an operator without an expression before it has");
             return false;
+        case Element::Kind::omitted:
+            reject_form(element, "a comma without a value before it has");
+            return false;
     }
     return false;
 }

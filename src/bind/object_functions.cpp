@@ -4,9 +4,13 @@
 #include "base/order.h"
 #include "bind/modelling_functions.h"
 #include "csg/extent.h"
+#include "pattern/pattern.h"
+#include "surface/normal_map.h"
+#include "surface/pigment_map.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace candelabra {
 
@@ -42,7 +46,20 @@ Value lower_extent(FunctionCall& call) {
     return object ? Value(Numbers::vector(extent(*object).low)) : Value(Absence::broken);
 }
 
+/// The width and height in pixels of the picture of a pigment or a normal; nothing for others.
+std::optional<Vec3> picture_size(const Value& value) {
+    const auto pigment = value.handle<Pigment>();
+    const auto bump = value.handle<Bump>();
+    const Pattern* const pattern = pigment && pigment->pattern ? &pigment->pattern->use.pattern
+                                   : bump && bump->pattern     ? &bump->pattern->use.pattern
+                                                               : nullptr;
+    const PictureMap* const picture = pattern ? picture_of(*pattern) : nullptr;
+    if (!picture || !picture->texels) return std::nullopt;
+    return Vec3(picture->texels->width, picture->texels->height, 0);
+}
+
 Value upper_extent(FunctionCall& call) {
+    if (const auto size = picture_size(call.value(0))) return Numbers::vector(*size);
     const Handle<Object> object = call.object(0);
     return object ? Value(Numbers::vector(extent(*object).high)) : Value(Absence::broken);
 }
@@ -58,8 +75,11 @@ constexpr auto functions_of_objects = std::array{
                  OfObject(delaunay)},
     FunctionInfo{"inside", 2, 2, "object, point", "whether the point is inside",
                  OfObject(inside_object)},
-    FunctionInfo{"max_extent", 1, 1, "object", "upper corner of the bounding box",
-                 OfObject(upper_extent)},
+    FunctionInfo{
+        "max_extent", 1, 1, "object",
+        "upper corner of the bounding box; of a pigment or normal, the size of its picture "
+        "in pixels",
+        OfObject(upper_extent)},
     FunctionInfo{"min_extent", 1, 1, "object", "lower corner of the bounding box",
                  OfObject(lower_extent)},
     FunctionInfo{"scatter", 2, 3, "object, distance[, seed]",

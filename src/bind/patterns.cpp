@@ -223,6 +223,7 @@ bool PatternReader::take(const Element& element) {
         case Element::Kind::entry:
         case Element::Kind::braces:
         case Element::Kind::joined:
+        case Element::Kind::omitted:
             break;
     }
     return false;

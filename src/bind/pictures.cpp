@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/pictures.h"
 
-#include "base/gamma.h"
+#include "base/video_gamma.h"
 #include "formula/formula.h"
 #include "text/message.h"
 #include "vocabulary/kinds.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace candelabra {
 
@@ -21,8 +22,7 @@ constexpr auto file_kinds =
 
 bool takes_colours(const Pattern& pattern) { return std::holds_alternative<ImageMap>(pattern); }
 
-/// The coding of a picture's texels by the rules of POV-Ray 3.7, which depend on the language
-/// version.
+/// The coding of a picture's texels by the rules of POV-Ray, which depend on the language version.
 TexelCoding coding(const Binder& binder, const Pattern& pattern, const PictureMap& map) {
     TexelCoding result;
     result.gamma = map.gamma;
@@ -33,6 +33,8 @@ TexelCoding coding(const Binder& binder, const Pattern& pattern, const PictureMa
         result.decode = TexelCoding::as_stored;
     else if (!modern)
         result.decode = TexelCoding::where_said;
+    else if (binder.evaluator.version() >= modern_version)
+        result.decode = TexelCoding::always_all;
     return result;
 }
 
@@ -59,6 +61,13 @@ std::optional<Texels> texels_of(const Formula& function, Evaluator& evaluator, S
         texels.alpha.clear();
     texels.measure();
     return texels;
+}
+
+/// From version 3.8 on `transmit all` multiplies the opacity of a picture with an alpha channel.
+void scale_opacity(ImageMap& image) {
+    if (image.transmit == 0 || image.texels->alpha.empty() || !image.texels->table.empty()) return;
+    const auto share = static_cast<float>(1 - std::exchange(image.transmit, 0));
+    for (float& alpha : image.texels.edit().alpha) alpha *= share;
 }
 
 }  // namespace
@@ -115,12 +124,14 @@ bool PictureReader::take(const Element& element) {
         block_.file_kind = block_.spelling(element.word);
         return true;
     }
-    if (element.kind == Element::Kind::word && element.word == "srgb"_word &&
-        fields_.expected() == "gamma") {
+    const auto curve = element.kind == Element::Kind::word && fields_.expected() == "gamma"
+                           ? gamma_called(block_.spelling(element.word))
+                           : std::nullopt;
+    if (curve) {
         Element value = element;
         value.kind = Element::Kind::value;
         value.word = no_name;
-        value.value = Numbers::scalar(srgb_gamma);
+        value.value = Numbers::scalar(*curve);
         return fields_.take(value);
     }
     return fields_.take(element);
@@ -225,7 +236,10 @@ void PictureReader::load() {
         }
         map_.texels = known;
     }
-    if (auto* image = std::get_if<ImageMap>(&pattern_)) image->adjust();
+    if (auto* image = std::get_if<ImageMap>(&pattern_)) {
+        image->adjust();
+        if (block_.binder.evaluator.version() >= modern_version) scale_opacity(*image);
+    }
 }
 
 }  // namespace candelabra

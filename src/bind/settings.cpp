@@ -181,7 +181,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
                           GivenSettings& before) {
     OpenBlock block(binder, "global_settings", element.word_span);
     block.item = &GlobalSettings::vocabulary;
-    block.ignored = "charset utf8 ascii sys hf_gray_16 max_intersections";
+    block.ignored = "charset utf8 ascii sys hf_gray_16 hf_grey_16 max_intersections";
     // Strings are read as UTF-8, which contains ASCII, so `charset` needs no warning.
     if (!binder.evaluator.has_foreign_strings()) binder.warned.emplace("charset");
     const double gamma = settings.assumed_gamma;
@@ -193,7 +193,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
                          &settings.subsurface.on, "radiosity");
     ItemBlock radiosity(block, Radiosity::vocabulary, &settings.radiosity, &settings.radiosity.on,
-                        "importance");
+                        "importance brilliance");
     radiosity.without_effect(words_of_cache, "light is gathered without a cache");
     ItemBlock photons(block, PhotonSettings::vocabulary, &settings.photons, &settings.photons.on);
     photons.without_effect(words_of_map, "photons are shot anew again and again");

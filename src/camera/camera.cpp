@@ -25,7 +25,8 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
           "towards the middle of the picture; its length is the distance of the "
           "picture plane (default z)"},
         F{"right", &T::right, item,
-          "from the left edge of the picture to the right (default 1.33 x)"},
+          "from the left edge of the picture to the right (default 1.33 x; from `#version 3.8` "
+          "on as wide as the picture)"},
         F{"up", &T::up, item, "from the bottom of the picture to the top (default y)"},
         F{"sky", &T::sky, item, "what look_at keeps upright"},
         F{"look_at", &T::look_at, item, "the point in the middle of the picture"},
@@ -132,7 +133,7 @@ Projection untransformed(const View& view, Lens lens, bool sizes = true) {
     Projection f{
         view.location,
         view.direction.value_or(Vec3(0, 0, 1)),
-        view.right.value_or(Vec3(1.33, 0, 0)),
+        view.right.value_or(Vec3(view.aspect, 0, 0)),
         view.up.value_or(Vec3(0, 1, 0)),
         parallel || lens == Lens::cylinder3 || lens == Lens::cylinder4 || lens == Lens::mesh,
         lens};

@@ -21,6 +21,7 @@ struct View {
     std::optional<Vec3> direction;
     std::optional<Vec3> right;
     std::optional<Vec3> up;
+    double aspect = 1.33;  ///< length of `right` along x where it is not given
     Vec3 sky = Vec3(0, 1, 0);
     std::optional<Vec3> look_at;
     std::optional<double> angle;

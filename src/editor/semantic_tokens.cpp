@@ -131,6 +131,8 @@ private:
             case once:
             case unofficial:
             case powers:
+            case mixed:
+            case optional_list:
                 return SemanticToken{place, SemanticToken::keyword};
             case number:
             case literal:

@@ -18,6 +18,11 @@ std::size_t dimension_at(const ArrayData& array, std::size_t dimension) {
                                             : 0;
 }
 
+/// Whether nothing need be missing where the element is left out: a comma may end a list.
+bool is_last_gap(const Element& element) {
+    return element.origin.tree->get<node::Omitted>(element.origin.first).last;
+}
+
 }  // namespace
 
 Value Evaluator::State::array(const Tree& tree, const node::Array& node, NodeId id) {
@@ -42,17 +47,13 @@ Value Evaluator::State::array(const Tree& tree, const node::Array& node, NodeId 
     if (sizes.size() > 5)
         return broken(Fault::wrong_count, tree.span(id),
                       message("an array has at most 5 dimensions, but this has ", sizes.size()));
-    if (sizes.empty()) {
-        report(error(Fault::missing, tree.span(id), "an array needs its size")
-                   .with_help("array[3], array[2][5]"));
-        return Absence::broken;
-    }
     if (!spend(count, tree.span(id))) return Absence::broken;
-    Handle<ArrayData> result = make_handle<ArrayData>(std::move(sizes));
+    const auto kinds = node.mixed ? ArrayData::Kinds::mixed : ArrayData::Kinds::one;
+    Handle<ArrayData> result = make_handle<ArrayData>(
+        sizes.empty() ? ArrayData::growing(kinds) : ArrayData(std::move(sizes), kinds));
     if (node.content != no_node) {
         std::size_t next = 0;
-        if (!fill(result.edit(), 0, next, {&tree, tree.get<node::Braces>(node.content).body},
-                  tree.span(node.content)))
+        if (!fill(result.edit(), 0, next, braces_element(tree, node.content)))
             return Absence::broken;
     }
     return result;
@@ -60,10 +61,12 @@ Value Evaluator::State::array(const Tree& tree, const node::Array& node, NodeId 
 
 bool Evaluator::State::fill_one(ArrayData& array, std::size_t at, Value value, Span span) {
     if (value.broken()) return false;
+    if (array.grows() && at >= array.size()) array.grow(static_cast<int>(at + 1));
     if (!array.fits(at, value)) {
-        broken(Fault::wrong_type, span,
-               message("all elements of an array are of one kind: the first is ",
-                       kind_name(array.at(0)), ", and this is ", kind_name(value)));
+        report(error(Fault::wrong_type, span,
+                     message("all elements of an array are of one kind: the first is ",
+                             kind_name(array.at(0)), ", and this is ", kind_name(value)))
+                   .with_help("elements of several kinds can be in an `array mixed`"));
         return false;
     }
     array.set(at, std::move(value));
@@ -71,38 +74,80 @@ bool Evaluator::State::fill_one(ArrayData& array, std::size_t at, Value value, S
 }
 
 /// Fills an array from `{ ... }`, with nested braces for all dimensions but the last.
-bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t& next, Body body,
-                            Span span) {
+bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t& next,
+                            const Element& braces) {
     const bool innermost = dimension + 1 == array.sizes().size();
-    const std::size_t wanted = dimension_at(array, dimension);
+    const std::size_t wanted =
+        array.grows() ? limits.array_elements : dimension_at(array, dimension);
+    const auto* written = braces.origin.tree->get_if<node::Braces>(braces.origin.first);
+    const bool optional = written && written->optional;
     std::size_t count = 0;
     bool good = true;
-    walk(*body.tree, body.first, [&](const Element& element) {
-        if (!good) {
-            ++count;
-        } else if (innermost && element.kind == Element::Kind::braces) {
-            broken(Fault::wrong_type, element.span,
-                   "braces for a dimension that this array does not have");
-            good = false;
-        } else if (innermost) {
-            Value value = evaluator.value_of(element);
-            if (count++ < wanted) good = fill_one(array, next++, std::move(value), element.span);
-        } else if (element.kind == Element::Kind::braces) {
-            if (count++ < wanted)
-                good = fill(array, dimension + 1, next, element.body, element.span) && good;
-        } else {
-            broken(Fault::wrong_type, element.span,
-                   message("this array has ", array.sizes().size(),
-                           " dimensions: its content is braces in braces"));
-            good = false;
-        }
+    walk(*braces.body.tree, braces.body.first, [&](const Element& element) {
+        const bool complete = array.grows() || count >= wanted;
+        if (element.kind == Element::Kind::omitted && is_last_gap(element) && complete) return;
+        if (!good || count++ >= wanted) return;
+        if (element.kind == Element::Kind::omitted)
+            good = leave_out(array, dimension, next);
+        else if (!innermost && element.kind == Element::Kind::braces)
+            good = fill(array, dimension + 1, next, element);
+        else if (innermost && optional && is_undeclared(element))
+            good = leave_out(array, dimension, next);
+        else if (innermost && element.kind != Element::Kind::braces)
+            good = fill_one(array, next++, evaluator.value_of(element), element.span);
+        else
+            good = refuse_in_array(array, element);
     });
-    if (good && count != wanted && !stopped_) {
-        broken(Fault::wrong_count, span,
+    if (good && count != wanted && !array.grows() && !stopped_) {
+        broken(Fault::wrong_count, braces.span,
                message("here are ", count, " elements for a dimension of ", wanted));
         good = false;
     }
     return good && !stopped_;
+}
+
+/// Reports what cannot be an element here. Returns false.
+bool Evaluator::State::refuse_in_array(const ArrayData& array, const Element& element) {
+    const bool braces = element.kind == Element::Kind::braces;
+    broken(Fault::wrong_type, element.span,
+           braces ? "braces for a dimension that this array does not have"
+                  : message("this array has ", array.sizes().size(),
+                            " dimensions: its content is braces in braces"));
+    return false;
+}
+
+/// Leaves the elements of one index of a dimension unset. Returns false after a report.
+bool Evaluator::State::leave_out(ArrayData& array, std::size_t dimension, std::size_t& next) {
+    std::size_t elements = 1;
+    for (std::size_t i = dimension + 1; i < array.sizes().size(); ++i)
+        elements *= dimension_at(array, i);
+    next += elements;
+    if (array.grows() && next > array.size()) array.grow(static_cast<int>(next));
+    return true;
+}
+
+bool Evaluator::State::is_undeclared(const Element& element) const {
+    return element.kind == Element::Kind::word && !names.reserved(element.word);
+}
+
+/// Makes a growing array large enough for an index. Returns false after a report.
+bool Evaluator::State::make_room(Value& array, const Indices& indices, std::size_t used,
+                                 Span span) {
+    const ArrayData* now = array.array();
+    if (!now || !now->grows() || used >= indices.count || indices.text(used)) return true;
+    const double index = std::floor(indices.values[used] + tolerance);
+    if (!(index >= static_cast<double>(now->size()))) return true;
+    if (index >= static_cast<double>(limits.array_elements)) {
+        report(error(Fault::out_of_range, span,
+                     message("an array has at most ", limits.array_elements, " elements"))
+                   .with_help("--limit-elements raises the limit"));
+        return false;
+    }
+    constexpr std::uint64_t allocating = 100;
+    const auto size = static_cast<std::size_t>(index) + 1;
+    if (!spend(allocating + (array.alone() ? size - now->size() : 4 * size), span)) return false;
+    array.edit_array().grow(static_cast<int>(size));
+    return true;
 }
 
 bool Evaluator::State::indices(const Tree& tree, NodeId first, Indices& result) {
@@ -164,6 +209,12 @@ std::optional<int> Evaluator::State::index_in(const ArrayData& array, std::size_
     const int size = array.sizes()[dimension];
     const double whole = indices.values[used] + tolerance;
     if (whole >= 0 && whole < size) return static_cast<int>(whole);
+    if (array.grows() && whole >= 0) {
+        if (!indices.asking)
+            broken(Fault::uninitialised, indices.span(used),
+                   "this element of the array was never set");
+        return std::nullopt;
+    }
     broken(Fault::bad_index, indices.span(used),
            message("the index must be from 0 to ", size - 1, ", but it is ", indices.values[used]));
     return std::nullopt;
@@ -233,6 +284,7 @@ Evaluator::State::Place Evaluator::State::edit_element(Value& array, Indices& in
     Value* at = &array;
     for (std::size_t used = 0;;) {
         if (!at->array() && !check_array(*at, span)) return {};
+        if (!make_room(*at, indices, used, span)) return {};
         const std::optional<std::size_t> i = place(*at->array(), indices, used, span);
         if (!i) return {};
         // A shared array is copied.

@@ -15,7 +15,8 @@ std::optional<int> IndexNames::find(std::string_view name) const {
     return found == places_.end() ? std::nullopt : std::optional(found->second);
 }
 
-ArrayData::ArrayData(std::vector<int> sizes) : sizes_(std::move(sizes)) {
+ArrayData::ArrayData(std::vector<int> sizes, Kinds kinds)
+    : sizes_(std::move(sizes)), kinds_(kinds) {
     for (const int size : sizes_) size_ *= static_cast<std::size_t>(size);
     counts_.assign(size_, 0);
 }
@@ -25,6 +26,23 @@ ArrayData::ArrayData(std::vector<int> sizes, std::vector<double> numbers)
     counts_.resize(size_);
     for (std::size_t i = 0; i < size_; ++i) counts_[i] = !std::isnan(numbers_[i]);
     set_ = static_cast<std::size_t>(std::ranges::count(counts_, 1));
+}
+
+ArrayData ArrayData::growing(Kinds kinds) {
+    ArrayData result({0}, kinds);
+    result.grows_ = true;
+    return result;
+}
+
+void ArrayData::grow(int size) {
+    sizes_[0] = size;
+    size_ = static_cast<std::size_t>(size);
+    if (!values_.empty()) {
+        values_.resize(size_, Absence::uninitialised);
+        return;
+    }
+    counts_.resize(size_);
+    numbers_.resize(size_ * static_cast<std::size_t>(stride_));
 }
 
 Value ArrayData::at(std::size_t i) const {
@@ -38,7 +56,7 @@ Value ArrayData::at(std::size_t i) const {
 }
 
 bool ArrayData::fits(std::size_t i, const Value& value) const {
-    if (set_ <= (has(i) ? 1u : 0u)) return true;
+    if (kinds_ == Kinds::mixed || set_ <= (has(i) ? 1u : 0u)) return true;
     if (values_.empty()) return value.numbers() != nullptr;
     // Tables may have columns of several kinds.
     return other(i).same_kind(value) || values_[i].same_kind(value);

@@ -34,8 +34,11 @@ private:
 
 class ArrayData {
 public:
+    enum class Kinds : std::uint8_t { one, mixed };
     /// One to five sizes of at least 1. No element is set.
-    explicit ArrayData(std::vector<int> sizes);
+    explicit ArrayData(std::vector<int> sizes, Kinds = Kinds::one);
+    /// An array of one dimension and no elements, which grows.
+    static ArrayData growing(Kinds);
     /// One number for each element. A NaN leaves its element unset.
     ArrayData(std::vector<int> sizes, std::vector<double> numbers);
 
@@ -44,6 +47,10 @@ public:
     void set_names(std::shared_ptr<const IndexNames> names) { names_ = std::move(names); }
 
     const std::vector<int>& sizes() const { return sizes_; }
+    /// Whether an index beyond the last is an element as well.
+    bool grows() const { return grows_; }
+    /// Makes the only dimension this large. Precondition: grows(), and it is not smaller now.
+    void grow(int size);
     /// The number of elements; the last index runs fastest.
     std::size_t size() const { return size_; }
 
@@ -61,7 +68,8 @@ public:
     /// The largest number of components that an element has had; 0 for other kinds.
     int max_numbers() const { return values_.empty() ? stride_ : 0; }
 
-    /// Whether the value is of the kind of element i, or of the kind of the other elements.
+    /// Whether the value is of the kind of element i, or of the kind of the other elements, or
+    /// elements may be of any kind.
     bool fits(std::size_t i, const Value& value) const;
     /// A set element other than i, or Absence::uninitialised.
     Value other(std::size_t i) const;
@@ -84,6 +92,8 @@ private:
     std::size_t size_ = 1;
     std::size_t set_ = 0;  ///< number of set elements
     int stride_ = 0;
+    bool grows_ = false;
+    Kinds kinds_ = Kinds::one;
     std::vector<std::uint8_t> counts_;  ///< numbers of each element, 0: not set
     std::vector<double> numbers_;
     std::vector<Value> values_;  ///< not empty: elements are not numbers

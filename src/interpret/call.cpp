@@ -64,8 +64,11 @@ bool Evaluator::State::defined(const Tree& tree, NodeId target) {
     Indices places;
     places.asking = true;
     if (!indices(tree, index->indices, places)) return false;
-    const Value* array = scope.find(index->name);
+    Value* array = scope.edit(index->name);
     if (!array) return false;
+    const bool room = make_room(*array, places, 0, tree.span(target));
+    scope.edited();
+    if (!room) return false;
     const Value found = element(*array, places, tree.span(target));
     return !found.broken() && !found.is(Absence::uninitialised);
 }

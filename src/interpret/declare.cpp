@@ -245,10 +245,11 @@ void Evaluator::State::assign_element(const Tree& tree, const node::Index& index
     if (place.array && numbers && place.array->max_numbers() > 0)
         place.array->set(place.element, *numbers);
     else if (place.array && !value.broken() && !place.array->fits(place.element, value))
-        broken(Fault::wrong_type, span,
-               message("all elements of an array are of one kind: others are ",
-                       kind_name(place.array->other(place.element)), ", and this is ",
-                       kind_name(value)));
+        report(error(Fault::wrong_type, span,
+                     message("all elements of an array are of one kind: others are ",
+                             kind_name(place.array->other(place.element)), ", and this is ",
+                             kind_name(value)))
+                   .with_help("elements of several kinds can be in an `array mixed`"));
     else if (place.array)
         place.array->set(place.element, std::move(value));
     scope.edited();

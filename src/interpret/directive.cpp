@@ -4,6 +4,7 @@
 #include "text/message.h"
 
 #include <cmath>
+#include <utility>
 
 namespace candelabra {
 
@@ -329,7 +330,7 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
         frames.push({Frame::include, no_name, file.tree->source, span});
         diagnostics.add_all(file.found);
         frames.pop();
-        codes.add(*file.tree);
+        learn(*file.tree);
         if (file.found.failed()) stopped_ = true;
     }
     return stopped_ ? nullptr : file.tree;
@@ -357,19 +358,42 @@ void Evaluator::State::speak(const Tree& tree, const node::Message& node, NodeId
 }
 
 void Evaluator::State::set_version(const Tree& tree, const node::Version& node, NodeId id) {
+    // As in POV-Ray 3.8, the first one may ask for the newest: `#version version;`.
+    const double before = std::exchange(version, version_given ? version : newest_version);
     const std::optional<double> value = number(tree, node.value, "a version");
+    version = before;
     if (!value) return;
-    constexpr double newest = 3.8;
     const double rounded = std::floor(100 * *value + 0.5) / 100;
-    if (!(rounded >= 1 && rounded <= newest)) {
-        report(error(
-            Fault::out_of_range, tree.span(id),
-            message("the language has versions 1 to ", newest, ", but this asks for ", *value)));
+    if (!(rounded >= 1 && rounded <= newest_version)) {
+        report(error(Fault::out_of_range, tree.span(id),
+                     message("the language has versions 1 to ", newest_version,
+                             ", but this asks for ", *value)));
         return;
     }
+    check_version(tree, id, rounded);
     version = rounded;
     noise->version = rounded;
     version_given = true;
+    if (handlers.set_version) handlers.set_version(version, tree.span(id));
+}
+
+/// Reports a version whose rules are those of another, or that comes too late in the main file.
+void Evaluator::State::check_version(const Tree& tree, NodeId id, double asked) {
+    const bool late = !version_given && include_depth == 0 && id != tree.first;
+    if (late && asked >= newest_version)
+        report(error(Fault::misplaced, tree.span(id),
+                     message("`#version ", asked,
+                             "` must be the first statement of the scene: what stands before it "
+                             "would be read by the rules of an older version"))
+                   .with_help("put it above everything but comments"));
+    constexpr double before_newest = 3.7;
+    if (asked > before_newest && asked < newest_version)
+        report(
+            warning(Fault::deprecated, tree.span(id),
+                    message("`#version ", asked, "` was a name of versions on the way to ",
+                            newest_version, "; the scene is read by the rules of ", before_newest))
+                .with_help(message("write #version ", newest_version, "; or #version ",
+                                   before_newest, ";")));
 }
 
 }  // namespace candelabra

@@ -59,6 +59,8 @@ Value Evaluator::value_of(const Element& element) {
 double Evaluator::version() const { return state_->version; }
 void Evaluator::set_working_gamma(double gamma) { state_->working_gamma = gamma; }
 bool Evaluator::version_given() const { return state_->version_given; }
+const RunFacts& Evaluator::facts() const { return state_->facts; }
+bool Evaluator::in_library(Span span) const { return state_->in_library(span); }
 bool Evaluator::has_foreign_strings() const {
     const auto is_foreign = [](const std::string& text) {
         return std::ranges::any_of(text,
@@ -180,12 +182,13 @@ void Evaluator::State::run_within_memory(SourceId main) {
 }
 
 void Evaluator::State::run(SourceId main) {
+    if (handlers.set_version) handlers.set_version(version, {});
     files.deepest = limits.include_depth;
     const Tree& tree = files.main(main, version);
     lint(tree, names, diagnostics);
     // A tree with holes would only give errors that follow from the first ones.
     if (diagnostics.failed()) stopped_ = true;
-    codes.add(tree);
+    learn(tree);
     const auto take = [&](const Element& element) { handlers.top(element); };
     if (!stopped_ && !facts.header.empty()) {
         const std::string directory = directory_of(sources.name(main));
@@ -199,6 +202,12 @@ void Evaluator::State::run(SourceId main) {
             walk_whole(*header, header->first, take);
     }
     if (!stopped_) walk_whole(tree, tree.first, take);
+}
+
+/// Prepares for a walk over a tree.
+void Evaluator::State::learn(const Tree& tree) {
+    codes.add(tree);
+    for (const ScopedName& each : tree.scoped) scope.learn(each.whole, each.name, each.global);
 }
 
 void Evaluator::State::walk_whole(const Tree& tree, NodeId first, const Sink& take) {
@@ -238,7 +247,9 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     const auto [own, id] = own_declaration(name, span);
     const bool above = own && own->span(id).last <= span.first;
     const bool within = own && !above && own->span(id).first < span.first;
-    if (const std::string* file = files.opening(name))
+    if (const std::string file = meant_as_file(sources.text(span.source), span); !file.empty())
+        problem.with_help(message("the name of a file stands in quotes: \"", file, "\""));
+    else if (const std::string* file = files.opening(name))
         problem.with_help(
             message("`", names.spelling(name),
                     "` leaves braces to other macros to close "

@@ -26,6 +26,12 @@
 
 namespace candelabra {
 
+/// The newest version of the language that `#version` may ask for.
+inline constexpr double newest_version = 3.8;
+/// The first with the defaults of today: no ambient light, white pigments, cameras as wide as the
+/// picture.
+inline constexpr double modern_version = 3.8;
+
 /// One element of a body, after all directives have been carried out.
 struct Element {
     enum class Kind {
@@ -37,6 +43,7 @@ struct Element {
         braces,  ///< `{ body }`
         list,    ///< `< ... >` with six numbers or more: a matrix, coefficients
         joined,  ///< `+ body`: the part that a directive adds to the expression before it
+        omitted,  ///< nothing, where a comma shows that something is left out
     };
 
     Kind kind = Kind::word;
@@ -80,6 +87,9 @@ struct ElementHandlers {
     std::function<Handle<Formula>(const Element&)> function;
     /// Takes each element in the body of `#default { ... }`.
     std::function<void(const Element&)> set_default;
+    /// Told of each version of the language that comes into force, first of the one at the start.
+    /// The span is that of `#version`. May be null.
+    std::function<void(double, Span)> set_version;
     /// Whether the word needs braces after it, for messages.
     std::function<bool(NameId)> takes_braces;
     /// Prints the text of `#debug`, `#render` and `#statistics`, without an added line end.
@@ -140,6 +150,9 @@ public:
     void set_working_gamma(double);
     /// Whether `#version` has occurred.
     bool version_given() const;
+    const RunFacts& facts() const;
+    /// Whether the span is in a file of the library.
+    bool in_library(Span) const;
     /// The noise of the scene, which lives on in the functions that use it.
     const std::shared_ptr<SceneNoise>& noise() const;
 

@@ -77,7 +77,7 @@ Value Evaluator::State::evaluate(const Tree& tree, NodeId id) {
 }
 
 Value Evaluator::State::name_value(NameId name, Span span) {
-    const Value* found = scope.find(name);
+    const Value* found = value_named(name);
     if (!found) return unknown_name(name, span);
     if (found->macro())
         return broken(
@@ -123,6 +123,11 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         else
             problem.with_help("a vector is written between `<` and `>`: <1, 2, 3>");
         report(std::move(problem));
+        return Absence::broken;
+    };
+    const auto refuse_gap = [&]() __attribute__((noinline))->Value {
+        report(error(Fault::syntax, tree.span(id), "two commas in a row")
+                   .with_help("leave one out, or put the missing value between them"));
         return Absence::broken;
     };
     const NodeContent& content = tree[id].content;
@@ -180,6 +185,8 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
             return refuse_tuple();
         case kind<node::Broken>:
             return Absence::broken;
+        case kind<node::Omitted>:
+            return refuse_gap();
         default:
             return right_side(tree, id);
     }

@@ -9,11 +9,12 @@
 
 namespace candelabra {
 
+bool Evaluator::State::in_library(Span span) const {
+    return span.known() && loader.in_standard_library(sources.name(span.source));
+}
+
 /// Maps a place in the library to that of the scene's call that led there.
 Span Evaluator::State::outside_library(Span span) const {
-    const auto in_library = [this](Span place) {
-        return place.known() && loader.in_standard_library(sources.name(place.source));
-    };
     if (!in_library(span)) return span;
     const std::vector<Frame> open = frames.list(names, sources);
     const auto call = std::ranges::find_if(open, [&](const Frame& frame) {

@@ -77,6 +77,8 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::expre
             return member(tree, *std::get_if<node::Member>(&content), id);
         case kind<node::Call>:
             return call(tree, *std::get_if<node::Call>(&content), id);
+        case kind<node::Apply>:
+            return apply(tree, *std::get_if<node::Apply>(&content), id);
         case kind<node::Choice>:
             return wrong(tree.span(id),
                          "there is no `? :` in functions; select(v, a, b) gives a where v < 0");
@@ -251,40 +253,65 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call(
     if (state.names.reserved(node.name)) return function(tree, node, id);
     const Value* found = state.scope.find(node.name);
     if (found && found->macro()) return open(tree, id);
-    if (!found || !found->formula())
-        return constant(state.name_value(node.name, tree.span(id)), message("`", spelling, "`"),
-                        tree.span(id));
-    const std::size_t results = found->formula()->results();
-    if (results > 1)
-        return wrong(tree.span(id),
-                     message("`", spelling, "` gives a vector of ", results,
-                             ", of which a function uses one part: ", spelling, "(...).x"));
-    return call_formula(tree, node, id, found->handle<Formula>());
+    if (const auto function = called(tree, id)) return call_one(tree, *function, id);
+    return constant(state.name_value(node.name, tree.span(id)), message("`", spelling, "`"),
+                    tree.span(id));
+}
+
+std::optional<Evaluator::State::FunctionCompiler::Called>
+Evaluator::State::FunctionCompiler::called(const Tree& tree, NodeId id) {
+    if (const auto* call = tree.get_if<node::Call>(id)) {
+        const Value* found = state.scope.find(call->name);
+        if (!found || !found->formula()) return std::nullopt;
+        return Called{found->handle<Formula>(), call->name, call->arguments};
+    }
+    const auto* apply = tree.get_if<node::Apply>(id);
+    if (!apply) return std::nullopt;
+    const auto& index = tree.get<node::Index>(apply->function);
+    const Value found = state.index_value(tree, index, apply->function);
+    if (!found.formula() && !found.broken()) return std::nullopt;
+    return Called{found.handle<Formula>(), index.name, apply->arguments};
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::apply(
+    const Tree& tree, const node::Apply& node, NodeId id) {
+    if (const auto function = called(tree, id)) return call_one(tree, *function, id);
+    return wrong(tree.span(node.function), "this element is no function");
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call_one(
+    const Tree& tree, const Called& called, NodeId id) {
+    if (!called.formula) return std::nullopt;
+    if (called.formula->results() == 1) return call_formula(tree, called, id);
+    return wrong(tree.span(id),
+                 message("`", state.names.spelling(called.name), "` gives a vector of ",
+                         called.formula->results(), ", of which a function uses one part: ",
+                         state.names.spelling(called.name), "(...).x"));
 }
 
 /// Returns the first result; the others are in the registers after it.
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call_formula(
-    const Tree& tree, const node::Call& node, NodeId id, Handle<Formula> formula) {
-    const auto values = arguments(tree, node.arguments);
+    const Tree& tree, const Called& called, NodeId id) {
+    const auto values = arguments(tree, called.arguments);
     if (!values) return std::nullopt;
-    if (!state.check_count(node.name, values->size(), *formula, tree.span(id))) return std::nullopt;
-    const Operand first = builder.call(std::move(formula), *values);
+    if (!state.check_count(called.name, values->size(), *called.formula, tree.span(id)))
+        return std::nullopt;
+    const Operand first = builder.call(called.formula, *values);
     for (const Operand value : *values) builder.release(value);
     return first;
 }
 
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::member(
     const Tree& tree, const node::Member& node, NodeId id) {
-    const auto* call = tree.get_if<node::Call>(node.operand);
-    const Value* found = call ? state.scope.find(call->name) : nullptr;
-    if (!found || !found->formula())
+    const auto function = called(tree, node.operand);
+    if (!function)
         return wrong(tree.span(id),
                      "in a function, only what another function gives has parts: f(x, y, z).x");
-    const Handle<Formula> formula = found->handle<Formula>();
-    const Result first = call_formula(tree, *call, node.operand, formula);
+    if (!function->formula) return std::nullopt;
+    const Result first = call_formula(tree, *function, node.operand);
     if (!first) return std::nullopt;
     const std::string_view member = state.names.spelling(node.member);
-    const std::size_t count = formula->results();
+    const std::size_t count = function->formula->results();
     const Result result = part(member, *first, count);
     for (std::size_t i = 0; i < count; ++i) {
         const Operand other = ProgramBuilder::following(*first, i);
@@ -293,7 +320,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::membe
     if (!result)
         state.broken(Fault::bad_index, tree.span(id),
                      message("there is no `.", member, "` in the ", count, " numbers of `",
-                             state.names.spelling(call->name), "`"));
+                             state.names.spelling(function->name), "`"));
     return result;
 }
 

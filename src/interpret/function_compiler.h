@@ -41,8 +41,18 @@ struct Evaluator::State::FunctionCompiler {
     Result wrong(Span, std::string message);
 
     // ---- calls
+    /// A function that is called by its name or as an element of an array.
+    struct Called {
+        Handle<Formula> formula;
+        NameId name;
+        NodeId arguments;
+    };
+    /// The function that the node calls, null after a report; nothing for other nodes.
+    std::optional<Called> called(const Tree&, NodeId);
     Result call(const Tree&, const node::Call&, NodeId);
-    Result call_formula(const Tree&, const node::Call&, NodeId, Handle<Formula>);
+    Result apply(const Tree&, const node::Apply&, NodeId);
+    Result call_one(const Tree&, const Called&, NodeId);
+    Result call_formula(const Tree&, const Called&, NodeId);
     Result member(const Tree&, const node::Member&, NodeId);
     Result part(std::string_view member, Operand first, std::size_t count);
     Result loop(const Tree&, const node::Call&, NodeId);

@@ -146,7 +146,7 @@ constexpr auto table = std::array{
     FunctionInfo{"chr", 1, 1, "code", "the character with this code", General(character)},
     FunctionInfo{"column_names", 1, 1, "array",
                  "the names in the header of a table, or of the members of an object: an array of "
-                 "strings",
+                 "strings, empty where nothing has a name",
                  General(column_names)},
     FunctionInfo{"concat", 1, FunctionInfo::any, "text, ...", "the strings joined",
                  General(concatenated)},

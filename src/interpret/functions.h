@@ -88,6 +88,7 @@ public:
     const Numbers& numbers(std::size_t i);
     std::string_view text(std::size_t i);
     const ArrayData* array(std::size_t i);
+    const Value& value(std::size_t i) const { return arguments_[i]; }
     /// Null after a report.
     Handle<Object> object(std::size_t i);
     /// Sets a second result, for the variable that the last argument names.

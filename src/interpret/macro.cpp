@@ -117,6 +117,32 @@ bool Evaluator::State::pass_values(const Tree& tree, const node::Call& inner, No
     return false;
 }
 
+/// Whether the argument gives no value: a gap between commas, or what is not declared.
+bool Evaluator::State::gives_nothing(const Tree& tree, NodeId id) {
+    if (tree.get_if<node::Omitted>(id)) return true;
+    if (const auto* name = tree.get_if<node::Name>(id)) return !value_named(name->name);
+    return tree.get_if<node::Index>(id) && !defined(tree, id);
+}
+
+bool Evaluator::State::pass_argument(const Tree& tree, NodeId id, const MacroData& macro,
+                                     std::size_t place, Argument& result) {
+    const auto* parameter = place < macro.parameters.size() ? &macro.parameters[place] : nullptr;
+    if (parameter && parameter->optional && gives_nothing(tree, id)) {
+        result.omitted = true;
+        return true;
+    }
+    if (!tree.get_if<node::Omitted>(id)) return argument(tree, id, result);
+    Diagnostic problem =
+        error(Fault::missing, tree.span(id),
+              parameter ? message("macro `", names.spelling(macro.name), "` needs a value for `",
+                                  names.spelling(parameter->name), "`, which is left out here")
+                        : message("two commas in a row"));
+    if (parameter) problem.pointing(macro.defined, "defined here");
+    report(problem.with_help(message("only what is marked in #macro can be left out: #macro ",
+                                     names.spelling(macro.name), "(..., optional A)")));
+    return false;
+}
+
 bool Evaluator::State::pass_arguments(const Tree& tree, const node::Call& node, NodeId id,
                                       const MacroData& macro) {
     const std::size_t base = arguments.size();
@@ -127,7 +153,7 @@ bool Evaluator::State::pass_arguments(const Tree& tree, const node::Call& node, 
             continue;
         }
         Argument one;
-        good = argument(tree, at, one) && good;
+        good = pass_argument(tree, at, macro, arguments.size() - base, one) && good;
         arguments.push_back(one);
     }
     const std::size_t count = arguments.size() - base;
@@ -185,6 +211,7 @@ const MacroData* Evaluator::State::enter_macro(const Tree& tree, const node::Cal
     scope.enter();
     for (std::size_t i = base; i < arguments.size(); ++i) {
         const Argument& argument = arguments[i];
+        if (argument.omitted) continue;
         const NameId name = macro->parameters[i - base].name;
         if (argument.by_value)
             scope.bind_parameter(name, argument.place.cell);

@@ -17,7 +17,38 @@ Value element_of(const Scope::Reference& origin) {
 
 }  // namespace
 
+void Scope::learn(NameId whole, NameId name, bool global) {
+    slot(whole).kind = Kind::scoped;
+    scoped_[whole] = {name, global};
+}
+
+const Value* Scope::find_scoped(NameId name) const {
+    const auto& [other, global] = scoped_.at(name);
+    if (!global) return is_local(other) ? find(other) : nullptr;
+    // The first binding that was ever hidden is the outermost.
+    const auto first = std::ranges::find(hidden_, other, &Hidden::name);
+    return first == hidden_.end() ? find(other) : first->slot.cell;
+}
+
+Scope::Slot& Scope::global_slot(NameId name) {
+    const auto first = std::ranges::find(hidden_, name, &Hidden::name);
+    return first == hidden_.end() ? slot(name) : first->slot;
+}
+
+void Scope::declare_global(NameId name, Value value) {
+    Slot& place = global_slot(name);
+    if (place.cell)
+        *place.cell = std::move(value);
+    else
+        place = {new_cell(std::move(value)), 0, Kind::own};
+    edited();
+}
+
 Value* Scope::edit(NameId name) {
+    if (const Scoped* other = scoped(name)) {
+        if (other->global) return global_slot(other->name).cell;
+        return is_local(other->name) ? edit(other->name) : nullptr;
+    }
     Slot& top = slot(name);
     if (top.kind != Kind::element) return top.cell;
     const Reference origin = element(name).origin;
@@ -30,7 +61,10 @@ Value* Scope::edit(NameId name) {
 }
 
 Scope::Reference Scope::reference(NameId name) const {
-    if (!find(name)) return {};
+    const Value* const found = find(name);
+    if (!found) return {};
+    if (const Scoped* other = scoped(name))
+        return other->global ? Reference{const_cast<Value*>(found), -1} : reference(other->name);
     const Slot& top = slots_[static_cast<std::size_t>(name)];
     return top.kind == Kind::element ? element(name).origin : Reference{top.cell, -1};
 }
@@ -71,11 +105,15 @@ void Scope::change(NameId name, Value value) {
 }
 
 void Scope::declare(NameId name, Value value) {
+    if (const Scoped* other = scoped(name))
+        return other->global ? declare_global(other->name, std::move(value))
+                             : declare_local(other->name, std::move(value));
     if (slot(name).cell) return change(name, std::move(value));
     slot(name) = {new_cell(std::move(value)), 0, Kind::own};
 }
 
 void Scope::declare_local(NameId name, Value value) {
+    if (scoped(name)) return declare(name, std::move(value));
     const Slot& top = slot(name);
     if (top.cell && top.frame == frames_.size()) return change(name, std::move(value));
     bind(name, new_cell(std::move(value)), Kind::own);
@@ -102,6 +140,12 @@ void Scope::drop(NameId name, const Slot& slot) {
 }
 
 bool Scope::undefine(NameId name) {
+    if (const Scoped* other = scoped(name)) {
+        if (!find(name)) return false;
+        if (!other->global) return undefine(other->name);
+        global_slot(other->name) = {};
+        return true;
+    }
     Slot& top = slot(name);
     if (!top.cell) return false;
     if (top.kind == Kind::element) drop(name, top);

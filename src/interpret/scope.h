@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <unordered_map>
 #include <vector>
 
 namespace candelabra {
@@ -26,8 +27,13 @@ public:
     /// The value of the newest binding, or null.
     const Value* find(NameId name) const {
         const auto i = static_cast<std::size_t>(name);
-        return i < slots_.size() ? slots_[i].cell : nullptr;
+        if (i >= slots_.size()) return nullptr;
+        const Slot& top = slots_[i];
+        return top.cell || top.kind != Kind::scoped ? top.cell : find_scoped(name);
     }
+    /// Makes `whole` a name of what `name` is bound to in the innermost frame, or, if `global`, in
+    /// the outermost. All else that is done to `whole` is done to that binding.
+    void learn(NameId whole, NameId name, bool global);
     /// The value of the newest binding, for changing it if it is an array; or null. edited() must
     /// follow.
     Value* edit(NameId name);
@@ -48,6 +54,8 @@ public:
 
     /// Whether the newest binding belongs to the current frame.
     bool is_local(NameId name) const {
+        if (const Scoped* other = scoped(name))
+            return other->global ? frames_.empty() : is_local(other->name);
         return find(name) && slots_[static_cast<std::size_t>(name)].frame == frames_.size();
     }
     /// The place of a name's value, for passing it on. Its cell is null for an undeclared name.
@@ -93,6 +101,11 @@ private:
         own,      ///< the cell belongs to the binding
         alias,    ///< the cell belongs to another binding
         element,  ///< the cell is a copy of an element of an array: see elements_
+        scoped,   ///< never bound itself: see scoped_
+    };
+    struct Scoped {
+        NameId name;
+        bool global;
     };
     struct Slot {
         Value* cell = nullptr;
@@ -130,6 +143,16 @@ private:
         if (!frames_.empty()) hidden_.push_back({name, top});
         top = {cell, static_cast<std::uint32_t>(frames_.size()), kind};
     }
+    /// What a name of learn() stands for; null for other names.
+    const Scoped* scoped(NameId name) const {
+        const auto i = static_cast<std::size_t>(name);
+        const bool is_one = i < slots_.size() && slots_[i].kind == Kind::scoped;
+        return is_one ? &scoped_.at(name) : nullptr;
+    }
+    const Value* find_scoped(NameId name) const;
+    /// The slot of the outermost binding.
+    Slot& global_slot(NameId name);
+    void declare_global(NameId name, Value value);
     Value* new_cell(Value value);
     void change(NameId name, Value value);
     const Element& element(NameId name) const;
@@ -137,6 +160,7 @@ private:
     void drop(NameId name, const Slot&);
 
     std::vector<Slot> slots_;  ///< by name
+    std::unordered_map<NameId, Scoped> scoped_;
     std::vector<Hidden> hidden_;
     std::vector<std::size_t> frames_;  ///< where in hidden_ each begins
     std::vector<Element> elements_;

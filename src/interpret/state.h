@@ -16,6 +16,7 @@
 #include "interpret/sink.h"
 
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ struct Evaluator::State {
     // ---- evaluator.cpp
     void add_functions(std::span<const FunctionInfo>);
     void run(SourceId main);
+    void learn(const Tree&);
     /// run(), with a report if memory runs out.
     void run_within_memory(SourceId main);
     /// Whether there is stack left to recurse further. Reports if there is not.
@@ -64,6 +66,7 @@ struct Evaluator::State {
     }
     /// Errors in the library are reported where the scene calls it.
     void point_at_scene(Diagnostic&) const;
+    bool in_library(Span) const;
     Span outside_library(Span) const;
     std::string data_folder(Span) const;
     Value broken(Fault, Span, std::string message);
@@ -82,6 +85,8 @@ struct Evaluator::State {
     Value one_value(OneValue&&, Span);
     /// Reports that a macro yields no value, or several, where one is expected.
     Value report_count(std::size_t, Span);
+    /// An element `{ ... }`.
+    static Element braces_element(const Tree&, NodeId);
     /// A block element as it is passed to the handlers.
     Element block_element(const Tree&, NodeId);
 
@@ -99,6 +104,12 @@ struct Evaluator::State {
     Value evaluate(const Tree&, NodeId);
     /// evaluate() without an attempt to compute() first.
     Value walk_expression(const Tree&, NodeId);
+    /// The value of the name, or null. A constant of newer versions counts where the scene declares
+    /// no such name.
+    const Value* value_named(NameId name) const {
+        const Value* const found = scope.find(name);
+        return found || name != tau ? found : &value_of_tau;
+    }
     Value name_value(NameId, Span);
     Value index_value(const Tree&, const node::Index&, NodeId);
     /// The number of an expression; nothing after a report. `what` and the word begin the message:
@@ -148,8 +159,13 @@ struct Evaluator::State {
 
     // ---- array.cpp
     Value array(const Tree&, const node::Array&, NodeId);
-    bool fill(ArrayData&, std::size_t dimension, std::size_t& next, Body, Span);
+    bool fill(ArrayData&, std::size_t dimension, std::size_t& next, const Element& braces);
     bool fill_one(ArrayData&, std::size_t at, Value value, Span);
+    bool refuse_in_array(const ArrayData&, const Element&);
+    bool leave_out(ArrayData&, std::size_t dimension, std::size_t& next);
+    /// Whether the element is a name that nothing is declared as.
+    bool is_undeclared(const Element&) const;
+    bool make_room(Value& array, const Indices&, std::size_t used, Span);
     /// Must be called before the array is looked up: an index may call a macro that changes it.
     bool indices(const Tree&, NodeId first, Indices& result);
     /// The element at the indices, through arrays of arrays. Uninitialised if it is not set, broken
@@ -189,7 +205,9 @@ struct Evaluator::State {
     bool take_size(const Tree&, const node::Function&, Formula&);
     Handle<Formula> written_function(const Tree&, const node::Function&, NodeId);
     Handle<Formula> named_function(const Tree&, const node::Function&, NodeId);
+    bool may_give_block(const Tree&, NodeId first, int depth = 0) const;
     Handle<Formula> block_function(const Tree&, NodeId body, NodeId);
+    Handle<Formula> function_of(const Element&);
     bool check_count(NameId function, std::size_t count, const Formula&, Span);
     Value call_formula(const Tree&, Handle<Formula>, NameId, NodeId first, Span);
     Value call_spline(const Tree&, Handle<Spline>, NameId, NodeId first, Span);
@@ -222,6 +240,7 @@ struct Evaluator::State {
     struct Argument {
         Scope::Reference place;
         bool by_value = false;  ///< the cell is a fresh one
+        bool omitted = false;   ///< the parameter stays undeclared
     };
     /// Puts a value into a cell of its own. Returns false if the value is broken.
     template <class Given>
@@ -235,6 +254,8 @@ struct Evaluator::State {
     /// Computes the arguments and appends them to `arguments`. Returns false after a report.
     bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);
     void report_arguments(const MacroData&, std::size_t count, const Tree&, NodeId call);
+    bool gives_nothing(const Tree&, NodeId);
+    bool pass_argument(const Tree&, NodeId, const MacroData&, std::size_t place, Argument&);
     bool argument(const Tree&, NodeId, Argument&);
     bool argument_element(const Tree&, const node::Index&, NodeId, Argument&);
 
@@ -302,6 +323,7 @@ struct Evaluator::State {
     const Tree* load(const std::string& name, Span);
     void speak(const Tree&, const node::Message&, NodeId);
     void set_version(const Tree&, const node::Version&, NodeId);
+    void check_version(const Tree&, NodeId, double asked);
 
     // ---- files.cpp
     void open_file(const Tree&, const node::Open&, NodeId);
@@ -341,6 +363,8 @@ struct Evaluator::State {
     Frames frames;
     FunctionWorld world;
     std::vector<const FunctionInfo*> functions;  ///< by name; null: none
+    const NameId tau = names.intern("tau");
+    const Value value_of_tau = 2 * std::numbers::pi;
     const NameId concat = names.find("concat");
     const NameId str = names.find("str");
     FileTrees files{sources, loader, names, diagnostics};

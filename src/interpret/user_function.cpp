@@ -123,17 +123,71 @@ Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::F
     return block_function(tree, node.body, id);
 }
 
+/// Whether the directives and macros of a list may give a block: `function { M() }`, where M gives
+/// `pigment { ... }`.
+bool Evaluator::State::may_give_block(const Tree& tree, NodeId first, int depth) const {
+    constexpr int deepest = 50;
+    if (depth > deepest) return false;
+    const auto within = [&](NodeId list) { return may_give_block(tree, list, depth + 1); };
+    const auto any = [&](NodeId parts, auto body) {
+        for (NodeId id = parts; id != no_node; id = tree[id].next)
+            if (within(body(id))) return true;
+        return false;
+    };
+    for (NodeId id = first; id != no_node; id = tree[id].next) {
+        if (tree.get_if<node::Block>(id)) return true;
+        const auto* call = macro_call(tree, id);
+        const Value* macro = call ? scope.find(call->name) : nullptr;
+        if (macro && macro->macro()) {
+            const Body& body = macro->macro()->body;
+            if (may_give_block(*body.tree, body.first, depth + 1)) return true;
+        }
+        if (const auto* condition = tree.get_if<node::If>(id))
+            if (any(condition->branches, [&](NodeId part) {
+                    const auto* branch = tree.get_if<node::Branch>(part);
+                    return branch ? branch->body : no_node;
+                }))
+                return true;
+        if (const auto* choice = tree.get_if<node::Switch>(id))
+            if (any(choice->cases, [&](NodeId part) {
+                    const auto* one = tree.get_if<node::Case>(part);
+                    return one ? one->body : no_node;
+                }))
+                return true;
+        const auto* loop = tree.get_if<node::For>(id);
+        const auto* turns = tree.get_if<node::While>(id);
+        if ((loop && within(loop->body)) || (turns && within(turns->body))) return true;
+    }
+    return false;
+}
+
 /// `function { transform { ... } }`, or one of a spline, pattern or pigment.
 Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, NodeId id) {
-    const auto* block = tree.get_if<node::Block>(body);
-    const std::string_view word = block ? names.spelling(block->word) : std::string_view();
+    Handle<Formula> result;
+    bool one = false;
+    walk(tree, body, [&](const Element& element) {
+        if (one)
+            broken(Fault::wrong_count, element.span,
+                   "a function is one block, and this is another");
+        else
+            result = function_of(element);
+        one = true;
+    });
+    if (!one && !stopped_)
+        broken(Fault::missing, tree.span(id), "a function is one block, but here is none");
+    return result;
+}
+
+Handle<Formula> Evaluator::State::function_of(const Element& element) {
+    const bool block = element.kind == Element::Kind::block;
+    const std::string_view word = block ? names.spelling(element.word) : std::string_view();
     if (word != "transform" && word != "spline" && word != "pigment" && word != "pattern") {
-        broken(
-            Fault::wrong_type, tree.span(block ? body : id),
-            "a function is an expression, or one of transform, spline, pattern, pigment, internal");
+        if (element.kind != Element::Kind::value || !element.value.broken())
+            broken(Fault::wrong_type, element.span,
+                   "a function is an expression, or one of transform, spline, pattern, pigment, "
+                   "internal");
         return nullptr;
     }
-    const Element element = block_element(tree, body);
     if (word == "pattern" || word == "pigment") return handlers.function(element);
     const Value value = handlers.value({&element, 1});
     if (const auto spline = value.handle<Spline>()) return spline_formula(spline);
@@ -179,7 +233,9 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
 }
 
 Value Evaluator::State::function(const Tree& tree, const node::Function& node, NodeId id) {
-    const bool named = tree.get_if<node::Word>(node.body) || tree.get_if<node::Block>(node.body);
+    const bool has_parameters = node.parameters != no_node && !stands_for_picture(tree, node);
+    const bool named = tree.get_if<node::Word>(node.body) || tree.get_if<node::Block>(node.body) ||
+                       (!has_parameters && may_give_block(tree, node.body));
     Handle<Formula> made =
         named ? named_function(tree, node, id) : written_function(tree, node, id);
     if (made && stands_for_picture(tree, node) && !take_size(tree, node, made.edit()))

@@ -98,7 +98,16 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, const Sink& take) {
         case kind<node::Entry>:
             return body_element(Element::Kind::entry, std::get_if<node::Entry>(&content)->body);
         case kind<node::Braces>:
-            return body_element(Element::Kind::braces, std::get_if<node::Braces>(&content)->body);
+            take(braces_element(tree, id));
+            return Flow::end;
+        case kind<node::Omitted>: {
+            Element element;
+            element.kind = Element::Kind::omitted;
+            element.span = element.word_span = tree.span(id);
+            element.origin = {&tree, id};
+            take(element);
+            return Flow::end;
+        }
         case kind<node::Call>: {
             const auto& call = *std::get_if<node::Call>(&content);
             if (!names.reserved(call.name) && !is_function(call.name))
@@ -118,6 +127,15 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, const Sink& take) {
             take.value(evaluate(tree, id), tree, id);
             return Flow::end;
     }
+}
+
+Element Evaluator::State::braces_element(const Tree& tree, NodeId id) {
+    Element element;
+    element.kind = Element::Kind::braces;
+    element.body = {&tree, tree.get<node::Braces>(id).body};
+    element.span = element.word_span = tree.span(id);
+    element.origin = {&tree, id};
+    return element;
 }
 
 /// Takes a list in `< >`. With six numbers or more it is not a value, but a list element.
@@ -156,7 +174,7 @@ NodeId Evaluator::State::take_value(const Tree& tree, NodeId id, const Sink& tak
     channels.count = 5;
     if (const auto* name = tree.get_if<node::Name>(id)) {
         element.word = name->name;
-        if (!scope.find(name->name)) {
+        if (!value_named(name->name)) {
             // Perhaps a word that only the block around it knows.
             element.kind = Element::Kind::word;
             take(element);

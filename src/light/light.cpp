@@ -27,7 +27,8 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
           "half width at which there is no more light: degrees (45), or a length (1)"},
         F{"tightness", &PointLight::tightness, item, "how fast it weakens away from the axis"},
         F{"fade_distance", &PointLight::fade_distance, item,
-          "distance at which it has its colour, when it fades; 0: never"},
+          "distance at which it has its colour, when it fades; 0: it does not, or from "
+          "`#version 3.8` on 1 / distance^fade_power"},
         F{"fade_power", &PointLight::fade_power, item,
           "how fast it fades: 2 is nature's way; 0 or less: it does not"},
         F{"shadowless", &PointLight::shadowless, flag,
@@ -66,7 +67,11 @@ LightConeShape cone_shape(const PointLight& light) {
 }
 
 double faded(const PointLight& light, double distance) {
-    if (light.fade_power <= 0 || light.fade_distance == 0) return 1;
+    if (light.fade_power <= 0 || (light.fade_distance == 0 && !light.fades_from_source)) return 1;
+    if (light.fade_distance == 0) {
+        const double amount = math::pow(distance, -light.fade_power);
+        return std::isfinite(amount) ? amount : 0;
+    }
     const double share = distance / light.fade_distance, power = light.fade_power;
     const double amount = 2 / (1 + (power == 2 ? share * share : math::pow(share, power)));
     // A negative base has no fractional powers, and with odd powers the divisor may be 0.
@@ -101,6 +106,8 @@ std::string problem(const PointLight& light) {
 }
 
 std::string ignored(const PointLight& light) {
+    if (light.fade_power > 0 && light.fade_distance == 0 && !light.fades_from_source)
+        return "`fade_power` has no effect without a `fade_distance` before `#version 3.8`";
     if (!light.shadowless || light.beam == all_around) return {};
     return light.beam == cone
                ? "`spotlight` has no effect: a `shadowless` light shines all around"

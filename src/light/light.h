@@ -52,6 +52,9 @@ struct PointLight {
     bool circular = false;
     bool orient = false;
     bool area_illumination = false;
+    /// Without a fade_distance, it fades with the distance to the power of -fade_power. If false,
+    /// it does not fade then.
+    bool fades_from_source = false;
     std::optional<LightConeShape> shape = {};  ///< set by settle(); unset: derived at each use
 
     static const ItemInfo vocabulary;

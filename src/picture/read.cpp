@@ -4,6 +4,7 @@
 #include "base/colour.h"
 #include "base/elementary.h"
 #include "base/gamma.h"
+#include "base/video_gamma.h"
 #include "picture/file_facts.h"
 #include "picture/formats.h"
 #include "text/message.h"
@@ -30,10 +31,13 @@ public:
         : coding_(coding), picture_(picture) {
         const bool said = facts.says_coding.value_or(false) || picture.linear;
         // Formats whose values POV-Ray takes as they are.
-        const bool plain = picture.format == "pnm" || (picture.format == "tiff" && !said);
+        const bool video = coding.decode == TexelCoding::always_all && picture.format == "pnm";
+        const bool plain =
+            (picture.format == "pnm" && !video) || (picture.format == "tiff" && !said);
         decodes_ = coding.gamma == 0 && !plain &&
-                   (coding.decode == TexelCoding::always ||
+                   (coding.decode >= TexelCoding::always ||
                     (coding.decode == TexelCoding::where_said && said));
+        gamma_ = coding.gamma == 0 && video ? bt709_gamma : coding.gamma;
         const bool whole = keeps_whole_brightness(picture);
         for (std::size_t i = 0; i < bytes_.size(); ++i) {
             bytes_[i] = exactly(static_cast<float>(i) / 255);
@@ -49,10 +53,10 @@ public:
 private:
     float exactly(float stored) const {
         double value = stored;
-        if (coding_.gamma < 0)
-            value = srgb_decode(value);
-        else if (coding_.gamma > 0)
-            value = math::pow(std::max(0.0, value), coding_.gamma);
+        if (gamma_ < 0)
+            value = light_of(value, gamma_);
+        else if (gamma_ > 0)
+            value = math::pow(std::max(0.0, value), gamma_);
         else if (decodes_)
             value = decoded(stored, picture_);
         else
@@ -64,6 +68,7 @@ private:
     const TexelCoding& coding_;
     const StoredPicture& picture_;
     bool decodes_;
+    double gamma_;
     std::array<float, 256> bytes_{};
 };
 

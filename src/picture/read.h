@@ -18,15 +18,16 @@ namespace candelabra {
 /// becomes equal red, green and blue. Alpha is dropped.
 std::optional<Image> read_picture(const std::string& path, Diagnostics&, Span asked_at = {});
 
-/// Conversion of stored values to the scene's, by POV-Ray 3.7's rules.
+/// Conversion of stored values to the scene's, by POV-Ray's rules.
 struct TexelCoding {
     enum Decode : std::uint8_t {
         as_stored,   ///< the stored values are the scene's
         where_said,  ///< decode only files that declare their encoding
         always,      ///< also decode integers of other files, as sRGB, except in PPM and PGM
+        always_all,  ///< also those, by the curve of ITU-R BT.709: version 3.8's rules
     };
     Decode decode = always;
-    double gamma = 0;            ///< overrides the file's; 0: no override, below 0: sRGB
+    double gamma = 0;            ///< overrides the file's; 0: no override, below 0: a curve
     double working_gamma = 1;    ///< gamma of the scene's values
     bool premultiplied = false;  ///< colours are stored multiplied by alpha
 

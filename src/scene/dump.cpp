@@ -90,10 +90,30 @@ std::string settings_text(const Scene& scene) {
     return text.empty() ? "" : message("global_settings { ", text, " }\n");
 }
 
+/// The first version with other default textures and cameras than those of the structs.
+constexpr double first_modern = 3.8;
+
+/// The camera with its default width stated, where that depends on the size of the picture or would
+/// be another one for the version.
+Camera with_stated_width(Camera camera, double version) {
+    const bool parallel = std::holds_alternative<Orthographic>(camera);
+    View& view = std::visit([](auto& c) -> View& { return c; }, camera);
+    if (view.right || (version < first_modern && view.aspect == View().aspect)) return camera;
+    double size = 1;
+    if (parallel && !view.up && !view.angle) {  // as wide as look_at is far away
+        const Vec3 ahead = view.look_at.value_or(Vec3(0, 0, 1)) - view.location;
+        size = length(ahead) / length(view.direction.value_or(Vec3(0, 0, 1)));
+        view.up = Vec3(0, size, 0);
+    }
+    view.right = Vec3(size * view.aspect, 0, 0);
+    return camera;
+}
+
 std::string camera_text(const Scene& scene) {
-    const Transform& transform = std::visit(
-        [](const View& view) -> const Transform& { return view.transform; }, scene.camera);
-    return message("camera { ", item_text(scene.camera), dump(scene.camera_normal),
+    const Camera camera = with_stated_width(scene.camera, scene.language_version);
+    const Transform& transform =
+        std::visit([](const View& view) -> const Transform& { return view.transform; }, camera);
+    return message("camera { ", item_text(camera), dump(scene.camera_normal),
                    scene.film.on ? " " : "", film_text(scene.film), matrix_text(transform), " }\n");
 }
 
@@ -286,6 +306,8 @@ public:
 
     std::string text(const Scene& scene) {
         out_ = message("#version ", scene.language_version, ";\n");
+        if (scene.language_version >= first_modern)
+            out_ += "#default { pigment { rgb 0 } finish { ambient 0.1 } }\n";
         for (const SceneText& each : scene_texts()) out_ += each.text(scene);
         declare_shared(scene.objects);
         for (const ObjectHandle& object : scene.objects) refer(*object, 0);

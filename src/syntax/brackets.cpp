@@ -12,13 +12,16 @@ namespace candelabra {
 
 namespace {
 
+/// Limit of nested directives: some work at each grows with their number.
+constexpr std::size_t deepest_directives = 10'000;
+
 /// Kinds of tokens that need no matching: nearly all.
 constexpr auto plain = [] {
     std::array<bool, 256> result{};
     for (std::size_t i = 0; i < result.size(); ++i) {
         const auto kind = static_cast<TokenKind>(i);
         result[i] = !opens(kind) && !closes(kind) && !divides_directive(kind) &&
-                    kind != TokenKind::end_of_file;
+                    kind != TokenKind::hash_break && kind != TokenKind::end_of_file;
     }
     return result;
 }();
@@ -187,6 +190,7 @@ Token Brackets::take() {
 /// Returns the next token of the text, with open_ brought up to date for it. Tokens that must
 /// precede it are put into pending_ with it.
 Token Brackets::match() {
+    if (ended_) return *ended_;
     for (;;) {
         const Token token = tokens_.next();
         if (plain[static_cast<std::size_t>(token.kind)]) return token;
@@ -194,7 +198,12 @@ Token Brackets::match() {
             tokens_.define_open_macro(token))
             continue;
         bool fits = true;
+        if (opens_directive(token.kind) && directives_ == deepest_directives) {
+            end_too_deep(token);
+            return take();
+        }
         if (opens(token.kind)) {
+            directives_ += opens_directive(token.kind);
             const bool head = token.kind == TokenKind::open_parenthesis && begins_head();
             open_.push_back({token});
             open_.back().head = head;
@@ -204,6 +213,8 @@ Token Brackets::match() {
             fits = accept_closer(token);
         } else if (divides_directive(token.kind)) {
             fits = accept_else(token);
+        } else if (token.kind == TokenKind::hash_break) {
+            fits = accept_break(token);
         } else if (token.kind == TokenKind::end_of_file) {
             end_of_file(token);
         }
@@ -228,10 +239,12 @@ bool Brackets::accept_closer(const Token& closer) {
         --depth;
     }
     if (depth > 0) {
-        if (closer.kind == TokenKind::hash_end && goes_on_unbraced(depth, closer)) return false;
+        if (closer.kind == TokenKind::hash_end &&
+            (goes_on_unbraced(depth, closer) || closes_behind_cases(depth, closer)))
+            return false;
         close_until(depth, closer);
         closed_ = open_.back();
-        open_.pop_back();
+        pop();
         return true;
     }
     int& spare = closer.kind == TokenKind::hash_end ? spare_ends_ : spare_braces_;
@@ -274,6 +287,26 @@ bool Brackets::accept_else(const Token& divider) {
     return true;
 }
 
+/// What follows a #break in its part of a loop or a #switch is never read. False if the tokens that
+/// close the braces of the part come first.
+bool Brackets::accept_break(const Token& token) {
+    std::size_t depth = open_.size();
+    while (depth > 0 && !opens_directive(open_[depth - 1].token.kind)) --depth;
+    const TokenKind around = depth > 0 ? open_[depth - 1].token.kind : TokenKind::end_of_file;
+    if (!has_parts(around) || is_condition(around)) return true;
+    if (depth < open_.size()) return !closes_behind_cases(depth, token);
+    tokens_.pass_over_part();
+    return true;
+}
+
+/// Whether the parts of a #switch leave braces open that are closed behind its #end. If so, the
+/// tokens that close them come next, and then the token at which the part ends.
+bool Brackets::closes_behind_cases(std::size_t depth, const Token& end) {
+    const std::size_t above = open_.size() - depth;
+    return open_[depth - 1].token.kind == TokenKind::hash_switch && above > 0 &&
+           only_braces_above(depth) && tokens_.copy_rest_into_cases(end, static_cast<int>(above));
+}
+
 /// Whether only braces are open above the given depth, with no error reported in any of them.
 bool Brackets::only_braces_above(std::size_t depth) const {
     return std::all_of(
@@ -310,7 +343,7 @@ bool Brackets::close_until(std::size_t depth, const Token& closer) {
     report_unclosed(closer, depth);
     pending_.push_back(closer);
     const std::size_t first = pending_.size();
-    for (; open_.size() > depth; open_.pop_back()) {
+    for (; open_.size() > depth; pop()) {
         const TokenKind kind = open_.back().token.kind;
         if (kind == TokenKind::open_brace) ++spare_braces_;
         if (opens_directive(kind)) ++spare_ends_;
@@ -356,6 +389,18 @@ void Brackets::report_unclosed(const Token& closer, std::size_t depth) {
     diagnostics_.add(problem);
 }
 
+/// Ends the text at a directive that is nested too deeply.
+void Brackets::end_too_deep(const Token& token) {
+    diagnostics_.add(error(Fault::recursion_limit, span(token),
+                           message("more than ", deepest_directives,
+                                   " directives are open here, which is the limit"))
+                         .with_help("an #end may be missing after each of them; a long choice is "
+                                    "written with #elseif or #switch"));
+    open_.back().blamed = true;
+    ended_ = {TokenKind::end_of_file, 0, token.first, token.first, 0};
+    end_of_file(*ended_);
+}
+
 void Brackets::end_of_file(const Token& end) {
     if (open_.empty()) return;
     const Token opener = open_.back().token;
@@ -375,7 +420,7 @@ void Brackets::end_of_file(const Token& end) {
     }
     pending_.push_back(end);
     const std::size_t first = pending_.size();
-    for (; !open_.empty(); open_.pop_back())
+    for (; !open_.empty(); pop())
         pending_.push_back({closer_of(open_.back().token.kind), 0, end.first, end.first, 0});
     std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(first), pending_.end());
 }

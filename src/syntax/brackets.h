@@ -2,9 +2,10 @@
 // A filter between the lexer and the parser that makes brackets and directives match: `{ }`, `( )`,
 // `[ ]`, and #if, #while, #for, #switch, #macro with #end. A mismatch is reported once, with both
 // places. It is repaired by closing the open bracket or by dropping the unmatched closer, so the
-// parser never sees it. There are two exceptions. If each branch of a condition opens the same
-// number of braces, or ends in a word whose braces follow, the tokens after its #end up to the
-// closing braces become part of every branch. And macros may open braces for each other.
+// parser never sees it. There are two exceptions. If each branch of a condition or a #switch opens
+// the same number of braces, or ends in a word whose braces follow, the tokens after its #end up to
+// the closing braces become part of every branch. And macros may open braces for each other. What
+// follows a #break in its part of a loop or a #switch may be anything.
 #pragma once
 
 #include "syntax/token_stream.h"
@@ -77,11 +78,18 @@ private:
     bool begins_part(const Open& directive) const;
     bool accept_closer(const Token&);
     bool accept_else(const Token&);
+    bool accept_break(const Token&);
+    bool closes_behind_cases(std::size_t depth, const Token& end);
     bool only_braces_above(std::size_t depth) const;
     bool continue_in_branches(std::size_t depth, const Token& divider);
     bool goes_on_unbraced(std::size_t depth, const Token& end);
     bool close_until(std::size_t depth, const Token& closer);
+    void end_too_deep(const Token&);
     void end_of_file(const Token&);
+    void pop() {
+        directives_ -= opens_directive(open_.back().token.kind);
+        open_.pop_back();
+    }
     void report_unclosed(const Token& closer, std::size_t depth);
     bool boundary(const Token&, std::size_t depth) const;
 
@@ -96,6 +104,8 @@ private:
     std::string_view text_;
     Diagnostics& diagnostics_;
     std::vector<Open> open_;
+    std::size_t directives_ = 0;  ///< number of those in open_
+    std::optional<Token> ended_;  ///< all that comes, where the text ends early
     std::vector<Token> pending_;  ///< in reverse: the next token is the last
     Token last_;
     bool member_ = false;  ///< the last token follows a dot

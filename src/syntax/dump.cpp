@@ -72,6 +72,7 @@ struct Describe {
     }
     Description operator()(const node::Chain& n) const { return {"chain", {{"", n.first}}}; }
     Description operator()(node::Nothing) const { return {"nothing", {}}; }
+    Description operator()(node::Omitted) const { return {"omitted", {}}; }
     Description operator()(const node::Group& n) const { return {"group", {{"", n.content}}}; }
     Description operator()(const node::Tuple& n) const { return {"tuple", {{"", n.content}}}; }
     Description operator()(const node::Vector& n) const { return {"vector", {{"", n.components}}}; }
@@ -85,7 +86,7 @@ struct Describe {
         return {message("channel ", spell(n.channel)), {{"", n.operand}}};
     }
     Description operator()(const node::Array& n) const {
-        return {"array", {{"sizes", n.sizes}, {"content", n.content}}};
+        return {n.mixed ? "mixed array" : "array", {{"sizes", n.sizes}, {"content", n.content}}};
     }
     Description operator()(const node::Function& n) const {
         return {"function", {{"parameters", n.parameters}, {"body", n.body}}};
@@ -95,7 +96,9 @@ struct Describe {
     }
     Description operator()(const node::Layers& n) const { return {"layers", {{"", n.blocks}}}; }
     Description operator()(const node::Entry& n) const { return {"entry", {{"", n.body}}}; }
-    Description operator()(const node::Braces& n) const { return {"braces", {{"", n.body}}}; }
+    Description operator()(const node::Braces& n) const {
+        return {n.optional ? "optional braces" : "braces", {{"", n.body}}};
+    }
     Description operator()(const node::Declare& n) const {
         return {message(n.local ? "#local" : "#declare", n.semicolon ? " with ;" : ""),
                 {{"target", n.target}, {"value", n.value}}};

@@ -163,6 +163,26 @@ std::vector<std::string_view> foreign_word(std::string_view word) {
     return result;
 }
 
+std::string meant_as_file(std::string_view text, Span name) {
+    constexpr auto endings = std::array<std::string_view, 22>{
+        "png", "jpg", "jpeg", "gif", "tga", "iff", "tif", "tiff", "bmp", "ppm", "pgm",
+        "pot", "sys", "exr",  "hdr", "df3", "ttf", "otf", "csv",  "inc", "obj", "ply"};
+    const std::string_view spelling = text.substr(name.first, name.last - name.first);
+    const std::string_view behind = text.substr(name.last);
+    if (behind.starts_with('.')) {
+        std::size_t end = 1;
+        while (end < behind.size() && in_name(behind[end])) ++end;
+        const std::string_view ending = behind.substr(1, end - 1);
+        const auto is_one = [&](std::string_view each) { return same_letters(each, ending); };
+        if (std::ranges::any_of(endings, is_one)) return message(spelling, '.', ending);
+    }
+    // The kind of a file before the name.
+    std::string_view before = text.substr(0, name.first);
+    before = before.substr(0, before.find_last_not_of(" \t\r\n") + 1);
+    const auto stands_before = [&](std::string_view each) { return ends_in_word(before, each); };
+    return std::ranges::any_of(endings, stands_before) ? std::string(spelling) : "";
+}
+
 std::string hexadecimal_colour(std::string_view word) {
     const auto channels = hexadecimal_channels(word);
     if (!channels) return {};

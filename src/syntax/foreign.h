@@ -4,6 +4,8 @@
 // and reads the intended ones in their place. Names are for the evaluator's report.
 #pragma once
 
+#include "text/span.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,5 +41,9 @@ std::string_view foreign_colon(std::string_view before);
 /// The language's expression for a colour of six hexadecimal digits, as web pages write it; empty
 /// for other words.
 std::string hexadecimal_colour(std::string_view word);
+
+/// The name of a file that a name without quotes at this place is meant as, such as `sky.png`;
+/// empty if it is not.
+std::string meant_as_file(std::string_view text, Span name);
 
 }  // namespace candelabra

@@ -20,14 +20,15 @@
 namespace candelabra {
 
 Lexer::Lexer(SourceId source, const SourceStore& sources, Names& names, Tree& tree,
-             Diagnostics& diagnostics)
+             Diagnostics& diagnostics, double version)
     : begin_(sources.text(source).data()),
       cursor_(begin_),
       limit_(begin_ + sources.text(source).size()),
       source_(source),
       names_(names),
       tree_(tree),
-      diagnostics_(diagnostics) {
+      diagnostics_(diagnostics),
+      version_(version) {
     if (sources.text(source).starts_with("\xEF\xBB\xBF")) cursor_ += 3;
 }
 
@@ -37,6 +38,8 @@ void Lexer::report(Diagnostic diagnostic) {
 
 Token Lexer::next() {
     const Token result = scan();
+    if (previous_ == TokenKind::hash_version && result.kind == TokenKind::number)
+        version_ = tree_.numbers[result.value];
     before_previous_ = std::exchange(previous_, result.kind);
     return result;
 }
@@ -162,6 +165,8 @@ double convert(const char*& p, const char* end) {
 Token Lexer::read_word(const char* first) {
     if (foreign_letter()) return read_foreign_word(first);
     const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
+    if (spelling == "local" || spelling == "global")
+        if (const auto scoped = read_scoped_name(first, spelling)) return *scoped;
     const NameId id = names_.intern(spelling);
     TokenKind kind = kind_of(names_.word_class(id));
     std::uint32_t value = static_cast<std::uint32_t>(id);
@@ -193,8 +198,43 @@ Token Lexer::read_word(const char* first) {
     if (previous_ == TokenKind::hash_version && spelling == "unofficial")
         kind = TokenKind::unofficial;
     if (id == "xyz"_word) kind = TokenKind::powers;
+    if (spelling == "mixed" && previous_ == TokenKind::array) kind = TokenKind::mixed;
+    if (spelling == "optional" && goes_on_with('{')) kind = TokenKind::optional_list;
     if (kind == TokenKind::colour && previous_ == kind) return scan();  // `color color Red`
     return token(kind, first, value);
+}
+
+bool Lexer::goes_on_with(char sign) const {
+    const std::size_t behind = rest().find_first_not_of(" \t\r\n");
+    return behind != std::string_view::npos && rest()[behind] == sign;
+}
+
+/// Reads `local.N`, `local["N"]`, `global.N` or `global["N"]` after its first word. Nothing if it
+/// is none; a scene may have a name `global` of its own.
+std::optional<Token> Lexer::read_scoped_name(const char* first, std::string_view word) {
+    const bool global = word == "global";
+    if (global && names_.find(word) != no_name) return std::nullopt;
+    const char* const behind = cursor_;
+    const auto take = [&](char sign) {
+        skip_blanks();
+        const bool found = cursor_ < limit_ && *cursor_ == sign;
+        cursor_ += found;
+        return found;
+    };
+    const bool brackets = take('[');
+    const bool good = brackets ? take('"') : take('.');
+    if (good && !brackets) skip_blanks();
+    const char* const begin = cursor_;
+    while (good && cursor_ < limit_ && in_name(*cursor_)) ++cursor_;
+    const std::string_view name(begin, static_cast<std::size_t>(cursor_ - begin));
+    if (name.empty() || is_digit(name[0]) || (brackets && (!take('"') || !take(']')))) {
+        cursor_ = behind;
+        return std::nullopt;
+    }
+    const NameId whole = names_.intern(message(word, '.', name));
+    tree_.scoped.push_back({whole, names_.intern(name), global});
+    last_word_ = whole;
+    return token(TokenKind::name, first, static_cast<std::uint32_t>(whole));
 }
 
 /// Whether a word has no effect, because it stands in `defined(` or `#ifdef (`.
@@ -256,6 +296,7 @@ Token Lexer::read_unknown_directive(const char* hash, std::string_view spelling)
     for (const DirectiveWord& directive : directive_words) known.push_back(directive.spelling);
     std::string guess(foreign_directive(spelling));
     if (guess.empty()) guess = nearest(spelling, known);
+    if (quiet_) return scan();
     if (!guess.empty()) {
         problem.with_help(message("did you mean `#", guess, "`?"));
         report(problem);
@@ -339,7 +380,9 @@ Token Lexer::read_literal(const char* first) {
     return result;
 }
 
-bool Lexer::file_name_expected() const {
+bool Lexer::verbatim_expected() const {
+    constexpr double first_with_escapes = 3.8;
+    if (version_ >= first_with_escapes) return false;
     return previous_ == TokenKind::hash_include || previous_ == TokenKind::word ||
            (previous_ == TokenKind::name && before_previous_ == TokenKind::hash_fopen);
 }
@@ -360,9 +403,9 @@ Token Lexer::read_text(const char* first) {
         if (!long_string_ && raw.find_first_of("\r\n") != std::string_view::npos)
             long_string_ = span(first, first + 1);
     }
-    // Names of files keep their backslashes, as in POV-Ray.
+    // Names of files keep their backslashes, as in POV-Ray before version 3.8.
     const auto index = static_cast<std::uint32_t>(tree_.texts.size());
-    if (file_name_expected()) {
+    if (verbatim_expected()) {
         tree_.verbatim.push_back(index);
         tree_.texts.emplace_back(raw);
     } else {

@@ -18,7 +18,8 @@ namespace candelabra {
 class Lexer {
 public:
     /// Numbers and strings are added to the tree, new names to `names`.
-    Lexer(SourceId, const SourceStore&, Names&, Tree&, Diagnostics&);
+    /// `version`: language version until the text sets one.
+    Lexer(SourceId, const SourceStore&, Names&, Tree&, Diagnostics&, double version = 3.7);
 
     Token next();
     /// Suppresses all reports while on: for text that is passed over.
@@ -58,7 +59,10 @@ private:
     bool between_values() const;
     void second_point(const char* first);
     void double_sign(const char* first, std::string_view instead);
-    bool file_name_expected() const;
+    /// Whether a string here is the name of a file, whose backslashes are no escapes.
+    bool verbatim_expected() const;
+    bool goes_on_with(char sign) const;
+    std::optional<Token> read_scoped_name(const char* first, std::string_view word);
 
     std::uint32_t offset(const char* p) const { return static_cast<std::uint32_t>(p - begin_); }
     Span span(const char* first, const char* last) const {
@@ -73,6 +77,7 @@ private:
     Names& names_;
     Tree& tree_;
     Diagnostics& diagnostics_;
+    double version_;
     bool quiet_ = false;
     NameId last_word_ = no_name;
     std::optional<Span> long_string_;  ///< the first string that contains a line end

@@ -3,7 +3,7 @@
 
 #include "text/message.h"
 
-#include <algorithm>
+#include <unordered_map>
 
 namespace candelabra {
 
@@ -20,25 +20,24 @@ NameId name_in(const NodeContent& content) {
     return no_name;
 }
 
-/// Whether a node from `first` on, up to the macro at `end`, names the parameter.
-bool is_used(const Tree& tree, NodeId first, std::size_t end, NameId parameter) {
-    const auto begin = tree.nodes.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto last = tree.nodes.begin() + static_cast<std::ptrdiff_t>(end);
-    return std::any_of(begin, last,
-                       [&](const Node& node) { return name_in(node.content) == parameter; });
-}
-
 }  // namespace
 
 void lint(const Tree& tree, const Names& names, Diagnostics& diagnostics) {
+    std::unordered_map<NameId, NameId> scoped;
+    for (const ScopedName& each : tree.scoped) scoped[each.whole] = each.name;
+    std::unordered_map<NameId, std::size_t> last_use;  // by name: the last node that names it
     for (std::size_t end = 0; end < tree.nodes.size(); ++end) {
+        const NameId used = name_in(tree.nodes[end].content);
+        const auto other = scoped.find(used);
+        if (used != no_name) last_use[other == scoped.end() ? used : other->second] = end;
         const auto* macro = std::get_if<node::Macro>(&tree.nodes[end].content);
         // A macro without a body is a placeholder.
         if (!macro || macro->body == no_node) continue;
         for (NodeId id = macro->parameters; id != no_node; id = tree[id].next) {
             const NameId name = tree.get<node::Parameter>(id).name;
             // A node follows its children in the array, so the body is between the two.
-            if (is_used(tree, id, end, name)) continue;
+            const auto use = last_use.find(name);
+            if (use != last_use.end() && use->second > static_cast<std::size_t>(id)) continue;
             diagnostics.add(
                 warning(Fault::unused_parameter, tree.span(id),
                         message("macro `", names.spelling(macro->name),

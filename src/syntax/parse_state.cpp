@@ -29,11 +29,14 @@ List ParseState::comma(List list, Stretch place) {
     return list.with_comma(true);
 }
 
-NodeId ParseState::chain(NodeId first, NodeId node) {
-    NodeId last = first;
-    while (tree[last].next != no_node) last = tree[last].next;
-    tree[last].next = node;
-    return first;
+List ParseState::comma_or_gap(List list, Stretch place) {
+    if (list.empty() || list.comma())
+        list = append(list, add({place.first, place.last}, node::Omitted{false}));
+    return list.with_comma(true);
+}
+
+List ParseState::last_gap(List list, Stretch end) {
+    return list.comma() ? append(list, add({end.first, end.first}, node::Omitted{true})) : list;
 }
 
 NodeId ParseState::negative(NodeId operand, Stretch place) {
@@ -165,8 +168,14 @@ NodeId ParseState::postponed(Stretch part, bool alone) {
 
 NodeId ParseState::with_channel(NodeId colour, NodeId channel, Stretch place) {
     auto* open = colour == no_node ? nullptr : std::get_if<node::Colour>(&tree[colour].content);
-    if (!open) return add(place, node::Colour{colour, channel});
-    open->channels = open->channels == no_node ? channel : chain(open->channels, channel);
+    if (!open) {
+        const NodeId made = add(place, node::Colour{colour, channel});
+        last_channels[made] = channel;
+        return made;
+    }
+    NodeId& last = last_channels.try_emplace(colour, no_node).first->second;
+    (last == no_node ? open->channels : tree[last].next) = channel;
+    last = channel;
     tree[colour].first = place.first;
     tree[colour].last = place.last;
     return colour;
@@ -197,19 +206,25 @@ List ParseState::parameter(List list, NameId name, Stretch place) {
     if (!list.empty() && !list.comma()) {
         auto* before = std::get_if<node::Parameter>(&tree[list.last()].content);
         if (!before->optional && names.spelling(before->name) == "optional") {
+            parameters.erase(before->name);
             *before = {name, true};
             tree[list.last()].last = place.last;
+            note_parameter(name, list.last(), place);
             return list;
         }
     }
-    for (NodeId id = list.first(); id != no_node; id = tree[id].next)
-        if (tree.get<node::Parameter>(id).name == name)
-            diagnostics.add(
-                error(Fault::redefinition, span(place),
-                      message("a second parameter is called `", names.spelling(name), "`"))
-                    .pointing(tree.span(id), "the first")
-                    .with_help("the parameters of a macro have different names"));
-    return append(list, add(place, node::Parameter{name, false}));
+    const NodeId made = add(place, node::Parameter{name, false});
+    note_parameter(name, made, place);
+    return append(list, made);
+}
+
+void ParseState::note_parameter(NameId name, NodeId id, Stretch place) {
+    const auto [first, is_new] = parameters.try_emplace(name, id);
+    if (is_new) return;
+    diagnostics.add(error(Fault::redefinition, span(place),
+                          message("a second parameter is called `", names.spelling(name), "`"))
+                        .pointing(tree.span(first->second), "the first")
+                        .with_help("the parameters of a macro have different names"));
 }
 
 NodeId ParseState::array_in_parentheses(Stretch place) {

@@ -8,6 +8,7 @@
 
 #include <bitset>
 #include <new>
+#include <unordered_map>
 
 namespace candelabra {
 
@@ -108,6 +109,8 @@ struct ParseState {
     Diagnostics& diagnostics;
     std::string_view text;
     bool postpones;  ///< keeps errors in branches of conditions and in macros for later
+    std::unordered_map<NodeId, NodeId> last_channels = {};  ///< by colour
+    std::unordered_map<NameId, NodeId> parameters = {};     ///< of the macro that is being read
 
     Span span(Stretch place) const { return {tree.source, place.first, place.last}; }
     NodeId add(Stretch place, NodeContent content) { return tree.add(span(place), content); }
@@ -116,8 +119,10 @@ struct ParseState {
     List joined(List, List);
     /// Adds a comma between elements. Two in a row are reported.
     List comma(List list, Stretch);
-    /// Appends a node to a short list. Returns the list's first node.
-    NodeId chain(NodeId first, NodeId node);
+    /// The same where an element may be left out, which a node::Omitted stands for.
+    List comma_or_gap(List list, Stretch);
+    /// To be called at the end of such a list: adds what may be missing behind its last comma.
+    List last_gap(List list, Stretch end);
 
     NodeId negative(NodeId operand, Stretch);
     /// Whether the operand may expand to text with operators of the expression around it.
@@ -149,6 +154,8 @@ struct ParseState {
     /// Joins the parameters of a function with commas, `a, b`, and without, `c d`.
     List without_commas(List values, List names);
     List parameter(List list, NameId name, Stretch);
+    /// Reports a second parameter of this name.
+    void note_parameter(NameId name, NodeId, Stretch);
     /// Reports `array(3)`.
     NodeId array_in_parentheses(Stretch);
     NodeId stray_semicolon(Stretch);

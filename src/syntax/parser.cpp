@@ -360,7 +360,7 @@ Pass parse_once(SourceId source, const SourceStore& sources, Names& names,
     // Enough nodes for most texts; very long texts are numbers, one in twenty bytes.
     constexpr std::size_t long_text = 4'000'000;
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
-    Lexer lexer(source, sources, names, tree, pass.found);
+    Lexer lexer(source, sources, names, tree, pass.found, options.version);
     OpenMacros macros(names, tree, pass.found, *options.macros, options.reader);
     Brackets brackets(lexer, macros, options.version, source, text, pass.found);
     ParseState state{tree, names, brackets, pass.found, text, options.postpones};

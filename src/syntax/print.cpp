@@ -128,6 +128,7 @@ struct Print {
     }
     Pieces operator()(const node::Chain& n) const { return {blanks(n.first)}; }
     Pieces operator()(node::Nothing) const { return {}; }
+    Pieces operator()(node::Omitted) const { return {}; }
     Pieces operator()(const node::Group& n) const {
         if (!fits_parentheses(tree, n.content)) return {blanks(n.content)};
         return {say("("), blanks(n.content), say(")")};
@@ -151,8 +152,8 @@ struct Print {
         return {say(message(spell(n.channel), " ")), one(n.operand)};
     }
     Pieces operator()(const node::Array& n) const {
-        return {say("array"), joined(n.sizes), say(n.content == no_node ? "" : " "),
-                one(n.content)};
+        return {say(n.mixed ? "array mixed" : "array"), joined(n.sizes),
+                say(n.content == no_node ? "" : " "), one(n.content)};
     }
     Pieces operator()(const node::Function& n) const {
         return {say("function "), commas(n.parameters), say(" { "), blanks(n.body), say(" }")};
@@ -163,6 +164,7 @@ struct Print {
     Pieces operator()(const node::Layers& n) const { return {blanks(n.blocks)}; }
     Pieces operator()(const node::Entry& n) const { return {say("["), elements(n.body), say("]")}; }
     Pieces operator()(const node::Braces& n) const {
+        if (n.optional) return {say("optional { "), commas(n.body), say(" }")};
         return {say("{"), elements(n.body), say("}")};
     }
     Pieces operator()(const node::Declare& n) const {

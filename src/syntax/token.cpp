@@ -12,7 +12,8 @@ namespace {
 constexpr auto names = std::to_array<std::string_view>({
     "end of file", "name", "word", "layer", "constant", "unary function", "function",
     "colour prefix", "channel", "number", "vector", "string", "colour", "array",
-    "function literal", "deprecated", "once", "unofficial", "powers", "#declare", "#message",
+    "function literal", "deprecated", "once", "unofficial", "powers", "mixed",
+    "optional", "#declare", "#message",
     "#undef", "#if", "#ifdef", "#elseif", "#else", "#end", "#while", "#for", "#switch", "#case",
     "#range", "#break", "#macro", "#include", "#default", "#version", "#fopen", "#fclose", "#read",
     "#write", "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "=", "!=", "&", "|", "?", ":",

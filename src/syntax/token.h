@@ -32,7 +32,9 @@ enum class TokenKind : std::uint8_t {
     deprecated,
     once,
     unofficial,
-    powers,  // xyz, before the powers of a term
+    powers,         // xyz, before the powers of a term
+    mixed,          // `array mixed`
+    optional_list,  // `optional {`
     // directives
     hash_declare,  // value 1: #local
     hash_message,  // value: MessageKind

@@ -101,11 +101,20 @@ bool TokenStream::drop_false_branch() {
                          NameId(value.value) == "off"_word));
     if (opener != TokenKind::open_parenthesis || !never) return give_back(taken), false;
     if (take(taken).kind != TokenKind::close_parenthesis) return give_back(taken), false;
+    bool lone_sign = false;
+    const Token token = drop_part(lone_sign);
+    if (lone_sign) taken.push_back({TokenKind::nothing, 0, token.first, token.first, 0});
+    taken.push_back(token);
+    give_back(taken);
+    return true;
+}
+
+Token TokenStream::drop_part(bool& lone_sign) {
     lexer_.be_quiet(true);
     passing_over_ = true;
     Token token = fetch();
     dropped_sign_ = is_sign(token.kind);
-    bool sign = false, lone_sign = false;  // of the last token
+    bool sign = false;  // of the last token
     for (std::size_t open = 0; token.kind != TokenKind::end_of_file; token = fetch()) {
         const bool ends = token.kind == TokenKind::hash_end;
         if (open == 0 && (ends || divides_directive(token.kind))) break;
@@ -116,10 +125,13 @@ bool TokenStream::drop_false_branch() {
     }
     lexer_.be_quiet(false);
     passing_over_ = false;
-    if (lone_sign) taken.push_back({TokenKind::nothing, 0, token.first, token.first, 0});
-    taken.push_back(token);
-    give_back(taken);
-    return true;
+    return token;
+}
+
+void TokenStream::pass_over_part() {
+    bool lone_sign = false;
+    give_back({drop_part(lone_sign)});
+    dropped_sign_ = false;
 }
 
 bool TokenStream::keep_else() {
@@ -267,6 +279,58 @@ bool TokenStream::copy_rest_into_branches(const Token& divider, int braces) {
         result.insert(result.end(), rest->begin(), rest->end());
     }
     result.push_back(end);
+    give_back(result);
+    return true;
+}
+
+std::optional<TokenStream::Tokens> TokenStream::take_cases(Tokens& taken, int braces,
+                                                           std::vector<std::size_t>& ends) {
+    Tokens kept;
+    Balance balance;
+    bool broken = true;  // the tokens up to the next part follow a #break
+    for (;;) {
+        const Token token = take(taken);
+        const bool outside = balance.directives() == 0;
+        const bool last = outside && token.kind == TokenKind::hash_end;
+        if (token.kind == TokenKind::end_of_file || taken.size() > max_ahead) return std::nullopt;
+        if (last || (outside && divides_directive(token.kind))) {
+            // A part without #break goes on in the next one.
+            const bool open = balance.braces == braces && last;
+            if (!broken && balance.braces != 0 && !open) return std::nullopt;
+            if (!broken && open) ends.push_back(kept.size());
+            balance = {};
+            broken = false;
+            kept.push_back(token);
+            if (last) return kept;
+        } else if (!broken && outside && token.kind == TokenKind::hash_break) {
+            if (balance.braces != 0 && balance.braces != braces) return std::nullopt;
+            if (balance.braces != 0) ends.push_back(kept.size());
+            kept.push_back(token);
+            broken = true;
+        } else {
+            balance.add(token.kind);
+            if (!broken) kept.push_back(token);
+        }
+    }
+}
+
+bool TokenStream::copy_rest_into_cases(const Token& end, int braces) {
+    Tokens taken;
+    std::vector<std::size_t> ends;  // places in `kept` in front of which the rest comes
+    std::optional<Tokens> kept = Tokens();
+    if (end.kind != TokenKind::hash_end) kept = take_cases(taken, braces, ends);
+    const std::optional<Tokens> rest = kept ? take_rest(taken, braces) : std::nullopt;
+    if (!rest || rest->size() * (ends.size() + 1) > max_ahead) return give_back(taken), false;
+    Tokens result = *rest;
+    result.push_back(end);
+    std::size_t from = 0;
+    for (const std::size_t at : ends) {
+        result.insert(result.end(), kept->begin() + static_cast<std::ptrdiff_t>(from),
+                      kept->begin() + static_cast<std::ptrdiff_t>(at));
+        result.insert(result.end(), rest->begin(), rest->end());
+        from = at;
+    }
+    result.insert(result.end(), kept->begin() + static_cast<std::ptrdiff_t>(from), kept->end());
     give_back(result);
     return true;
 }

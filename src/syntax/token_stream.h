@@ -10,8 +10,12 @@
 //     #if (version >= 3.1) material { #end A #if (version >= 3.1) } #end
 //
 // is read as if only the branches for the language version were there. With any other condition
-// written twice around B, it is read as `#if (A) merge { B } #else B #end`. The text after #if (0)
-// and #if (false) may be anything. Calls of open macros are replaced by their text.
+// written twice around B, it is read as `#if (A) merge { B } #else B #end`.
+//
+//     #switch (A) #case (0) merge { #break #else union { #end B }
+//
+// is read as if B } stood in each part, in front of #break. The text after #if (0) and #if (false)
+// may be anything. Calls of open macros are replaced by their text.
 #pragma once
 
 #include "syntax/lexer.h"
@@ -49,6 +53,16 @@ public:
     bool repeat_without_braces(const Token& opener, const Token& end, std::string_view text,
                                int braces);
 
+    /// To be called after a #break, or the #end, of a part of a #switch that leaves `braces` braces
+    /// open. If the other parts do so too, the tokens from #end to the last brace that closes them
+    /// are copied into each part, in front of its #break. The copy of this part comes next, then
+    /// the token given. Otherwise changes nothing and returns false.
+    bool copy_rest_into_cases(const Token& end, int braces);
+
+    /// To be called after a #break: drops the tokens that follow it in its part of a directive,
+    /// without reports.
+    void pass_over_part();
+
     /// To be called after #macro. If the macro is open, it is defined, and the tokens after its
     /// #end come next. Otherwise changes nothing and returns false.
     bool define_open_macro(const Token& opener);
@@ -69,6 +83,11 @@ private:
     std::optional<Tokens> take_rest(Tokens& taken, int braces);
     /// After #if: takes its condition. Returns its text in parentheses, without blanks.
     std::string take_condition(Tokens& taken, std::string_view text);
+    /// Takes the parts of a #switch up to its #end, without what follows a #break. Adds the rest to
+    /// those that leave `braces` braces open. Nothing if a part leaves others open.
+    std::optional<Tokens> take_cases(Tokens& taken, int braces, std::vector<std::size_t>& ends);
+    /// Drops the tokens up to one that ends the part of the directive around, and returns that.
+    Token drop_part(bool& lone_sign);
     Token fetch();
     Token take(Tokens& taken);
     void give_back(const Tokens& taken);

@@ -105,6 +105,9 @@ struct Chain {
     NodeId first, last;
 };  ///< `a #if (c) + b #end`: an operand, then Joined and directives, whose bodies are chains of
     ///< these; or `#if (c) a * #end b`: a directive, then the other operand
+struct Omitted {
+    bool last;      ///< behind the last comma, where nothing need be missing
+};                  ///< what a comma shows to be left out: `M(1,, 3)`, `optional { 1,, 3 }`
 struct Nothing {};  ///< the operand after an operator, which follows the directive around it
 struct Group {
     NodeId content;
@@ -128,7 +131,8 @@ struct Channel {
 };
 struct Array {
     NodeId sizes, content;
-};  ///< content: a Braces or no_node
+    bool mixed;  ///< elements may be of several kinds
+};               ///< sizes: no_node if it grows; content: a Braces or no_node
 struct Function {
     NodeId parameters, body;
 };
@@ -146,7 +150,8 @@ struct Entry {
 };  ///< `[ ... ]`
 struct Braces {
     NodeId body;
-};  ///< `{ ... }` without a word
+    bool optional = false;  ///< some of its elements may be missing
+};                          ///< `{ ... }` without a word
 
 // Directives
 struct Declare {
@@ -228,16 +233,15 @@ struct Write {
 
 }  // namespace node
 
-using NodeContent =
-    std::variant<node::Broken, node::Number, node::Literal, node::Text, node::Name, node::Word,
-                 node::Constant, node::Index, node::Member, node::Call, node::Apply, node::Unary,
-                 node::Binary, node::Choice, node::Joined, node::Chain, node::Nothing, node::Group,
-                 node::Tuple, node::Vector, node::Prefixed, node::Colour, node::Channel,
-                 node::Array, node::Function, node::Block, node::Layers, node::Entry, node::Braces,
-                 node::Declare, node::Deprecated, node::Undef, node::If, node::Branch,
-                 node::Postponed, node::Defined, node::While, node::For, node::Switch, node::Case,
-                 node::Break, node::Macro, node::Parameter, node::Include, node::Default,
-                 node::Message, node::Version, node::Open, node::Close, node::Read, node::Write>;
+using NodeContent = std::variant<
+    node::Broken, node::Number, node::Literal, node::Text, node::Name, node::Word, node::Constant,
+    node::Index, node::Member, node::Call, node::Apply, node::Unary, node::Binary, node::Choice,
+    node::Joined, node::Chain, node::Nothing, node::Omitted, node::Group, node::Tuple, node::Vector,
+    node::Prefixed, node::Colour, node::Channel, node::Array, node::Function, node::Block,
+    node::Layers, node::Entry, node::Braces, node::Declare, node::Deprecated, node::Undef, node::If,
+    node::Branch, node::Postponed, node::Defined, node::While, node::For, node::Switch, node::Case,
+    node::Break, node::Macro, node::Parameter, node::Include, node::Default, node::Message,
+    node::Version, node::Open, node::Close, node::Read, node::Write>;
 
 struct Node {
     std::uint32_t first = 0;  ///< offset in bytes in the tree's source
@@ -259,6 +263,13 @@ template <class T>
 inline constexpr std::size_t kind =
     tree_detail::position<T>(std::make_index_sequence<std::variant_size_v<NodeContent>>());
 
+/// `local.N` or `global.N`: a name by itself, for the binding of N in the innermost frame or in the
+/// outermost.
+struct ScopedName {
+    NameId whole, name;
+    bool global;
+};
+
 struct Tree {
     SourceId source = no_source;
     NodeId first = no_node;  ///< of the list of the file's elements
@@ -267,6 +278,7 @@ struct Tree {
     std::vector<std::string> texts;  ///< strings with their escapes replaced
     /// Indices, ascending, of the strings without escapes: names of files.
     std::vector<std::uint32_t> verbatim;
+    std::vector<ScopedName> scoped;
     std::vector<std::vector<Diagnostic>> postponed;  ///< reported when the walk reaches them
 
     const Node& operator[](NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }

@@ -25,7 +25,9 @@ bool can_be_chosen(const PointLight& light) {
 
 Falloff falloff(const PointLight& light) {
     Falloff result;
-    result.fade_distance = light.fade_distance;
+    // A fading from the source itself is only estimated: it is within a factor of 2 beyond 1.
+    const bool from_source = light.fades_from_source && light.fade_distance == 0;
+    result.fade_distance = from_source ? 1 : light.fade_distance;
     result.fade_power = light.fade_power;
     const double dark = light.falloff.value_or(45) * radians_per_degree,
                  bright = light.radius.value_or(30) * radians_per_degree;

@@ -34,6 +34,15 @@ TEST_CASE("what a shape lacks is told of", "[bind]") {
           "error degenerate: a `text` needs `ttf` or `internal`");
 }
 
+TEST_CASE("the ends of a lathe lie beside the axis from version 3.8 on", "[bind]") {
+    const std::string lathe = "lathe { linear_spline 3, <-0.5, -1>, <0.5, 0>, <0.5, 1> }";
+    const std::string text = "the first and the last radius of a `lathe` should not be below 0";
+    CHECK(run("#version 3.7; " + lathe).text.starts_with("warning[no-effect]: " + text));
+    CHECK(run("#version 3.8; " + lathe).text.starts_with("error: " + text));
+    CHECK(run("#version 3.8; lathe { cubic_spline 4, <-0.5, -1>, <0.5, 0>, <0.5, 1>, <-1, 2> }")
+              .text.empty());
+}
+
 TEST_CASE("a font is looked for and read once", "[bind]") {
     int readings = 0;
     SourceStore sources;

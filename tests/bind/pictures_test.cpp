@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace candelabra {
@@ -28,6 +29,37 @@ std::string picture_complaint(const std::string& braces) {
 }
 
 }  // namespace
+
+TEST_CASE("pictures of version 3.8 have its opacity and its gamma", "[bind]") {
+    const auto image = [](const std::string& version, const std::string& braces) {
+        const std::map<std::string, std::string> files = {
+            {"p.ppm", std::string("P6 1 1 255\n\x80\x80\x80", 14)}};
+        const Script done = run(
+            "#version " + version + "; sphere { 0, 1 pigment { image_map { " + braces + " } } }",
+            files);
+        INFO(done.text);
+        REQUIRE(done.text.empty());
+        return std::get<ImageMap>(done.texture().pigment.pattern->use.pattern);
+    };
+    const std::string clear =
+        "function 2, 2 { pigment { rgbt <0.3, 1, 0, 0.5> } } transmit all 0.5";
+    const Vec3 middle(0.5, 0.5, 0);
+    CHECK(colour_at(image("3.7", clear), middle)->transmit == Approx(1).margin(1e-4));
+    CHECK(colour_at(image("3.8", clear), middle)->transmit == Approx(0.75).margin(1e-4));
+    const std::string opaque = "function 2, 2 { x } transmit all 0.5";
+    CHECK(colour_at(image("3.8", opaque), middle)->transmit == 0.5);
+    const double stored = 128.0 / 255;
+    const auto light = [&](const std::string& version, const std::string& gamma) {
+        return colour_at(image(version, "ppm \"p.ppm\" " + gamma), middle)->rgb.x;
+    };
+    CHECK(light("3.7", "") == Approx(stored).margin(1e-6));
+    const double video = std::pow((stored + 0.099) / 1.099, 1 / 0.45);
+    CHECK(light("3.8", "") == Approx(video).margin(1e-6));
+    CHECK(light("3.7", "gamma bt709") == Approx(video).margin(1e-6));
+    CHECK(light("3.8", "gamma 1") == Approx(stored).margin(1e-6));
+    CHECK(light("3.7", "gamma bt2020") ==
+          Approx(std::pow((stored + 0.0993) / 1.0993, 1 / 0.45)).margin(1e-6));
+}
 
 TEST_CASE("a picture may be a function of x and y, down from the top", "[bind]") {
     const Script done = with("image_map { function 3, 2 { x/2 + y/4 } map_type 1 once }");

@@ -73,8 +73,9 @@ TEST_CASE("what is wrong with a table names its line", "[csv]") {
           "! this index must be a number: nothing here has a name");
     CHECK(told(R"x(#declare A = read_csv("leds.csv"); P(A["x"][0]))x") ==
           "! this index must be a number: nothing here has a name");
-    CHECK(told(R"x(#declare N = column_names(read_csv("numbers.csv"));)x") ==
-          "! nothing in this array has a name");
+    CHECK(
+        told(R"x(#declare N = column_names(read_csv("numbers.csv")); P(dimension_size(N, 1)))x") ==
+        "0.0 ");
 }
 
 TEST_CASE("tables and JSON keep to the limits", "[csv]") {

@@ -33,9 +33,44 @@ TEST_CASE("directives behave as POV-Ray's", "[interpret]") {
          "3.500000 3.700000"},
         {"#version 3.6+0.1; P(version) #version unofficial 3.7; P(1)", "3.700000 1.000000"},
         {"#default { finish { ambient 0 } } P(1)", "1.000000"},
+        // What follows a #break in its part, and a part that is not taken, is not read.
+        {"#macro M(K) #switch (K) #case (1) P(1) #break #default: ] } #break #end #end M(1)",
+         "1.000000"},
+        {"#switch (2) #case (1) sphere { ( } #foo #break #case (2) P(2) #end", "2.000000"},
+        {"#for (I, 1, 3) P(I) #break } ] ~ #if (1) { #end #end P(9)", "1.000000 9.000000"},
+        {"P(tau) #macro M(tau) P(tau) #end M(2) #declare tau = 3; P(tau)",
+         "6.283185 2.000000 3.000000"},
     }));
     INFO(script);
     CHECK(printed(script) == result);
+}
+
+TEST_CASE("the first #version asks for what there is", "[interpret]") {
+    const auto answer = [](const std::string& script) {
+        const Said result = said(script);
+        return result.printed + result.messages;
+    };
+    CHECK(answer("#version version; #debug str(version, 0, 1)") == "3.8");
+    CHECK(answer("#debug str(version, 0, 1)") == "3.7");
+    CHECK(answer("#version 3.5; #version version; #debug str(version, 0, 1)") == "3.5");
+    CHECK(answer("#declare A = 1; #version 3.8;") ==
+          "error: `#version 3.8` must be the first statement of the scene: what stands before it "
+          "would be read by the rules of an older version\n");
+    CHECK(answer("#version 3.7; #declare A = 1; #version 3.8; #debug \"fine\"") == "fine");
+    CHECK(answer("/* a comment */ #version 3.8; #debug \"fine\"") == "fine");
+    CHECK(answer("#version 3.71;") ==
+          "warning: `#version 3.71` was a name of versions on the way to 3.8; the scene is read by "
+          "the rules of 3.7\n");
+    const std::map<std::string, std::string> files = {{"a.inc", "A #version 3.8; P"}};
+    CHECK(said("#include \"a.inc\"", files).messages.empty());
+}
+
+TEST_CASE("from 3.8 on the names of files have escapes", "[interpret]") {
+    const std::map<std::string, std::string> files = {{"ta.inc", "#debug \"found\""},
+                                                      {"t\\u0061.inc", "#debug \"literal\""}};
+    const std::string include = "#include \"t\\u0061.inc\"";
+    CHECK(said("#version 3.8; " + include, files).printed == "found");
+    CHECK(said("#version 3.7; " + include, files).printed == "literal");
 }
 
 TEST_CASE("a wrong directive gets one message", "[interpret]") {

@@ -32,6 +32,15 @@ TEST_CASE("expressions of functions have their own rules", "[interpret]") {
         {"#declare c=3; #declare k=function{x*c+pi+clock} P(k(1,0,0)) #declare c=100; P(k(1,0,0))",
          "6.141593 6.141593"},
         {"#declare A=array[2]{3,4} #declare f=function(a){a*A[1]} P(f(3))", "12.000000"},
+        {"#declare F = array[2]; #declare F[1] = function(a, b) { a*b } "
+         "#declare g = function(x, y) { F[1](x, y) + 1 } P(g(0.5, 4))",
+         "3.000000"},
+        {"#declare F = array[2] { function(a) { a + 1 }, function(a) { 2*a } } "
+         "#macro Use(I) F[I](a) #end #declare g = function(a) { Use(1) - F[0](a) } P(g(5))",
+         "4.000000"},
+        {"#macro S() #local K = 1; spline { linear_spline 0, <0, 0> K, <2, 4> } #end "
+         "#declare f = function { #if (1) S() #else x #end } P(f(0.5).y)",
+         "2.000000"},
         {"#declare f=function(a){1/a} P(f(0)) P(f(2)) #declare g=function(a){1/(1-1)} P(g(0))",
          "inf 0.500000 inf"},
         {"#declare f=function(a){ #if(1) a*2 #else a*3 #end } P(f(3))", "6.000000"},

@@ -87,6 +87,36 @@ TEST_CASE("functions that call functions have a limit", "[interpret]") {
               .substr(0, 61) == "error: functions call each other more than 100 deep, which is");
 }
 
+TEST_CASE("a macro may give the pattern or pigment of a function", "[interpret]") {
+    const auto [body, result] = GENERATE(table<std::string, std::string>({
+        {"P()", "1.0 0.0"},
+        {"#if (1) P() #else pigment { rgb 1 } #end", "1.0 0.0"},
+        {"#local C = x; pigment { rgb C }", "1.0 0.0"},
+        {"Q(<1, 0, 0.5>)", "1.0 0.0"},
+        {"#switch (2) #case (1) pigment { rgb 1 } #break #case (2) Q(x) #break #end", "1.0 0.0"},
+    }));
+    INFO(body);
+    const Evaluated done = evaluated(
+        "#version 3.7; #macro P() pigment { checker rgb x rgb y scale 3 } #end "
+        "#macro Q(C) pigment { rgb C } #end #declare F = function { " +
+        body + " } #debug concat(str(F(1, 1, 1).red, 0, 1), \" \", str(F(1, 1, 1).green, 0, 1))");
+    INFO(done.diagnostics);
+    CHECK(done.printed == result);
+}
+
+TEST_CASE("elements of arrays and macros may give transformations to functions", "[interpret]") {
+    const Evaluated done = evaluated(
+        "#version 3.7; #declare F = array[1] { function { transform { translate <1, 2, 3> } } } "
+        "#declare G = function { F[0](x, y, z).y } #macro T() transform { translate x } #end "
+        "#declare H = function { T() } #debug concat(str(G(0, 5, 0), 0, 1), str(H(2, 0, 0).x, 0, "
+        "1))");
+    INFO(done.diagnostics);
+    CHECK(done.printed == "7.03.0");
+    CHECK(
+        evaluated("#version 3.7; #declare A = array[1] { 3 } #declare F = function(a) { A[0](a) }")
+            .diagnostics.find("this element is no function") != std::string::npos);
+}
+
 TEST_CASE("a pattern has a meaning in functions only", "[interpret]") {
     CHECK(evaluated("#version 3.7; #declare P = pattern { bozo }").failed);
 }

@@ -32,6 +32,22 @@ TEST_CASE("a light fades as POV-Ray 3.7's", "[light]") {
     }
 }
 
+TEST_CASE("a light fades from its source on as POV-Ray 3.8's", "[light]") {
+    PointLight light;
+    light.fades_from_source = true;
+    light.colour = Vec3(1);
+    const auto at = [&](double distance, double power) {
+        light.fade_power = power;
+        return incidence(light, Vec3(0, distance, 0), Vec3(0)).colour.x;
+    };
+    CHECK(at(1, 2) == 1);
+    CHECK(at(2, 2) == Approx(0.25));
+    CHECK(at(0.5, 3) == Approx(8));
+    CHECK(at(3, 0) == 1);
+    light.fade_distance = 3;
+    CHECK(at(6, 2) == Approx(0.4));
+}
+
 TEST_CASE("beams are bright in the middle and end at their falloff", "[light]") {
     PointLight light;
     light.colour = Vec3(1);

@@ -5,6 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <string>
+
 namespace candelabra {
 
 TEST_CASE("a minus sign behind a string belongs to the next value", "[syntax]") {
@@ -104,6 +107,35 @@ TEST_CASE("after an error the parser goes on at the end of the bracket or at the
     }));
     INFO(text);
     CHECK(Parsed(text).messages() == messages);
+}
+
+TEST_CASE("the depth of directives has a limit", "[syntax]") {
+    const auto nested = [](const std::string& opener, int times) {
+        std::string text;
+        for (int i = 0; i < times; ++i) text += opener;
+        for (int i = 0; i < times; ++i) text += " #end";
+        return Parsed(text).messages();
+    };
+    for (const std::string opener :
+         {"#if (1) ", "#while (0) ", "#for (I, 1, 2) ", "#switch (1) #case (1) ", "#ifdef (A) "}) {
+        INFO(opener);
+        CHECK(nested(opener, 10'000) == "");
+        const std::string found = nested(opener, 60'000);
+        CHECK(found.find("more than 10000 directives are open here") != std::string::npos);
+        CHECK(std::ranges::count(found, '\n') == 1);
+    }
+}
+
+TEST_CASE("long lists of indices, parameters and channels are read", "[syntax]") {
+    std::string indices, parameters, channels;
+    for (int i = 0; i < 100'000; ++i) {
+        indices += "[0]";
+        parameters += "A" + std::to_string(i) + ", ";
+        channels += " red 1";
+    }
+    CHECK(Parsed("A" + indices).messages() == "");
+    CHECK(Parsed("#macro M(" + parameters + ") #end").messages() == "");
+    CHECK(Parsed("pigment { color" + channels + " }").messages() == "");
 }
 
 }  // namespace candelabra

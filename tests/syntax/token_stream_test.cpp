@@ -46,6 +46,39 @@ TEST_CASE("what follows branches that open braces is part of each", "[syntax]") 
     CHECK(without_double_spaces(print(parsed.tree, parsed.names)) == meaning);
 }
 
+TEST_CASE("what follows a #switch whose parts open braces is part of each", "[syntax]") {
+    const auto [text, meaning] = GENERATE(table<std::string, std::string>({
+        {"#switch (a) #case (0) merge { b #break #case (1) union { c #break #else d { e #end f } g",
+         "#switch (a) #case (0) merge { b, f } #break #case (1) union { c, f } #break #else d { e, "
+         "f } #end, g"},
+        {"#switch (a) #case (0) mesh { b #break #end } c",
+         "#switch (a) #case (0) mesh { b } #break #end, c"},
+        {"#switch (a) #case (0) #case (1) a { { b #break #range (2, 3) c { { d #break #end } e } f",
+         "#switch (a) #case (0) #case (1) a { { b }, e } #break #range (2, 3) c { { d }, e } "
+         "#break "
+         "#end, f"},
+        {"#switch (a) #else merge { b #end c }", "#switch (a) #else merge { b, c } #end"},
+        {"d { #switch (a) #case (0) merge { b #break #case (1) #break #end } }",
+         "d { #switch (a) #case (0) merge { b } #break #case (1) #break #end }"},
+        {"#switch (a) #case (0) merge { #switch (b) #case (1) c { #break #end d } #break #end e }",
+         "#switch (a) #case (0) merge { #switch (b) #case (1) c { d } #break #end, e } #break "
+         "#end"},
+        // Whole elements stay as they are, and nothing behind a #break is read.
+        {"#switch (a) #case (0) merge { b } #break ) ' #foo { #case (1) c #break #end d",
+         "#switch (a) #case (0) merge { b } #break #case (1) c #break #end, d"},
+    }));
+    INFO(text);
+    const Parsed parsed(text);
+    CHECK(parsed.messages() == "");
+    CHECK(without_double_spaces(print(parsed.tree, parsed.names)) == meaning);
+}
+
+TEST_CASE("parts of a #switch that open different braces are reported", "[syntax]") {
+    CHECK(Parsed("#switch (a) #case (0) merge { b #break #case (1) c { d { #break #end }")
+              .messages()
+              .find("is not closed before") != std::string::npos);
+}
+
 TEST_CASE("of branches that are no whole elements only that for the version is read", "[syntax]") {
     const auto [text, meaning] = GENERATE(table<std::string, std::string>({
         {"#if (version >= 3.1) merge { #end b #if (version >= 3.1) } #end c", "merge { b }, c"},
