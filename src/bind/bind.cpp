@@ -3,6 +3,7 @@
 
 #include "bind/lists.h"
 #include "bind/parts.h"
+#include "bind/rendered_ranges.h"
 #include "bind/unbracketed_vector.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
@@ -64,7 +65,10 @@ int ItemReader::find(std::string_view word) const {
 int ItemReader::find(NameId word) const {
     if (word == no_name) return -1;
     if (word == "fade_colour"_word) word = "fade_color"_word;
-    if (!block_.binder.evaluator.names().reserved(word)) return find(block_.spelling(word));
+    if (!block_.binder.evaluator.names().reserved(word)) {
+        const std::string_view spelling = block_.spelling(word);
+        return find(spelling == "grey_threshold" ? "gray_threshold" : spelling);
+    }
     for (std::size_t i = positional_; i < info_->fields.size(); ++i)
         if (info_->fields[i].word == word && info_->fields[i].is_word()) return static_cast<int>(i);
     return -1;
@@ -89,6 +93,7 @@ bool ItemReader::take(const Element& element) {
         case Element::Kind::entry:
         case Element::Kind::braces:
         case Element::Kind::joined:
+        case Element::Kind::omitted:
             break;
     }
     if (word_ >= 0) missing_value();
@@ -167,7 +172,7 @@ void ItemReader::take_loose(const Element& element) {
     const auto name = [&] { return message('`', field.name, "` of `", info.name, '`'); };
     const auto help = [&] { return usage(info); };
     auto value = converted(block_, element, field.type, {name, help});
-    if (value && in_range(field.range, {name, help}, *value, element.span))
+    if (value && in_range(info, field, {name, help}, *value, element.span))
         info.set(loose_part_, static_cast<std::size_t>(loose_next_), *value);
     if (++loose_next_ < info.positional) return;
     loose_part_ = nullptr;
@@ -304,7 +309,7 @@ void ItemReader::store(int field, const Element& element) {
         if (const auto bare = unbracketed_vectors(element, *info_)) return block_.report(*bare);
     if (info.type == FieldType::text && info.name != "text")  // all other texts are file names
         block_.note_file(element.span, info.is_word() ? info.name : std::string_view());
-    if (value && in_range(info.range, {name, way_out}, *value, element.span))
+    if (value && in_range(*info_, info, {name, way_out}, *value, element.span))
         set(field, *value, element.span);
 }
 
@@ -318,11 +323,21 @@ void ItemReader::set(int field, const FieldValue& value, Span) {
     stored_ = field;
 }
 
-bool ItemReader::in_range(const Range& range, const Slot& slot, FieldValue& value, Span span) {
+bool ItemReader::in_range(const ItemInfo& info, const FieldInfo& field, const Slot& slot,
+                          FieldValue& value, Span span) {
+    const Range& range = field.range;
     if (double* number = std::get_if<double>(&value); number && range.any_sign)
         *number = std::abs(*number);
     const double* wrong = offender(range, value);
     if (!wrong) return true;
+    if (const RenderedRange* rendered = rendered_range(info.name, field.name)) {
+        const double given = *wrong, counts = bring_into(range, *rendered, value);
+        block_.report(warning(Fault::no_effect, span,
+                              message(slot.name(), " should be ", rule(range), ", but it is ",
+                                      given, ": ", counts, " counts"))
+                          .with_help(slot.help()));
+        return true;
+    }
     block_.report(error(Fault::out_of_range, span,
                         message(slot.name(), " must be ", rule(range), ", but it is ", *wrong))
                       .with_label(message("this is ", *wrong))

@@ -69,7 +69,7 @@ private:
     void begin(int field, Span word);
     void missing_value();
     /// Checks the value and reports errors. If any sign is allowed, first takes the absolute value.
-    bool in_range(const Range&, const Slot&, FieldValue&, Span);
+    bool in_range(const ItemInfo&, const FieldInfo&, const Slot&, FieldValue&, Span);
     std::string of_block(int field) const;
     std::string help(int field) const;
     void read_list(int field, const Element&);

@@ -8,6 +8,7 @@
 #include "text/message.h"
 #include "vocabulary/manual.h"
 
+#include <algorithm>
 #include <set>
 
 namespace candelabra {
@@ -30,15 +31,16 @@ public:
                 converted(block_, element, FieldType::number,
                           {[] { return std::string("`reflection_exponent` of `finish`"); },
                            [] { return std::string("reflection_exponent 1"); }});
-            if (value && std::get<double>(*value) > 0)
-                reflection_.exponent = std::get<double>(*value);
-            else if (value)
-                block_.report(
-                    error(Fault::out_of_range, element.span,
-                          message("`reflection_exponent` of `finish` must be above 0, but "
-                                  "it is ",
-                                  std::get<double>(*value)))
-                        .with_help("reflection_exponent 1"));
+            if (!value) return true;
+            constexpr double least = 1e-6;
+            const double given = std::get<double>(*value);
+            reflection_.exponent = std::max(given, least);
+            if (!(given > 0))
+                block_.report(warning(Fault::no_effect, element.span,
+                                      message("`reflection_exponent` of `finish` should be above "
+                                              "0, but it is ",
+                                              given, ": ", least, " counts"))
+                                  .with_help("reflection_exponent 1"));
             return true;
         }
         if (element.kind == Element::Kind::value && waiting_) {

@@ -296,7 +296,16 @@ private:
         if (wrong.empty())
             return check_texture_numbers(block_, shape, draft_.part_textures.size()),
                    leave_out_if_nothing(shape);
+        if (is_passed_over(shape)) return leave_out(wrong);
         block_.report(error(Fault::degenerate, element_.word_span, wrong).with_help(block_.help()));
+    }
+
+    /// Whether POV-Ray renders a scene without this shape, which has a problem.
+    static bool is_passed_over(const Shape& shape) {
+        const auto* polygon = std::get_if<Shared<Polygon>>(&shape);
+        const auto* disc = std::get_if<Disc>(&shape);
+        return (polygon && (*polygon)->points.size() > 2) || (disc && disc->normal == Vec3(0)) ||
+               std::holds_alternative<Shared<Quadric>>(shape);
     }
 
     /// Leaves out a shape that has no extent, as in POV-Ray: loops and animations begin with a
@@ -305,9 +314,13 @@ private:
     void leave_out_if_nothing(const Shape& shape) {
         const std::string why = vanishes(shape);
         if (why.empty()) return draft_.divide_form();
-        if (!std::holds_alternative<Shared<Text>>(shape))
-            block_.report(warning(Fault::degenerate, element_.word_span,
-                                  message("this ", block_.quoted(), " is left out: ", why)));
+        if (!std::holds_alternative<Shared<Text>>(shape)) return leave_out(why);
+        draft_.made.edit().form = Union{};
+    }
+
+    void leave_out(const std::string& why) {
+        block_.report(warning(Fault::degenerate, element_.word_span,
+                              message("this ", block_.quoted(), " is left out: ", why)));
         draft_.made.edit().form = Union{};
     }
 

@@ -30,7 +30,7 @@ TEST_CASE("fogs add up", "[bind]") {
     CHECK(done.scene.fogs[0].colour.transmit == 0.2);
     CHECK(done.scene.fogs[1].turbulence == Vec3(0.5));
     CHECK(complaint("fog { fog_type 3 }") ==
-          "error out-of-range: `fog_type` of `fog` must be from 1 to 2, but it is 3");
+          "warning no-effect: `fog_type` of `fog` should be from 1 to 2, but it is 3: 2 counts");
     CHECK(complaint("fog { up 0 distance 1 }") ==
           "error degenerate: `up` of `fog` must not be zero");
     CHECK(complaint("sky_sphere { }") == "error missing: `sky_sphere` needs a pigment");

@@ -58,8 +58,12 @@ TEST_CASE("each wrong value is told of once, with place and rule", "[bind]") {
         {"sphere { 0 }", "error missing: `sphere` needs `radius`"},
         {"cylinder { }", "error missing: `cylinder` needs `base`, `cap` and `radius`"},
         {"disc { 0, y }", "error missing: `disc` needs `radius`"},
+        {"ovus { -1, 1 }",
+         "error out-of-range: `bottom_radius` of `ovus` must be at least 0, but it is -1"},
+        // What POV-Ray renders is a warning.
         {"superellipsoid { <0, 1> }",
-         "error out-of-range: `exponents` of `superellipsoid` must be above 0, but it is 0"},
+         "warning no-effect: `exponents` of `superellipsoid` should be above 0, but it is 0: 0.001 "
+         "counts"},
         {"sphere { 0, 0 }", "warning degenerate: this `sphere` is left out: its radius is 0"},
         {"sphere { 0, <1, 2, 3> }",
          "error wrong-type: `radius` of `sphere` must be a number, but it is a vector of 3"},
@@ -73,8 +77,35 @@ TEST_CASE("each wrong value is told of once, with place and rule", "[bind]") {
         {"sphere { 0, 1 translate rotate x }",
          "error missing: `translate` of `sphere` needs a vector"},
         {"global_settings { max_trace_level -1 }",
-         "error out-of-range: `max_trace_level` of `global_settings` must be from 0 to 256, but it "
-         "is -1"},
+         "warning no-effect: `max_trace_level` of `global_settings` should be from 0 to 256, but "
+         "it "
+         "is -1: 0 counts"},
+        {"global_settings { max_trace_level 300 }",
+         "warning no-effect: `max_trace_level` of `global_settings` should be from 0 to 256, but "
+         "it "
+         "is 300: 256 counts"},
+        {"sphere { 0, 1 interior { fade_distance -1 } }",
+         "warning no-effect: `fade_distance` of `interior` should be at least 0, but it is -1: 0 "
+         "counts"},
+        {"sphere { 0, 1 finish { roughness 0 } }",
+         "warning no-effect: `roughness` of `finish` should be above 0, but it is 0: 0.0001 "
+         "counts"},
+        {"julia_fractal { <-.1, 0, -.8, 0> precision 0 }",
+         "warning no-effect: `precision` of `julia_fractal` should be above 0, but it is 0: 1 "
+         "counts"},
+        {"polygon { 4, 0, x, x + y, y + z/9 }",
+         "warning degenerate: this `polygon` is left out: the corners of a "
+         "`polygon` must lie in one plane"},
+        {"polygon { 4, 0, x, 2*x, 0 }",
+         "warning degenerate: this `polygon` is left out: a `polygon` needs "
+         "three corners that are not on one line"},
+        {"disc { 0, 0, 1 }",
+         "warning degenerate: this `disc` is left out: a `disc` needs a normal "
+         "with a length above 0 and below 1e150"},
+        {"quadric { 0, 0, 0, -1 }",
+         "warning degenerate: this `quadric` is left out: a `quadric` needs a "
+         "factor that is not 0 besides the constant"},
+
         {"global_settings { max_trace_level 2.5 }",
          "warning no-effect: `max_trace_level` of `global_settings` is a whole number, and 2.5 "
          "counts as 2"},

@@ -85,7 +85,8 @@ TEST_CASE("wrong finishes are told of once", "[bind]") {
     CHECK(complaint("sphere { 0, 1 finish { reflection \"a\" } }") ==
           "error wrong-type: `reflection` of `finish` must be a colour, but it is a string");
     CHECK(complaint("sphere { 0, 1 finish { reflection 0.5 reflection_exponent 0 } }") ==
-          "error out-of-range: `reflection_exponent` of `finish` must be above 0, but it is 0");
+          "warning no-effect: `reflection_exponent` of `finish` should be above 0, but it is 0: "
+          "1e-06 counts");
     CHECK(complaint("#declare F = finish { } sphere { 0, 1 finish { phong 1 F } }") ==
           "error misplaced: what is declared must come first: it would replace all that is before "
           "it in `finish`");

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/rendered_ranges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+/// Each was tried with POV-Ray 3.7. Below an excluded end counts what is near to it, or what has no
+/// effect.
+constexpr auto rendered_ranges = std::to_array<RenderedRange>({
+    {"torus", "major", 0, true},
+    {"torus", "minor", 0},
+    {"superellipsoid", "exponents", 1e-3},
+    {"sphere_sweep", "tolerance", 1e-6},
+    {"blob", "threshold", 1e-6},
+    {"bicubic_patch", "flatness", 0},
+    {"julia_fractal", "max_iteration", 1},
+    {"julia_fractal", "precision", 1},
+    {"finish", "roughness", 1e-4},
+    {"finish", "ior", 0},
+    {"finish", "refraction", 0},
+    {"reflection", "exponent", 1e-6},
+    {"interior", "ior", 0},
+    {"interior", "fade_distance", 0},
+    {"interior", "fade_power", 0},
+    {"interior", "dispersion", 1},
+    {"interior", "dispersion_samples", 2},
+    {"fog", "away", 0},
+    {"fog", "fog_type", 1},
+    {"fog", "distance", 0},
+    {"fog", "octaves", 1},
+    {"media", "variance", 0},
+    {"media", "ratio", 0},
+    {"global_settings", "max_trace_level", 0},
+    {"global_settings", "number_of_waves", 1},
+    {"global_settings", "mm_per_unit", 10},
+    {"global_settings", "adc_bailout", 0},
+});
+
+}  // namespace
+
+const RenderedRange* rendered_range(std::string_view item, std::string_view field) {
+    const auto* const found = std::ranges::find_if(rendered_ranges, [&](const RenderedRange& each) {
+        return each.item == item && each.field == field;
+    });
+    return found == rendered_ranges.end() ? nullptr : found;
+}
+
+double bring_into(const Range& range, const RenderedRange& rule, FieldValue& value) {
+    double last = 0;
+    const auto bring = [&](double* at, int count) {
+        for (int i = 0; i < count; ++i) {
+            if (range.contains(at[i])) continue;
+            last = at[i] = at[i] > range.high ? range.high
+                           : rule.any_sign    ? std::abs(at[i])
+                                              : rule.least;
+        }
+    };
+    if (auto* x = std::get_if<double>(&value)) bring(x, 1);
+    if (auto* v = std::get_if<Vec2>(&value)) bring(&v->x, 2);
+    if (auto* v = std::get_if<Vec3>(&value)) bring(&v->x, 3);
+    return last;
+}
+
+}  // namespace candelabra
