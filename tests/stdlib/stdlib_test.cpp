@@ -126,8 +126,28 @@ TEST_CASE("lamps come from tables", "[stdlib]") {
 TEST_CASE("tables that do not fit say what is wrong", "[stdlib]") {
     const std::string tables = "\"tests/stdlib/tables/";
     CHECK(error_of("object { Light_From_CSV(sphere { 0, 1 }, " + tables + "unnamed.csv\", 1) }") ==
-          "error: the header of tests/stdlib/tables/unnamed.csv must name columns x, y and z, as "
-          "the table has 4 columns");
+          "error: the header of tests/stdlib/tables/unnamed.csv names no column x: it must name x, "
+          "y and z, or be left out of a table of 3 or 6 columns");
+    for (const std::string macro :
+         {"Light_From_CSV(sphere { 0, 1 }, ", "Light_Frames(sphere { 0, 1 }, "}) {
+        const std::string rest =
+            macro.starts_with("Light_Frames") ? ", " + tables + "film.csv\", 0, 1) }" : ", 9) }";
+        CHECK(
+            error_of("object { " + macro + tables + "no_z.csv\"" + rest) ==
+            "error: the header of tests/stdlib/tables/no_z.csv names no column z: it must name x, "
+            "y and z, or be left out of a table of 3 or 6 columns");
+        CHECK(error_of("object { " + macro + tables + "latitude.csv\"" + rest) ==
+              "error: the header of tests/stdlib/tables/latitude.csv names no column x: it must "
+              "name x, y and z, or be left out of a table of 3 or 6 columns");
+        CHECK(
+            error_of("object { " + macro + tables + "bare_four.csv\"" + rest) ==
+            "error: the header of tests/stdlib/tables/bare_four.csv must name columns x, y and z, "
+            "as the table has 4 columns; only a table of 3 or 6 columns needs none");
+    }
+    CHECK(
+        error_of("object { Light_From_CSV(sphere { 0, 1 }, " + tables + "no_blue.csv\", 9) }") ==
+        "error: the header of tests/stdlib/tables/no_blue.csv names no column b: it must name all "
+        "or none of r, g and b");
     CHECK(error_of("object { Light_Frames(sphere { 0, 1 }, " + tables + "bare.csv\", " + tables +
                    "places.csv\", 0, 1) }") ==
           "error: tests/stdlib/tables/places.csv has 3 columns, and the 2 LEDs of "
