@@ -113,6 +113,11 @@ int describe(std::span<const std::string_view> arguments, const Console& console
     return run(words, console);
 }
 
+/// Limits the memory of a command as that of a run.
+void bound_memory() {
+    if (const auto memory = usual_memory_limit()) limit_memory(*memory);
+}
+
 constexpr auto commands = std::to_array<Command>({
     {"merge", merge,
      "usage: candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
@@ -122,7 +127,11 @@ constexpr auto commands = std::to_array<Command>({
      "picture.exr ...\n"
      "Makes pictures that people look at of the light in OpenEXR files; candelabra-develop(1) "
      "says more.\n"},
-    {"fmt", fmt,
+    {"fmt",
+     [](std::span<const std::string_view> arguments, const Console& console) {
+         bound_memory();
+         return fmt(arguments, console);
+     },
      "usage: candelabra fmt [--check] [file ...]\n"
      "Lays scenes out; without files, standard input to standard output. --check only names the\n"
      "files that it would change; candelabra-fmt(1) says more.\n"},
@@ -134,7 +143,7 @@ constexpr auto commands = std::to_array<Command>({
     {"lsp",
      [](std::span<const std::string_view>, const Console& console) {
          // Each scene has a smaller limit of its own (editor/checking.h).
-         if (const auto memory = physical_memory()) limit_memory(*memory / 2);
+         bound_memory();
          return run_lsp(STDIN_FILENO, console);
      },
      "usage: candelabra lsp\n"

@@ -12,14 +12,17 @@ namespace candelabra {
 namespace {
 
 constexpr int step = 4;
+/// Deeper levels are indented as this one: else a text of n levels would get n*n blanks.
+constexpr int deepest_column = 64 * step;
 constexpr std::string_view blanks = " \t\f\v";
 
 /// An open bracket or directive, and the columns (from 0) of the lines that follow.
 struct Opening {
     TokenKind kind;
-    int outside;   ///< of the line that closes it
-    int dividers;  ///< of its dividers: #else, #case
-    int inside;    ///< of all other lines
+    int outside;          ///< of the line that closes it
+    int dividers;         ///< of its dividers: #else, #case
+    int inside;           ///< of all other lines
+    bool closed = false;  ///< but brackets or directives in it are open
 
     bool is_directive() const { return opens_directive(kind); }
     bool is_block() const { return is_directive() || kind == TokenKind::open_brace; }
@@ -111,7 +114,7 @@ public:
 private:
     void set_column(std::size_t line, int column) {
         const bool chosen = first_line_ <= line && line < last_line_;
-        columns_[line] = chosen ? column : present_column(line);
+        columns_[line] = chosen ? std::min(column, deepest_column) : present_column(line);
     }
 
     /// Column of the first character in the original line.
@@ -161,24 +164,24 @@ private:
             const bool list = !open_.empty() && !open_.back().is_block();
             return column_within() + (asks_for_more(previous_) && !list ? step : 0);
         }
-        for (std::size_t i = open_.size(); i-- > 0;) {
-            if (open_[i].is_directive() != of_directive) continue;
-            if (token.kind != TokenKind::hash_break)
-                return divides ? open_[i].dividers : open_[i].outside;
-            if (open_[i].kind == TokenKind::hash_switch && i + 1 == open_.size())
-                return open_[i].dividers;
+        if (token.kind == TokenKind::hash_break) {
+            const bool in_switch = !open_.empty() && open_.back().kind == TokenKind::hash_switch;
+            return in_switch ? open_.back().dividers : column_within();
         }
-        return column_within();
+        const Opening* const around = innermost(of_directive);
+        return !around ? column_within() : divides ? around->dividers : around->outside;
     }
 
     bool closes(const Token& token) const {
         if (token.kind != TokenKind::greater) return closes_bracket(token.kind);
-        const auto last = innermost(false);
-        return last != open_.rend() && last->kind == TokenKind::less;
+        const Opening* const last = innermost(false);
+        return last && last->kind == TokenKind::less;
     }
 
-    std::vector<Opening>::const_reverse_iterator innermost(bool directive) const {
-        return std::ranges::find(open_.rbegin(), open_.rend(), directive, &Opening::is_directive);
+    /// The innermost open directive or bracket; null if there is none.
+    const Opening* innermost(bool directive) const {
+        const std::vector<std::size_t>& all = directive ? directives_ : brackets_;
+        return all.empty() ? nullptr : &open_[all.back()];
     }
 
     /// `behind`: the next token in the same line, or null.
@@ -202,17 +205,21 @@ private:
             opening.inside += step;
         }
         if (!opening.is_block() && behind) opening.inside = column_of(*behind);
+        (opening.is_directive() ? directives_ : brackets_).push_back(open_.size());
         open_.push_back(opening);
     }
 
     void close(bool directive) {
-        const auto last = innermost(directive);
-        if (last != open_.rend()) open_.erase(std::next(last).base());
+        std::vector<std::size_t>& all = directive ? directives_ : brackets_;
+        if (all.empty()) return;
+        open_[all.back()].closed = true;
+        all.pop_back();
+        while (!open_.empty() && open_.back().closed) open_.pop_back();
     }
 
     /// Each branch leaves the same brackets open, so they are counted once.
     void end_branch() {
-        while (!open_.empty() && !open_.back().is_directive()) open_.pop_back();
+        while (!open_.empty() && !open_.back().is_directive()) close(false);
     }
 
     std::string_view line_text(std::size_t line) const {
@@ -272,7 +279,8 @@ private:
                                           ///< or string
     std::size_t first_line_ = 0;          ///< of those to lay out
     std::size_t last_line_ = 0;           ///< the line after the last of them
-    std::vector<Opening> open_;
+    std::vector<Opening> open_;           ///< the last of them is not closed
+    std::vector<std::size_t> directives_, brackets_;  ///< those in open_ that are not closed
     const Token* guard_ = nullptr;
     TokenKind previous_ = TokenKind::end_of_file;
 };

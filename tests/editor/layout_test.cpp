@@ -7,10 +7,33 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
+#include <utility>
 
 namespace candelabra {
 
 namespace fs = std::filesystem;
+
+TEST_CASE("indentation stops growing, and any nesting takes linear time") {
+    constexpr std::size_t deep = 20'000;
+    const auto repeated = [](std::string_view text, std::size_t times) {
+        std::string result;
+        for (std::size_t i = 0; i < times; ++i) result += text;
+        return result;
+    };
+    for (const auto& [open, close] :
+         {std::pair{"union {\n", "}\n"}, std::pair{"f(1 +\n", ")\n"},
+          std::pair{"#if (1)\n", "#end\n"}, std::pair{"{\n#while (1)\n", "}\n#end\n"},
+          std::pair{"{\n", "#break\n"}}) {
+        INFO(open);
+        const std::string text = repeated(open, deep) + repeated(close, deep);
+        const std::string better = laid_out(text);
+        CHECK(better.size() < text.size() + 260 * 4 * deep);
+        CHECK(laid_out(better) == better);
+    }
+    const std::string better = laid_out(repeated("union {\n", 100) + repeated("}\n", 100));
+    CHECK(better.find("\n" + std::string(256, ' ') + "union {\n") != std::string::npos);
+    CHECK(better.find(std::string(257, ' ')) == std::string::npos);
+}
 
 TEST_CASE("texts are laid out") {
     struct Case {
