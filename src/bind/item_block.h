@@ -5,6 +5,7 @@
 
 #include "bind/bind.h"
 #include "bind/block.h"
+#include "text/message.h"
 
 #include <span>
 #include <string>

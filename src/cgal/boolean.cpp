@@ -6,6 +6,9 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
+#include <cstddef>
+#include <utility>
+
 namespace candelabra {
 
 namespace {

@@ -5,6 +5,7 @@
 #include "cgal/polyhedra.h"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace candelabra {

@@ -5,6 +5,9 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/convex_hull_3.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace candelabra {
 
 std::string polyhedra::hull(std::span<const Polyhedron::Point> points, Polyhedron& made) {

@@ -11,8 +11,10 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstddef>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 
 namespace candelabra {
 

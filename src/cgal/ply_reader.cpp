@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <system_error>
 
 namespace candelabra {
 

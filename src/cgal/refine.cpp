@@ -3,6 +3,8 @@
 
 #include <CGAL/subdivision_method_3.h>
 
+#include <utility>
+
 namespace candelabra {
 
 std::string polyhedra::subdivide(const Polyhedron& from, SubdivisionRule rule, int steps,
