@@ -164,8 +164,13 @@ private:
             settings.antialias = false;
             RenderHooks hooks;
             hooks.aovs = aovs_;
-            hooks.cancelled = [&] { return shown ? outdated() : leaving_.at_once(); };
             const double before = seconds_now();
+            // Nobody waits long for the first one.
+            constexpr double patience = 1;
+            hooks.cancelled = hooks.ended = [&] {
+                return leaving_.at_once() ||
+                       ((shown || seconds_now() - before > patience) && outdated());
+            };
             RenderState state = begin_picture(settings, aovs_.count(staged_.world));
             LightLedger rays;
             const SentLight sent = shown || !photons_wait() ? sent_light() : SentLight{};
@@ -248,6 +253,7 @@ private:
         hooks.cancelled = [this] {
             return called() || seconds_now() >= std::min(show_at_, deadline());
         };
+        hooks.ended = [this] { return called() || seconds_now() >= deadline(); };
         return advance(*plan_, state, rays_, hooks) || seconds_now() >= deadline();
     }
 

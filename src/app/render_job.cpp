@@ -5,8 +5,10 @@
 #include "picture/file.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "transport/tracing.h"
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <limits>
 #include <system_error>
@@ -26,6 +28,24 @@ std::uint32_t max_samples(const RenderState& state) {
     std::uint32_t most = 0;
     for (const PixelSum& pixel : state.film.pixels()) most = std::max(most, pixel.samples);
     return most;
+}
+
+/// Returns the plan. If its trials take longer than the picture may, the plan does without them.
+RenderPlan planned(const World& world, const Options& options) {
+    const RenderSettings settings = timed(options);
+    if (!options.time) return plan_of(world, settings);
+    using Clock = std::chrono::steady_clock;
+    const auto begun = Clock::now();
+    const std::function<bool()> late = [&] {
+        return std::chrono::duration<double>(Clock::now() - begun).count() > *options.time;
+    };
+    const SentLight sent = SentLight::of(world, settings.seed, settings.threads);
+    if (const auto plan = plan_of(world, settings, sent, late)) return *plan;
+    RenderSettings simple = settings;
+    simple.shadow_rays = 1;
+    RenderPlan plan = plan_of(world, simple);
+    plan.settings = settings;
+    return plan;
 }
 
 }  // namespace
@@ -49,7 +69,7 @@ RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interru
     : plan_(std::move(plan)),
       extras_(aovs_for(plan_.options.layers, plan_.options.alpha,
                        {world.view.film.smooths_edges(), plan_.options.denoise})),
-      rendering_(plan_of(world, timed(plan_.options))),
+      rendering_(planned(world, plan_.options)),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}
 
@@ -186,8 +206,30 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
             asked.compare_exchange_strong(none, Interrupt::save);
         return asked != Interrupt::none;
     };
+    // A state can wait until a sample is finished; the end cannot.
+    hooks.ended = [&] {
+        return hooks.cancelled() && (asked == Interrupt::stop || clock() >= deadline_);
+    };
+    hooks.cut = [&](int x, int y) {
+        const std::lock_guard lock(cut_mutex_);
+        const std::pair place(y, x);
+        if (cut_samples_++ == 0 || place < first_cut_) first_cut_ = place;
+    };
     const bool finished = advance(rendering_, checkpoint_.state, rays_, hooks);
     return finished ? Interrupt::none : asked.load();
+}
+
+void RenderJob::warn_of_cut() {
+    if (cut_samples_ == 0) return;
+    diagnostics_.add(
+        warning(Fault::recursion_limit, {},
+                message("reflections and refractions of ", cut_samples_,
+                        cut_samples_ == 1 ? " camera ray" : " camera rays",
+                        " multiply without end: of each ", Tracing().max_rays,
+                        " were followed, and the rest counts as black; the first is in the pixel ",
+                        first_cut_.second, ", ", first_cut_.first))
+            .with_help("a smaller max_trace_level or a larger adc_bailout in global_settings, or "
+                       "`integrator { path_traced }`, which follows one of them at a time"));
 }
 
 JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) {
@@ -205,8 +247,10 @@ JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) 
     for (;;) {
         const Interrupt asked = work(progress, clock);
         const double now = clock();
-        if (asked == Interrupt::none || (asked == Interrupt::save && now >= deadline_))
+        if (asked == Interrupt::none || (asked == Interrupt::save && now >= deadline_)) {
+            warn_of_cut();
             return JobEnd::finished;
+        }
         if (asked == Interrupt::stop) {
             if (saves) save(diagnostics_);
             return JobEnd::stopped;

@@ -9,6 +9,10 @@
 #include "app/progress.h"
 #include "render/render.h"
 
+#include <cstdint>
+#include <mutex>
+#include <utility>
+
 namespace candelabra {
 
 enum class JobEnd {
@@ -61,6 +65,8 @@ private:
     bool save(Diagnostics&);
     void save_and_go_on();
     Interrupt work(Progress&, const std::function<double()>& clock);
+    /// Warns of samples that ended at Tracing::max_rays.
+    void warn_of_cut();
 
     JobPlan plan_;
     Aovs extras_;
@@ -69,6 +75,9 @@ private:
     Diagnostics& diagnostics_;
     Checkpoint checkpoint_;
     LightLedger rays_;
+    std::mutex cut_mutex_;
+    std::uint64_t cut_samples_ = 0;
+    std::pair<int, int> first_cut_;  ///< row and column of the uppermost of them
     double begun_ = 0;
     double deadline_ = 0;
     double save_at_ = 0;

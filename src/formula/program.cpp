@@ -2,6 +2,7 @@
 #include "formula/program.h"
 
 #include "base/elementary.h"
+#include "base/work_watch.h"
 #include "formula/formula.h"
 
 #include <algorithm>
@@ -66,6 +67,7 @@ bool execute(const Program& program, double* r, std::uint32_t& passes) {
             case jump_unless: if (!is_true(r[i.a])) at = code + i.to; break;
             case repeat:
                 if (++passes > max_passes) return false;
+                count_work(1);
                 at = code + i.to;
                 break;
             case call:

@@ -2,6 +2,7 @@
 #include "medium/march.h"
 
 #include "base/elementary.h"
+#include "base/work_watch.h"
 #include "medium/transmittance.h"
 
 #include <algorithm>
@@ -162,6 +163,7 @@ private:
                             from, to, rate);
         MarchCells cells = cells_of(spread);
         for (int i = 0; i < count && !opaque_; ++i) {
+            count_work(1);
             const double distance = spread.distance(cells.place((i + shift_) / count));
             add(distance, spread.per_density(distance) / (count * cells.density()));
         }

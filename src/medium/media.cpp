@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "medium/media.h"
 
+#include "base/work_watch.h"
 #include "surface/pigment_map.h"
 #include "vocabulary/schema.h"
 
@@ -115,6 +116,7 @@ Media transformed(Media media, const Transform& transform) {
 
 Vec3 density(const Media& media, const Vec3& point, const PatternScene& scene) {
     Vec3 product(1);
+    count_work(1);
     for (const Pigment& each : media.densities) product *= evaluate(each, point, scene).rgb;
     return product;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/pattern.h"
 
+#include "base/work_watch.h"
+
 #include <concepts>
 #include <type_traits>
 
@@ -23,6 +25,7 @@ concept PatternKind = PlainPattern<T> || requires(const T& pattern, const Patter
 }  // namespace
 
 double evaluate(const Pattern& pattern, const PatternPoint& at) {
+    count_work(1);
     return std::visit(
         [&]<PatternKind T>(const T& kind) {
             if constexpr (PlainPattern<T>)

@@ -3,6 +3,7 @@
 
 #include "base/gamma.h"
 #include "base/parallel.h"
+#include "base/work_watch.h"
 #include "transport/camera_ray.h"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace {
 /// Cost of a camera ray, with shading and the weights of luminaires, in shadow rays.
 constexpr double cost_of_camera_ray = 1.2;
 constexpr int max_pilot_rays = 4;
+/// Maximum number of rays for one of the pilot's camera rays: what is behind so many reflections
+/// does not matter for the choice.
+constexpr std::uint64_t max_rays_of_pilot = 10'000;
 /// Maximum standard deviation of one sample's display value (0 to 1) in quiet light: three steps of
 /// an 8-bit picture.
 constexpr double quiet_deviation = 3.0 / 255;
@@ -70,10 +74,15 @@ PilotNoise pilot_noise(const World& world, const RenderSettings& settings,
               rows = std::clamp(settings.height / pixels_for_each, 1, max_across);
     std::vector<PilotNoise> noise(static_cast<std::size_t>(rows));
     run_parallel(noise.size(), settings.threads, [&](std::size_t row) {
-        Integrator integrator(world, {.sent = sent});
-        for (int column = 0; column < columns && !(cancelled && cancelled()); ++column)
-            try_pixel(integrator, world, settings, {column, static_cast<int>(row), columns, rows},
-                      noise[row]);
+        Integrator integrator(world, {.sent = sent, .max_rays = max_rays_of_pilot});
+        const WorkWatch watch(cancelled);
+        try {
+            for (int column = 0; column < columns && !(cancelled && cancelled()); ++column)
+                try_pixel(integrator, world, settings,
+                          {column, static_cast<int>(row), columns, rows}, noise[row]);
+        } catch (const WorkEnded&) {
+            return;
+        }
         noise[row].of_hits = integrator.noise();
     });
     PilotNoise sum;

@@ -3,6 +3,7 @@
 
 #include "base/elementary.h"
 #include "base/parallel.h"
+#include "base/work_watch.h"
 #include "film/develop.h"
 #include "film/pixel_filter.h"
 #include "render/pilot.h"
@@ -176,7 +177,7 @@ private:
             if (hooks_.first) i = turn;
             if (stopped_ || !wants(tiles[i], level)) return;
             Work work{fresh_integrators_};
-            const std::uint64_t made = make_tile(work, tiles[i], level);
+            const std::uint64_t made = watched([&] { return make_tile(work, tiles[i], level); });
             {
                 const std::lock_guard lock(mutex_);
                 for (const Integrator& each : work.integrators) rays_ += each.ledger();
@@ -185,6 +186,17 @@ private:
             if (hooks_.progress && made > 0)
                 hooks_.progress(overall(static_cast<double>(done) / static_cast<double>(wanted_)));
         });
+    }
+
+    /// Calls make(), and ends it if it is asked to. Returns what it has made, or nothing then.
+    std::uint64_t watched(const std::function<std::uint64_t()>& make) {
+        try {
+            const WorkWatch watch(ended_);
+            return make();
+        } catch (const WorkEnded&) {
+            stopped_ = true;
+            return 0;
+        }
     }
 
     void wind_down() {
@@ -340,6 +352,7 @@ private:
         const std::uint64_t before_rays = integrator.ledger().shadow;
         const Vec3 colour = integrator.radiance(ray, key);
         const auto rays = static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays);
+        if (integrator.cut() && hooks_.cut) hooks_.cut(x, y);
         if (!extra.empty())
             gather(work.gathered, in_pixel.negative, extra, [&](std::span<ExactSum> sums) {
                 gather_sample(hooks_.aovs, world, ray, integrator, sums);
@@ -388,6 +401,11 @@ private:
         return stopped_;
     }
 
+    std::function<bool()> when_ended() {
+        if (!hooks_.ended) return {};
+        return [this] { return stopped_ || hooks_.ended(); };
+    }
+
     const RenderPlan& plan_;
     const World& world_;
     const RenderSettings& settings_;
@@ -404,6 +422,8 @@ private:
     std::uint64_t wanted_ = 0;  ///< in total so far
     std::atomic<std::uint64_t> done_ = 0;
     std::atomic<bool> stopped_ = false;
+    /// Empty if nobody may end samples.
+    const std::function<bool()> ended_ = when_ended();
     bool winds_down_ = false;  ///< set when the last tile of a round begins
 };
 

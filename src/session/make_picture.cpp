@@ -50,7 +50,7 @@ private:
     bool render(const World& world, Picture& picture) {
         RenderHooks hooks;
         hooks.progress = listener_.progress;
-        hooks.cancelled = listener_.cancelled;
+        hooks.cancelled = hooks.ended = listener_.cancelled;
         RenderState state = begin_picture(render_, 0);
         if (!advance(plan_of(world, render_), state, picture.rays, hooks)) return false;
         picture.image = state.film.image();

@@ -7,6 +7,7 @@
 
 #include "base/roots.h"
 #include "base/short_list.h"
+#include "base/work_watch.h"
 
 #include <algorithm>
 #include <array>
@@ -228,6 +229,8 @@ public:
         for (std::size_t i = known; i < here_.size(); ++i) stretches_[here_[i]].tell_from(origin_);
     }
     double origin() const { return origin_; }
+    /// Number of fields that cover the place.
+    std::uint32_t size() const { return static_cast<std::uint32_t>(here_.size()); }
 
     /// Upper bound of the sum of the fields at the place.
     double greatest() const {
@@ -278,6 +281,7 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Compo
         const std::optional<double> known = std::exchange(before, std::nullopt);
         if (parameter(range.max) <= wanted.min) continue;
         passage.move_to(0.5 * (range.min + range.max));
+        count_work(passage.size());
         if (passage.greatest() <= blob.threshold) continue;
         const FieldQuartic sum = passage.sum(blob.threshold);
         const double origin = passage.origin();

@@ -3,6 +3,7 @@
 
 #include "base/infinity.h"
 #include "base/short_list.h"
+#include "base/work_watch.h"
 #include "index/asked.h"
 #include "index/tree_builder.h"
 #include "shape/part_index.h"
@@ -233,6 +234,7 @@ Composite CompositeBuilder::finish(PartRef root) {
 
 bool Composite::inside_part(const Part& part, const Vec3& point) const {
     if (!contains(part.region.box, point)) return part.region.outside;
+    count_work(1);
     if (!part.ref.leaf) return inside_node(nodes_[part.ref.index], point, nullptr);
     const CompositeLeaf& leaf = leaves_[part.ref.index];
     const Plane* plane = std::get_if<Plane>(&leaf.shape);
@@ -310,6 +312,7 @@ const Interval& Composite::cut(std::uint32_t leaf, const Ray& ray, Cut& last) co
 template <class Take>
 void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& range,
                           const Interval& seen, Take take) const {
+    count_work(1);
     const CompositeLeaf& leaf = leaves_[index];
     const Transform* transform = leaf.transform.get();
     Crossings found;

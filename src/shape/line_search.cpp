@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/line_search.h"
 
+#include "base/work_watch.h"
+
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
@@ -48,6 +50,7 @@ public:
 
     void look(const Place& first, const Place& last) {
         if (done_ || last.t < wanted_.min || first.t > wanted_.max) return;
+        count_work(1);
         const bool crosses = is_below(first.value) != is_below(last.value);
         const double length = last.t - first.t;
         // A short stretch without a value at either end is taken to have none in between.

@@ -2,6 +2,7 @@
 #include "shape/tessellation.h"
 
 #include "base/elementary.h"
+#include "base/work_watch.h"
 #include "shape/triangle.h"
 
 #include <iterator>
@@ -309,6 +310,7 @@ Mesh seen_tessellation(const Composite& whole, std::uint32_t number, int cells) 
     if (whole.leaf_bounds(number).empty()) return {};
     Mesh mesh;
     append(tessellation(leaf.shape, cells), leaf.transform.get(), mesh);
+    count_work(static_cast<std::uint32_t>(mesh.faces.size()));
     const bool cut = whole.leaf_count() > 1;
     std::erase_if(mesh.faces, [&](const Face& each) {
         if (!cut) return false;

@@ -23,6 +23,7 @@ concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&
     { asked.ledger() } -> std::same_as<const LightLedger&>;
     { asked.noise() } -> std::convertible_to<HitNoise>;  // expected of shadow rays so far
     { asked.clear() } -> std::same_as<double>;           // share of the last sample that is clear
+    { asked.cut() } -> std::same_as<bool>;               // whether the last sample is incomplete
     asked.prepare(std::uint32_t{});  // builds the sent light for a sample, with several threads
 };
 
@@ -45,6 +46,9 @@ public:
     }
     double clear() const {
         return std::visit([](const auto& built) { return built.clear(); }, built_);
+    }
+    bool cut() const {
+        return std::visit([](const auto& built) { return built.cut(); }, built_);
     }
     void prepare(std::uint32_t sample) const {
         std::visit([&](const auto& built) { built.prepare(sample); }, built_);

@@ -26,6 +26,9 @@ public:
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
     double clear() const { return ends_.clear(); }
+
+    /// Paths do not branch, and have a bounded number of vertices.
+    static constexpr bool cut() { return false; }
     /// Builds the photons and reflected luminaires for a sample.
     void prepare(std::uint32_t sample) const {
         direct_light_.photons().prepare(sample);

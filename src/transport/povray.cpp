@@ -24,11 +24,13 @@ PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
       direct_light_(world, wanted.shadow_rays, wanted.sent->photons),
       media_(world),
       ends_(world, wanted.clear_sky),
-      ledger_(empty_ledger(world, wanted.counts_lights)) {}
+      ledger_(empty_ledger(world, wanted.counts_lights)),
+      max_rays_(wanted.max_rays) {}
 
 Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = ends_.begin(ray, key);
     direct_light_.begin(key.sample);
+    rays_ = 0;
     if (ray.direction == Vec3(0)) return Vec3(0);
     ++ledger_.camera;
     return follow(path);
@@ -36,7 +38,7 @@ Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
 
 Vec3 PovRayIntegrator::follow(const PathState& path) {
     if (path.depth >= world_.rules.settings.max_trace_level ||
-        path.weight < world_.rules.settings.adc_bailout)
+        path.weight < world_.rules.settings.adc_bailout || ++rays_ > max_rays_)
         return Vec3(0);
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);

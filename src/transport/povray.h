@@ -29,6 +29,9 @@ public:
     /// Fraction of the last sample that shows clear background, from 0 to 1.
     double clear() const { return ends_.clear(); }
 
+    /// Whether the last sample had more rays than are followed.
+    bool cut() const { return rays_ > max_rays_; }
+
 private:
     Vec3 follow(const PathState&);
     Vec3 surface(const PathState&, const Hit&);
@@ -53,6 +56,9 @@ private:
     ParticipatingMedia media_;
     PathEnds ends_;
     LightLedger ledger_;
+    /// Reflections and refractions of one camera ray may double at each level: the product of their
+    /// weights need not fall where surfaces keep all light.
+    std::uint64_t rays_ = 0, max_rays_;
 };
 
 }  // namespace candelabra

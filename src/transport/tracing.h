@@ -5,6 +5,7 @@
 #include "transport/direct_light.h"
 #include "transport/sent_light.h"
 
+#include <cstdint>
 #include <optional>
 
 namespace candelabra {
@@ -14,6 +15,9 @@ struct Tracing {
     bool counts_lights = false;          ///< separately for each statement
     std::optional<SentLight> sent = {};  ///< unset: the integrator makes that of the world
     bool clear_sky = false;              ///< the background may be clear, as with POV-Ray's +UA
+    /// Maximum number of rays that are followed for one camera ray, without shadow rays. What is
+    /// left then counts as black.
+    std::uint64_t max_rays = 1'000'000;
 };
 
 }  // namespace candelabra

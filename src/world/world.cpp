@@ -3,6 +3,7 @@
 #include "world/world.h"
 
 #include "base/order.h"
+#include "base/work_watch.h"
 #include "index/asked.h"
 #include "shape/leaf_pack.h"
 #include "shape/ray_start.h"
@@ -22,6 +23,9 @@ namespace {
 // Rounding errors of a hit grow with the coordinates and distances from which it is computed. This
 // fraction of them is some thousand times the error, and far below anything visible.
 constexpr double relative_tolerance = 1e-11;
+
+/// See count_work().
+constexpr std::uint32_t work_of_ray = 4;
 
 double tolerance_at(const Ray& ray, double t) {
     return relative_tolerance * (max_abs_component(ray.origin) + t);
@@ -185,6 +189,7 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
 }
 
 bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) const {
+    count_work(work_of_ray);
     RayConstants constants(ray);
     Candidate best{std::numeric_limits<double>::infinity()};
     const Interval range{tolerance, best.t};
@@ -379,6 +384,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
 
 Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
                           const Shade& shade) const {
+    count_work(work_of_ray);
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, end_of_way(tolerance, distance).min};
     RayConstants constants(ray);

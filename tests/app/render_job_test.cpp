@@ -87,6 +87,33 @@ TEST_CASE("a stop that comes while another thread is asked to save is not lost")
                  "+O" + shell.path("a.png")}) == exit_status::stopped);
 }
 
+TEST_CASE("one ray without end obeys a stop, the time and a bound") {
+    Shell shell;
+    shell.write("mirrors.pov", R"(
+        #version 3.7;
+        global_settings { assumed_gamma 1 max_trace_level 256 adc_bailout 0 }
+        camera { location <0, 0, -3> look_at 0 } light_source { <3, 4, -5>, 1 }
+        box { -9, 9 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } }
+        sphere { 0, 1 pigment { rgbt 1 } finish { reflection 1 } interior { ior 1.2 } }
+    )");
+    std::vector<std::string> all = {shell.path("mirrors.pov"), "-A", "+WT1", "+W1", "+H1",
+                                    "+O" + shell.path("a.png")};
+    CHECK(shell(all) == exit_status::done);
+    CHECK(has(shell.err, "warning[recursion-limit]"));
+    CHECK(has(shell.err, "the first is in the pixel 0, 0"));
+    CHECK(has(shell.err, "adc_bailout"));
+    all[3] = "+W99";
+    all[4] = "+H99";
+    int calls = 0;
+    shell.interrupts.take = [&] { return ++calls > 3 ? Interrupt::stop : Interrupt::none; };
+    CHECK(shell(all) == exit_status::stopped);
+    CHECK(calls < 9);
+    CHECK(fs::exists(shell.path("a.png.state.exr")));
+    shell.interrupts.take = nullptr;
+    all.insert(all.end(), {"--time", "0.1"});
+    CHECK(shell(all) == exit_status::done);
+}
+
 TEST_CASE("what cannot be kept is said") {
     Shell shell;
     shell.interrupts.take = [] { return Interrupt::stop; };

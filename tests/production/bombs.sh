@@ -170,6 +170,14 @@ bomb trace limit- '#declare S = sphere { 0, 1 } #while (1) #declare N = <0, 0, 0
 bomb trace_isosurface limit- '#declare S = isosurface { function { x*x + y*y + z*z - 1 } accuracy 1e-12 max_gradient 1e12 contained_by { sphere { 0, 2 } } } #while (1) #declare P = trace(S, <1, 0.3, -5>, z); #end'
 bomb inside limit- '#declare S = union { #for (I, 1, 1000) sphere { I, 1 } #end } #while (1) #declare B = inside(S, <0.1, 0.2, 0.3>); #end'
 
+# Rays.
+facing='camera { location -3*z look_at 0 } light_source { <3, 4, -5>, 1 } box { -9, 9 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } } sphere { 0, 1 pigment { rgbt 1 } finish { reflection 1 } interior { ior 1.2 } }'
+slow='#declare F = function(x) { sum(i, 1, 3000, sum(j, 1, 3000, sin(i*j*x)*1e-7)) }'
+harmless mirrors_in_time "global_settings { max_trace_level 256 adc_bailout 0 } $facing" --time 2
+harmless functions_in_time "$slow camera { location -3*z } light_source { 9, 1 } sphere { 0, 1 pigment { average pigment_map { #for (I, 1, 50) [1 function { F(x + I) }] #end } } }" --time 2
+harmless isosurface_in_time "$slow camera { location -3*z } light_source { 9, 1 } isosurface { function { x*x + y*y + z*z - 1 + F(x) } max_gradient 10 contained_by { box { -2, 2 } } }" --time 2
+harmless blob_in_time 'camera { location -3*z } light_source { 9, 1 } blob { threshold 0.5 #for (I, 1, 20000) sphere { <sin(I), cos(2*I), sin(3*I)>*0.2, 1, 0.01 } #end }' --time 2
+
 # Media.
 view='camera { location -5*z look_at 0 } light_source { 9, 1 }'
 inside='sphere { 0, 1 pigment { rgbt 1 } hollow interior { '

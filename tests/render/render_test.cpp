@@ -164,6 +164,34 @@ TEST_CASE("a picture that is stopped and continued again and again is the same",
     CHECK(broken == whole);
 }
 
+TEST_CASE("a sample that takes too long ends when it is asked to, and is not counted", "[render]") {
+    const std::vector<std::string> slow = {
+        R"(global_settings { max_trace_level 256 adc_bailout 0 } light_source { <3, 4, -5>, 1 }
+           sphere { 0, 1 pigment { rgbt 1 } finish { reflection 1 } interior { ior 1.2 } }
+           box { -9, 9 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } })",
+        R"(#declare F = function(x) { sum(i, 1, 3000, sum(j, 1, 3000, sin(i*j*x))) }
+           plane { z, 1 pigment { average pigment_map { [1 function { F(x) }] [1 function { F(y) }] } } })",
+        R"(#declare F = function(x) { sum(i, 1, 3000, sum(j, 1, 3000, sin(i*j*x)*1e-9)) }
+           isosurface { function { x*x + y*y + z*z - 1 + F(x) } contained_by { box { -2, 2 } } })",
+        R"(blob { threshold 0.5 #for (I, 1, 20000) sphere { sin(I)*0.2, 1, 0.01 } #end })",
+    };
+    for (const std::string& scene : slow) {
+        INFO(scene);
+        const World world = world_of("#version 3.7; camera { location -3*z angle 10 } " + scene);
+        RenderSettings settings = of_samples(1);
+        settings.width = settings.height = 2;
+        settings.threads = 1;
+        RenderState state = begin_picture(settings, 0);
+        LightLedger rays;
+        int asked = 0;
+        RenderHooks hooks;
+        hooks.ended = [&] { return ++asked > 1; };
+        CHECK_FALSE(advance(plan_of(world, settings), state, rays, hooks));
+        CHECK(asked == 2);
+        CHECK(state.film.at(0, 0).samples == 0);
+    }
+}
+
 TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") {
     const World world = world_of(R"(
         #version 3.7;

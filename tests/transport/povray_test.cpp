@@ -7,6 +7,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <numbers>
+#include <tuple>
 
 namespace candelabra {
 
@@ -32,6 +33,34 @@ TEST_CASE("facing mirrors show as many surfaces as the level allows", "[render]"
         global_settings { max_trace_level )";
     for (const int level : {1, 3, 7})
         CHECK(seen(mirrors + std::to_string(level) + " }").x == Approx(level));
+}
+
+TEST_CASE("a camera ray whose rays multiply ends at a bound, the same each time", "[render]") {
+    const std::string scene = R"(
+        #version 3.7;
+        global_settings { max_trace_level 256 adc_bailout 0 }
+        light_source { <3, 4, -5>, 1 }
+        sphere { 0, 1 pigment { rgbt 1 } finish { reflection 1 } interior { ior 1.2 } }
+        box { -9, 9 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } } )";
+    const World world = world_of(scene);
+    const auto traced = [&](const World& in, std::uint64_t max_rays) {
+        Integrator integrator(in, {.max_rays = max_rays});
+        const Vec3 light = integrator.radiance({Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)}, Key());
+        return std::tuple(light, integrator.cut(), integrator.ledger().scattered);
+    };
+    const auto [light, cut, rays] = traced(world, 5000);
+    CHECK(cut);
+    CHECK(rays >= 5000 - 1);
+    CHECK(rays <= 2 * 5000 + 2 * 256);
+    CHECK(traced(world, 5000) == std::tuple(light, cut, rays));
+    // The next ray has all of its rays.
+    Integrator again(world, {.max_rays = 5000});
+    again.radiance({Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)}, Key());
+    CHECK(again.radiance({Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)}, Key()) == light);
+    // Rays that are not too many do not differ.
+    const World lossy = world_of(scene + "global_settings { max_trace_level 6 adc_bailout 1/255 }");
+    CHECK_FALSE(std::get<1>(traced(lossy, 5000)));
+    CHECK(traced(lossy, 5000) == traced(lossy, 1'000'000));
 }
 
 TEST_CASE("clear surfaces without refraction use up no level", "[render]") {
