@@ -107,7 +107,7 @@ private:
     Shading shading_;
     const ShadingRules* rules_;
     Part part_;
-    std::optional<Facets> facets_;
+    std::optional<Microfacets> facets_;
     double ior_;  ///< of the solid that the light enters
     double specular_probability_ = 0, highlights_ = 0, diffuse_ = 0;
     std::array<Lobe, 2> lobes_;

@@ -16,8 +16,8 @@ struct FacetAlbedo {
 };
 
 /// The albedo for a direction at this cosine to the surface's normal, and its cosine-weighted mean
-/// over all directions. Roughness and cosine are from 0 to 1. The error is below 0.01 from a cosine of
-/// 0.01 on, and below 0.004 from 0.1 on.
+/// over all directions. Roughness and cosine are from 0 to 1. The error is below 0.01 from a cosine
+/// of 0.01 on, and below 0.004 from 0.1 on.
 FacetAlbedo facet_albedo(double roughness, double cosine);
 FacetAlbedo mean_facet_albedo(double roughness);
 

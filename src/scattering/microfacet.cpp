@@ -54,7 +54,7 @@ constexpr std::array<Node, 6> nodes = {{{0.033765242898423975, 0.085662246189585
 
 }  // namespace
 
-Facets::Facets(const Shading& s)
+Microfacets::Microfacets(const Shading& s)
     : material_(s.finish->microfacet),
       colour_(s.colour.rgb),
       opacity_(s.opacity),
@@ -75,25 +75,27 @@ Facets::Facets(const Shading& s)
     per_further_ = inverse(mean.further);
 }
 
-Vec3 Facets::mirror(double cosine) const {
+Vec3 Microfacets::mirror(double cosine) const {
     return facing_ + (Vec3(1) - facing_) * grazing_share(cosine);
 }
 
-double Facets::coat(double cosine) const { return material_.coat * schlick(coat_facing, cosine); }
+double Microfacets::coat(double cosine) const {
+    return material_.coat * schlick(coat_facing, cosine);
+}
 
-Facets::Left Facets::left_of(const FacetAlbedo& own, const FacetAlbedo& coat) const {
+Microfacets::Left Microfacets::left_of(const FacetAlbedo& own, const FacetAlbedo& coat) const {
     const double by_coat = material_.coat * coat.schlick(coat_facing);
     return {by_coat, (1 - by_coat) * (1 - own.schlick(dielectric_)), (1 - by_coat) * (1 - own.all)};
 }
 
-Facets::Left Facets::left_at(double cosine) const {
+Microfacets::Left Microfacets::left_at(double cosine) const {
     return left_of(
         facet_albedo(material_.roughness, cosine),
         material_.coat > 0 ? facet_albedo(material_.coat_roughness, cosine) : FacetAlbedo());
 }
 
 /// The mean over all directions, weighted by the cosine.
-Facets::Left Facets::mean_left() const {
+Microfacets::Left Microfacets::mean_left() const {
     if (!(material_.coat > 0)) return left_of(mean_facet_albedo(material_.roughness), {});
     Left sum{0, 0, 0};
     for (const auto& [cosine, weight] : nodes) {
@@ -106,31 +108,33 @@ Facets::Left Facets::mean_left() const {
 
 // Both are the same for light and viewer exchanged, and reflect all that the viewer's direction
 // leaves for them if they are white.
-Vec3 Facets::base_at(const Left& left) const { return base_ * (left.base * per_base_); }
-Vec3 Facets::further_at(const Left& left) const { return further_ * (left.further * per_further_); }
+Vec3 Microfacets::base_at(const Left& left) const { return base_ * (left.base * per_base_); }
+Vec3 Microfacets::further_at(const Left& left) const {
+    return further_ * (left.further * per_further_);
+}
 
 /// The sum of use(direction) for the light's direction and for the one that the real surface
 /// mirrors to it.
 template <class Use>
-auto Facets::folded(const Vec3& to_light, const Use& use) const {
+auto Microfacets::folded(const Vec3& to_light, const Use& use) const {
     using Value = decltype(use(to_light));
     if (!bent_) return use(to_light);
     if (!(dot(to_light, geometric_normal_) > 0)) return Value(0);
     return use(to_light) + use(mirrored(to_light, geometric_normal_));
 }
 
-Vec3 Facets::base_response(const Vec3& to_light) const {
+Vec3 Microfacets::base_response(const Vec3& to_light) const {
     return folded(to_light, [&](const Vec3& direction) {
         const double light = dot(normal_, direction);
         return light <= 1e-10 ? Vec3(0) : base_at(left_at(light)) * light;
     });
 }
 
-Vec3 Facets::response(const Vec3& to_light, bool wide_only) const {
+Vec3 Microfacets::response(const Vec3& to_light, bool wide_only) const {
     return folded(to_light, [&](const Vec3& direction) { return at(direction, wide_only); });
 }
 
-Vec3 Facets::at(const Vec3& to_light, bool wide_only) const {
+Vec3 Microfacets::at(const Vec3& to_light, bool wide_only) const {
     FacetGeometry g;
     g.light = dot(normal_, to_light);
     if (g.light <= 1e-10) return Vec3(0);
@@ -150,7 +154,7 @@ Vec3 Facets::at(const Vec3& to_light, bool wide_only) const {
     return sum;
 }
 
-FacetLight Facets::light() const {
+FacetLight Microfacets::light() const {
     const auto lobe = [](double roughness, double amount) {
         const double w = facet_width(roughness);
         return FacetLight::Lobe{w, w >= narrow ? amount : 0};
@@ -161,13 +165,13 @@ FacetLight Facets::light() const {
 }
 
 /// Fraction of uniform light that the facets below the coat reflect at once.
-double Facets::mirror_albedo(double facing) const {
+double Microfacets::mirror_albedo(double facing) const {
     return std::max(facet_albedo(material_.roughness, viewer_).schlick(facing), 0.0) *
            (1 - viewer_left_.coat);
 }
 
 /// The same as draw_mirrored(), before the real surface mirrors what would lead into it.
-std::optional<Vec3> Facets::draw_raw(double width, Vec2 place) const {
+std::optional<Vec3> Microfacets::draw_raw(double width, Vec2 place) const {
     const auto [x, y] = perpendiculars(normal_);
     const Vec3 viewer(-dot(x, view_), -dot(y, view_), viewer_);
     const Vec3 facet = visible_facet(viewer, width, place);
@@ -177,12 +181,12 @@ std::optional<Vec3> Facets::draw_raw(double width, Vec2 place) const {
     return unit(light.x * x + light.y * y + light.z * normal_);
 }
 
-std::optional<Vec3> Facets::draw_mirrored(double width, Vec2 place) const {
+std::optional<Vec3> Microfacets::draw_mirrored(double width, Vec2 place) const {
     const auto raw = draw_raw(width, place);
     return raw ? std::optional(lifted(*raw, geometric_normal_)) : std::nullopt;
 }
 
-double Facets::mirrored_density(double width, const Vec3& to_light) const {
+double Microfacets::mirrored_density(double width, const Vec3& to_light) const {
     return folded(to_light, [&](const Vec3& direction) {
         if (dot(normal_, direction) <= 0) return 0.0;
         const double cosine = std::clamp(dot(normal_, unit(direction - view_)), 0.0, 1.0);
@@ -190,23 +194,25 @@ double Facets::mirrored_density(double width, const Vec3& to_light) const {
     });
 }
 
-Vec3 Facets::draw_diffuse(Vec2 place) const {
+Vec3 Microfacets::draw_diffuse(Vec2 place) const {
     return lifted(cosine_direction(normal_, place), geometric_normal_);
 }
 
-double Facets::diffuse_density(const Vec3& to_light) const {
+double Microfacets::diffuse_density(const Vec3& to_light) const {
     return folded(to_light, [&](const Vec3& direction) {
         return std::max(dot(normal_, direction), 0.0) / pi;
     });
 }
 
-double Facets::mirrored_peak(double width) const {
+double Microfacets::mirrored_peak(double width) const {
     return reflected(width, {viewer_, viewer_, 1, viewer_});
 }
 
-Vec3 Facets::mirrored_view() const { return lifted(mirrored(view_, normal_), geometric_normal_); }
+Vec3 Microfacets::mirrored_view() const {
+    return lifted(mirrored(view_, normal_), geometric_normal_);
+}
 
-std::optional<Scattered> Facets::scatter(double choice, Vec2 place) const {
+std::optional<Scattered> Microfacets::scatter(double choice, Vec2 place) const {
     const double by_coat = viewer_left_.coat, by_mirror = mirror_albedo(max_component(facing_)),
                  by_further = std::max(max_component(further_), 0.0),
                  all = by_coat + by_mirror + by_further;

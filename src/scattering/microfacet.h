@@ -17,7 +17,7 @@ namespace candelabra {
 struct Scattered {
     Vec3 direction;
     Vec3 weight;
-    bool narrow;  ///< omitted by Facets::response() with wide_only
+    bool narrow;  ///< omitted by Microfacets::response() with wide_only
 };
 
 /// Fraction of uniform light of colour 1 that is scattered to the viewer: in all directions, by the
@@ -32,10 +32,10 @@ struct FacetLight {
 
 /// The facets at a point, as they are seen by its viewer. A bent normal leads no light into the
 /// real surface: what would go there is mirrored by it.
-class Facets {
+class Microfacets {
 public:
     /// The finish has facets. The shading need not outlive this.
-    explicit Facets(const Shading&);
+    explicit Microfacets(const Shading&);
 
     /// Radiance towards the viewer due to light of colour 1 from a unit direction, as in
     /// finish_response(). `wide_only` omits lobes so narrow that scattered rays find luminaires

@@ -48,7 +48,7 @@ PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shadi
 }
 
 std::optional<FacetPath> facet_path(const PathState& path, const Vertex& vertex, const Shading& s) {
-    const auto drawn = Facets(s).scatter(
+    const auto drawn = Microfacets(s).scatter(
         uniform(path.key, Purpose::facet_choice),
         {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
     if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return std::nullopt;

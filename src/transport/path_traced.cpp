@@ -31,7 +31,7 @@ constexpr double min_survival = 0.05;
 /// Approximate fraction of uniform incident light that the diffuse part reflects to the viewer.
 Vec3 diffuse_albedo(const Shading& s) {
     const Finish& f = *s.finish;
-    const double amount = f.microfacet.on ? Facets(s).base_albedo()
+    const double amount = f.microfacet.on ? Microfacets(s).base_albedo()
                                           : std::fmax(f.diffuse, 0) + std::abs(f.diffuse_back);
     return s.colour.rgb * (s.opacity * amount);
 }

@@ -137,7 +137,7 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
 /// each side that reflects.
 Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, const Shading& s) {
     const Finish& f = *s.finish;
-    const double front = f.microfacet.on ? Facets(s).base_albedo() : f.diffuse;
+    const double front = f.microfacet.on ? Microfacets(s).base_albedo() : f.diffuse;
     const auto side = [&](double share, bool behind) {
         const Vec3 amount = s.colour.rgb * (s.opacity * share);
         if (!(share > 0) || amount == Vec3(0)) return Vec3(0);

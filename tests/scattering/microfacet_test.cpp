@@ -43,7 +43,7 @@ struct MicrofacetBench {
 /// Light from a white sky reflected by the surface, by uniform directions.
 double by_response(const Shading& s) {
     double sum = 0;
-    const Facets facets(s);
+    const Microfacets facets(s);
     const int rows = 300, columns = 300;
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < columns; ++j) {
@@ -57,7 +57,7 @@ double by_response(const Shading& s) {
 /// The same by sampled directions, which are spread evenly (Roberts, "The Unreasonable
 /// Effectiveness of Quasirandom Sequences", 2018). Fails if one leads into the surface.
 Vec3 by_scattering(const Shading& s, int count = 8000) {
-    const Facets facets(s);
+    const Microfacets facets(s);
     Vec3 sum(0);
     for (int i = 0; i < count; ++i) {
         const auto step = [&](double size) { return i * size - std::floor(i * size); };
@@ -126,7 +126,7 @@ TEST_CASE("a smooth normal that was turned to the viewer is turned back", "[scat
     MicrofacetBench bench(0.3);
     bench.look_from(5);
     bench.shading.normal = -unit(Vec3(0.3, 1, 0));
-    const Facets facets(bench.shading);
+    const Microfacets facets(bench.shading);
     CHECK(facets.response(Vec3(0, 1, 0), false).x > 0);
     CHECK(by_scattering(bench.shading).x == Approx(1).margin(0.015));
 }
@@ -149,7 +149,7 @@ TEST_CASE("a smooth metal is a mirror of its colour", "[render]") {
     MicrofacetBench mirror(0);
     mirror.shading.colour = {Vec3(0.9, 0.6, 0.3)};
     mirror.shading.view = Vec3(0, -1, 0);
-    const Facets facets(mirror.shading);
+    const Microfacets facets(mirror.shading);
     const auto drawn = facets.scatter(0.5, {0.3, 0.7});
     REQUIRE(drawn);
     CHECK(drawn->narrow);
@@ -174,11 +174,11 @@ TEST_CASE("the response is the same both ways", "[render]") {
                        viewer = unit(draw.direction() + Vec3(0, 1.01, 0));
             there.shading.view = -viewer;
             back.shading.view = -light;
-            const Vec3 one = Facets(there.shading).response(light, false) / light.y,
-                       other = Facets(back.shading).response(viewer, false) / viewer.y;
+            const Vec3 one = Microfacets(there.shading).response(light, false) / light.y,
+                       other = Microfacets(back.shading).response(viewer, false) / viewer.y;
             CAPTURE(roughness, metallic, coat, light.y, viewer.y);
             CHECK(length(one - other) < 1e-9 * (1 + length(one)));
-            CHECK(Facets(there.shading).response(-light, false) == Vec3(0));
+            CHECK(Microfacets(there.shading).response(-light, false) == Vec3(0));
         }
 }
 
