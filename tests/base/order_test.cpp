@@ -27,7 +27,7 @@ std::vector<Marked> some(int count, std::uint64_t keys) {
     return made;
 }
 
-std::uint64_t digest(const std::vector<Marked>& list) {
+std::uint64_t digest_of(const std::vector<Marked>& list) {
     std::uint64_t sum = 0;
     for (const Marked& m : list) sum = mix(sum ^ m.key << 32 ^ static_cast<std::uint64_t>(m.mark));
     return sum;
@@ -106,13 +106,13 @@ TEST_CASE("orders are the same everywhere", "[order]") {
     // Whatever the standard library. A change of these numbers changes pictures.
     std::vector<Marked> list = some(1000, 50);
     put_nth(list.begin(), list.begin() + 300, list.end());
-    CHECK(digest(list) == 0x8eab7cfd8a27aec7);
+    CHECK(digest_of(list) == 0x8eab7cfd8a27aec7);
     put_in_front(list, [](const Marked& m) { return m.key % 3 == 0; });
-    CHECK(digest(list) == 0x10ae1457e283025f);
+    CHECK(digest_of(list) == 0x10ae1457e283025f);
     std::vector<Marked> heap;
     for (const Marked& m : list) add_to_heap(heap, m);
     for (int i = 0; i < 100; ++i) remove_greatest(heap);
-    CHECK(digest(heap) == 0x6575bdfa388389bc);
+    CHECK(digest_of(heap) == 0x6575bdfa388389bc);
 }
 
 }  // namespace candelabra

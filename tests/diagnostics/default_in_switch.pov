@@ -2,6 +2,6 @@
 // #default for the rest of a #switch
 #version 3.7;
 #switch (5)
-  #case (5) sphere { 0, 1 } #break
+  #case (5) sphere { 0, 1 }
   #default sphere { 0, 2 }
 #end

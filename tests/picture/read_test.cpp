@@ -3,31 +3,18 @@
 
 #include "picture/file.h"
 #include "picture/write.h"
+#include "support/folder.h"
 #include "support/found.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 namespace candelabra {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A temporary folder, removed when the test ends.
-struct Folder {
-    fs::path path =
-        fs::temp_directory_path() / ("candelabra_read_test_" + std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    std::string file(const std::string& name) const { return (path / name).string(); }
-};
 
 Image sample() {
     Image image(3, 2);
@@ -56,7 +43,7 @@ TEST_CASE("what is written is read back, as exactly as the format allows") {
     const Folder folder;
     const Image image = sample();
     for (const Case& each : cases) {
-        const std::string path = folder.file("picture." + std::string(extension(each.format.type)));
+        const std::string path = folder / ("picture." + std::string(extension(each.format.type)));
         CAPTURE(path, each.format.bits);
         Diagnostics diagnostics;
         REQUIRE(write_picture(image, path, each.format, diagnostics));
@@ -77,7 +64,7 @@ TEST_CASE("the linear formats keep what no display can show") {
     image.at(0, 0) = Vec3(1000, 0.001, 2);
     Diagnostics diagnostics;
     for (const PictureType type : {PictureType::exr, PictureType::hdr}) {
-        const std::string path = folder.file("bright." + std::string(extension(type)));
+        const std::string path = folder / ("bright." + std::string(extension(type)));
         REQUIRE(write_picture(image, path, {type}, diagnostics));
         const auto back = read_picture(path, diagnostics);
         REQUIRE(back);
@@ -88,13 +75,13 @@ TEST_CASE("the linear formats keep what no display can show") {
 
 TEST_CASE("what is no picture is an error that names the file") {
     const Folder folder;
-    std::ofstream(folder.file("text.png")) << "this is no picture";
-    std::ofstream(folder.file("empty.exr"));
+    std::ofstream(folder / "text.png") << "this is no picture";
+    std::ofstream(folder / "empty.exr");
     for (const char* name : {"missing.png", "text.png", "empty.exr", "unknown.kind"}) {
         CAPTURE(name);
         Diagnostics diagnostics;
         const Span span{0, 3, 5};
-        CHECK_FALSE(read_picture(folder.file(name), diagnostics, span));
+        CHECK_FALSE(read_picture(folder / name, diagnostics, span));
         REQUIRE(diagnostics.error_count() == 1);
         CHECK(diagnostics.all()[0].fault == Fault::io);
         CHECK(diagnostics.all()[0].span == span);
@@ -108,7 +95,7 @@ TEST_CASE("greys of PNG files are those that POV-Ray keeps", "[picture]") {
     constexpr std::array kept = {2, 4, 4, 5, 9, 11, 253, 255};
     Image image(8, 1);
     for (std::size_t i = 0; i < stored.size(); ++i) image.pixels[i] = Vec3(stored[i] / 255.0);
-    const std::string path = folder.file("grey.png");
+    const std::string path = folder / "grey.png";
     PictureFormat format;
     format.grey = true;
     format.encoded = false;
@@ -125,7 +112,7 @@ TEST_CASE("greys of PNG files are those that POV-Ray keeps", "[picture]") {
 
 TEST_CASE("texels are coded as the scene wants them", "[picture]") {
     const Folder folder;
-    const std::string plain = folder.file("plain.ppm");
+    const std::string plain = folder / "plain.ppm";
     std::ofstream(plain, std::ios::binary) << std::string("P6 1 1 255\n\x80\x00\xff", 14);
     const auto red = [&](const TexelCoding& coding) {
         Diagnostics diagnostics;
@@ -144,7 +131,7 @@ TEST_CASE("texels are coded as the scene wants them", "[picture]") {
     coding.decode = TexelCoding::as_stored;
     CHECK(red(coding) == Approx(0.21586).epsilon(1e-4));
     Diagnostics diagnostics;
-    CHECK_FALSE(read_texels(found(folder.file("none.png")), {}, diagnostics));
+    CHECK_FALSE(read_texels(found(folder / "none.png"), {}, diagnostics));
     CHECK(diagnostics.failed());
 }
 
@@ -158,10 +145,10 @@ TEST_CASE("nobody reads on what another reader has left", "[picture]") {
         {"a.dpx", "SDPX" + std::string(2048, '\0')}};
     for (const auto& [name, bytes] : files) {
         CAPTURE(name);
-        std::ofstream(folder.file(name), std::ios::binary) << bytes;
+        std::ofstream(folder / name, std::ios::binary) << bytes;
         Diagnostics diagnostics;
-        CHECK_FALSE(read_picture(folder.file(name), diagnostics, {}));
-        CHECK_FALSE(read_texels(found(folder.file(name)), {}, diagnostics, {}));
+        CHECK_FALSE(read_picture(folder / name, diagnostics, {}));
+        CHECK_FALSE(read_texels(found(folder / name), {}, diagnostics, {}));
         CHECK(diagnostics.failed());
     }
 }

@@ -23,8 +23,8 @@ inline double error_in_units(double result, long double right) {
 }
 
 /// The greatest error at some thousands of places, many of them near 0.
-template <class Function, class Right>
-double worst_error(const Function& f, const Right& right, double from, double to) {
+template <class Right>
+double worst_error(double (*f)(double), const Right& right, double from, double to) {
     double worst = 0;
     for (std::uint64_t i = 0; i < 20000; ++i) {
         double x = from + (to - from) * (static_cast<double>(mix(i) >> 11) * 0x1p-53);
@@ -34,7 +34,8 @@ double worst_error(const Function& f, const Right& right, double from, double to
     return worst;
 }
 
-struct Interval {
+/// A range from which arguments are drawn.
+struct ArgumentRange {
     double from, to;
 
     double at(std::uint64_t i) const {
@@ -43,8 +44,9 @@ struct Interval {
 };
 
 /// Of a function of two numbers. Results that are no normal numbers do not count.
-template <class Function, class Right>
-double worst_error(const Function& f, const Right& right, Interval first, Interval second) {
+template <class Right>
+double worst_error(double (*f)(double, double), const Right& right, ArgumentRange first,
+                   ArgumentRange second) {
     double worst = 0;
     for (std::uint64_t i = 0; i < 20000; ++i) {
         const double x = first.at(2 * i), y = second.at(2 * i + 1), result = f(x, y);
