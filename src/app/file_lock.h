@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Prevents two runs from making the same file at the same time. The lock is a hidden file beside
-// it. The lock ends with the run, however the run ends; the file stays if the run is killed, and the
-// next run of the same picture takes it and removes it.
+// it. The lock ends with the run, however the run ends; the file stays if the run is killed, and
+// the next run of the same picture takes it and removes it.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The identity of a picture as a list of facts: the program, all files that were read, with their
-// digests, and all options that change the picture, as the table of options says. States of the same picture have the same facts,
-// so only matching states are continued or merged, and differences can be named.
+// digests, and all options that change the picture, as their table says. States of one picture
+// have the same facts, so only these are continued or merged, and differences can be named.
 #pragma once
 
 #include "app/options.h"

@@ -167,8 +167,8 @@ private:
         session_.emplace(std::move(settings), diagnostics_);
     }
 
-    /// Returns the scene's text as it may be printed. To programs, which obey certain lines, each line
-    /// of the scene says whose it is.
+    /// Returns the scene's text as it may be printed. To programs, which obey certain lines, each
+    /// line of the scene says whose it is.
     std::string marked(std::string_view text) const {
         const std::string shown = printable_lines(text);
         using enum Progress::Style;

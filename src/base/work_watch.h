@@ -14,8 +14,8 @@ namespace candelabra {
 /// Thrown by count_work() where the work is to end. What it has begun is lost.
 struct WorkEnded {};
 
-/// Asks on its thread, while it exists, whether work is to end. Watches may be nested: the innermost
-/// one counts.
+/// Asks on its thread, while it exists, whether work is to end. Watches may be nested: the
+/// innermost one counts.
 class WorkWatch {
 public:
     /// `ended` may be empty: then nothing is asked. It is called some hundred times a second.

@@ -102,34 +102,35 @@ Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, 
     return found;
 }
 
+// Not inlined, so that nested expressions do not each reserve stack for a message.
+[[gnu::noinline]] Value Evaluator::State::refuse_tuple(const Tree& tree, NodeId id) {
+    const std::string_view before = sources.text(tree.source).substr(0, tree[id].first);
+    const std::size_t last = before.find_last_not_of(" \t");
+    const bool elements = last != before.npos && before[last] == ']';
+    const NodeId ahead = previous(tree, id);
+    const auto* word = ahead == no_node ? nullptr : tree.get_if<node::Word>(ahead);
+    if (word && reported.tree == &tree && reported.first == ahead) return Absence::broken;
+    Diagnostic problem = error(Fault::wrong_count, tree.span(id), "one value is wanted here");
+    if (elements)
+        problem.with_help("the elements of an array stand in braces: { 1, 2, 3 }");
+    else if (word && handlers.takes_braces(word->word))
+        problem.with_help(message("a vector is written between `<` and `>`, and what belongs to "
+                                  "an object in braces: <1, 2, 3>, ",
+                                  names.spelling(word->word), " { ... }"));
+    else
+        problem.with_help("a vector is written between `<` and `>`: <1, 2, 3>");
+    report(std::move(problem));
+    return Absence::broken;
+}
+
+[[gnu::noinline]] Value Evaluator::State::refuse_gap(const Tree& tree, NodeId id) {
+    report(error(Fault::syntax, tree.span(id), "two commas in a row")
+               .with_help("leave one out, or put the missing value between them"));
+    return Absence::broken;
+}
+
 Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
     if (!room(tree, id)) return Absence::broken;
-    // Not inlined, so that nested expressions do not each reserve stack for a message.
-    const auto refuse_tuple = [&]() __attribute__((noinline))->Value {
-        const std::string_view before = sources.text(tree.source).substr(0, tree[id].first);
-        const std::size_t last = before.find_last_not_of(" \t");
-        const bool elements = last != before.npos && before[last] == ']';
-        const NodeId ahead = previous(tree, id);
-        const auto* word = ahead == no_node ? nullptr : tree.get_if<node::Word>(ahead);
-        if (word && reported.tree == &tree && reported.first == ahead) return Absence::broken;
-        Diagnostic problem = error(Fault::wrong_count, tree.span(id), "one value is wanted here");
-        if (elements)
-            problem.with_help("the elements of an array stand in braces: { 1, 2, 3 }");
-        else if (word && handlers.takes_braces(word->word))
-            problem.with_help(
-                message("a vector is written between `<` and `>`, and what belongs to "
-                        "an object in braces: <1, 2, 3>, ",
-                        names.spelling(word->word), " { ... }"));
-        else
-            problem.with_help("a vector is written between `<` and `>`: <1, 2, 3>");
-        report(std::move(problem));
-        return Absence::broken;
-    };
-    const auto refuse_gap = [&]() __attribute__((noinline))->Value {
-        report(error(Fault::syntax, tree.span(id), "two commas in a row")
-                   .with_help("leave one out, or put the missing value between them"));
-        return Absence::broken;
-    };
     const NodeContent& content = tree[id].content;
     switch (content.index()) {
         case kind<node::Number>:
@@ -182,11 +183,11 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
             return call_value(tree, called, name, apply.arguments, tree.span(id));
         }
         case kind<node::Tuple>:
-            return refuse_tuple();
+            return refuse_tuple(tree, id);
         case kind<node::Broken>:
             return Absence::broken;
         case kind<node::Omitted>:
-            return refuse_gap();
+            return refuse_gap(tree, id);
         default:
             return right_side(tree, id);
     }

@@ -104,6 +104,9 @@ struct Evaluator::State {
     Value evaluate(const Tree&, NodeId);
     /// evaluate() without an attempt to compute() first.
     Value walk_expression(const Tree&, NodeId);
+    /// Report values with commas between where one is wanted. The value is broken.
+    Value refuse_tuple(const Tree&, NodeId);
+    Value refuse_gap(const Tree&, NodeId);
     /// The value of the name, or null. A constant of newer versions counts where the scene declares
     /// no such name.
     const Value* value_named(NameId name) const {

@@ -46,8 +46,8 @@ std::optional<PictureSize> size_of_png(std::string_view bytes) {
     return std::nullopt;
 }
 
-/// Whether the file has the end that the program gives to such files, and that readers may not miss:
-/// the footer of Targa files of version 2, and the marker at the end of JPEG files.
+/// Whether the file has the end that the program gives to such files, and that readers may not
+/// miss: the footer of Targa files of version 2, and the marker at the end of JPEG files.
 bool has_end(PictureType type, std::string_view bytes) {
     using namespace std::literals;
     if (type == PictureType::tga) return bytes.ends_with("TRUEVISION-XFILE.\0"sv);

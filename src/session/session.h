@@ -27,8 +27,8 @@ struct SceneSource {
     std::string standard_library = {};       ///< its folder; empty: none
     std::vector<std::string> library = {};   ///< folders that are searched for files, in order
     std::vector<std::string> readable = {};  ///< folders below which the scene may also read
-    /// Path of the picture: the scene may read pictures of that name, and what lies beside it if the
-    /// scene itself lies there. Empty: none.
+    /// Path of the picture: the scene may read pictures of that name, and what lies beside it if
+    /// the scene itself lies there. Empty: none.
     std::string picture = {};
     /// Folders below which it may write. The first is its own folder, which is made when it is
     /// needed (text/file_access.h).

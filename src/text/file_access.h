@@ -23,10 +23,10 @@ public:
 
     /// Permits reading below all of these folders and writing below the writable ones. The first
     /// writable folder is the scene's own: it is made when it is needed, relative names are written
-    /// below it, and its files have names of data (text/written_name.h). In the other folders, which
-    /// the user has named, names are freer, files made by others are overwritten, too, and relative
-    /// names are written that lead there from the current directory. "" or "." is the current
-    /// directory.
+    /// below it, and its files have names of data (text/written_name.h). In the other folders,
+    /// which the user has named, names are freer, files made by others are overwritten, too, and
+    /// relative names are written that lead there from the current directory. "" or "." is the
+    /// current directory.
     FileAccess(const std::vector<std::string>& readable, std::vector<std::string> writable);
 
     /// Also permits reading from the folders of a run.

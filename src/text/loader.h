@@ -4,9 +4,9 @@
 // Finds and reads the files that a scene names, for the evaluator. The reader of paths is an
 // argument, so that tests need no disk. A relative name is looked for in the folder of the
 // including file, the folder of the scene, the current directory, the folder of what the scene has
-// written, and the library paths in order; a file that it has written in this run comes first. Files
-// that FileAccess does not permit are not opened, and files to be included that another scene has
-// made are passed over. Existence is tested without reading.
+// written, and the library paths in order; a file that it has written in this run comes first.
+// Files that FileAccess does not permit are not opened, and files to be included that another scene
+// has made are passed over. Existence is tested without reading.
 
 #include "text/diagnostic.h"
 #include "text/file_access.h"

@@ -14,7 +14,7 @@ namespace candelabra {
 /// Files of one folder, but not of the folders in it.
 struct FolderFiles {
     std::string folder;
-    /// Only names that begin so, with no letter behind it: `a.png` and `a07.png` of `a`. Empty: all.
+    /// Only names that begin so, with no letter behind: `a.png` and `a07.png` of `a`. Empty: all.
     std::string stem = {};
 
     bool has(const std::string& name) const;
@@ -31,9 +31,9 @@ struct SceneFolders {
 /// picture; empty if there is none.
 ///
 /// The folder of the scene is read, and the current directory and the folder of the picture if the
-/// scene lies in or below them. Of another folder of the picture, only files with the picture's name
-/// are read. Of folders that are too wide, only files that lie directly in them are read, beside the
-/// scene and the picture; nothing is read below /proc, /sys and /dev, except /dev/shm.
+/// scene lies in or below them. Of another folder of the picture, only files with the picture's
+/// name are read. Of folders that are too wide, only files that lie directly in them are read,
+/// beside the scene and the picture; nothing is read below /proc, /sys and /dev, except /dev/shm.
 SceneFolders scene_folders(const std::string& scene, const std::string& picture);
 
 /// Whether the folder, an absolute path without links, is or holds a home, or is or lies in a

@@ -12,7 +12,7 @@ namespace candelabra {
 /// Makes what a scene says safe to print, as printable() does; line feeds and tabs are kept.
 std::string printable_lines(std::string_view text);
 
-/// Returns a name for a message: one of some hundred bytes or more is cut, with `...` in its middle.
+/// Returns a name for a message: one of a hundred bytes or more is cut, with `...` in the middle.
 std::string clipped(std::string_view name);
 
 }  // namespace candelabra
