@@ -6,7 +6,9 @@
 #include "app/option_values.h"
 #include "text/message.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 namespace candelabra {
 
@@ -40,6 +42,15 @@ std::string words(const Options& options, const Wanted& wanted) {
     return text;
 }
 
+/// Whether a word of a command says the format of the file.
+bool says_format(std::string_view word) {
+    return std::ranges::any_of(option_table(), [&](const OptionRow& row) {
+        if (row.changes != Changes::format) return false;
+        return (!row.letters.empty() && word.starts_with(message('+', row.letters))) ||
+               (!row.keyword.empty() && word.starts_with(message(row.keyword, '=')));
+    });
+}
+
 }  // namespace
 
 bool samples_are_adaptive(const Options& options) {
@@ -56,6 +67,13 @@ std::string command_line(const Options& options) {
     if (facts.initial_frame != 0 || facts.final_frame != 0)
         text += message(" --frames ", facts.frame_number);
     return text;
+}
+
+std::string command_for(std::string command, const PictureFormat& format) {
+    for (std::size_t blank; (blank = command.rfind(' ')) != command.npos &&
+                            says_format(std::string_view(command).substr(blank + 1));)
+        command.erase(blank);
+    return command + format_options(format);
 }
 
 std::string format_options(const PictureFormat& format) {

@@ -20,4 +20,8 @@ std::string command_line(const Options&);
 /// Returns the options with which the command makes a file of this format, each after a blank.
 std::string format_options(const PictureFormat&);
 
+/// Returns a text that ends in a command of a picture, so that the command makes a file of this
+/// format.
+std::string command_for(std::string command, const PictureFormat&);
+
 }  // namespace candelabra

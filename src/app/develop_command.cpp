@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/develop_command.h"
 
+#include "app/command_line.h"
 #include "app/layers.h"
 #include "app/option_store.h"
 #include "app/output.h"
@@ -166,7 +167,8 @@ public:
         options.output = output_for(path);
         Output output = output_of(options, diagnostics_);
         if (diagnostics_.failed()) return false;
-        output.format.description = picture->texts[1].second;
+        if (const std::string& text = picture->texts[1].second; !text.empty())
+            output.format.description = command_for(text, output.format);
         files.path = output.path;
         files.format = output.format;
         files.threads = options.render.threads;

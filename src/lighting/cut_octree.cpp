@@ -24,8 +24,10 @@ constexpr double coarse_pixels = 32;
 constexpr double coarser_in_air = 2;
 /// Bounds on this size as an angle (size over distance), for large and for small pictures.
 constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
-/// Maximum size of cells where all rays of the camera are parallel, in widths of the view.
-constexpr double most_views = 4;
+/// Maximum size of cells where all rays of the camera are parallel, in widths of the view. It is
+/// large, so that only far lamps divide cells: surveys of smaller cells than the rule of noise asks
+/// for found fewer places and starved lamps that light the rims of things (tests/statistics).
+constexpr double most_views = 32;
 /// Number of levels beyond the deepest one by which cells that are too large may still be divided:
 /// enough for every ratio of lengths in single precision.
 constexpr int more_levels = 160;

@@ -108,7 +108,7 @@ TEST_CASE("a picture with a film does not depend on shards, threads and stops", 
     darkroom.picture("d.png", {"--samples", "7", "--keep-state"});
     CHECK(darkroom({darkroom.path("film.pov"), "-V", "+W40", "+H36", "--samples", "24", "+C",
                     "--exposure", "3", "+O" + darkroom.path("d.png")}) != 0);
-    CHECK(has(darkroom.err, "film was "));
+    CHECK(has(darkroom.err, "exposure was "));
 }
 
 TEST_CASE("a film that changes nothing makes the picture that there is without", "[app][film]") {

@@ -42,7 +42,7 @@ with appstreamcli "AppStream data with screenshots" pictures
 version=$("$program" --version | cut -d ' ' -f 2)
 versions() {
     [ "$(sed -n 's/.*<release version="\([^"]*\)".*/\1/p' "$own/candelabra.metainfo.xml" | head -n 1)" = "$version" ] &&
-        [ "$(sed -n 's/^## \([0-9.]*\).*/\1/p' "$root/CHANGELOG.md" | head -n 1)" = "$version" ]
+        [ "$(sed -n 's/^## \([0-9][0-9.]*\).*/\1/p' "$root/CHANGELOG.md" | head -n 1)" = "$version" ]
 }
 with sed "version $version in AppStream data and CHANGELOG.md" versions
 with desktop-file-validate "desktop file" desktop-file-validate "$own/candelabra.desktop"

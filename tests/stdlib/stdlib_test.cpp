@@ -90,9 +90,10 @@ TEST_CASE("light arrays place as many lamps as they are asked for", "[stdlib]") 
 
 namespace {
 
-/// The radiances of the luminaires that a macro makes, in their order.
+/// The radiances of the luminaires that a macro makes, in their order. A floor receives their light.
 std::string radiances(const std::string& call) {
     const World world = world_of(R"(#version 3.7; global_settings { assumed_gamma 1 }
+        plane { y, -99 pigment { rgb 1 } }
         #include "light_arrays.inc" #declare L = sphere { 0, 0.05 } object { )" +
                                  call + " }");
     std::string text;

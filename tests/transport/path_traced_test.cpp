@@ -138,7 +138,7 @@ TEST_CASE("a convex body that glows does not light itself, however smooth it loo
 TEST_CASE("a closed body keeps the light of a lamp inside, however smooth it looks",
           "[transport]") {
     for (const std::string& body : smooth_bodies())
-        for (const std::string& lamp :
+        for (const std::string lamp :
              {"sphere { 0, 0.1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 50 } } ",
               "light_source { 0, rgb 1 } "}) {
             const World world =
@@ -159,10 +159,10 @@ TEST_CASE("a closed body keeps the light of a lamp inside, however smooth it loo
 
 TEST_CASE("white facets disappear before a white sky, at every angle and with any bumps",
           "[transport]") {
-    for (const std::string& facets :
+    for (const std::string facets :
          {"metallic 0 roughness 0.05", "metallic 1 roughness 0.05", "metallic 1 roughness 0.6",
           "metallic 0 roughness 0.3 coat 1"})
-        for (const std::string& bumps :
+        for (const std::string bumps :
              {"", "normal { bumps 0.3 scale 0.01 }", "normal { bumps 2 scale 0.01 }"})
             for (const double elevation : {0.05, 0.3}) {
                 const World world =
@@ -207,7 +207,7 @@ TEST_CASE("without bounces all integrators see the same", "[transport]") {
     const std::string scene = R"(
         plane { y, -1 pigment { checker rgb 0.9, rgb <0.6, 0.3, 0.2> } finish { reflection 0.3 } }
         sphere { <-1.5, 0, 0>, 1 pigment { rgbf <0.9, 1, 0.9, 0.8> }
-            finish { specular 0.5 reflection { 0.1, 0.4 fresnel } conserve_energy } interior { ior 1.4 } }
+            finish { specular 0.5 reflection { 0.1, 0.4 fresnel } } interior { ior 1.4 } }
         sphere { <1.5, 0, 0>, 1 texture { pigment { rgb 0.7 } } texture { pigment { rgbt <1, 0, 0, 0.5> } finish { phong 1 } } }
         sphere { <0, 2, 0.5>, 0.3 pigment { rgb 1 } finish { diffuse 0 emission <2, 3, 1> } }
         light_source { <-4, 6, -4>, rgb <1, 0.8, 0.5> }
