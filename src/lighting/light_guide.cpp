@@ -233,9 +233,10 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<V
 }
 
 Vec3 LightGuide::Cone::direction(double ring, double sector) const {
-    const double versine = ring / rings * widest, angle = 2 * pi * sector / sectors;
+    const double versine = ring / rings * widest;
     const double sine = std::sqrt(versine * (2 - versine));
-    return (1 - versine) * middle + sine * (math::cos(angle) * x + math::sin(angle) * y);
+    const auto [side, ahead] = math::sin_cos(2 * pi * sector / sectors);
+    return (1 - versine) * middle + sine * (ahead * x + side * y);
 }
 
 double LightGuide::Cone::bin_density() const { return bins / (2 * pi * widest); }

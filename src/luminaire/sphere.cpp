@@ -68,8 +68,8 @@ LightPoint sample_cone(const SphereEmitter& s, const SphereView& view, const Vec
     const double widest = rim(s, view.distance), versine = u.x * widest, cosine = 1 - versine;
     const double sine = std::sqrt(versine * (2 - versine));
     const auto [x, y] = perpendiculars(view.middle);
-    const double angle = 2 * pi * u.y;
-    const Vec3 across = sine * (math::cos(angle) * x + math::sin(angle) * y);
+    const auto [side, ahead] = math::sin_cos(2 * pi * u.y);
+    const Vec3 across = sine * (ahead * x + side * y);
     return point_towards(s, view, cosine, across, 1 / (2 * pi * widest));
 }
 
@@ -97,8 +97,9 @@ LightPoint sample_projected(const SphereEmitter& s, const SphereView& view, cons
     const Vec3 level = view.middle - up * normal;
     const Vec3 outward = dot(level, level) > 1e-20 ? unit(level) : perpendiculars(normal).first;
     const Vec3 sideways = cross(normal, outward);
-    const double radius = sine * std::sqrt(u.x), angle = 2 * pi * u.y;
-    const double along = radius * math::cos(angle), beside = radius * math::sin(angle);
+    const double radius = sine * std::sqrt(u.x);
+    const auto [side, ahead] = math::sin_cos(2 * pi * u.y);
+    const double along = radius * ahead, beside = radius * side;
     // The ellipse's centre is the cap's centre times the cosine of the cap's half angle. The point
     // of the ellipse is then projected up to the sphere of directions.
     const double cosine_rim = std::sqrt(1 - view.sine2);

@@ -72,10 +72,9 @@ double angle_at(const Vec3& u, const Vec3& v, const Vec3& w) {
 /// second corner to the new one.
 Vec3 direction_in(const TriangleView& view, double solid_angle, const Vec2& u) {
     const Vec3 a = unit(view.corners[0]), b = unit(view.corners[1]), c = unit(view.corners[2]);
-    const double alpha = angle_at(a, b, c), cos_alpha = math::cos(alpha),
-                 sin_alpha = math::sin(alpha);
-    const double part = u.x * solid_angle - alpha;
-    const double s = math::sin(part), t = math::cos(part);
+    const double alpha = angle_at(a, b, c);
+    const auto [sin_alpha, cos_alpha] = math::sin_cos(alpha);
+    const auto [s, t] = math::sin_cos(u.x * solid_angle - alpha);
     const double p = t - cos_alpha, q = s + sin_alpha * dot(a, b);
     const double bottom = (q * s + p * t) * sin_alpha;
     const double cosine =
