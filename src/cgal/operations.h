@@ -36,31 +36,41 @@ inline std::string unfit(const Polyhedron& given) {
     return wrong.empty() ? wrong_place(given.faces, given.points.size(), "a point") : wrong;
 }
 
-/// Converts the faces to a surface with connectivity; where more than two faces meet in an edge,
-/// points are duplicated. Coincident points are merged, and faces with two corners at one point are
-/// dropped, so that a closed surface stays closed. Points without a face are dropped. Precondition:
-/// unfit() is empty. Throws where faces cannot be connected.
-template <class Mesh>
-Mesh surface(const Polyhedron& from) {
-    using Point = typename Mesh::Point;
+/// Faces over points of which no two coincide, each with three corners that are apart.
+struct Soup {
+    std::vector<Polyhedron::Point> points;
+    std::vector<std::array<std::size_t, 3>> faces;
+};
+
+/// Merges coincident points and drops faces with two corners at one point, so that a closed surface
+/// stays closed. Points without a face are dropped. Precondition: unfit() is empty.
+inline Soup soup(const Polyhedron& from) {
     const auto at = [&](int corner) { return from.points[static_cast<std::size_t>(corner)]; };
-    std::vector<char> used(from.points.size());
     std::vector<Polyhedron::Face> kept;
+    std::vector<char> used(from.points.size());
     for (const auto& [a, b, c] : from.faces) {
         if (at(a) == at(b) || at(b) == at(c) || at(c) == at(a)) continue;
         kept.push_back({a, b, c});
         for (const int corner : {a, b, c}) used[static_cast<std::size_t>(corner)] = 1;
     }
-    std::vector<Point> points;
+    Soup made;
     std::map<Polyhedron::Point, std::size_t> places;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        const auto& p = from.points[i];
-        if (used[i] && places.try_emplace(p, points.size()).second)
-            points.emplace_back(p[0], p[1], p[2]);
-    }
-    std::vector<std::vector<std::size_t>> faces;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i] && places.try_emplace(from.points[i], made.points.size()).second)
+            made.points.push_back(from.points[i]);
     for (const auto& [a, b, c] : kept)
-        faces.push_back({places.at(at(a)), places.at(at(b)), places.at(at(c))});
+        made.faces.push_back({places.at(at(a)), places.at(at(b)), places.at(at(c))});
+    return made;
+}
+
+/// A surface with connectivity, whose faces are turned alike; where more than two faces meet in an
+/// edge, points are duplicated. Throws where faces cannot be connected.
+template <class Mesh>
+Mesh connected(const Soup& from) {
+    std::vector<typename Mesh::Point> points;
+    for (const auto& [x, y, z] : from.points) points.emplace_back(x, y, z);
+    std::vector<std::vector<std::size_t>> faces;
+    for (const auto& face : from.faces) faces.emplace_back(face.begin(), face.end());
     namespace processing = CGAL::Polygon_mesh_processing;
     processing::orient_polygon_soup(points, faces);
     if (!processing::is_polygon_soup_a_polygon_mesh(faces))

@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/elementary.h"
 #include "cgal/shapes.h"
 
 #include <limits>
+#include <numbers>
 
 namespace candelabra {
+
+namespace {
+
+/// Two pyramids of that many sides on one another; their tips are the first points.
+Polyhedron double_pyramid(int sides) {
+    Polyhedron made;
+    made.points = {{0, 0, 1}, {0, 0, -1}};
+    for (int i = 0; i < sides; ++i) {
+        const auto [sine, cosine] = math::sin_cos(2 * std::numbers::pi * i / sides);
+        made.points.push_back({cosine, sine, 0});
+        const int here = 2 + i, next = 2 + (i + 1) % sides;
+        made.faces.push_back({0, here, next});
+        made.faces.push_back({1, next, here});
+    }
+    return made;
+}
+
+}  // namespace
 
 TEST_CASE("subdivision divides every face and rounds what it divides", "[polyhedra]") {
     struct Case {
@@ -25,6 +45,25 @@ TEST_CASE("subdivision divides every face and rounds what it divides", "[polyhed
     Polyhedron made;
     CHECK(the_polyhedra().subdivide({}, SubdivisionRule::loop, 1, made) ==
           "the surface has no faces");
+}
+
+TEST_CASE("a corner of any number of faces moves by the bits of our own cosine", "[polyhedra]") {
+    struct Rule {
+        SubdivisionRule rule;
+        double (*share)(double cosine);  ///< of the way to the mean of the points around it
+    };
+    const Rule rules[] = {
+        {SubdivisionRule::loop, [](double c) { return (40 - (3 + 2 * c) * (3 + 2 * c)) / 64; }},
+        {SubdivisionRule::root3, [](double c) { return (4 - 2 * c) / 9; }}};
+    for (const Rule& rule : rules)
+        for (int sides = 3; sides < 100; ++sides) {
+            CAPTURE(sides);
+            Polyhedron made;
+            REQUIRE(the_polyhedra().subdivide(double_pyramid(sides), rule.rule, 1, made) == "");
+            const double share = rule.share(math::cos(2 * std::numbers::pi / sides));
+            CHECK(made.points[0][2] == 1 - share);
+            CHECK(made.points[1][2] == share - 1);
+        }
 }
 
 TEST_CASE("operations stand what no modeller writes", "[polyhedra]") {
