@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backdrop/sky_light.h"
 
+#include "base/circle.h"
 #include "base/elementary.h"
 #include "base/running_sums.h"
 
@@ -21,11 +22,6 @@ constexpr double cell_angle = 4 * pi / (row_count * column_count);
 
 /// Fraction of the directions that are drawn uniformly.
 constexpr double even_share = 0.1;
-
-Vec3 direction_at(double height, double turn) {
-    const double across = std::sqrt(std::max(0.0, 1 - height * height));
-    return {across * math::cos(2 * pi * turn), height, across * math::sin(2 * pi * turn)};
-}
 
 double brightness(const Vec3& seen) {
     const double sum = std::max(seen.x, 0.0) + std::max(seen.y, 0.0) + std::max(seen.z, 0.0);
@@ -55,8 +51,8 @@ SkyLight::SkyLight(FunctionRef<Vec3(const Vec3& direction)> radiance) {
         double sum = 0;
         for (int column = 0; column < column_count; ++column) {
             for (const double offset : {0.25, 0.75})
-                sum += brightness(radiance(direction_at(height + (0.5 - offset) * 2 / row_count,
-                                                        (column + offset) / column_count)));
+                sum += brightness(radiance(at_height(height + (0.5 - offset) * 2 / row_count,
+                                                     (column + offset) / column_count)));
             columns_.push_back(static_cast<float>(sum));
         }
         all += sum;
@@ -71,15 +67,15 @@ SkyLight::Drawn SkyLight::draw(Vec2 place) const {
     double v = place.y;
     Vec3 direction;
     if (v < even_share) {
-        direction = direction_at(1 - 2 * v / even_share, place.x);
+        direction = at_height(1 - 2 * v / even_share, place.x);
     } else {
         v = (v - even_share) / (1 - even_share);
         const DrawnShare row = drawn_share(Sums(rows_), v);
         const Sums columns = columns_of(columns_, row.index);
         const double height = 1 - 2 * along(row, row_count);
-        direction = direction_at(height, columns.back() > 0
-                                             ? along(drawn_share(columns, place.x), column_count)
-                                             : place.x);
+        direction = at_height(height, columns.back() > 0
+                                          ? along(drawn_share(columns, place.x), column_count)
+                                          : place.x);
     }
     return {direction, density(direction)};
 }

@@ -2,7 +2,7 @@
 // Cosine-weighted directions.
 #pragma once
 
-#include "base/elementary.h"
+#include "base/circle.h"
 #include "base/vector.h"
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace candelabra {
 inline Vec3 cosine_direction(const Vec3& axis, const Vec2& u) {
     const auto [x, y] = perpendiculars(axis);
     const double across = std::sqrt(u.x), angle = 2 * std::numbers::pi * u.y;
-    return unit(across * (math::cos(angle) * x + math::sin(angle) * y) + std::sqrt(1 - u.x) * axis);
+    return unit(across * on_circle(angle, x, y) + std::sqrt(1 - u.x) * axis);
 }
 
 }  // namespace candelabra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera/camera.h"
 
+#include "base/circle.h"
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "vocabulary/schema.h"
@@ -314,7 +315,7 @@ Ray Projection::through_lens(const Ray& ray, Vec2 place) const {
     const Vec3 sharp = ray.at(focal_distance / cosine);
     const auto [x, y] = perpendiculars(ahead);
     const double radius = lens_radius * std::sqrt(place.x), angle = 2 * std::numbers::pi * place.y;
-    const Vec3 start = ray.origin + radius * (math::cos(angle) * x + math::sin(angle) * y);
+    const Vec3 start = ray.origin + radius * on_circle(angle, x, y);
     return {start, unit(sharp - start)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_guide.h"
 
+#include "base/circle.h"
 #include "base/elementary.h"
 #include "base/random.h"
 #include "base/target_clones.h"
@@ -222,7 +223,7 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<V
         const double height = 2 * outlook_number(i, 0, 4) - 1,
                      angle = 2 * pi * outlook_number(i, 0, 5);
         const double across = std::sqrt(1 - height * height);
-        return Ray{place, Vec3(across * math::cos(angle), across * math::sin(angle), height)};
+        return Ray{place, Vec3(across * on_circle(angle), height)};
     });
     for (auto& kind : found)
         if (!kind.empty()) return std::move(kind);
@@ -235,8 +236,7 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<V
 Vec3 LightGuide::Cone::direction(double ring, double sector) const {
     const double versine = ring / rings * widest;
     const double sine = std::sqrt(versine * (2 - versine));
-    const auto [side, ahead] = math::sin_cos(2 * pi * sector / sectors);
-    return (1 - versine) * middle + sine * (ahead * x + side * y);
+    return (1 - versine) * middle + sine * on_circle(2 * pi * sector / sectors, x, y);
 }
 
 double LightGuide::Cone::bin_density() const { return bins / (2 * pi * widest); }

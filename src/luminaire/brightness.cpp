@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/brightness.h"
 
+#include "base/circle.h"
 #include "base/elementary.h"
 #include "base/running_sums.h"
 
@@ -26,12 +27,6 @@ bool within(const BrightFace& face, const Vec2& place) {
         default:
             return true;
     }
-}
-
-/// Point of the unit sphere.
-Vec3 direction_at(double height, double turn) {
-    const double across = std::sqrt(std::fmax(0, 1 - height * height));
-    return {across * math::cos(2 * pi * turn), height, across * math::sin(2 * pi * turn)};
 }
 
 /// Angle around the y axis to a direction, in turns from 0 to 1.
@@ -81,9 +76,9 @@ Brightness::Brightness(const Vec3& centre, double radius, int cells,
     for (std::size_t i = 0; i < bands * sectors; ++i) {
         const double low = rise * static_cast<double>(i / sectors) - 1,
                      start = turn * static_cast<double>(i % sectors);
-        const Vec3 outwards = direction_at(low + rise / 2, start + turn / 2);
-        const double corner_cosine = std::fmin(dot(outwards, direction_at(low, start)),
-                                               dot(outwards, direction_at(low + rise, start)));
+        const Vec3 outwards = at_height(low + rise / 2, start + turn / 2);
+        const double corner_cosine = std::fmin(dot(outwards, at_height(low, start)),
+                                               dot(outwards, at_height(low + rise, start)));
         const double corner_sine = std::sqrt(1 - corner_cosine * corner_cosine);
         const Patch patch{centre, radius,   low,           rise,       start,
                           turn,   outwards, corner_cosine, corner_sine};
@@ -130,7 +125,7 @@ double Brightness::Patch::height(const Vec3& point) const {
 }
 
 Vec3 Brightness::Patch::at(const Vec2& place) const {
-    return centre + radius * direction_at(low + place.x * rise, start + place.y * turn);
+    return centre + radius * at_height(low + place.x * rise, start + place.y * turn);
 }
 
 Vec2 Brightness::Patch::place_of(const Vec3& position) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/composite.h"
 
-#include "base/elementary.h"
+#include "base/circle.h"
 #include "base/order.h"
 #include "base/random.h"
 #include "base/short_list.h"
@@ -53,7 +53,7 @@ Vec3 in_cone(const Vec3& middle, double widest, const Vec2& u) {
     const double versine = u.x * widest, sine = std::sqrt(versine * (2 - versine));
     const auto [x, y] = perpendiculars(middle);
     const double angle = 2 * pi * u.y;
-    return (1 - versine) * middle + sine * (math::cos(angle) * x + math::sin(angle) * y);
+    return (1 - versine) * middle + sine * on_circle(angle, x, y);
 }
 
 /// Fractions of the directions that are drawn, if there is a guide, in the whole cone and by the
@@ -89,7 +89,7 @@ struct SeenRays {
             const auto [x, y] = perpendiculars(direction);
             const double off = ball.radius * std::sqrt(number(1, Purpose::light_u));
             const double angle = 2 * pi * number(1, Purpose::light_v);
-            const Vec3 through = ball.centre + off * (math::cos(angle) * x + math::sin(angle) * y);
+            const Vec3 through = ball.centre + off * on_circle(angle, x, y);
             const Ray ray{through - 2 * ball.radius * direction, direction};
             const auto hit = first_of(e, ray, 0);
             if (!hit) continue;
@@ -324,7 +324,7 @@ std::optional<EmittedRay> emit(const CompositeEmitter& e, double inner, const Em
     const Vec3 along = in_cone(Vec3(0, 0, 1), 2, u.direction);
     const auto [x, y] = perpendiculars(along);
     const double off = ball.radius * std::sqrt(u.where.x), angle = 2 * pi * u.where.y;
-    const Vec3 through = ball.centre + off * (math::cos(angle) * x + math::sin(angle) * y);
+    const Vec3 through = ball.centre + off * on_circle(angle, x, y);
     const Ray line{through - 2 * ball.radius * along, along};
     const double from_inside = e.closed ? inner : 0.5;
     const auto weight = [&](const Composite::Meeting& met) {

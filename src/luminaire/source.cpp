@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/source.h"
 
-#include "base/elementary.h"
+#include "base/circle.h"
 #include "luminaire/light_proxy.h"
 
 namespace candelabra {
@@ -36,7 +36,7 @@ std::optional<EmittedRay> emit(const SourceEmitter& source, double, const Emissi
     const double height = 1 - 2 * u.direction.x,
                  across = std::sqrt(std::fmax(1 - height * height, 0)),
                  angle = 2 * std::numbers::pi * u.direction.y;
-    const Vec3 towards(across * math::cos(angle), across * math::sin(angle), height);
+    const Vec3 towards(across * on_circle(angle), height);
     return EmittedRay{{source.centre, towards}, Vec3(0), 1 / (4 * std::numbers::pi)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/sphere.h"
 
+#include "base/circle.h"
 #include "base/elementary.h"
 #include "luminaire/emit.h"
 #include "luminaire/light_proxy.h"
@@ -31,7 +32,7 @@ double area_density(const SphereEmitter& s, double distance, double cosine) {
 
 std::optional<LightPoint> sample_area(const SphereEmitter& s, const Vec3& from, const Vec2& u) {
     const double across = 2 * std::sqrt(u.x * (1 - u.x)), angle = 2 * pi * u.y;
-    const Vec3 normal(across * math::cos(angle), across * math::sin(angle), 1 - 2 * u.x);
+    const Vec3 normal(across * on_circle(angle), 1 - 2 * u.x);
     const Vec3 position = s.centre + s.radius * normal, offset = position - from;
     const double distance = length(offset);
     const double cosine = std::abs(dot(normal, offset)) / distance;
@@ -68,8 +69,7 @@ LightPoint sample_cone(const SphereEmitter& s, const SphereView& view, const Vec
     const double widest = rim(s, view.distance), versine = u.x * widest, cosine = 1 - versine;
     const double sine = std::sqrt(versine * (2 - versine));
     const auto [x, y] = perpendiculars(view.middle);
-    const auto [side, ahead] = math::sin_cos(2 * pi * u.y);
-    const Vec3 across = sine * (ahead * x + side * y);
+    const Vec3 across = sine * on_circle(2 * pi * u.y, x, y);
     return point_towards(s, view, cosine, across, 1 / (2 * pi * widest));
 }
 
@@ -164,7 +164,7 @@ void intersect(const SphereEmitter& s, const Receiver& point, const Vec3& direct
 
 std::optional<EmittedRay> emit(const SphereEmitter& s, double inner, const EmissionDraw& u) {
     const double across = 2 * std::sqrt(u.where.x * (1 - u.where.x)), angle = 2 * pi * u.where.y;
-    const Vec3 normal(across * math::cos(angle), across * math::sin(angle), 1 - 2 * u.where.x);
+    const Vec3 normal(across * on_circle(angle), 1 - 2 * u.where.x);
     return emitted_ray(s.centre + s.radius * normal, normal, 1 / emitting_area(s), inner, u);
 }
 

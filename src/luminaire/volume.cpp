@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/volume.h"
 
-#include "base/elementary.h"
+#include "base/circle.h"
 #include "base/ray.h"
 #include "luminaire/light_proxy.h"
 
@@ -87,7 +87,7 @@ public:
         const double sine = std::sqrt(versine * (2 - versine)), angle = 2 * pi * u.y;
         const Vec3 pole = widest_ < everywhere ? middle_ : Vec3(0, 0, 1);
         const auto [x, y] = perpendiculars(pole);
-        return cosine * pole + sine * (math::cos(angle) * x + math::sin(angle) * y);
+        return cosine * pole + sine * on_circle(angle, x, y);
     }
 
 private:
@@ -182,7 +182,7 @@ std::optional<EmittedRay> emit(const VolumeEmitter& e, double, const EmissionDra
     const double height = 1 - 2 * u.direction.x,
                  across = std::sqrt(std::fmax(1 - height * height, 0)),
                  angle = 2 * pi * u.direction.y;
-    const Vec3 towards(across * math::cos(angle), across * math::sin(angle), height);
+    const Vec3 towards(across * on_circle(angle), height);
     return EmittedRay{{place.position, towards}, towards, place.density / (4 * pi)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/tiling.h"
 
+#include "base/circle.h"
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "vocabulary/schema.h"
@@ -63,10 +64,7 @@ struct Tile {
     }
 };
 
-Vec2 direction(double degrees) {
-    const double radians = degrees * radians_per_degree;
-    return {math::cos(radians), math::sin(radians)};
-}
+Vec2 direction(double degrees) { return on_circle(degrees * radians_per_degree); }
 
 /// Apothem of a regular polygon with sides of length 1.
 double apothem(int sides) { return 0.5 / math::tan(std::numbers::pi / sides); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scattering/bsdf.h"
 
+#include "base/circle.h"
 #include "base/colour.h"
 #include "base/cosine_direction.h"
 #include "base/elementary.h"
@@ -28,7 +29,7 @@ Vec3 draw_about(const Vec3& axis, double exponent, Vec2 u) {
     const auto [x, y] = perpendiculars(axis);
     const double cosine2 = math::pow(1 - u.x, 2 / (exponent + 1)), angle = 2 * pi * u.y;
     const double across = std::sqrt(1 - cosine2);
-    return across * (math::cos(angle) * x + math::sin(angle) * y) + std::sqrt(cosine2) * axis;
+    return across * on_circle(angle, x, y) + std::sqrt(cosine2) * axis;
 }
 double density_about(double cosine, double exponent) {
     return cosine > 0 ? (exponent + 1) / (2 * pi) * math::pow(cosine, exponent) : 0;

@@ -3,7 +3,7 @@
 // for Refraction through Rough Surfaces", 2007). A width is the square of a roughness.
 #pragma once
 
-#include "base/elementary.h"
+#include "base/circle.h"
 #include "base/vector.h"
 
 #include <algorithm>
@@ -34,11 +34,10 @@ inline Vec3 visible_facet(const Vec3& viewer, double width, Vec2 place) {
     const Vec3 side =
         flat > 0 ? Vec3(-stretched.y, stretched.x, 0) / std::sqrt(flat) : Vec3(1, 0, 0);
     const Vec3 above = cross(stretched, side);
-    const double radius = std::sqrt(place.x), angle = 2 * std::numbers::pi * place.y;
-    const double a = radius * math::cos(angle);
-    const double share = 0.5 * (1 + stretched.z);
-    const double b =
-        (1 - share) * std::sqrt(std::max(0.0, 1 - a * a)) + share * radius * math::sin(angle);
+    const Vec2 turned = on_circle(2 * std::numbers::pi * place.y);
+    const double radius = std::sqrt(place.x), share = 0.5 * (1 + stretched.z);
+    const double a = radius * turned.x;
+    const double b = (1 - share) * std::sqrt(std::max(0.0, 1 - a * a)) + share * radius * turned.y;
     const Vec3 n = a * side + b * above + std::sqrt(std::max(0.0, 1 - a * a - b * b)) * stretched;
     return unit(Vec3(width * n.x, width * n.y, std::max(1e-9, n.z)));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/area.h"
 
+#include "base/circle.h"
 #include "base/elementary.h"
 #include "shape/mesh_area.h"
 
@@ -33,7 +34,7 @@ std::size_t choose_part(const std::array<double, N>& areas, double& x) {
 /// Direction perpendicular to the unit vector `up`, at the fraction u of a full turn.
 Vec3 around(const Vec3& up, double u) {
     const auto [first, second] = perpendiculars(up);
-    return math::cos(2 * pi * u) * first + math::sin(2 * pi * u) * second;
+    return on_circle(2 * pi * u, first, second);
 }
 
 /// Point of a ring around `up`, uniform by area, relative to the ring's centre.
@@ -82,7 +83,7 @@ double surface_area(const Sphere& s) { return 4 * pi * s.radius * s.radius; }
 
 SurfacePoint sample_area(const Sphere& s, const Vec2& u) {
     const double z = 1 - 2 * u.x, across = 2 * std::sqrt(u.x * (1 - u.x));
-    const Vec3 normal(across * math::cos(2 * pi * u.y), across * math::sin(2 * pi * u.y), z);
+    const Vec3 normal(across * on_circle(2 * pi * u.y), z);
     return {s.centre + s.radius * normal, normal};
 }
 

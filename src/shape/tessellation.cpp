@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/tessellation.h"
 
+#include "base/circle.h"
 #include "base/elementary.h"
 #include "base/work_watch.h"
 #include "shape/triangle.h"
@@ -144,9 +145,8 @@ Mesh revolved(const std::vector<Vec2>& line, const Axes& axes, int around) {
         starts.push_back(static_cast<int>(mesh.vertices.size()));
         for (int i = 0; i < (p.x > 0 ? around : 1); ++i) {
             const double angle = 2 * pi * i / around;
-            mesh.vertices.push_back(
-                axes.origin + p.y * axes.up +
-                p.x * (math::cos(angle) * axes.out + math::sin(angle) * axes.side));
+            mesh.vertices.push_back(axes.origin + p.y * axes.up +
+                                    p.x * on_circle(angle, axes.out, axes.side));
         }
     }
     for (std::size_t row = 0; row + 1 < line.size(); ++row) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/photon_shooter.h"
 
+#include "base/circle.h"
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "lighting/draw.h"
@@ -34,7 +35,7 @@ Vec3 direction_in_cone(const Vec3& axis, double cosine, const Vec2& u) {
 Vec3 point_in_disc(const Vec3& axis, double radius, const Vec2& u) {
     const auto [x, y] = perpendiculars(axis);
     const double away = radius * std::sqrt(u.x), angle = 2 * pi * u.y;
-    return away * (math::cos(angle) * x + math::sin(angle) * y);
+    return away * on_circle(angle, x, y);
 }
 
 bool meets_ball(const Ray& ray, const Vec3& centre, double radius) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/subsurface.h"
 
+#include "base/circle.h"
 #include "base/elementary.h"
 #include "scattering/mirror.h"
 #include "surface/quality.h"
@@ -180,8 +181,7 @@ private:
         const double radius = std::sqrt(radius2(draw.choice));
         if (radius > reach_) return Vec3(0);
         const double angle = 2 * pi * draw.v;
-        const Vec3 aside =
-            math::cos(angle) * axes_[(axis + 1) % 3] + math::sin(angle) * axes_[(axis + 2) % 3];
+        const Vec3 aside = on_circle(angle, axes_[(axis + 1) % 3], axes_[(axis + 2) % 3]);
         const Ray line{s_.position + radius * aside - reach_ * axes_[axis], axes_[axis]};
         Vec3 sum(0);
         double from = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/bent_normals.h"
 
-#include "base/elementary.h"
+#include "base/circle.h"
 #include "base/parallel.h"
 #include "world/radiance.h"
 
@@ -97,8 +97,7 @@ Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<V
             (static_cast<double>(pair) + number(light, pair, 0)) / static_cast<double>(pairs);
         const double angle = 2 * std::numbers::pi * number(light, pair, 1),
                      across = std::sqrt(1 - height * height);
-        const Vec3 up =
-            height * pole + across * (math::cos(angle) * side + math::sin(angle) * other);
+        const Vec3 up = height * pole + across * on_circle(angle, side, other);
         const Vec3 direction = i % 2 == 0 ? up : -up;
         const Vec3 from = b.centre + around * b.radius * direction;
         const auto point = sample(luminaire, from, {number(light, i, 2), number(light, i, 3)});
