@@ -6,6 +6,8 @@
 #include "luminaire/seen_faces.h"
 #include "shape/area.h"
 
+#include <utility>
+
 namespace candelabra {
 
 namespace {
@@ -187,7 +189,26 @@ const Vec3* horizon_of(const Receiver& point) {
     return point.horizon == Horizon::one_side ? &point.normal : nullptr;
 }
 
+double stretched_area(const AreaEmitter& e) {
+    const double area = surface_area(e.shape);
+    if (!(area > 0)) return 0;
+    const double scale = e.transform ? e.transform->uniform_scale() : 1;
+    if (scale > 0) return area * scale * scale;
+    // Mean stretch of the surface over a grid. Exact for flat shapes; for others it only guides
+    // sampling.
+    constexpr int steps = 16;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j)
+            sum += length(stretched_normal(
+                e, sample_area(e.shape, {(i + 0.5) / steps, (j + 0.5) / steps}).normal));
+    return area * sum / (steps * steps);
+}
+
 }  // namespace
+
+AreaEmitter::AreaEmitter(BuiltShape built, Handle<Transform> place)
+    : shape(std::move(built)), transform(std::move(place)), area(stretched_area(*this)) {}
 
 LightBounds bounds(const AreaEmitter& e, double luminance) {
     LightBounds result;
@@ -270,21 +291,7 @@ std::optional<EmittedRay> emit(const AreaEmitter& e, double inner, const Emissio
                        closed(e) ? inner : 0.5, u);
 }
 
-double emitting_area(const AreaEmitter& e) {
-    const double area = surface_area(e.shape);
-    if (!(area > 0)) return 0;
-    const double scale = e.transform ? e.transform->uniform_scale() : 1;
-    if (scale > 0) return area * scale * scale;
-    // Mean stretch of the surface over a grid. Exact for flat shapes; for others it only guides
-    // sampling.
-    constexpr int steps = 16;
-    double sum = 0;
-    for (int i = 0; i < steps; ++i)
-        for (int j = 0; j < steps; ++j)
-            sum += length(stretched_normal(
-                e, sample_area(e.shape, {(i + 0.5) / steps, (j + 0.5) / steps}).normal));
-    return area * sum / (steps * steps);
-}
+double emitting_area(const AreaEmitter& e) { return e.area; }
 
 std::vector<BrightFace> flat_faces(const AreaEmitter& e) {
     auto faces = visit_shape([](const auto& s) { return own_faces(s); }, e.shape);

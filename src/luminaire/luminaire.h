@@ -63,8 +63,11 @@ struct TriangleEmitter {
 
 /// Any other shape whose area can be sampled, under any affine map.
 struct AreaEmitter {
+    AreaEmitter(BuiltShape shape, Handle<Transform> transform);
+
     BuiltShape shape;
     Handle<Transform> transform;  ///< null: identity
+    double area;                  ///< emitting area, which may take a while to find
 };
 
 class Guide;
