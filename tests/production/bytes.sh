@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Whether the program makes the same pictures wherever it was built and runs. Every example is rendered small, and the
-# SHA-256 of each file is printed; with the list of another build or machine, those that differ are named instead. Takes two
-# minutes of one core.
+# SHA-256 of each file is printed; with the list of another build or machine, those that differ are named instead. It takes
+# half a minute.
 #   bytes.sh PROGRAM > LIST     on one machine
 #   bytes.sh PROGRAM LIST       on another; ends with 1 if a picture differs
 # GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2,-FMA4,-FMA_Usable,-AVX2_Usable before it makes the machine an older one for the
