@@ -1,85 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every light sampling strategy must do, run for each alternative of LightSampler.
-#include "lighting/sampler.h"
-#include "support/lights.h"
+// How every light sampling strategy picks luminaires, run for each alternative of LightSampler:
+// light_answer_test.cpp has directions and points.
+#include "support/strategies.h"
 
 #include <catch2/catch.hpp>
 
 namespace candelabra {
 
 namespace {
-
-/// The light octree as the paper has it.
-struct PaperOctree : LightOctree {
-    PaperOctree() { paper = true; }
-};
-/// Every alternative of LightSampler, and what one of them can be besides.
-using Strategies =
-    std::variant<EveryLight, ConstantAlpha, LinearAlpha, LightBvh, LightOctree, PaperOctree>;
-static_assert(std::variant_size_v<Strategies> == std::variant_size_v<LightSampler> + 1);
-
-/// Luminaires of all kinds in a room with some surfaces. A scaled room is the same in all but its
-/// size.
-struct Room {
-    std::vector<Luminaire> luminaires;
-    std::vector<Box> surfaces;
-    double scale;
-
-    Room(int count, std::uint64_t seed, double scaled = 1) : scale(scaled) {
-        Draw draw(seed);
-        for (int i = 0; i < count; ++i) {
-            const Vec3 place = draw.point(4);
-            const double size = std::pow(10, draw.between(-2, 0));
-            luminaires.push_back(
-                glowing(emitter(i % emitter_kinds, scale * place, scale * size, draw),
-                        std::pow(10, draw.between(-1, 1.5))));
-        }
-        for (int i = 0; i < 6; ++i) {
-            const Vec3 corner = scale * draw.point(4);
-            surfaces.push_back({corner - scale * draw.number(), corner + scale * draw.number()});
-        }
-    }
-
-    /// A point to be lit, mostly on a surface.
-    Receiver point(Draw& draw) const {
-        const Box& box = surfaces[static_cast<std::size_t>(draw.number() *
-                                                           static_cast<double>(surfaces.size()))];
-        const Vec3 within =
-            glm::mix(box.low, box.high, Vec3(draw.number(), draw.number(), draw.number()));
-        const Vec3 anywhere = scale * draw.point(6);
-        const Vec3 position = draw.number() < 0.8 ? within : anywhere, normal = draw.direction();
-        const double kind = draw.number();
-        if (kind < 0.1) return {position, Vec3(0), Horizon::none};
-        return {position, normal, lit_from(kind < 0.2)};
-    }
-
-    LightScene scene() const { return {luminaires, surfaces}; }
-};
-
-/// The strategy itself, of which the settings of the light octree name two.
-template <class Settings>
-auto built_with(const Settings& settings, const LightScene& scene, int threads) {
-    if constexpr (std::is_same_v<Settings, PaperOctree>)
-        return BuiltPaperOctree(settings, scene, threads);
-    else if constexpr (std::is_same_v<Settings, LightOctree>)
-        return BuiltCutOctree(settings, scene);
-    else
-        return build(settings, scene, threads);
-}
-
-/// Settings with which a small room uses all that the strategy can do.
-template <class T>
-T settings() {
-    T result;
-    if constexpr (std::is_base_of_v<LightOctree, T>) {
-        result.threshold = 0.01;
-        result.max_bright = 6;
-        result.cut = 6;
-    }
-    return result;
-}
-
-Key key(std::uint64_t pixel, int trial) { return {pixel, static_cast<std::uint32_t>(trial), 0, 0}; }
 
 /// What each luminaire gives at the point.
 std::vector<double> irradiances(const Room& room, const Receiver& point) {
@@ -100,20 +28,18 @@ TEMPLATE_LIST_TEST_CASE("picks tell their expected number, which is how often th
     for (std::uint64_t pixel = 0; pixel < 12; ++pixel) {
         const Receiver point = room.point(draw);
         std::vector<double> counted(40), expected(40), evened(40), inverse(40);
-        LightPicks picks;
+        const Asked asked(built, point);
         for (int trial = 0; trial < trials; ++trial) {
-            picks.clear();
-            built.choose(point, key(pixel, trial), picks);
-            for (const LightPick& pick : picks) {
+            for (const LightPick& pick : asked.picks(key_of(pixel, trial))) {
                 REQUIRE(pick.light < 40);
                 CHECK(pick.expected ==
-                      Approx(built.expected(point, key(pixel, trial), pick.light)).epsilon(1e-9));
+                      Approx(asked.expected(key_of(pixel, trial), pick.light)).epsilon(1e-9));
                 CHECK(pick.expected > 0);
                 counted[pick.light] += 1;
                 evened[pick.light] += 1 / pick.expected;
             }
             for (LightIndex light = 0; light < 40; ++light) {
-                const double chance = built.expected(point, key(pixel, trial), light);
+                const double chance = asked.expected(key_of(pixel, trial), light);
                 expected[light] += chance;
                 inverse[light] += 1 / std::fmax(chance, 1e-6);
             }
@@ -162,7 +88,7 @@ TEMPLATE_LIST_TEST_CASE("no luminaire that can light a point has no chance there
             }
             if (!(point.cosine(s->direction) > 1e-12)) continue;
             ++lit;
-            impossible += !(built.expected(point, key(seed, i), light) > 0);
+            impossible += !(Asked(built, point).expected(key_of(seed, i), light) > 0);
         }
     }
     CHECK(lit > 50000);
@@ -177,22 +103,21 @@ TEMPLATE_LIST_TEST_CASE("the light that a strategy finds is what all luminaires 
         const auto built = built_with(settings<TestType>(), room.scene(), 1);
         for (std::uint64_t pixel = 0; pixel < 5; ++pixel) {
             const Receiver point = room.point(draw);
+            const Asked asked(built, point);
             constexpr int trials = 4000;
             const std::vector<double> each = irradiances(room, point);
             double all = 0, unlikely = 0, guessed = 0;
             for (LightIndex light = 0; light < each.size(); ++light) {
                 all += each[light];
-                const double chance = built.expected(point, key(pixel, 0), light);
+                const double chance = asked.expected(key_of(pixel, 0), light);
                 if (trials * chance < 10) unlikely += each[light];
                 guessed += trials * chance < 10 ? chance : 0;
             }
             double sum = 0, square = 0;
-            LightPicks picks;
             for (int trial = 0; trial < trials; ++trial) {
-                picks.clear();
-                built.choose(point, key(pixel, trial), picks);
                 double y = 0;
-                for (const LightPick& pick : picks) y += each[pick.light] / pick.expected;
+                for (const LightPick& pick : asked.picks(key_of(pixel, trial)))
+                    y += each[pick.light] / pick.expected;
                 sum += y;
                 square += y * y;
             }
@@ -220,8 +145,10 @@ TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", 
             const Receiver point = room.point(draw), there = scaled.point(again);
             const auto light = static_cast<LightIndex>(draw.number() * 60);
             again.number();
-            CHECK(other.expected(there, key(1, i), light) ==
-                  Approx(built.expected(point, key(1, i), light)).epsilon(rounding).margin(1e-20));
+            CHECK(Asked(other, there).expected(key_of(1, i), light) ==
+                  Approx(Asked(built, point).expected(key_of(1, i), light))
+                      .epsilon(rounding)
+                      .margin(1e-20));
         }
     }
 }
@@ -230,18 +157,18 @@ TEMPLATE_LIST_TEST_CASE(
     "a strategy without luminaires, or where nothing is above the horizon, picks nothing that "
     "shines",
     "[lighting]", Strategies) {
-    LightPicks picks;
+    const Receiver point{Vec3(0), Vec3(0, 1, 0)};
     const Box surface{Vec3(-1), Vec3(1)};
-    built_with(settings<TestType>(), LightScene{{}, {&surface, 1}}, 1)
-        .choose({Vec3(0), Vec3(0, 1, 0)}, key(1, 1), picks);
-    built_with(settings<TestType>(), LightScene{}, 1)
-        .choose({Vec3(0), Vec3(0, 1, 0)}, key(1, 1), picks);
-    CHECK(picks.empty());
+    for (const LightScene& scene : {LightScene{{}, {&surface, 1}}, LightScene{}}) {
+        const auto built = built_with(settings<TestType>(), scene, 1);
+        CHECK(Asked(built, point).picks(key_of(1, 1)).empty());
+    }
 
     const std::vector<Luminaire> below(20, glowing(SphereEmitter{Vec3(0, -5, 0), 1}));
     const auto built = built_with(settings<TestType>(), LightScene{below, {&surface, 1}}, 1);
-    for (int i = 0; i < 100; ++i) built.choose({Vec3(0), Vec3(0, 1, 0)}, key(1, i), picks);
-    for (const LightPick& pick : picks) CHECK(pick.expected > 0);
+    for (int i = 0; i < 100; ++i)
+        for (const LightPick& pick : Asked(built, point).picks(key_of(1, i)))
+            CHECK(pick.expected > 0);
 }
 
 TEMPLATE_LIST_TEST_CASE("coincident, dark, faint and glaring luminaires are all right",
@@ -251,16 +178,18 @@ TEMPLATE_LIST_TEST_CASE("coincident, dark, faint and glaring luminaires are all 
         luminaires.push_back(glowing(SphereEmitter{Vec3(0, 3, 0), 1}, radiance));
     const Box surface{Vec3(-1), Vec3(1)};
     const auto built = built_with(settings<TestType>(), LightScene{luminaires, {&surface, 1}}, 1);
-    LightPicks picks;
     const Receiver point{Vec3(0), Vec3(0, 1, 0)};
-    for (int i = 0; i < 500; ++i) built.choose(point, key(2, i), picks);
-    CHECK(picks.size() >= 490);
-    for (const LightPick& pick : picks) {
-        CHECK(std::isfinite(1 / pick.expected));
-        CHECK(pick.expected > 0);
-    }
+    const Asked asked(built, point);
+    std::size_t picked = 0;
+    for (int i = 0; i < 500; ++i)
+        for (const LightPick& pick : asked.picks(key_of(2, i))) {
+            ++picked;
+            CHECK(std::isfinite(1 / pick.expected));
+            CHECK(pick.expected > 0);
+        }
+    CHECK(picked >= 490);
     for (const LightIndex light : {0u, 1u, 4u, 5u, 6u, 7u})
-        CHECK(built.expected(point, key(2, 0), light) > 0);
+        CHECK(asked.expected(key_of(2, 0), light) > 0);
 }
 
 TEMPLATE_LIST_TEST_CASE("a strategy does not depend on the number of threads that built it",
@@ -272,9 +201,8 @@ TEMPLATE_LIST_TEST_CASE("a strategy does not depend on the number of threads tha
     Draw draw(9);
     for (int i = 0; i < 200; ++i) {
         const Receiver point = room.point(draw);
-        LightPicks a, b;
-        one.choose(point, key(3, i), a);
-        seven.choose(point, key(3, i), b);
+        const LightPicks a = Asked(one, point).picks(key_of(3, i)),
+                         b = Asked(seven, point).picks(key_of(3, i));
         REQUIRE(a.size() == b.size());
         for (std::size_t p = 0; p < a.size(); ++p) {
             CHECK(a[p].light == b[p].light);
