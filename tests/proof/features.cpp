@@ -50,8 +50,8 @@ Script staged(Draft& draft) {
                                    needed(words("look_at <0, 0.7, 0>")), words("angle 45")}));
     camera.inner.insert(camera.inner.end(), draft.camera.begin(), draft.camera.end());
     script.elements = {
-        block("#default", "finish { ambient 0 }"),
-        block("global_settings", "assumed_gamma 1", draft.settings),
+        needed(block("#default", "finish { ambient 0 }")),
+        needed(block("global_settings", "assumed_gamma 1", draft.settings)),
         camera,
         block("plane", "y, 0 pigment { rgb 0.7 } finish { diffuse 0.8 }"),
         block("sphere",

@@ -38,6 +38,7 @@ enum Trait : unsigned {
     refracts = 1 << 17,
     passes = 1 << 18,  ///< light passes it
     fogs = 1 << 19,    ///< fog or a rainbow
+    veils = 1 << 20,   ///< dims every ray, however short it is
 };
 
 /// A scene in the making.

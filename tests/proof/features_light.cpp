@@ -219,16 +219,18 @@ Factor airs() {
     add("uneven fog", "fog", "rgb @0.3@ distance 8 turbulence 0.5 turb_depth 0.4 octaves 3",
         fogs | dims | glows | directions);
     add("thin fog", "fog", "rgb @0.4@ filter 0.3 transmit 0.2 distance 6",
-        fogs | dims | glows | nonlinear);
-    levels.push_back(
-        {"drawn fog", fogs | dims | glows | directions | lengths | nonlinear, [](Draft& draft) {
-             Element fog = block("fog", "rgb @0.3@ distance 9",
-                                 drawn_words(item_of("Surroundings", "fog"), draft.dice, 0.3));
-             std::erase_if(fog.inner,
-                           [](const Element& each) { return each.values.starts_with("distance"); });
-             fog.light = draft.new_light();
-             draft.around.push_back(fog);
-         }});
+        fogs | dims | glows | nonlinear | veils);
+    levels.push_back({"drawn fog", veils | fogs | dims | glows | directions | lengths | nonlinear,
+                      [](Draft& draft) {
+                          Element fog =
+                              block("fog", "rgb @0.3@ distance 9",
+                                    drawn_words(item_of("Surroundings", "fog"), draft.dice, 0.3));
+                          std::erase_if(fog.inner, [](const Element& each) {
+                              return each.values.starts_with("distance");
+                          });
+                          fog.light = draft.new_light();
+                          draft.around.push_back(fog);
+                      }});
     add("absorption", "media", "absorption <0.05, 0.1, 0.15>", dims);
     add("glowing air", "media", "emission @0.03@ absorption 0.05", dims | glows);
     add("haze", "media", "scattering { 1, rgb 0.06 }", dims | scatters);

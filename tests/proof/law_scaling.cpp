@@ -1,7 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proof/laws.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace candelabra::proof {
+
+namespace {
+
+/// Cameras whose angles of view depend on the lengths of `right` and `up`, as in POV-Ray: another
+/// size of them is another view.
+constexpr auto of_lengths = std::to_array<std::string_view>(
+    {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical"});
+
+/// The script at another size, and the same view of it.
+Script at_size(Script script, double factor) {
+    const std::string size = text_of(factor);
+    Element& camera = element_of(script, "camera");
+    const std::string lens = camera.values.substr(0, camera.values.find(' '));
+    const bool moves = std::ranges::count(of_lengths, lens) > 0;
+    if (moves) camera = replaced(camera, "(location|look_at) (<[^>]*>)", "$1 " + size + "*$2");
+    const Element moved = camera;
+    script = transformed(std::move(script), "scale " + size);
+    if (moves) element_of(script, "camera") = moved;
+    return script;
+}
+
+}  // namespace
 
 Claims more_light(const Script& script, Dice& dice) {
     const double factor = dice.pick<double>({1e6, 1000, 3, 1e-3, 1e-6});
@@ -18,8 +44,8 @@ Claims motion(const Script& script, Dice& dice) {
 
 Claims other_size(const Script& script, Dice& dice) {
     const double factor = dice.pick<double>({2, 1024, 1.0 / 128, 1e3, 1e6, 0.1});
-    const std::string way = "scale " + text_of(factor);
-    return {same_mean(way, picture(script), picture(transformed(script, way)))};
+    return {
+        same_mean("scale " + text_of(factor), picture(script), picture(at_size(script, factor)))};
 }
 
 }  // namespace candelabra::proof

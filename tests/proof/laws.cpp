@@ -14,8 +14,8 @@ const std::vector<Law>& laws() {
         {"size", "The scene at another size is the same picture.", directions | lengths | bends,
          staged, other_size},
         {"receiving", "What a point receives is what a camera there sees.",
-         sources | hides | refracts | photon_light | moves | gathers | tiny_light | aside, staged,
-         receiving},
+         sources | hides | refracts | photon_light | moves | gathers | tiny_light | aside | veils,
+         staged, receiving},
         {"chance", "A lamp that is sampled gives what it gives if it is found by chance.",
          hides | refracts | photon_light | gathers | tiny_light, staged, found_by_chance},
         {"point", "A fading light source gives what a tiny ball of its power gives.",
@@ -38,6 +38,13 @@ const std::vector<Law>& laws() {
          other_writing},
         {"running", "Threads, shards and interruptions change no byte.", no_trait, staged,
          other_runs},
+        {"program", "A file made in shards, or from states, is the file made at once.", no_trait,
+         staged, other_programs},
+        {"outliers",
+         "No sample is far brighter than its pixel where a shadow ray to each lamp has none.",
+         gathers | photon_light, staged, no_glaring_samples},
+        {"dark", "Lamps cost no rays where nothing receives light.", dims | gathers | photon_light,
+         staged, free_in_the_dark},
     };
     return all;
 }

@@ -24,6 +24,9 @@ Claims with_reflected_luminaires(const Script&, Dice&);
 Claims photons_or_chance(const Script&, Dice&);
 Claims other_writing(const Script&, Dice&);
 Claims other_runs(const Script&, Dice&);
+Claims other_programs(const Script&, Dice&);
+Claims no_glaring_samples(const Script&, Dice&);
+Claims free_in_the_dark(const Script&, Dice&);
 
 Script in_furnace(Draft&);
 Script white_floor(Draft&);

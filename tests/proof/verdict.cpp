@@ -163,6 +163,12 @@ private:
         const Image right = renderings_.sum(claim_.right, 3, 1);
         if (renderings_.trouble() == Trouble::illegal) return refused();
         if (renderings_.trouble() != Trouble::none) return troubled(false);
+        if (left.pixels.size() != right.pixels.size()) {
+            verdict_.outcome = Outcome::fails;
+            verdict_.said = std::to_string(left.pixels.size()) + " pixels, and " +
+                            std::to_string(right.pixels.size());
+            return verdict_;
+        }
         std::size_t unequal = 0;
         double greatest = 0;
         for (std::size_t i = 0; i < left.pixels.size(); ++i) {
