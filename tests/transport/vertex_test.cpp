@@ -34,7 +34,7 @@ TEST_CASE("normals decide which side of a smooth face is the outer one", "[trans
         "texture { pigment { rgb x } } interior_texture { pigment { rgb z } } ";
     for (const bool wound : {false, true})
         for (const bool up : {false, true})
-            for (const std::string& form : {"mesh", "mesh2", "clipped", "mirrored", "flat"}) {
+            for (const std::string form : {"mesh", "mesh2", "clipped", "mirrored", "flat"}) {
                 const std::string n = up ? "" : "-";
                 const std::string corners[] = {"<-1, 0, -1>", wound ? "<1, 0, 1>" : "<-1, 0, 1>",
                                                wound ? "<-1, 0, 1>" : "<1, 0, 1>"};
