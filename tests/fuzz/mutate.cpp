@@ -12,8 +12,6 @@
 #include <string>
 #include <vector>
 
-using namespace candelabra;
-
 namespace {
 
 using Random = std::mt19937;
