@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/clipping.h"
 
+#include "base/long_work.h"
 #include "bind/blocks.h"
 #include "bind/objects.h"
 #include "text/message.h"
@@ -66,6 +67,7 @@ bool ClippingReader::take(const Element& element) {
     const auto& added = reader.linked ? other : reader.objects;
     for (const ObjectHandle& each : added)
         if (!may_be_cut(block_, *each)) return true;
+    count_long_work(list.size() / 4 + added.size());
     list.insert(list.end(), added.begin(), added.end());
     return true;
 }

@@ -2,6 +2,7 @@
 #include "bind/model_reader.h"
 
 #include "base/elementary.h"
+#include "base/long_work.h"
 #include "bind/blocks.h"
 #include "bind/objects.h"
 #include "csg/solid.h"
@@ -144,6 +145,8 @@ std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const P
         Solids solids;
         for (const ObjectHandle& each : hull_->objects)
             add(seen_tessellation(solids.composite(each), asked.resolution).vertices);
+        constexpr std::uint64_t work_of_point = 100;
+        count_long_work(work_of_point * points.size());
         solid.problem = library->hull(points, solid.polyhedron);
     } else {
         solid.polyhedron = polyhedron(as_mesh(asked));
@@ -161,6 +164,8 @@ bool ModelReader::refine(Polyhedron& mesh, int steps, const Polyhedra* library) 
                                     " faces of ", faces)));
         return false;
     }
+    constexpr double work_of_face = 50;
+    count_long_work(static_cast<std::uint64_t>(work_of_face * faces * math::pow(4.0, steps)));
     Polyhedron finer;
     const std::string why = library->subdivide(mesh, SubdivisionRule::loop, steps, finer);
     if (!why.empty()) wrong(why);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/modelling_functions.h"
 
+#include "base/long_work.h"
 #include "interpret/array_data.h"
 #include "meshing/library.h"
 #include "meshing/scatter.h"
@@ -76,6 +77,8 @@ Value delaunay(FunctionCall& call) {
     if (!library) return call.fail(Fault::io, 0, problems.all().front().message);
     std::vector<std::array<double, 2>> places;
     for (const Vec2& p : points) places.push_back({p.x, p.y});
+    constexpr std::uint64_t work_of_point = 60;
+    count_long_work(work_of_point * places.size());
     std::vector<Polyhedron::Face> faces;
     const std::string wrong = library->triangulate(places, faces);
     if (!wrong.empty()) return call.fail(Fault::domain, 0, wrong);

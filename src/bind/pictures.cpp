@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/pictures.h"
 
+#include "base/long_work.h"
 #include "base/video_gamma.h"
 #include "formula/formula.h"
 #include "text/message.h"
@@ -232,6 +233,9 @@ void PictureReader::load() {
                 read_texels(*file, how, binder.evaluator.diagnostics(), block_.file_place());
             block_.broken |= !read;
             if (!read) return;
+            constexpr std::uint64_t texels_of_step = 4;
+            const auto width = static_cast<std::uint64_t>(read->width);
+            count_long_work(width * static_cast<std::uint64_t>(read->height) / texels_of_step);
             known = make_handle<Texels>(std::move(*read));
         }
         map_.texels = known;

@@ -11,13 +11,13 @@ class SolidQueries final : public ObjectQueries {
 public:
     std::optional<SurfaceHit> first_hit(const ObjectHandle& object, const Vec3& from,
                                         const Vec3& direction, std::uint64_t& work) override {
-        work += cost(*object);
+        work += asking;
         return solids_.trace(object, from, direction);
     }
     std::optional<bool> inside(const ObjectHandle& object, const Vec3& point,
                                std::uint64_t& work) override {
         if (!solids_.solid(object)) return std::nullopt;
-        work += cost(*object);
+        work += asking;
         return solids_.inside(object, point);
     }
     const Composite& composite(const ObjectHandle& object) override {
@@ -25,11 +25,8 @@ public:
     }
 
 private:
-    /// Work of one query: most parts are skipped.
-    static std::uint64_t cost(const Object& object) {
-        constexpr std::uint64_t asking = 500;
-        return asking + object.parts / 4;
-    }
+    /// Work of one query beside that of its parts, which count it as they are visited.
+    static constexpr std::uint64_t asking = 300;
 
     Solids solids_;
 };

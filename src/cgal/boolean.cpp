@@ -6,9 +6,11 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -40,46 +42,91 @@ std::string wrong_faces(const polyhedra::Soup& soup) {
     return most > 2 ? "more than two of its faces meet in an edge" : "";
 }
 
+/// The points of a surface. Each of them that an operation reads or makes is counted as work:
+/// operations read points for all that they do.
+class CountedPoints {
+public:
+    using key_type = ExactSurface::Vertex_index;
+    using value_type = ExactKernel::Point_3;
+    using reference = const value_type&;
+    using category = boost::read_write_property_map_tag;
+
+    CountedPoints() = default;
+    CountedPoints(ExactSurface& surface, WorkCount count)
+        : points_(surface.points()), count_(count) {}
+
+    friend reference get(const CountedPoints& map, key_type corner) {
+        map.count_(reading);
+        return map.points_[corner];
+    }
+    friend void put(const CountedPoints& map, key_type corner, const value_type& point) {
+        map.count_(making);
+        map.points_[corner] = point;
+    }
+
+private:
+    static constexpr std::uint64_t reading = 2, making = 200;
+
+    ExactSurface::Property_map<key_type, value_type> points_;
+    WorkCount count_ = nullptr;
+};
+
+auto counted(ExactSurface& surface, WorkCount count) {
+    return CGAL::parameters::vertex_point_map(CountedPoints(surface, count));
+}
+
 /// Orients the surface outwards; a shell within a shell is a hollow, and one within a hollow is
 /// solid again. Returns the reason why it does not bound a solid; empty when it does.
-std::string made_solid(ExactSurface& surface) {
+std::string made_solid(ExactSurface& surface, WorkCount count) {
+    const auto points = counted(surface, count);
     if (!CGAL::is_closed(surface)) return "it is not closed";
     for (const auto face : surface.faces())
-        if (processing::is_degenerate_triangle_face(face, surface))
+        if (processing::is_degenerate_triangle_face(face, surface, points))
             return "the corners of a face lie on one line";
-    if (processing::does_self_intersect(surface)) return "its faces cut or touch each other";
-    processing::orient_to_bound_a_volume(surface);
-    return processing::does_bound_a_volume(surface) ? "" : "its shells do not lie in one another";
+    if (processing::does_self_intersect(surface, points))
+        return "its faces cut or touch each other";
+    processing::orient_to_bound_a_volume(surface, points);
+    return processing::does_bound_a_volume(surface, points)
+               ? ""
+               : "its shells do not lie in one another";
 }
 
 /// The surface of a solid, or the reason why there is none. CGAL's operations demand all this of
 /// what they combine, and do not check it.
-std::string make_solid(const Polyhedron& from, ExactSurface& made) {
+std::string make_solid(const Polyhedron& from, WorkCount count, ExactSurface& made) {
+    constexpr std::uint64_t work_of_face = 100;
+    count(work_of_face * from.faces.size());
     std::string wrong = polyhedra::unfit(from);
     if (!wrong.empty()) return wrong;
     const polyhedra::Soup soup = polyhedra::soup(from);
     wrong = wrong_faces(soup);
     if (!wrong.empty()) return wrong;
     made = polyhedra::connected<ExactSurface>(soup);
-    return made_solid(made);
+    return made_solid(made, count);
 }
 
 /// A surface without faces bounds nothing.
 bool empty(const ExactSurface& surface) { return surface.number_of_faces() == 0; }
 
-bool combined(SolidOperation operation, ExactSurface& a, ExactSurface& b, ExactSurface& made) {
+bool combined(SolidOperation operation, ExactSurface& a, ExactSurface& b, WorkCount count,
+              ExactSurface& made) {
     if (empty(a) || empty(b)) {
         const bool other = empty(a) && operation == SolidOperation::join;
         if (other || operation != SolidOperation::intersect) made = other ? b : a;
         return true;
     }
+    const auto points_a = counted(a, count), points_b = counted(b, count),
+               points_made = counted(made, count);
     switch (operation) {
         case SolidOperation::join:
-            return processing::corefine_and_compute_union(a, b, made);
+            return processing::corefine_and_compute_union(a, b, made, points_a, points_b,
+                                                          points_made);
         case SolidOperation::intersect:
-            return processing::corefine_and_compute_intersection(a, b, made);
+            return processing::corefine_and_compute_intersection(a, b, made, points_a, points_b,
+                                                                 points_made);
         case SolidOperation::subtract:
-            return processing::corefine_and_compute_difference(a, b, made);
+            return processing::corefine_and_compute_difference(a, b, made, points_a, points_b,
+                                                               points_made);
         case SolidOperation::take:
             break;
     }
@@ -89,19 +136,20 @@ bool combined(SolidOperation operation, ExactSurface& a, ExactSurface& b, ExactS
 }  // namespace
 
 std::string polyhedra::combine(std::span<const SolidOperation> steps,
-                               std::span<const Polyhedron> solids, Polyhedron& made) {
+                               std::span<const Polyhedron> solids, WorkCount count,
+                               Polyhedron& made) {
     std::vector<ExactSurface> stack;
     std::size_t taken = 0;
     for (const SolidOperation step : steps) {
         if (step == SolidOperation::take) {
-            const std::string wrong = make_solid(solids[taken++], stack.emplace_back());
+            const std::string wrong = make_solid(solids[taken++], count, stack.emplace_back());
             if (!wrong.empty())
                 return "surface " + std::to_string(taken) + " bounds no solid: " + wrong;
             continue;
         }
         ExactSurface last = std::move(stack.back()), result;
         stack.pop_back();
-        if (!combined(step, stack.back(), last, result))
+        if (!combined(step, stack.back(), last, count, result))
             return "with surface " + std::to_string(taken) +
                    " the result would touch itself in an edge or a point";
         stack.back() = std::move(result);

@@ -25,7 +25,8 @@ using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
 std::string read(std::string_view name, std::string_view bytes, Polyhedron&, PolyhedronLook&);
 std::string hull(std::span<const Polyhedron::Point>, Polyhedron&);
-std::string combine(std::span<const SolidOperation>, std::span<const Polyhedron>, Polyhedron&);
+std::string combine(std::span<const SolidOperation>, std::span<const Polyhedron>, WorkCount,
+                    Polyhedron&);
 std::string subdivide(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);
 std::string triangulate(std::span<const std::array<double, 2>>, std::vector<Polyhedron::Face>&);
 

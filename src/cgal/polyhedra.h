@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,6 +43,9 @@ enum class SolidOperation {
     subtract,   ///< inside the lower one and not the upper one
 };
 
+/// Is told of steps of work, and may throw to end it.
+using WorkCount = void (*)(std::uint64_t steps);
+
 /// How a surface is divided and smoothed.
 enum class SubdivisionRule {
     loop,  ///< Loop: every point moves; the limit has continuous curvature
@@ -58,9 +62,10 @@ struct Polyhedra {
     /// The convex hull of the points.
     std::string (*hull)(std::span<const Polyhedron::Point>, Polyhedron&);
     /// A solid from closed surfaces without self-intersections. Exact: coordinates are rounded
-    /// once, at the end. Precondition: the steps leave one solid on the stack.
+    /// once, at the end. `count` is called with the steps of work, see count_long_work(); what it
+    /// throws ends the operation. Precondition: the steps leave one solid on the stack.
     std::string (*combine)(std::span<const SolidOperation>, std::span<const Polyhedron>,
-                           Polyhedron&);
+                           WorkCount count, Polyhedron&);
     std::string (*subdivide)(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);
     /// The Delaunay triangulation of points in the plane.
     std::string (*triangulate)(std::span<const std::array<double, 2>>,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "csg/extent.h"
 
+#include "base/long_work.h"
 #include "csg/shape_extent.h"
 #include "shape/built_shape.h"
 #include "shape/transformed.h"
@@ -59,6 +60,7 @@ Box extent_of(const Union& group) {
 
 Box extent_of(const SphereRow& row) {
     Box box;
+    count_long_work(row.spheres.size());
     for (const Sphere& sphere : row.spheres) box = join(box, bounds(sphere));
     return box;
 }
@@ -71,6 +73,8 @@ Box own_extent(const Object& object) {
 }
 
 Box extent(const Object& object) {
+    constexpr std::uint32_t work_of_part = 3;
+    count_work(work_of_part);
     Box box;
     if (const auto* shape = std::get_if<Shape>(&object.form)) {
         box = shape_extent(*shape, object.transform ? &*object.transform : nullptr);

@@ -2,6 +2,7 @@
 #include "csg/shape_extent.h"
 
 #include "base/elementary.h"
+#include "base/long_work.h"
 #include "shape/built_shape.h"
 
 #include <cmath>
@@ -29,6 +30,7 @@ Box extent_of(const T& shape) {
 /// A box alone needs no index of the faces.
 Box extent_of(const Mesh& mesh) {
     Box box;
+    count_long_work(mesh.faces.size());
     for (const Face& face : mesh.faces)
         for (const int corner : face)
             box = join(box, mesh.vertices[static_cast<std::size_t>(corner)]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "csg/solid.h"
 
+#include "base/work_watch.h"
 #include "csg/assemble.h"
 #include "csg/traced_normal.h"
 
@@ -43,6 +44,7 @@ bool Solids::inside(const ObjectHandle& object, const Vec3& point) {
 bool Solids::solid(const ObjectHandle& object) { return known(object).solid; }
 
 bool has_inside(const Object& object) {
+    count_work(1);
     if (const auto* group = std::get_if<Union>(&object.form))
         return std::ranges::all_of(group->children,
                                    [](const ObjectHandle& child) { return has_inside(*child); });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula/formula.h"
 
+#include "base/long_work.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -28,6 +30,10 @@ bool run_with(const Program& program, const double* arguments, double* results, 
 bool run_program(const void* code, const double* arguments, double* results,
                  std::uint32_t& passes) {
     const Program& program = *static_cast<const Program*>(code);
+    // Shorter ones count their loops only.
+    constexpr std::size_t operations_of_step = 16;
+    if (program.code.size() > operations_of_step)
+        count_long_work(program.code.size() / operations_of_step);
     constexpr std::size_t usual = 64;
     if (program.registers > usual) {
         std::vector<double> registers(program.registers);

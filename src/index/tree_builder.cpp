@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "index/tree_builder.h"
 
+#include "base/long_work.h"
 #include "base/memory_pages.h"
 #include "base/order.h"
 #include "base/parallel.h"
@@ -76,6 +77,8 @@ private:
 WideTree build_tree(std::uint32_t items, const ItemBox& box_of, const ItemPart& part_of,
                     const TreeSettings& settings, int threads) {
     assert(items < WideTree::item_limit);
+    constexpr std::uint64_t work_of_item = 30;
+    count_long_work(work_of_item * items);
     std::vector<PrimRef> fragments;
     std::vector<std::uint32_t> endless;
     fragments.reserve(items);

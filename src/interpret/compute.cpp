@@ -58,7 +58,7 @@ bool Evaluator::State::run(Code& code, Numbers& result) {
     const std::size_t begin = code.random ? world.random.begin_attempt() : 0;
     std::uint32_t passes = 0;
     const bool good = execute(code.program, code.registers.data(), passes);
-    work += code.cost + cost_of_pass * passes;
+    work += code.cost;  // loops count their passes themselves
     if (!good) {
         if (code.random) world.random.take_back(begin);
         return false;

@@ -2,6 +2,7 @@
 #include "interpret/evaluator.h"
 
 #include "base/deep_stack.h"
+#include "base/work_watch.h"
 #include "interpret/splines.h"
 #include "interpret/state.h"
 #include "syntax/foreign.h"
@@ -161,8 +162,20 @@ void Evaluator::State::add_functions(std::span<const FunctionInfo> added) {
 void Evaluator::State::run_within_memory(SourceId main) {
     // Released to have room for the message.
     auto reserve = std::make_unique<std::array<char, std::size_t{1} << 20>>();
+    // Steps that objects, meshes and patterns count take longer than those of expressions.
+    constexpr std::uint64_t each_step = 16;
+    const WorkWatch* asking = nullptr;
+    std::uint64_t counted = 0;
+    const std::function<bool()> too_much = [&] {
+        work += each_step * (asking->counted() - std::exchange(counted, asking->counted()));
+        return work > limits.work;
+    };
+    const WorkWatch watch(too_much);
+    asking = &watch;
     try {
         run(main);
+    } catch (const WorkEnded&) {
+        overspent({});
     } catch (const std::bad_alloc&) {
         reserve.reset();
         stopped_ = true;

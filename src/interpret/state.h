@@ -264,6 +264,7 @@ struct Evaluator::State {
 
     // ---- walk.cpp, directive.cpp, declare.cpp
     Flow walk(const Tree&, NodeId first, const Sink& take);
+    Flow walk_from(const Tree&, NodeId& id, const Sink& take);
     /// Walks a list that #break cannot leave: a file, the content of a block.
     void walk_whole(const Tree&, NodeId first, const Sink& take);
     /// Walks one node of a list.

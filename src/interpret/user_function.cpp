@@ -271,9 +271,8 @@ Value Evaluator::State::call_formula(const Tree& tree, Handle<Formula> formula, 
         return Absence::broken;
     Numbers result;
     result.count = static_cast<int>(formula->results());
-    std::uint32_t passes = 0;
-    const bool good_call = formula->run(values.data(), result.at.data(), passes);
-    if (!spend(formula->cost() + cost_of_pass * passes, span)) return Absence::broken;
+    const bool good_call = formula->run(values.data(), result.at.data());
+    if (!spend(formula->cost(), span)) return Absence::broken;
     if (good_call) return result;
     return broken(
         Fault::loop_limit, span,
@@ -309,16 +308,12 @@ bool Evaluator::sample(const Formula& function, Rows rows, Span place,
     for (int row = 0; row < height; ++row) {
         const double share = row / std::fmax(1, height - 1);
         const double y = rows == Rows::from_bottom ? share : 1 - share;
-        std::uint64_t passes = 0;  // of the row
         for (int column = 0; column < width; ++column) {
             const std::array<double, 3> at = {column / std::fmax(1, width - 1), y, 0};
             FunctionResults results{};
-            std::uint32_t own = 0;
-            const bool good = function.run(at.data(), results.data(), own);
+            const bool good = function.run(at.data(), results.data());
             visit(results, good);
-            passes += own;
         }
-        if (!spend(cost_of_pass * passes, place)) return false;
     }
     return true;
 }

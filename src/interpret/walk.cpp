@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walks lists of elements: computes values, carries out directives, and passes on the elements that
 // remain.
+#include "base/work_watch.h"
 #include "interpret/state.h"
 #include "text/message.h"
 #include "vocabulary/reserved.h"
@@ -29,7 +30,18 @@ bool Evaluator::State::is_directive(const Tree& tree, NodeId id) {
 }
 
 Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
-    for (NodeId id = first; id != no_node;) {
+    NodeId id = first;
+    try {
+        return walk_from(tree, id, take);
+    } catch (const WorkEnded&) {
+        overspent(tree.span(id));
+        return Flow::stopped;
+    }
+}
+
+/// Walks the list from `id` on, which then is the node that is being walked.
+Flow Evaluator::State::walk_from(const Tree& tree, NodeId& id, const Sink& take) {
+    while (id != no_node) {
         if (stopped_) return Flow::stopped;
         work += 10;  // the sum is checked now and then, elsewhere
         const Node& node = tree[id];

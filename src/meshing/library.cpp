@@ -3,6 +3,7 @@
 
 #include "base/elementary.h"
 #include "base/loaded_library.h"
+#include "base/long_work.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -36,6 +37,8 @@ const Polyhedra* modelling_library(Diagnostics& diagnostics, Span asked_at) {
 }
 
 Polyhedron polyhedron(const Mesh& mesh) {
+    constexpr std::uint64_t work_of_corner = 10;
+    count_long_work(work_of_corner * mesh.vertices.size());
     Polyhedron made;
     std::map<Polyhedron::Point, int> known;
     std::vector<int> places;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshing/object_mesh.h"
 
+#include "base/long_work.h"
 #include "csg/assemble.h"
 #include "csg/solid.h"
-#include "shape/transformed.h"
 #include "shape/tessellation.h"
+#include "shape/transformed.h"
 #include "text/message.h"
 
 #include <iterator>
@@ -204,7 +205,8 @@ SolidMesh solid_mesh(const Object& object, int cells, const Polyhedra* library) 
     if (made->solids.size() == 1) return {std::move(made->solids.front()), {}};
     if (!library) return {{}, "the library for it is missing"};
     SolidMesh result;
-    result.problem = library->combine(made->steps, made->solids, result.polyhedron);
+    result.problem =
+        library->combine(made->steps, made->solids, count_long_work, result.polyhedron);
     return result;
 }
 

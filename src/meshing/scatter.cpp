@@ -2,6 +2,7 @@
 #include "meshing/scatter.h"
 
 #include "base/random.h"
+#include "base/work_watch.h"
 #include "shape/mesh_area.h"
 #include "shape/tessellation.h"
 
@@ -58,6 +59,7 @@ std::vector<SurfacePoint> scattered(const Composite& surface, const Mesh& triang
     Key key{mix(seed)};
     for (double thrown = 0; thrown < count; ++thrown) {
         ++key.pixel;
+        count_work(6);
         const std::size_t number = area.at(uniform(key, Purpose::light_choice)).index;
         const auto corners = face(triangles, number).corners;
         const Vec2 u(uniform(key, Purpose::light_u), uniform(key, Purpose::light_v));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshing/voronoi.h"
 
+#include "base/long_work.h"
 #include "base/order.h"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ std::vector<Vec2> nearer(const std::vector<Vec2>& polygon, const Vec2& p, const 
 
 std::vector<Vec2> voronoi_cell(std::span<const Vec2> points, std::size_t i, const Vec2& low,
                                const Vec2& high) {
+    count_long_work(2 * points.size());
     const Vec2 own = points[i];
     std::vector<Vec2> cell = {low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)};
     std::vector<std::size_t> others(points.size());
@@ -44,6 +46,7 @@ std::vector<Vec2> voronoi_cell(std::span<const Vec2> points, std::size_t i, cons
         double reach = 0;
         for (const Vec2& corner : cell) reach = std::max(reach, square(corner - own));
         if (square(points[k] - own) > 4 * reach) break;
+        count_long_work(1 + cell.size() / 4);
         cell = nearer(cell, own, points[k]);
     }
     return cell;

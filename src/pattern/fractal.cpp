@@ -2,6 +2,7 @@
 #include "pattern/fractal.h"
 
 #include "base/complex.h"
+#include "base/work_watch.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -117,7 +118,9 @@ double interior(const FractalColouring& colouring, double least, Complex z) {
 template <class Step, class Left>
 double orbit(const FractalColouring& colouring, int steps, Complex z, double least, Step next,
              Left left) {
+    constexpr int steps_of_count = 8;
     for (int step = 0; step < steps; ++step) {
+        if (step % steps_of_count == 0) count_work(1);
         z = next(z);
         if (left(z)) return exterior(colouring, step, steps, z);
         least = std::min(least, z.squared_size());

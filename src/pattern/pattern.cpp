@@ -25,7 +25,7 @@ concept PatternKind = PlainPattern<T> || requires(const T& pattern, const Patter
 }  // namespace
 
 double evaluate(const Pattern& pattern, const PatternPoint& at) {
-    count_work(1);
+    count_work(3);
     return std::visit(
         [&]<PatternKind T>(const T& kind) {
             if constexpr (PlainPattern<T>)

@@ -369,7 +369,10 @@ double strength_at(const Source& source, const Vec3& point) {
 
 bool inside(const BuiltBlob& blob, const Vec3& point) {
     double sum = 0;
-    blob.index.around(point, [&](std::uint32_t i) { sum += strength_at(blob.sources[i], point); });
+    blob.index.around(point, [&](std::uint32_t i) {
+        count_work(1);
+        sum += strength_at(blob.sources[i], point);
+    });
     return sum > blob.threshold;
 }
 

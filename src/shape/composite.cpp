@@ -2,8 +2,8 @@
 #include "shape/composite.h"
 
 #include "base/infinity.h"
+#include "base/long_work.h"
 #include "base/short_list.h"
-#include "base/work_watch.h"
 #include "index/asked.h"
 #include "index/tree_builder.h"
 #include "shape/part_index.h"
@@ -15,6 +15,10 @@
 namespace candelabra {
 
 namespace {
+
+/// See count_work(): a leaf that is added, its crossings with a ray, and parts whose boxes a point
+/// is compared with.
+constexpr std::uint32_t work_of_leaf = 10, work_of_crossing = 4, parts_of_step = 4;
 
 /// Bounds of the part of the leaf in a cell; `own` bounds all of it in its own coordinates.
 Box part_in(const CompositeLeaf& leaf, const Box& own, const Box& cell) {
@@ -77,6 +81,7 @@ Box within(const CompositeLeaf& leaf, const Box& box) {
 // ---- building
 
 PartRef CompositeBuilder::add(CompositeLeaf leaf) {
+    count_work(work_of_leaf);
     const Transform* transform = leaf.transform.get();
     const Plane* plane = std::get_if<Plane>(&leaf.shape);
     // A transformed plane may be axis-aligned, and its half space is then bounded on one side.
@@ -105,6 +110,7 @@ PartRef CompositeBuilder::add(Combination how, std::vector<PartRef> parts,
         else
             flat.push_back(part);
     }
+    count_long_work(1 + flat.size() / parts_of_step);
     // Outside the box, either all parts have their outside values, or the deciding ones do.
     const bool decisive = how != Combination::common;
     Box joined, shared = everywhere();
@@ -210,8 +216,10 @@ Composite CompositeBuilder::finish(PartRef root) {
     made_.inside_bounds_ = region.outside ? everywhere() : region.box;
     show(root, everywhere());
     for (std::uint32_t node : made_.parents_) {
-        while (node != Composite::nothing && made_.nodes_[node].cuts.empty())
+        std::uint64_t levels = 0;
+        for (; node != Composite::nothing && made_.nodes_[node].cuts.empty(); ++levels)
             node = made_.nodes_[node].parent;
+        count_long_work(levels / parts_of_step);
         made_.cut_by_.push_back(node);
     }
     std::vector<Box> boxes = made_.seen_;
@@ -245,6 +253,8 @@ bool Composite::inside_part(const Part& part, const Vec3& point) const {
 
 bool Composite::inside_node(const Node& node, const Vec3& point, const PartRef* aside) const {
     const bool decisive = node.how != Combination::common;
+    const bool indexed = !node.index.nodes().empty();
+    count_long_work(1 + (node.always.size() + (indexed ? 0 : node.boxed.size())) / parts_of_step);
     const auto decides = [&](const Part& part) {
         const bool left_aside =
             aside && part.ref.leaf == aside->leaf && part.ref.index == aside->index;
@@ -252,7 +262,7 @@ bool Composite::inside_node(const Node& node, const Vec3& point, const PartRef* 
     };
     for (const Part& part : node.always)
         if (decides(part)) return decisive;
-    if (node.index.nodes().empty()) {
+    if (!indexed) {
         for (const Part& part : node.boxed)
             if (contains(part.region.box, point) && decides(part)) return decisive;
         return !decisive;
@@ -276,7 +286,9 @@ bool Composite::inside(const Vec3& point) const {
 
 bool Composite::seen_at(std::uint32_t leaf, const Vec3& point) const {
     PartRef part{leaf, true};
+    std::uint64_t levels = 0;
     for (std::uint32_t i = parents_[leaf]; i != nothing; i = nodes_[i].parent) {
+        if (++levels % parts_of_step == 0) count_work(1);
         const Node& node = nodes_[i];
         const bool seen = node.how == Combination::common   ? inside_node(node, point, &part)
                           : node.how == Combination::merged ? !inside_node(node, point, &part)
@@ -312,7 +324,7 @@ const Interval& Composite::cut(std::uint32_t leaf, const Ray& ray, Cut& last) co
 template <class Take>
 void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& range,
                           const Interval& seen, Take take) const {
-    count_work(1);
+    count_work(work_of_crossing);
     const CompositeLeaf& leaf = leaves_[index];
     const Transform* transform = leaf.transform.get();
     Crossings found;

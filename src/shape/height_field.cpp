@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/height_field.h"
 
+#include "base/long_work.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -96,6 +97,8 @@ struct Cell {
 
 Vec3 normal_at(const BuiltHeightField& field, const Half& half, int x, int z, const Vec2& in_cell) {
     const HeightGrid& grid = *field.grid;
+    constexpr std::size_t cells_of_step = 4;
+    count_long_work(grid.values.size() / cells_of_step);
     const Vec3 flat = slope_normal(grid, half.rise_x, half.rise_z);
     if (!field.smooth) return flat;
     const auto corner = [&](int dx, int dz) {

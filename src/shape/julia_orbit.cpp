@@ -3,6 +3,7 @@
 
 #include "base/elementary.h"
 #include "base/target_clones.h"
+#include "base/work_watch.h"
 #include "shape/julia_formula.h"
 
 #include <algorithm>
@@ -10,6 +11,9 @@
 namespace candelabra {
 
 namespace {
+
+/// See count_work(); orbits that escape do so early.
+constexpr int steps_of_count = 8;
 
 double size2(const Vec4& q) { return glm::dot(q, q); }
 
@@ -159,6 +163,7 @@ JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
             bound.follow(q);
             q = image(q) + julia.parameter;
         }
+        count_work(static_cast<std::uint32_t>(julia.max_iteration / steps_of_count));
         return {true, size2(q), 0};
     });
 }
@@ -169,6 +174,7 @@ bool julia_contains(const JuliaSet& set, const Vec3& point) {
 
 int julia_stays(const JuliaSet& set, const Ray& ray, const std::array<double, 4>& places) {
     if (set.by_formula) return 0;
+    count_work(static_cast<std::uint32_t>(set.julia.max_iteration / steps_of_count));
     if (set.julia.algebra == hypercomplex_numbers)
         return hypercomplex_squares_stay(set, ray, places);
     return function_of(set.julia) == julia_sqr ? squares_stay(set, ray, places)

@@ -2,6 +2,7 @@
 #include "shape/outline.h"
 
 #include "base/elementary.h"
+#include "base/work_watch.h"
 
 #include <algorithm>
 
@@ -99,6 +100,8 @@ bool Outline::contains(const Vec2& p) const {
         if (!(p.x >= around.low.x && p.x <= around.high.x && p.y >= around.low.y &&
               p.y <= around.high.y))
             continue;
+        constexpr std::uint32_t groups_of_step = 4;
+        count_work((loop.groups.last - loop.groups.first) / groups_of_step);
         for (std::uint32_t g = loop.groups.first; g < loop.groups.last; ++g) {
             const auto& [box, edges, strands] = groups_[g];
             if (p.y < box.low.y || p.y > box.high.y || p.x >= box.high.x) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/parametric.h"
 
+#include "base/work_watch.h"
 #include "shape/triangle.h"
 #include "vocabulary/parts.h"
 #include "vocabulary/schema.h"
@@ -130,6 +131,7 @@ void add(BuiltParametric& surface, const ParametricPiece& piece, int divisions) 
 
 Vec3 BuiltParametric::at(const Vec2& uv) const {
     // Functions without named parameters have a third one; see problem().
+    count_work(6);
     const std::array arguments = {uv.x, uv.y, 0.0};
     return {functions[0]->value(arguments), functions[1]->value(arguments),
             functions[2]->value(arguments)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/part_index.h"
 
+#include "base/long_work.h"
 #include "index/tree_builder.h"
 
 #include <algorithm>
@@ -55,12 +56,14 @@ ShortList<std::uint32_t, 512> PartIndex::near(const Ray& ray, const Interval& ra
             return false;
         });
         marks.list(found);
+        count_long_work(found.size());
         return found;
     }
     tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
         found.insert(found.end(), items.begin(), items.end());
         return false;
     });
+    count_long_work(2 * found.size());
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;

@@ -2,6 +2,7 @@
 #include "shape/polynomial.h"
 
 #include "base/infinity.h"
+#include "base/long_work.h"
 #include "vocabulary/parts.h"
 #include "vocabulary/schema.h"
 
@@ -191,6 +192,8 @@ void crossings_between(const AlgebraicSurface& surface, const Ray& ray, const In
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
     // Computed from the point nearest to the origin, where such surfaces lie.
+    constexpr std::size_t factors_of_step = 2;
+    count_long_work(surface.factors.size() / factors_of_step);
     const Vec3 u = ray.direction / speed;
     const double start = -dot(ray.origin, u);
     const Ray near{ray.origin + start * u, u};
@@ -203,6 +206,8 @@ void crossings_between(const AlgebraicSurface& surface, const Ray& ray, const In
 }
 
 bool inside(const AlgebraicSurface& surface, const Vec3& point) {
+    constexpr std::size_t factors_of_step = 16;
+    count_long_work(surface.factors.size() / factors_of_step);
     return horner(surface, Plain{point}) <= 0;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/prism.h"
 
+#include "base/work_watch.h"
 #include "shape/winding.h"
 #include "vocabulary/schema.h"
 
@@ -94,6 +95,7 @@ void meet_sides(const BuiltPrism& prism, const Ray& ray, Use use) {
     if (line.weights == Vec2(0)) return;
     const Rectangle seen = shadow(prism, ray);
     const auto beside = [&](const Rectangle& box) {
+        count_work(1);
         return !overlap(seen, box) || misses(line, box);
     };
     prism.outline.for_edges(beside, [&](const Outline::Edge& edge) {

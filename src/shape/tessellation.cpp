@@ -3,7 +3,7 @@
 
 #include "base/circle.h"
 #include "base/elementary.h"
-#include "base/work_watch.h"
+#include "base/long_work.h"
 #include "shape/triangle.h"
 
 #include <iterator>
@@ -44,8 +44,10 @@ public:
     Mesh march() {
         if (!(cell_ > 0)) return {};
         within_.resize(static_cast<std::size_t>(size_[0] * size_[1] * size_[2]));
-        for (std::int64_t i = 0; i < std::ssize(within_); ++i)
+        for (std::int64_t i = 0; i < std::ssize(within_); ++i) {
+            count_work(1);
             within_[static_cast<std::size_t>(i)] = inside_(place(i)) ? 1 : 0;
+        }
         for (std::int64_t z = 0; z + 1 < size_[2]; ++z)
             for (std::int64_t y = 0; y + 1 < size_[1]; ++y)
                 for (std::int64_t x = 0; x + 1 < size_[0]; ++x)
@@ -110,6 +112,7 @@ private:
         const auto [known, added] =
             known_.try_emplace(key, static_cast<int>(mesh_.vertices.size()));
         if (!added) return known->second;
+        count_work(halvings);
         const Vec3 from = place(in), to = place(out);
         double least = 0, most = 1;
         for (int i = 0; i < halvings; ++i) {
@@ -284,7 +287,10 @@ Mesh marched(const Box& box, FunctionRef<bool(const Vec3&)> inside, int cells) {
 }
 
 Mesh tessellation(const BuiltShape& shape, int cells) {
-    return visit_shape([&](const auto& s) { return triangles_of(s, cells); }, shape);
+    Mesh mesh = visit_shape([&](const auto& s) { return triangles_of(s, cells); }, shape);
+    constexpr std::uint64_t work_of_face = 3;
+    count_long_work(work_of_face * mesh.faces.size());
+    return mesh;
 }
 
 std::optional<Composite::Meeting> surface_near(const Composite& whole,
@@ -297,6 +303,7 @@ std::optional<Composite::Meeting> surface_near(const Composite& whole,
 }
 
 void append(const Mesh& part, const Transform* map, Mesh& all) {
+    count_long_work(part.faces.size());
     const int first = static_cast<int>(all.vertices.size());
     for (const Vec3& v : part.vertices) all.vertices.push_back(map ? map->point(v) : v);
     const bool mirrored = map && map->determinant() < 0;
@@ -310,7 +317,6 @@ Mesh seen_tessellation(const Composite& whole, std::uint32_t number, int cells) 
     if (whole.leaf_bounds(number).empty()) return {};
     Mesh mesh;
     append(tessellation(leaf.shape, cells), leaf.transform.get(), mesh);
-    count_work(static_cast<std::uint32_t>(mesh.faces.size()));
     const bool cut = whole.leaf_count() > 1;
     std::erase_if(mesh.faces, [&](const Face& each) {
         if (!cut) return false;

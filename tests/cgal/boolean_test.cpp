@@ -15,7 +15,7 @@ std::string combine(SolidOperation operation, std::span<const Polyhedron> parts,
         steps.push_back(SolidOperation::take);
         steps.push_back(operation);
     }
-    return the_polyhedra().combine(steps, parts, made);
+    return the_polyhedra().combine(steps, parts, uncounted, made);
 }
 
 /// One surface of all the faces.
@@ -148,8 +148,7 @@ TEST_CASE("what CGAL demands of a solid is made so, or refused", "[polyhedra]") 
         {"one triangle", {sheet.points, {{0, 1, 2}}}, 0, open}};
     for (const Case& c : cases) {
         CAPTURE(c.name);
-        const std::string wrong =
-            c.wrong.empty() ? "" : "surface 1 bounds no solid: " + c.wrong;
+        const std::string wrong = c.wrong.empty() ? "" : "surface 1 bounds no solid: " + c.wrong;
         using enum SolidOperation;
         Polyhedron made;
         CHECK(combine(join, std::vector{c.given}, made) == wrong);
@@ -172,13 +171,33 @@ TEST_CASE("what CGAL demands of a solid is made so, or refused", "[polyhedra]") 
     }
 }
 
+TEST_CASE("work of operations is counted, and what counts it may end them", "[polyhedra]") {
+    struct Ended {};
+    static std::uint64_t steps, most;
+    const WorkCount count = [](std::uint64_t added) {
+        steps += added;
+        if (steps > most) throw Ended();
+    };
+    const std::vector<Polyhedron> parts = {unit_cube(0, 0, 0), unit_cube(0.5, 0.5, 0.5)};
+    const std::vector<SolidOperation> join = {SolidOperation::take, SolidOperation::take,
+                                              SolidOperation::join};
+    Polyhedron made;
+    steps = 0;
+    most = 1'000'000;
+    REQUIRE(the_polyhedra().combine(join, parts, count, made) == "");
+    CHECK(steps > 2'000);
+    most = steps - 1;
+    steps = 0;
+    CHECK_THROWS_AS(the_polyhedra().combine(join, parts, count, made), Ended);
+}
+
 TEST_CASE("nothing is combined with something as well", "[polyhedra]") {
     using enum SolidOperation;
     const std::vector<Polyhedron> parts = {unit_cube(0, 0, 0), unit_cube(5, 0, 0),
                                            unit_cube(2, 0, 0)};
     const auto volume_of = [&](std::vector<SolidOperation> steps) {
         Polyhedron made;
-        const std::string wrong = the_polyhedra().combine(steps, parts, made);
+        const std::string wrong = the_polyhedra().combine(steps, parts, uncounted, made);
         return wrong.empty() ? volume(made) : 0;
     };
     CHECK(volume_of({take, take, intersect, take, join}) == Approx(1));
@@ -195,8 +214,8 @@ TEST_CASE("a surface stays closed where points come together", "[polyhedra]") {
     cube.faces.push_back({8, 0, 2});
     cube.faces.push_back({0, 8, 3});
     Polyhedron made;
-    CHECK(the_polyhedra().combine(std::vector{SolidOperation::take}, std::vector{cube}, made) ==
-          "");
+    CHECK(the_polyhedra().combine(std::vector{SolidOperation::take}, std::vector{cube}, uncounted,
+                                  made) == "");
 }
 
 }  // namespace candelabra

@@ -95,7 +95,7 @@ TEST_CASE("operations stand what no modeller writes", "[polyhedra]") {
         const std::array steps = {SolidOperation::take, SolidOperation::take,
                                   SolidOperation::subtract};
         const std::array solids = {unit_cube(0, 0, 0), shape};
-        CHECK(the_polyhedra().combine(steps, solids, made) != "");
+        CHECK(the_polyhedra().combine(steps, solids, uncounted, made) != "");
     }
     Polyhedron made;
     CHECK(the_polyhedra().subdivide(shapes[0].second, SubdivisionRule::loop, 1, made) == "");

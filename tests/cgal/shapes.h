@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdint>
 
 namespace candelabra {
 
@@ -16,6 +17,9 @@ inline const Polyhedra& the_polyhedra() {
     REQUIRE(found);
     return *found;
 }
+
+/// For operations whose work nobody limits.
+inline void uncounted(std::uint64_t) {}
 
 /// A cube with edges of length 1 and its low corner at (x, y, z).
 inline Polyhedron unit_cube(double x, double y, double z) {

@@ -141,4 +141,40 @@ TEST_CASE("work of all kinds has an end", "[interpret]") {
     }
 }
 
+TEST_CASE("objects, meshes and points cost what is visited of them", "[interpret]") {
+    Limits limits;
+    limits.work = 20'000'000;
+    const std::string balls = "#for (I, 0, 999) sphere { <I/10, 0, 0>, 1 } #end ",
+                      points =
+                          "#declare P = array[3000]; #declare R = seed(1); "
+                          "#for (I, 0, 2999) #declare P[I] = <rand(R), rand(R)>; #end ",
+                      mesh =
+                          "#declare M = mesh { #for (I, 0, 9999) triangle { <I, 0, 0>, "
+                          "<I+1, 0, 0>, <I, 1, 0> } #end } ";
+    const std::string scripts[] = {
+        points + "#for (I, 0, 2999) #declare C = voronoi_cell(P, I, 0, 1); #end",
+        points + "#while (1) #declare D = delaunay(P); #end",
+        "#declare A = scatter(difference { box { -9, 9 } " + balls + "}, 0.01);",
+        "mesh { union { " + balls + "} }",
+        "mesh { merge { " + balls + "} }",
+        "mesh { difference { box { -9, 9 } " + balls + "} }",
+        "mesh { sphere { 0, 1 } subdivide 5 }",
+        "mesh { isosurface { function { x*x + y*y + z*z - 1 } } resolution 400 }",
+        "#while (1) #declare M = mesh { convex_hull { " + balls + "} }; #end",
+        "#declare U = union { " + balls + "} #while (1) #declare E = min_extent(U); #end",
+        "#declare U = union { " + balls + "} #while (1) #declare E = max_extent(U).x + 1; #end",
+        "#declare U = merge { " + balls + "} #while (1) #declare E = inside(U, <0, 0, 50>); #end",
+        "#declare U = intersection { #for (I, 0, 999) plane { y, I } #end } "
+        "#while (1) #declare E = inside(U, -y); #end",
+        "#declare U = merge { " + balls + "} #while (1) #declare E = trace(U, -9*x, x); #end",
+        mesh + "#while (1) #declare N = object { M scale 2 } #declare E = trace(N, -z, z); #end",
+        "#declare H = height_field { function 1000, 1000 { x } } #while (1) "
+        "#declare G = height_field { function 1000, 1000 { x } } #declare E = inside(G, 0); #end",
+    };
+    for (const std::string& script : scripts) {
+        INFO(script);
+        CHECK(spent(script, limits).starts_with("this scene takes more than 20 million steps"));
+    }
+}
+
 }  // namespace candelabra
