@@ -110,6 +110,14 @@ Factor combinations() {
     return factor;
 }
 
+/// Whether the shape has texture coordinates: others take those of the place in the scene.
+bool has_coordinates(std::string_view shape) {
+    static constexpr auto shapes =
+        std::to_array<std::string_view>({"sphere", "box", "torus", "ovus", "lathe", "sor",
+                                         "bicubic_patch", "parametric", "mesh", "mesh2"});
+    return std::ranges::count(shapes, shape) > 0;
+}
+
 /// Switches that change what some rays see, or by POV-Ray's rules more than one would see.
 unsigned traits_of_switch(std::string_view name) {
     if (name == "no_shadow" || name == "no_image" || name == "no_reflection" ||
@@ -123,13 +131,18 @@ unsigned traits_of_switch(std::string_view name) {
 
 Factor switches() {
     Factor factor{"switch", {{"none"}}};
-    for (const char* word :
-         {"no_shadow", "no_image", "no_reflection", "no_radiosity", "no_luminaire", "hollow",
-          "inverse", "double_illuminate", "uv_mapping"}) {
+    for (const char* word : {"no_shadow", "no_image", "no_reflection", "no_radiosity",
+                             "no_luminaire", "hollow", "inverse", "double_illuminate"}) {
         const std::string name(word);
         factor.levels.push_back({name, traits_of_switch(name),
                                  [name](Draft& draft) { draft.modifiers.push_back(words(name)); }});
     }
+    factor.levels.push_back({"uv_mapping", no_trait, [](Draft& draft) {
+                                 if (has_coordinates(draft.shape.head))
+                                     draft.modifiers.push_back(words("uv_mapping"));
+                             }});
+    factor.levels.push_back({"uv_mapping of places", directions | lengths,
+                             [](Draft& draft) { draft.modifiers.push_back(words("uv_mapping")); }});
     return factor;
 }
 

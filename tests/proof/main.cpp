@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program that run.sh starts: tries laws for a while, and writes what breaks them.
-//   proof [--minutes N] [--scenes N] [--law NAME]... [--seed S] [--out FOLDER] [--show] [CASE.pov]...
+//   proof [--minutes N] [--scenes N] [--law NAME]... [--seed S] [--out FOLDER] [--show]
+//     [--first] [CASE.pov]...
 #include "base/deep_stack.h"
 #include "proof/runner.h"
 
@@ -61,7 +62,7 @@ bool take(Asked& asked, std::string_view option, const char* value) {
 int usage() {
     std::fputs(
         "proof [--minutes N] [--scenes N] [--law NAME]... [--seed S] [--seconds N] [--shrink N]\n"
-        "      [--out FOLDER] [--show] [CASE.pov]...\nlaws:\n",
+        "      [--out FOLDER] [--show] [--first] [CASE.pov]...\nlaws:\n",
         stderr);
     for (const Law& law : laws())
         std::fprintf(stderr, "  %-14s %s\n", std::string(law.name).c_str(),
@@ -100,13 +101,13 @@ int try_laws(Asked& asked) {
         std::fflush(stdout);
     };
     std::printf(
-        "| law | scenes | pairs | of | failed | known | undecided | too slow | illegal |\n"
-        "|---|---|---|---|---|---|---|---|---|\n");
+        "| law | scenes | pairs | of | failed | known | undecided | too slow | illegal | CPU s |\n"
+        "|---|---|---|---|---|---|---|---|---|---|\n");
     std::string table;
     for (const LawCount& each : run(asked.plan, listening))
-        std::printf("| %s | %d | %zu | %zu | %d | %d | %d | %d | %d |\n",
+        std::printf("| %s | %d | %zu | %zu | %d | %d | %d | %d | %d | %.0f |\n",
                     std::string(each.law).c_str(), each.scenes, each.covered, each.pairs,
-                    each.failed, each.known, each.undecided, each.slow, each.illegal);
+                    each.failed, each.known, each.undecided, each.slow, each.illegal, each.seconds);
     return faults > 0 ? 1 : 0;
 }
 
@@ -116,6 +117,8 @@ int run_program(int count, char** arguments) {
         const std::string_view word = arguments[i];
         if (word == "--show")
             asked.shows = true;
+        else if (word == "--first")
+            asked.plan.until_fault = true;
         else if (!word.starts_with("--"))
             asked.cases.emplace_back(word);
         else if (i + 1 == count || !take(asked, word, arguments[++i]))

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <sstream>
 
 namespace candelabra::proof {
@@ -35,7 +36,10 @@ public:
         for (int number = 0; number < plan_.scenes; ++number)
             for (std::size_t i = 0; i < plan_.laws.size(); ++i) {
                 if (minutes_since(begin) > plan_.minutes) return counts();
+                const std::clock_t before = std::clock();
                 attempt(i, number);
+                counts_[i].seconds += double(std::clock() - before) / CLOCKS_PER_SEC;
+                if (plan_.until_fault && counts_[i].failed > 0) return counts();
             }
         return counts();
     }

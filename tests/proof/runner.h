@@ -16,6 +16,7 @@ struct Plan {
     double minutes = 1e9;
     int scenes = 1 << 30;       ///< of each law
     double shrink_minutes = 2;  ///< for each fault
+    bool until_fault = false;   ///< ends with the first fault
     Studio studio = {};
 };
 
@@ -31,6 +32,7 @@ struct LawCount {
     std::string_view law;
     int scenes = 0, failed = 0, known = 0, undecided = 0, slow = 0, illegal = 0;
     std::size_t covered = 0, pairs = 0;
+    double seconds = 0;  ///< of the processor
 };
 
 struct Listening {
