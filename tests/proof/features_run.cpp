@@ -51,7 +51,9 @@ Factor cameras() {
     for (const ItemInfo* info : items_of("Cameras")) {
         const std::string name(info->name);
         if (name == "mesh_camera") continue;
-        factor.levels.push_back({name, no_trait, [name](Draft& draft) {
+        // As in POV-Ray, a mirrored camera of this kind does not see the mirrored scene.
+        const unsigned traits = name == "spherical" ? directions : no_trait;
+        factor.levels.push_back({name, traits, [name](Draft& draft) {
                                      draft.lens = name == "cylinder" ? "cylinder 1" : name;
                                  }});
     }

@@ -19,7 +19,7 @@ const std::vector<Law>& laws() {
         {"chance", "A lamp that is sampled gives what it gives if it is found by chance.",
          hides | refracts | photon_light | gathers | tiny_light, staged, found_by_chance},
         {"point", "A fading light source gives what a tiny ball of its power gives.",
-         fogs | photon_light, staged, point_or_ball},
+         fogs | photon_light | gathers, staged, point_or_ball},
         {"furnace", "What is white, or glows as much as it takes, is not seen before white.",
          gains | glows | sources | dims | bends | hides | photon_light | gathers | aside | moves |
              nonlinear,
