@@ -12,7 +12,7 @@ namespace {
 /// Cameras whose angles of view depend on the lengths of `right` and `up`, as in POV-Ray: another
 /// size of them is another view.
 constexpr auto of_lengths = std::to_array<std::string_view>(
-    {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical"});
+    {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical", "cylinder"});
 
 /// The script at another size, and the same view of it.
 Script at_size(Script script, double factor) {
