@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "film/film.h"
 #include "render/pilot.h"
+#include "scene/dump_function.h"
 #include "scene/dump_texture.h"
 #include "text/message.h"
 #include "transport/integrator.h"
@@ -194,7 +195,8 @@ std::string what_is_under(const Exhibit& shown, int x, int y) {
         text +=
             message("at ", vector_text(seen.hit.position), ", normal ", vector_text(seen.normal),
                     ", distance ", static_cast<float>(seen.distance), "\n");
-    if (const Texture* texture = texture_at(shown.world, seen)) text += dump(*texture) + "\n";
+    if (const Texture* texture = texture_at(shown.world, seen))
+        text += FunctionWriter().replaced(dump(*texture)) + "\n";
     return text + lights_of(shown, at);
 }
 

@@ -26,6 +26,7 @@
 
 #include <iostream>
 #include <iterator>
+#include <optional>
 
 namespace candelabra {
 
@@ -192,6 +193,8 @@ private:
             return say(is_check() ? "" : dump(tree, names_));
         }
         statistics_.parse = time_now();
+        std::optional<WrittenFunctions> written;  // the dump needs them
+        if (options_.task == Task::dump_scene) written.emplace();
         Scene scene = evaluate_scene();
         statistics_.parse = time_now() - statistics_.parse;
         if (console_.files_read) console_.files_read(session_->files());

@@ -10,6 +10,8 @@
 #include "bind/solid_queries.h"
 #include "bind/textures.h"
 #include "bind/version_defaults.h"
+#include "formula/function_texts.h"
+#include "scene/dump_texture.h"
 #include "surface/pigment_map.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -125,7 +127,8 @@ private:
             out[0] = use.value(use.place(point), around(*noise));
             return true;
         };
-        return make_handle<Formula>(3, 1, code);
+        return with_text(make_handle<Formula>(3, 1, code),
+                         [&] { return dump(draft.use(), draft.transform); });
     }
 
     /// Results: red, green, blue, filter, transmit.
@@ -140,7 +143,7 @@ private:
             out[4] = colour.transmit;
             return true;
         };
-        return make_handle<Formula>(3, 5, code);
+        return with_text(make_handle<Formula>(3, 5, code), [&] { return dump(pigment); });
     }
 
     /// Takes `max_trace_level` and its number, which old scenes have outside of global_settings.

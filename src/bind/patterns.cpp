@@ -7,6 +7,7 @@
 #include "bind/textures.h"
 #include "bind/transforms.h"
 #include "csg/assemble.h"
+#include "scene/pattern_object.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 #include "text/message.h"
@@ -121,11 +122,12 @@ std::string_view pattern_name(const Pattern& pattern) {
 
 ObjectPattern object_pattern(const Object& object) {
     ShapeStore shapes;
-    auto solid = std::make_shared<Composite>(composite_of(object, shapes));
+    auto data = std::make_shared<PatternObject>(
+        PatternObject{composite_of(object, shapes), make_handle<Object>(object)});
     const auto inside = [](const void* data, const Vec3& point, const PatternScene&) {
-        return static_cast<const Composite*>(data)->inside(point) ? 1.0 : 0.0;
+        return static_cast<const PatternObject*>(data)->solid.inside(point) ? 1.0 : 0.0;
     };
-    return {{std::move(solid), inside}};
+    return {{std::move(data), inside}};
 }
 
 namespace {

@@ -133,9 +133,10 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::unary
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::negative(
     Result operand) {
     if (!operand) return operand;
+    std::string written = message("(-", text(*operand), ")");
     const Operand result = builder.emit(Operation::negate, *operand);
     builder.release(*operand);
-    return result;
+    return said(result, std::move(written));
 }
 
 namespace {
@@ -155,12 +156,19 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::binar
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::combine(
     const Tree& tree, Operator sign, Result a, Result b, NodeId right) {
     if (!a || !b) return std::nullopt;
-    const Result result = sign == Operator::divide
-                              ? division(tree, *a, *b, right)
-                              : builder.emit(operations_of(sign).exact, *a, *b);
-    builder.release(*a);
-    builder.release(*b);
-    return result;
+    if (sign == Operator::divide) return division(tree, *a, *b, right);
+    return joined(operations_of(sign).exact, candelabra::spelling(sign), *a, *b);
+}
+
+/// Emits an operation of two values, which are not read afterwards.
+ProgramBuilder::Operand Evaluator::State::FunctionCompiler::joined(Operation operation,
+                                                                   std::string_view sign, Operand a,
+                                                                   Operand b) {
+    std::string written = message("(", text(a), " ", sign, " ", text(b), ")");
+    const Operand result = builder.emit(operation, a, b);
+    builder.release(a);
+    builder.release(b);
+    return said(result, std::move(written));
 }
 
 /// Passes of a loop are parts of the expression, each with the values that its names have then.
@@ -192,13 +200,21 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::divis
     const double* known = builder.known(b);
     const bool plain = tree.get_if<node::Number>(at) || tree.get_if<node::Name>(at) ||
                        tree.get_if<node::Index>(at);
-    if (!known || !plain) return builder.emit(Operation::divide, a, b);
-    if (*known == 0) {
+    if (!known) return joined(Operation::divide, "/", a, b);
+    // A sign before the number keeps it from being plain.
+    std::string written =
+        message("(", text(a), plain ? " / " : " / (+", text(b), plain ? ")" : "))");
+    if (plain && *known == 0) {
         state.broken(Fault::division_by_zero, tree.span(divisor),
                      "this function always divides by zero");
         return std::nullopt;
     }
-    return builder.emit(Operation::multiply, a, builder.constant(1 / *known));
+    const Operand result = plain
+                               ? builder.emit(Operation::multiply, a, builder.constant(1 / *known))
+                               : builder.emit(Operation::divide, a, b);
+    builder.release(a);
+    builder.release(b);
+    return said(result, std::move(written));
 }
 
 /// In functions `&` binds closer than `|`. The parser treats both alike and groups from the left,
@@ -215,24 +231,18 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::logic
     parts.push_back({Operator::either, first});
     std::reverse(parts.begin(), parts.end());
 
-    const auto joined = [&](Operation operation, Operand a, Operand b) {
-        const Operand result = builder.emit(operation, a, b);
-        builder.release(a);
-        builder.release(b);
-        return result;
-    };
     std::vector<Operand> alternatives;
     for (const auto& [sign, part] : parts) {
         const Result value = expression(tree, part);
         if (!value) return std::nullopt;
         if (sign == Operator::both)
-            alternatives.back() = joined(Operation::both, alternatives.back(), *value);
+            alternatives.back() = joined(Operation::both, "&", alternatives.back(), *value);
         else
             alternatives.push_back(*value);
     }
     Operand result = alternatives[0];
     for (std::size_t i = 1; i < alternatives.size(); ++i)
-        result = joined(Operation::either, result, alternatives[i]);
+        result = joined(Operation::either, "|", result, alternatives[i]);
     return result;
 }
 
@@ -296,9 +306,10 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call_
     if (!values) return std::nullopt;
     if (!state.check_count(called.name, values->size(), *called.formula, tree.span(id)))
         return std::nullopt;
+    std::string written = message(called_text(called.formula), "(", texts(*values), ")");
     const Operand first = builder.call(called.formula, *values);
     for (const Operand value : *values) builder.release(value);
-    return first;
+    return said(first, std::move(written));
 }
 
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::member(
@@ -312,6 +323,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::membe
     if (!first) return std::nullopt;
     const std::string_view member = state.names.spelling(node.member);
     const std::size_t count = function->formula->results();
+    std::string written = message(text(*first), ".", member);
     const Result result = part(member, *first, count);
     for (std::size_t i = 0; i < count; ++i) {
         const Operand other = ProgramBuilder::following(*first, i);
@@ -321,7 +333,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::membe
         state.broken(Fault::bad_index, tree.span(id),
                      message("there is no `.", member, "` in the ", count, " numbers of `",
                              state.names.spelling(function->name), "`"));
-    return result;
+    return result ? said(*result, std::move(written)) : result;
 }
 
 /// A component, or a weighted sum of components, of numbers in consecutive registers.
@@ -363,6 +375,9 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::loop(
     }
     const Result first = expression(tree, parts[1]), last = expression(tree, parts[2]);
     if (!first || !last) return std::nullopt;
+    const std::string counted = message("i", ++counters);
+    std::string written = message(state.names.spelling(node.name), "(", counted, ", ", text(*first),
+                                  ", ", text(*last), ", ");
     const Operand i = builder.variable(), result = builder.variable();
     builder.pin(i);  // else each reading of the counter would release it
     builder.assign(i, *first);
@@ -372,18 +387,20 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::loop(
     const Operand goes_on = builder.emit(Operation::less_equal, i, *last);
     const std::size_t end = builder.jump_unless(goes_on);
     builder.release(goes_on);
-    locals.push_back({counter->name, i});
+    locals.push_back({counter->name, said(i, counted, true)});
     const Result term = expression(tree, parts[3]);
     locals.pop_back();
     if (!term) return std::nullopt;
+    written += text(*term) + ")";
     builder.update(sums ? Operation::add : Operation::multiply, result, *term);
     builder.release(*term);
     builder.update(Operation::add, i, builder.constant(1));
     builder.repeat(start);
     builder.land(end);
     builder.unpin(i);
+    spoken.erase(i);
     builder.release(*last);
-    return result;
+    return said(result, std::move(written));
 }
 
 ProgramBuilder::Operand Evaluator::State::FunctionCompiler::function_of_two(std::string_view name,
@@ -421,14 +438,79 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::funct
                              ", but here ", values->size() == 1 ? "is " : "are ", values->size()));
         return std::nullopt;
     }
+    std::string written = message(name, "(", texts(*values), ")");
     if (extreme)
-        return builder.fold(name == "min" ? Operation::least : Operation::greatest, *values);
-    if (select) return builder.select(*values);
+        return said(builder.fold(name == "min" ? Operation::least : Operation::greatest, *values),
+                    std::move(written));
+    if (select) return said(builder.select(*values), std::move(written));
     const Operand result = of_one ? builder.apply(*of_one, (*values)[0])
                                   : function_of_two(name, (*values)[0], (*values)[1]);
     for (const Operand value : *values)
         if (value != result) builder.release(value);
-    return result;
+    return said(result, std::move(written));
+}
+
+// ---- the text, with numbers for all names that are constants, and with parentheses around each
+// operation, so that it compiles to the same program
+
+namespace {
+
+/// A number of which the compiler makes the same constant.
+std::string constant_text(double x) {
+    if (std::isnan(x)) return "(1e308*10 - 1e308*10)";
+    if (std::isinf(x)) return x > 0 ? "(1e308*10)" : "(-1e308*10)";
+    return std::signbit(x) ? message("(-", -x, ")") : message(x);
+}
+
+}  // namespace
+
+ProgramBuilder::Operand Evaluator::State::FunctionCompiler::said(Operand operand, std::string text,
+                                                                 bool stays) {
+    if (!FunctionTexts::kept()) return operand;
+    // pow(x, 1) is x.
+    const auto [known, added] = spoken.try_emplace(operand);
+    if (added || stays || !known->second.stays) known->second = {std::move(text), stays};
+    return operand;
+}
+
+std::string Evaluator::State::FunctionCompiler::text(Operand operand) {
+    if (!FunctionTexts::kept()) return {};
+    if (const double* known = builder.known(operand)) return constant_text(*known);
+    const auto found = spoken.find(operand);
+    if (found == spoken.end()) return {};
+    return found->second.stays ? found->second.text : std::move(found->second.text);
+}
+
+std::string Evaluator::State::FunctionCompiler::texts(std::span<const Operand> operands) {
+    std::string all;
+    for (const Operand each : operands) {
+        if (!all.empty()) all += ", ";
+        all += text(each);
+    }
+    return all;
+}
+
+std::string Evaluator::State::FunctionCompiler::called_text(const Handle<Formula>& formula) {
+    if (!FunctionTexts::kept()) return {};
+    const auto found = std::ranges::find(whole.called, formula);
+    const auto number = static_cast<std::size_t>(found - whole.called.begin());
+    if (found == whole.called.end()) whole.called.push_back(formula);
+    return message(std::string(1, FormulaText::begin), number, std::string(1, FormulaText::end));
+}
+
+void Evaluator::State::FunctionCompiler::name_parameters(std::size_t count, bool listed) {
+    constexpr std::string_view usual = "xyz";
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string name = listed ? message("p", i + 1) : std::string(1, usual[i]);
+        said(locals[i].second, name, true);
+        if (listed) whole.parameters += (i > 0 ? ", " : "(") + name;
+    }
+    if (listed) whole.parameters += ")";
+}
+
+FormulaText Evaluator::State::FunctionCompiler::whole_text(Operand result) {
+    whole.body = text(result);
+    return std::move(whole);
 }
 
 }  // namespace candelabra

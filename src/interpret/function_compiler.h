@@ -6,9 +6,13 @@
 
 #include "formula/builder.h"
 #include "formula/formula.h"
+#include "formula/function_texts.h"
 #include "interpret/state.h"
 
 #include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -21,6 +25,20 @@ struct Evaluator::State::FunctionCompiler {
     explicit FunctionCompiler(State& state) : state(state) {}
 
     void add_parameter(NameId name) { locals.push_back({name, builder.input()}); }
+
+    // ---- the text of the function, if texts are kept
+    /// Keeps the text of an operand, which may be taken once, or often if it `stays`.
+    Operand said(Operand, std::string text, bool stays = false);
+    /// The text of an operand; empty if texts are not kept.
+    std::string text(Operand);
+    /// The texts of several operands, with commas between them.
+    std::string texts(std::span<const Operand>);
+    /// The text of a call, without its arguments.
+    std::string called_text(const Handle<Formula>&);
+    /// Names the parameters; `listed`: in a list before the body.
+    void name_parameters(std::size_t count, bool listed);
+    /// The text of the whole. Precondition: name_parameters() has been called.
+    FormulaText whole_text(Operand result);
 
     // ---- operators
     /// Compiles a list with directives and one expression.
@@ -36,6 +54,7 @@ struct Evaluator::State::FunctionCompiler {
     /// Compiles an expression with macros or directives among its operands.
     Result open(const Tree&, NodeId);
     Result combine(const Tree&, Operator, Result a, Result b, NodeId right);
+    Operand joined(Operation, std::string_view sign, Operand a, Operand b);
     Result logical(const Tree&, NodeId);
     Result division(const Tree&, Operand a, Operand b, NodeId divisor);
     Result wrong(Span, std::string message);
@@ -63,6 +82,13 @@ struct Evaluator::State::FunctionCompiler {
     State& state;
     ProgramBuilder builder;
     std::vector<std::pair<NameId, Operand>> locals;  ///< parameters and counters of loops
+    struct Said {
+        std::string text;
+        bool stays;
+    };
+    std::unordered_map<Operand, Said> spoken;
+    FormulaText whole;
+    std::size_t counters = 0;  ///< of loops so far
 };
 
 }  // namespace candelabra

@@ -18,6 +18,21 @@ std::optional<Spline::Kind> spline_kind(std::string_view word) {
     return std::nullopt;
 }
 
+std::string spline_text(const Spline& spline) {
+    constexpr auto words =
+        std::array{"linear_spline", "quadratic_spline", "cubic_spline", "natural_spline"};
+    std::string text = message("spline { ", words[static_cast<std::size_t>(spline.kind())]);
+    for (const Spline::Knot& knot : spline.knots()) {
+        text += message(" ", knot.t, ", ");
+        const bool one = spline.components() == 1;
+        for (std::size_t i = 0; i < spline.components(); ++i)
+            text += message(one ? "" : i == 0 ? "<" : ", ", knot.at[i]);
+        text += one ? "," : ">,";
+    }
+    text.pop_back();
+    return text + " }";
+}
+
 Handle<Formula> spline_formula(Handle<Spline> spline) {
     const std::size_t results = spline->components();
     return make_handle<Formula>(1, results,

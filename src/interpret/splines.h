@@ -8,6 +8,7 @@
 #include "interpret/evaluator.h"
 
 #include <optional>
+#include <string>
 
 namespace candelabra {
 
@@ -16,6 +17,9 @@ Value read_spline(Evaluator&, const Element& block);
 
 /// The kind of interpolation that a word names: linear_spline, ...; nothing for other words.
 std::optional<Spline::Kind> spline_kind(std::string_view word);
+
+/// The spline as a block of the language.
+std::string spline_text(const Spline&);
 
 /// The spline as a function of t.
 Handle<Formula> spline_formula(Handle<Spline>);

@@ -102,15 +102,17 @@ Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::F
                 ? std::nullopt
                 : this->number(tree, argument, "the number of an internal function");
         if (!number) return nullptr;
-        if (*number == noise_function) return noise_formula(noise);
+        const auto text = [&] { return message("internal(", *number, ")"); };
+        if (*number == noise_function) return with_text(noise_formula(noise), text);
         const InternalFunction* found = internal_function(static_cast<int>(*number));
         if (found && found->number == *number)
-            return make_handle<Formula>(
-                static_cast<std::size_t>(found->parameters), 1,
-                [code = found->code](const double* arguments, double* results) {
-                    results[0] = code(arguments);
-                    return true;
-                });
+            return with_text(make_handle<Formula>(
+                                 static_cast<std::size_t>(found->parameters), 1,
+                                 [code = found->code](const double* arguments, double* results) {
+                                     results[0] = code(arguments);
+                                     return true;
+                                 }),
+                             text);
         broken(Fault::out_of_range, tree.span(argument),
                message("there is no internal function ", *number));
         return nullptr;
@@ -190,13 +192,21 @@ Handle<Formula> Evaluator::State::function_of(const Element& element) {
     }
     if (word == "pattern" || word == "pigment") return handlers.function(element);
     const Value value = handlers.value({&element, 1});
-    if (const auto spline = value.handle<Spline>()) return spline_formula(spline);
+    if (const auto spline = value.handle<Spline>())
+        return with_text(spline_formula(spline), [&] { return spline_text(*spline); });
     const auto transform = value.handle<Transform>();
     if (!transform) return nullptr;
-    return make_handle<Formula>(3, 3, [transform](const double* in, double* out) {
-        const Vec3 moved = transform->point(Vec3(in[0], in[1], in[2]));
-        for (int i = 0; i < 3; ++i) out[i] = moved[i];
+    const auto moved = [transform](const double* in, double* out) {
+        const Vec3 place = transform->point(Vec3(in[0], in[1], in[2]));
+        for (int i = 0; i < 3; ++i) out[i] = place[i];
         return true;
+    };
+    return with_text(make_handle<Formula>(3, 3, moved), [&] {
+        std::string text = "transform { matrix <";
+        const auto& map = transform->forward();
+        for (const Vec3& row : {map.rows[0], map.rows[1], map.rows[2], map.translation})
+            for (int i = 0; i < 3; ++i) text += message(text.ends_with('<') ? "" : ", ", row[i]);
+        return text + "> }";
     });
 }
 
@@ -205,7 +215,8 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
     constexpr std::uint64_t compiling = 1'000;
     if (!spend(compiling, tree.span(id))) return nullptr;
     FunctionCompiler compiler(*this);
-    if (node.parameters != no_node && !stands_for_picture(tree, node)) {
+    const bool listed = node.parameters != no_node && !stands_for_picture(tree, node);
+    if (listed) {
         const auto given = parameters(tree, node, id);
         if (!given) return nullptr;
         for (const NameId name : *given) compiler.add_parameter(name);
@@ -215,13 +226,17 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
         compiler.locals.push_back({names.find("u"), compiler.locals[0].second});
         compiler.locals.push_back({names.find("v"), compiler.locals[1].second});
     }
+    constexpr std::size_t usual = 3;
+    compiler.name_parameters(listed ? compiler.locals.size() : usual, listed);
     const auto result = compiler.body(tree, node.body, tree.span(id));
     if (!result) return nullptr;
     if (!compiler.builder.fits()) {
         broken(Fault::out_of_range, tree.span(id), "this function is too long");
         return nullptr;
     }
+    FormulaText text = compiler.whole_text(*result);
     Handle<Formula> made = make_handle<Formula>(compiler.builder.finish({&*result, 1}));
+    if (FunctionTexts::kept()) FunctionTexts::kept()->keep(made, std::move(text));
     if (!may_be_costly(*made, tree.span(id))) return nullptr;
     if (made->depth() <= Formula::max_depth) return made;
     report(error(Fault::recursion_limit, tree.span(id),
@@ -238,8 +253,13 @@ Value Evaluator::State::function(const Tree& tree, const node::Function& node, N
                        (!has_parameters && may_give_block(tree, node.body));
     Handle<Formula> made =
         named ? named_function(tree, node, id) : written_function(tree, node, id);
-    if (made && stands_for_picture(tree, node) && !take_size(tree, node, made.edit()))
-        return Absence::broken;
+    if (made && stands_for_picture(tree, node)) {
+        const Handle<Formula> sizeless = made;
+        if (!take_size(tree, node, made.edit())) return Absence::broken;
+        FunctionTexts* const texts = FunctionTexts::kept();
+        if (const FormulaText* text = texts ? texts->find(sizeless.get()) : nullptr)
+            texts->keep(made, FormulaText(*text));
+    }
     return made ? Value(std::move(made)) : Value(Absence::broken);
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/dump.h"
 
+#include "formula/function_texts.h"
+#include "scene/dump_function.h"
 #include "scene/dump_texture.h"
 #include "text/message.h"
 #include "vocabulary/written.h"
 
 #include <array>
+#include <memory>
 #include <unordered_map>
+#include <utility>
 
 namespace candelabra {
 
@@ -117,9 +121,6 @@ std::string camera_text(const Scene& scene) {
                    scene.film.on ? " " : "", film_text(scene.film), matrix_text(transform), " }\n");
 }
 
-/// Writes the object with its contents in one line.
-std::string in_one_line(const Object& object);
-
 /// Writes the light without its `looks_like`, which is an object of its own.
 std::string light_text(PlacedLight placed) {
     const ItemInfo& info = *Kinds<Light>::infos[placed.light.index()];
@@ -164,8 +165,10 @@ std::string rainbows_text(const Scene& scene) {
     return text;
 }
 
+constexpr std::string_view settings_block = "global_settings";
+
 constexpr auto blocks_of_scenes = std::to_array<SceneText>({
-    {"global_settings", settings_text},
+    {settings_block, settings_text},
     {"background", background_text},
     {"sky_sphere", sky_text},
     {"fog", fogs_text},
@@ -186,6 +189,17 @@ std::string list_text(const std::vector<Handle<Texture>>& list) {
     std::string text = message("texture_list { ", list.size());
     for (const Handle<Texture>& each : list) text += ", " + dump(*each);
     return text + " }";
+}
+
+/// The function or file comes first. It is not among the fields then, where each kind of file has a
+/// word.
+std::string heights_text(HeightField field) {
+    const std::string source = field.function ? written(field.function, FieldType::function)
+                                              : written(field.file, FieldType::text);
+    field.function = nullptr;
+    field.file.clear();
+    const std::string fields = written_fields(HeightField::vocabulary, &field);
+    return message(source, fields.empty() ? "" : " ", fields);
 }
 
 bool is_mesh(const Object& object) {
@@ -308,10 +322,16 @@ public:
         out_ = message("#version ", scene.language_version, ";\n");
         if (scene.language_version >= first_modern)
             out_ += "#default { pigment { rgb 0 } finish { ambient 0.1 } }\n";
-        for (const SceneText& each : scene_texts()) out_ += each.text(scene);
+        // Functions of colours depend on the settings.
+        out_ += settings_text(scene);
+        const std::string head = std::exchange(out_, {});
+        for (const SceneText& each : scene_texts())
+            if (each.word != settings_block) out_ += each.text(scene);
         declare_shared(scene.objects);
         for (const ObjectHandle& object : scene.objects) refer(*object, 0);
-        return std::move(out_);
+        FunctionWriter functions;
+        const std::string rest = functions.replaced(out_);
+        return head + functions.declarations() + rest;
     }
 
 private:
@@ -370,7 +390,10 @@ private:
         const ItemInfo& info = *Kinds<Shape>::infos[shape.index()];
         out_.append(4 * depth, ' ');
         const auto look = [&](int number) { return part_look(object, number); };
-        out_ += message(info.name, " { ", written_fields(info, Kinds<Shape>::address(shape), look));
+        const auto* heights = std::get_if<Shared<HeightField>>(&shape);
+        out_ += message(info.name, " { ",
+                        heights ? heights_text(**heights)
+                                : written_fields(info, Kinds<Shape>::address(shape), look));
         for (const std::string& each : modifiers_of(object)) out_ += " " + each;
         out_ += " }\n";
     }
@@ -381,11 +404,7 @@ private:
 
 }  // namespace
 
-namespace {
-
 std::string in_one_line(const Object& object) { return Dumper().line(object); }
-
-}  // namespace
 
 std::string film_text(const FilmSettings& film) {
     if (!film.on) return {};
@@ -395,6 +414,9 @@ std::string film_text(const FilmSettings& film) {
 }
 
 std::span<const SceneText> scene_texts() { return blocks_of_scenes; }
+
+WrittenFunctions::WrittenFunctions() : texts_(std::make_unique<FunctionTexts>()) {}
+WrittenFunctions::~WrittenFunctions() = default;
 
 std::string dump(const Scene& scene) { return Dumper().text(scene); }
 

@@ -6,15 +6,32 @@
 
 #include "scene/scene.h"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace candelabra {
 
+class FunctionTexts;
+
+/// Keeps how functions are written, which dump() needs. To exist from the evaluation of the scene
+/// until its dump; see FunctionTexts.
+class WrittenFunctions {
+public:
+    WrittenFunctions();
+    ~WrittenFunctions();
+
+private:
+    std::unique_ptr<FunctionTexts> texts_;
+};
+
 /// Omits default values. Objects that occur more than once or lie deep are declared first as
 /// Object_1, ...
 std::string dump(const Scene&);
+
+/// Writes the object with its contents in one line.
+std::string in_one_line(const Object&);
 
 /// The film as a block of a camera; empty if the film is off.
 std::string film_text(const FilmSettings&);

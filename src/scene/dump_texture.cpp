@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/dump_texture.h"
 
+#include "scene/dump.h"
+#include "scene/dump_function.h"
+#include "scene/pattern_object.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 #include "surface/texture_map.h"
@@ -12,8 +15,7 @@ namespace {
 /// The contents of a picture's braces, except the textures of a material_map.
 std::string picture_text(Pattern pattern) {
     PictureMap& picture = *picture_of(pattern);
-    std::string text = picture.function ? message(" function ", picture.texels->width, ", ",
-                                                  picture.texels->height, " { /* compiled */ }")
+    std::string text = picture.function ? " " + written(picture.function, FieldType::function)
                                         : " " + written(picture.file, FieldType::text);
     const ItemInfo& info = *Kinds<Pattern>::infos[pattern.index()];
     // Otherwise the fields would contain the function in the place of the file.
@@ -30,6 +32,11 @@ std::string picture_text(Pattern pattern) {
     return text;
 }
 
+/// The data of an object pattern is always a PatternObject.
+std::string object_text(const ObjectPattern& pattern) {
+    return in_one_line(*static_cast<const PatternObject*>(pattern.inside.data.get())->object);
+}
+
 std::string pattern_text(const Pattern& pattern) {
     const std::string text = item_text(pattern);
     if (picture_of(pattern))
@@ -37,8 +44,10 @@ std::string pattern_text(const Pattern& pattern) {
                        " }");
     if (std::holds_alternative<Slope>(pattern))
         return message("slope {", text.substr(std::string_view("slope").size()), " }");
-    if (std::holds_alternative<FunctionPattern>(pattern)) return "function { /* compiled */ }";
-    if (std::holds_alternative<ObjectPattern>(pattern)) return "object { /* an object */ }";
+    if (const auto* function = std::get_if<FunctionPattern>(&pattern))
+        return written(function->formula, FieldType::function);
+    if (const auto* object = std::get_if<ObjectPattern>(&pattern))
+        return message("object { ", object_text(*object), " }");
     if (const auto* grey = std::get_if<PigmentGrey>(&pattern)) {
         // The data of a pigment_pattern is always a Pigment.
         std::string inner = dump(*static_cast<const Pigment*>(grey->grey.data.get()));
@@ -154,6 +163,14 @@ std::string finish_text(const Finish& finish) {
     return text.empty() ? text : message(" finish { ", text, " }");
 }
 
+std::string layer_content(const Texture&);
+
+/// The texture in an entry of a map, which has room for one layer: several are declared before.
+std::string entry_text(const Texture& texture) {
+    if (!texture.below) return layer_content(texture);
+    return message(FunctionWriter::texture_begin, dump(texture), FunctionWriter::texture_end);
+}
+
 /// The contents of the braces of one layer.
 std::string layer_content(const Texture& texture) {
     if (!texture.choice)
@@ -163,12 +180,12 @@ std::string layer_content(const Texture& texture) {
     if (const auto* map = std::get_if<MaterialMap>(&choice.use.pattern)) {
         text += message("material_map {", picture_text(*map), " ");
         for (const TextureStop& stop : choice.map)
-            text += message("texture { ", layer_content(*stop.texture), " } ");
+            text += message("texture { ", entry_text(*stop.texture), " } ");
         return message(text, "}", steps_text(choice.use), matrix_text(choice.transform));
     }
     text += message(use_text(choice.use), " texture_map { ");
     for (const TextureStop& stop : choice.map)
-        text += message("[", stop.value, " ", layer_content(*stop.texture), "] ");
+        text += message("[", stop.value, " ", entry_text(*stop.texture), "] ");
     return message(text, "}", matrix_text(choice.transform));
 }
 
@@ -193,6 +210,10 @@ std::string dump(const Pigment& pigment) {
         "pigment { ", pigment.uv ? "uv_mapping " : "", use_text(use),
         std::visit([&](const auto& map) { return map_text(use, map); }, pigment.pattern->map),
         quick, matrix_text(pigment.transform), " }");
+}
+
+std::string dump(const PatternUse& use, const Transform& transform) {
+    return message("pattern { ", use_text(use), matrix_text(transform), " }");
 }
 
 std::string dump(const Bump& bump) {

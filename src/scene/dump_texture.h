@@ -4,6 +4,7 @@
 
 #include "backdrop/rainbow.h"
 #include "backdrop/sky_sphere.h"
+#include "pattern/use.h"
 #include "surface/texture.h"
 #include "text/message.h"
 #include "vocabulary/kinds.h"
@@ -21,6 +22,9 @@ std::string dump(const Bump&);
 
 /// "texture { ... }", one for each layer, the lowest first.
 std::string dump(const Texture&);
+
+/// "pattern { ... }", as in a function.
+std::string dump(const PatternUse&, const Transform&);
 
 /// Written as a line.
 std::string dump(const SkySphere&);

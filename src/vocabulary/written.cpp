@@ -36,7 +36,10 @@ struct Writer {
     std::string operator()(const std::string& content) const {
         std::string text = "\"";
         for (const char c : content)
-            text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+            text += c == '"' || c == '\\' ? std::string{'\\', c}
+                    : c == function_begin || c == function_end
+                        ? message("\\u000", static_cast<int>(c))
+                        : std::string(1, c);
         return text + '"';
     }
     std::string operator()(const std::vector<double>& list) const {
@@ -44,9 +47,10 @@ struct Writer {
         for (const double x : list) text += message(text.size() > 1 ? ", " : "", x);
         return text + ">";
     }
-    /// The source of a function is not kept.
     std::string operator()(const Handle<Formula>& function) const {
-        return function ? "function { ... }" : "";
+        if (!function) return {};
+        const auto address = reinterpret_cast<std::uintptr_t>(function.get());
+        return message(function_begin, address, function_end);
     }
     template <class Entry>
     std::string operator()(const std::vector<Entry>& list) const {

@@ -10,6 +10,10 @@
 
 namespace candelabra {
 
+/// A function is written as its address between these, because this module does not know functions;
+/// see scene/dump_function.h. No other text has these characters.
+inline constexpr char function_begin = '\3', function_end = '\4';
+
 /// The value as a scene would give it, with the fewest digits that read back the same. Equal
 /// components are written as one number, as the language allows. An unset value is written as "".
 std::string written(const FieldValue&, FieldType);
