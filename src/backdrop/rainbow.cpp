@@ -15,8 +15,9 @@ const ItemInfo Rainbow::vocabulary = described<Rainbow>([] {
         "rainbow", "Coloured arcs around a direction; color_map { } has the colours.",
         F{"direction", &Rainbow::direction, item, "in which the light goes: the middle of the arc"},
         F{"angle", &Rainbow::angle, item, "degrees from there to the middle of the band"},
-        F{"width", &Rainbow::width, item, "of the band, in degrees", at_least(0)},
-        F{"distance", &Rainbow::distance, item, "where 37 % of what is behind are left", above(0)},
+        F{"width", &Rainbow::width, item,
+          "of the band, in degrees; below 0: its colours are reversed"},
+        F{"distance", &Rainbow::distance, item, "where 37 % of what is behind are left"},
         F{"jitter", &Rainbow::jitter, item, "how far colours are mixed at random"},
         F{"up", &Rainbow::up, item, "where the middle of the arc is"},
         F{"arc_angle", &Rainbow::arc_angle, item, "degrees of the circle that are there",
@@ -47,6 +48,7 @@ double faded(const Rainbow& rainbow, const Vec3& ahead, const Vec3& direction) {
 /// Returns nothing outside the rainbow.
 std::optional<Veil> veil_of(const Rainbow& rainbow, const Ray& ray, double distance,
                             double chance) {
+    if (rainbow.width == 0 || rainbow.distance == 0) return std::nullopt;
     const Vec3 ahead = unit(rainbow.direction);
     if (dot(ray.direction, ahead) < 0) return std::nullopt;
     const double from_middle = angle_between(ray.direction, ahead) - rainbow.angle;
@@ -65,7 +67,6 @@ std::optional<Veil> veil_of(const Rainbow& rainbow, const Ray& ray, double dista
 
 std::string problem(const Rainbow& rainbow) {
     if (rainbow.direction == Vec3(0)) return "`rainbow` needs a `direction`";
-    if (rainbow.width == 0) return "`rainbow` needs a `width`";
     return rainbow.up == Vec3(0) ? "`up` of `rainbow` must not be zero" : "";
 }
 

@@ -4,6 +4,7 @@
 #include "bind/colour_maps.h"
 #include "bind/textures.h"
 #include "bind/transforms.h"
+#include "text/message.h"
 #include "vocabulary/schema.h"
 
 namespace candelabra {
@@ -126,6 +127,11 @@ bool read_rainbow(Binder& binder, const Element& element, Rainbow& rainbow) {
     const std::string wrong = problem(rainbow);
     if (!block.broken && !wrong.empty())
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    if (!block.broken && (rainbow.width == 0 || rainbow.distance == 0))
+        block.report(warning(Fault::no_effect, element.word_span,
+                             message("this rainbow is not seen: its `",
+                                     rainbow.width == 0 ? "width" : "distance", "` is 0"))
+                         .with_help(block.help()));
     return !block.broken;
 }
 

@@ -13,7 +13,9 @@ namespace candelabra {
 struct RenderedRange {
     std::string_view item, field;
     double least;           ///< instead of a value below the range
-    bool any_sign = false;  ///< instead: its absolute value
+    bool any_sign = false;  ///< instead: its absolute value, if that is in the range
+    bool always = false;    ///< `least` counts also instead of a value above the range
+    double wraps = 0;       ///< instead: a number that differs by a multiple of this
 };
 
 /// Null if a value outside of the field's range is an error.

@@ -168,11 +168,13 @@ private:
     State state_ = State::none;
 };
 
-void check_photons(OpenBlock& block, const PhotonSettings& photons, Span span) {
-    if (photons.gather > photons.gather_most)
-        block.report(error(Fault::out_of_range, span,
-                           "the second number of `gather` in `photons` must not be below the first")
-                         .with_help("global_settings { photons { count 20000 gather 20, 100 } }"));
+/// As in POV-Ray, no photons are gathered if the most are fewer than the least.
+void check_photons(OpenBlock& block, PhotonSettings& photons, Span span) {
+    if (photons.gather <= photons.gather_most) return;
+    photons.on = false;
+    block.report(warning(Fault::no_effect, span,
+                         "there are no photons: the second number of `gather` is below the first")
+                     .with_help("global_settings { photons { count 20000 gather 20, 100 } }"));
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
         F{"angle", &T::angle, item,
           "degrees from the left edge to the right; 0: as without, but look_at says how much "
           "parallel rays see",
-          between(0, 360)}};
+          at_least(0)}};
     Schema<T, N + common.size() + M> result{name, help, {}};
     auto to = std::copy(before.begin(), before.end(), result.fields.begin());
     to = std::copy(common.begin(), common.end(), to);

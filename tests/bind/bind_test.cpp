@@ -110,7 +110,7 @@ TEST_CASE("each wrong value is told of once, with place and rule", "[bind]") {
          "warning no-effect: `max_trace_level` of `global_settings` is a whole number, and 2.5 "
          "counts as 2"},
         {"camera { angle -1 }",
-         "error out-of-range: `angle` of `camera` must be from 0 to 360, but it is -1"},
+         "error out-of-range: `angle` of `camera` must be at least 0, but it is -1"},
         {"global_settings { adc_bailout 1 adc_bailout 2 }",
          "warning duplicate: `adc_bailout` of `global_settings` is given again; this one counts"},
     }));

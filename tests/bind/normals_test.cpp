@@ -94,7 +94,7 @@ TEST_CASE("wrong normals are told of once", "[bind]") {
          "of 3"},
         {"bumps bozo", "error misplaced: a normal has one pattern, and this is a second"},
         {"bumps accuracy 0",
-         "error out-of-range: `accuracy` of `normal` must be above 0, but it is 0"},
+         "warning no-effect: `accuracy` of `normal` should be above 0, but it is 0: 1e-06 counts"},
         {"slope_map { [0 <0, 1>] }", "error misplaced: `slope_map` needs a pattern before it"},
         {"bumps slope_map { [0] }",
          "error missing: an entry of `slope_map` needs a height and a slope"},

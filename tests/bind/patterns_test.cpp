@@ -120,7 +120,8 @@ TEST_CASE("wrong patterns are told of once", "[bind]") {
         {"mandel 9 exterior 1",
          "error missing: the second value of `exterior` is missing, a number"},
         {"mandel 9 exponent 50",
-         "error out-of-range: `exponent` of `pigment` must be from 2 to 33, but it is 50"},
+         "warning no-effect: `exponent` of `pigment` should be from 2 to 33, but it is 50: 2 "
+         "counts"},
         {"density_file", "error missing: `density_file` needs the name of a file"},
         {"facets size 1", "error misplaced: `facets` is for normals only"},
         {"slope { }", "error missing: `slope` needs a direction, or `point_at`"},
@@ -129,7 +130,7 @@ TEST_CASE("wrong patterns are told of once", "[bind]") {
         {"bozo warp { repeat <1, 2, 0> }",
          "error out-of-range: `width` of `repeat` must lie along one axis, and not be 0"},
         {"bozo warp { black_hole 0, -1 }",
-         "error out-of-range: `radius` of `warp` must be above 0, but it is -1"},
+         "warning no-effect: `radius` of `warp` should be above 0, but it is -1: 1 counts"},
         {"bozo warp { displace 3 }", "error unknown-name: nothing is declared as `displace`"},
         {"wod", "error unknown-word: `pigment` has no word `wod`"},
         {"image_pattern { png \"x.png\" }", "error include-not-found: there is no file `x.png`"},

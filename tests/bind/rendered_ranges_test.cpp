@@ -16,18 +16,43 @@ TEST_CASE("numbers outside of a range are brought into it", "[bind]") {
     value = 5.0;
     bring_into(at_least(0), {"a", "b", 1}, value);
     CHECK(std::get<double>(value) == 5);
+    value = 70'000.0;
+    bring_into(between(-32768, 32767), {"a", "b", 0, false, false, 65536}, value);
+    CHECK(std::get<double>(value) == 70'000 - 65536);
+    value = 34.0;
+    bring_into(between(2, 33), {"a", "b", 2, false, true}, value);
+    CHECK(std::get<double>(value) == 2);
+    value = 0.0;
+    bring_into(above(0), {"a", "b", 1e-6, true}, value);
+    CHECK(std::get<double>(value) == 1e-6);
 }
 
 TEST_CASE("what POV-Ray renders outside of a range is a warning", "[bind]") {
-    const std::string text =
-        GENERATE("torus { -1, 0.3 }", "torus { 1, -0.3 }", "superellipsoid { <-0.5, 1> }",
-                 "sphere_sweep { linear_spline 2, -x, 0.3, x, 0.3 tolerance 0 }",
-                 "blob { threshold -1 sphere { 0, 1, 1 } }",
-                 "julia_fractal { <-.1, 0, -.8, 0> max_iteration 0 }",
-                 "polygon { 4, 0, x, x + y + z, y }", "fog { distance -3 } sphere { 0, 1 }",
-                 "global_settings { number_of_waves 0 }", "sphere { 0, 1 interior { ior -1 } }",
-                 "sphere { 0, 1 finish { reflection { 1 exponent 0 } } }",
-                 "fog { distance 3 turbulence 0.3 octaves 20 }");
+    const std::string text = GENERATE(
+        "torus { -1, 0.3 }", "torus { 1, -0.3 }", "superellipsoid { <-0.5, 1> }",
+        "sphere_sweep { linear_spline 2, -x, 0.3, x, 0.3 tolerance 0 }",
+        "blob { threshold -1 sphere { 0, 1, 1 } }",
+        "julia_fractal { <-.1, 0, -.8, 0> max_iteration 0 }", "polygon { 4, 0, x, x + y + z, y }",
+        "fog { distance -3 } sphere { 0, 1 }", "global_settings { number_of_waves 0 }",
+        "sphere { 0, 1 interior { ior -1 } }",
+        "sphere { 0, 1 finish { reflection { 1 exponent 0 } } }",
+        "fog { distance 3 turbulence 0.3 octaves 20 }",
+        "camera { aperture -1 blur_samples 4 focal_point 0 location -z }",
+        "camera { aperture 1 blur_samples 4 variance -1 location -z }",
+        "camera { fisheye aperture 1 blur_samples 4 confidence 2 location -z }",
+        "light_source { 9, 1 area_light x, y, 2, 2 adaptive -1 }",
+        "plane { y, 0 pigment { julia <0.3, 0.2>, -5 } }",
+        "plane { y, 0 pigment { mandel 10 exponent 34 } }",
+        "plane { y, 0 pigment { magnet 1 julia <0.3, 0.2>, -3 } }",
+        "plane { y, 0 pigment { spiral1 100000 } }",
+        "plane { y, 0 pigment { bozo warp { black_hole 0, -1 } } }",
+        "plane { y, 0 pigment { rgb 1 } normal { bozo accuracy -1 } }",
+        "media { scattering { 5, 0.3 eccentricity 2 } }",
+        "rainbow { direction z angle 10 width 0 color_map { [0 rgb x] [1 rgb y] } }",
+        "rainbow { direction z angle 10 width 5 distance 0 color_map { [0 rgb x] [1 rgb y] } }",
+        "global_settings { assumed_gamma 20 }", "global_settings { subsurface { samples 10, -1 } }",
+        "global_settings { photons { count 9 gather 5, 0 } }",
+        "global_settings { photons { count 9 max_trace_level 400 } }");
     INFO(text);
     const Script done = run("#version 3.7; " + text);
     INFO(done.text);

@@ -137,7 +137,7 @@ TEST_CASE("wrong settings are told of once", "[bind]") {
     CHECK(complaint("global_settings { charset utf8 } #declare A = \"\xC3\xA9\";") ==
           "warning no-effect: `charset` has no effect in this version");
     CHECK(complaint("global_settings { photons { count 100 gather 30, 20 } }") ==
-          "error out-of-range: the second number of `gather` in `photons` must not be below the "
+          "warning no-effect: there are no photons: the second number of `gather` is below the "
           "first");
     CHECK(complaint("global_settings { photons { count 100 target } }") ==
           "error misplaced: `target` has no place in `photons`");
