@@ -5,6 +5,7 @@
 #include "app/help.h"
 #include "app/option_table.h"
 #include "app/option_values.h"
+#include "base/video_gamma.h"
 #include "text/message.h"
 #include "text/printable.h"
 #include "text/sha256.h"
@@ -141,7 +142,8 @@ void note_lights(Identity& identity, std::span<const std::string> names) {
 }
 
 double file_gamma_of(const Identity& identity) {
-    return number(fact(identity, fact_of(in_force::gamma))).value_or(-1);
+    const std::string said = fact(identity, fact_of(in_force::gamma));
+    return number(said).value_or(gamma_called(said).value_or(srgb_gamma));
 }
 
 std::string to_text(const Identity& identity) {

@@ -2,6 +2,7 @@
 #include "app/option_store.h"
 
 #include "app/completion.h"
+#include "base/video_gamma.h"
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/nearest.h"
@@ -213,12 +214,12 @@ void store::create_ini(Options& options, const Given& given, Diagnostics& diagno
 
 void store::gamma(Options& options, const Given& given, Diagnostics& diagnostics) {
     const std::optional<double> gamma = number(*given.value);
-    if (same_letters(*given.value, "srgb"))
-        options.file_gamma = -1;
+    if (const auto curve = gamma_called(lower_case(*given.value)))
+        options.file_gamma = *curve;
     else if (gamma && *gamma >= 0.1 && *gamma <= 10)
         options.file_gamma = *gamma;
     else
-        refuse(given, diagnostics, "needs sRGB or a number from 0.1 to 10");
+        refuse(given, diagnostics, "needs sRGB, bt709, bt2020 or a number from 0.1 to 10");
 }
 
 void store::diagnostics(Options& options, const Given& given, Diagnostics& diagnostics) {

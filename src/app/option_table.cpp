@@ -369,7 +369,8 @@ constexpr auto rows = std::to_array<OptionRow>({
     option_field(picture, "", "", "ambient-luminaires", nothing, "ambient_luminaires"),
     option(picture, "", "File_Gamma", "", value, "g", store::gamma,
            "how pictures of whole "
-           "numbers are encoded: sRGB (the default), or a power of which this is the inverse; "
+           "numbers are encoded: sRGB (the default), bt709, bt2020, or a power of which this is "
+           "the inverse; "
            "OpenEXR and Radiance HDR are linear",
            in_force::gamma),
     accepted("HR", "High_Reproducibility", sign, "", "pictures are always reproducible"),
@@ -406,6 +407,7 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("", "Display_Gamma", value, "g", no_preview),
     ignored("", "User_Abort_Return", value, "action", over),
     ignored("", "Fatal_Error_Return", value, "action", over),
+    ignored("CC", "Create_Continue_Trace_Log", sign, "", "states are always kept; see STATES"),
     ignored("", "Continue_Trace_Log", value, "file", "states have names of their own; see STATES"),
     benchmark,
     refused("TH", "Dither", sign_and_value, "x",

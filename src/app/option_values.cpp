@@ -4,6 +4,7 @@
 #include "app/option_table.h"
 #include "app/output.h"
 #include "app/region.h"
+#include "base/video_gamma.h"
 #include "text/message.h"
 #include "vocabulary/kinds.h"
 #include "vocabulary/written.h"
@@ -205,6 +206,8 @@ Texts in_force::luminaires(const Options& options) {
 }
 
 Texts in_force::gamma(const Options& options) {
+    if (options.file_gamma == bt709_gamma) return {"bt709"};
+    if (options.file_gamma == bt2020_gamma) return {"bt2020"};
     return if_given(options.file_gamma > 0, message(options.file_gamma));
 }
 

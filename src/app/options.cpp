@@ -10,6 +10,8 @@
 #include "text/printable.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace candelabra {
@@ -36,6 +38,22 @@ const OptionRow* find_named(std::string_view OptionRow::*name, std::string_view 
     return nullptr;
 }
 
+/// Returns the keyword with the letters that the table has: Bits_Per_Colour is Bits_Per_Color.
+std::string usual_spelling(std::string_view keyword) {
+    std::string name = lower_case(keyword);
+    for (const auto& [from, to] : {std::pair{"colour", "color"}, std::pair{"grey", "gray"}})
+        if (const std::size_t at = name.find(from); at != name.npos)
+            name.replace(at, std::string_view(from).size(), to);
+    return name;
+}
+
+/// Whether a keyword is on; a number other than 0 says so in POV-Ray.
+std::optional<bool> switched(std::string_view text) {
+    if (const auto on = truth(text)) return on;
+    const std::optional<double> value = number(text);
+    return value ? std::optional(*value != 0) : std::nullopt;
+}
+
 /// Returns the keyword as a long option: `output-file-name`.
 std::string long_name(std::string_view keyword) {
     std::string name = lower_case(keyword);
@@ -49,7 +67,7 @@ const OptionRow* find_long(std::string_view name) {
     if (const OptionRow* row = find_named(&OptionRow::word, name)) return row;
     std::string keyword(name);
     std::ranges::replace(keyword, '-', '_');
-    return keyword.empty() ? nullptr : find_named(&OptionRow::keyword, keyword);
+    return keyword.empty() ? nullptr : find_named(&OptionRow::keyword, usual_spelling(keyword));
 }
 
 bool keyword_form(std::string_view argument) {
@@ -263,6 +281,8 @@ private:
             options_.task = Task::help;
             return;
         }
+        if (argument == "-version" || argument == "-help")  // of POV-Ray for Unix
+            return read_long(message("-", argument));
         const OptionRow* row = find_switch(text);
         if (find_named(&OptionRow::word, text) || !row)
             return fail(argument, "there is no such option", help_for(argument));
@@ -292,7 +312,8 @@ private:
 
     void read_keyword(std::string_view argument) {
         const std::size_t equals = argument.find('=');
-        const OptionRow* row = find_named(&OptionRow::keyword, argument.substr(0, equals));
+        const OptionRow* row =
+            find_named(&OptionRow::keyword, usual_spelling(argument.substr(0, equals)));
         if (!row && names_a_scene(argument)) return read_scene(argument);
         if (!row) {
             const std::string near = meant(argument);
@@ -306,7 +327,7 @@ private:
             if (row->store == store::include_ini) return read_included(argument, text);
             return accept(*row, {argument, true, text, where_});
         }
-        const std::optional<bool> on = truth(text);
+        const std::optional<bool> on = switched(text);
         if (!on) return fail(argument, "the value must be on or off");
         accept(*row, {argument, *on, {}, where_});
     }
@@ -335,9 +356,11 @@ private:
         if (equals != std::string_view::npos) given.value = argument.substr(equals + 1);
         if (row->takes == Takes::sign || (row->takes == Takes::sign_and_value && given.value)) {
             // A keyword that is on or off: --output-alpha, --output-alpha=off.
-            const std::optional<bool> on = given.value ? truth(*given.value) : true;
-            if (!on && row->takes == Takes::sign)
-                return fail(argument, "the value must be on or off");
+            const bool sign = row->takes == Takes::sign;
+            const std::optional<bool> on = !given.value ? true
+                                           : sign       ? switched(*given.value)
+                                                        : truth(*given.value);
+            if (!on && sign) return fail(argument, "the value must be on or off");
             if (on) given.value.reset();
             given.on = on.value_or(true);
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The transfer curves of ITU-R for video, which scenes may state for pictures that they read.
+// The transfer curves of ITU-R for video, which pictures that are read or written may have.
 #pragma once
 
 #include "base/elementary.h"
@@ -12,6 +12,9 @@ namespace candelabra {
 
 /// The gammas that stand for these curves, beside srgb_gamma.
 inline constexpr double bt709_gamma = -2, bt2020_gamma = -3;
+
+/// The power that is nearest to both curves, for files that can only state a power.
+inline constexpr double video_power = 1.96;
 
 /// The gamma of a curve by its name in scenes.
 inline std::optional<double> gamma_called(std::string_view name) {
@@ -28,6 +31,20 @@ inline double video_decode(double value, double gamma) {
     const double knee = gamma == bt709_gamma ? 0.018 : 0.0181;
     if (value < slope * knee) return value / slope;
     return math::pow((value + (scale - 1)) / scale, 1 / exponent);
+}
+
+/// The inverse of video_decode().
+inline double video_encode(double light, double gamma) {
+    constexpr double slope = 4.5, exponent = 0.45;
+    const double scale = gamma == bt709_gamma ? 1.099 : 1.0993;
+    const double knee = gamma == bt709_gamma ? 0.018 : 0.0181;
+    return light < knee ? slope * light : scale * math::pow(light, exponent) - (scale - 1);
+}
+
+/// The inverse of light_of().
+inline double value_of(double light, double gamma) {
+    if (gamma == bt709_gamma || gamma == bt2020_gamma) return video_encode(light, gamma);
+    return from_linear(light, gamma);
 }
 
 /// The linear light of a value by any curve or power that a scene states.

@@ -3,6 +3,7 @@
 
 #include "base/colour.h"
 #include "base/gamma.h"
+#include "base/video_gamma.h"
 #include "picture/file.h"
 #include "picture/formats.h"
 #include "text/ascii.h"
@@ -137,7 +138,9 @@ RawPicture raw_picture(const Image& image, const PictureFormat& format,
                    type.extension,
                    {},
                    format.description,
-                   format.encoded ? format.file_gamma : srgb_gamma};
+                   !format.encoded                  ? srgb_gamma
+                   : format.file_gamma < srgb_gamma ? video_power
+                                                    : format.file_gamma};
     if (type.linear)
         raw.values = channels_of<float>(image, format, alpha,
                                         [&](double value) { return representable(value, format); });
@@ -187,7 +190,7 @@ unsigned quantised(double value, unsigned most, const PictureFormat& format) {
     if (!(value > 0)) return 0;
     double shown = std::min(value, 1.0);
     if (format.encoded)
-        shown = std::min(from_linear(to_linear(shown, format.gamma), format.file_gamma), 1.0);
+        shown = std::min(value_of(to_linear(shown, format.gamma), format.file_gamma), 1.0);
     return static_cast<unsigned>(std::floor(most * shown + 0.5));
 }
 

@@ -43,7 +43,7 @@ TEST_CASE("a picture tells the command that makes it again", "[app]") {
     shell.write("a b.pov", std::string(lit_scene) + "sphere { clock*x, 0.1 }");
     const std::string way = GENERATE(
         "", "--samples 3", "-A --seed 7", "+A0.1 +R2", "--noise 0.4 --shadow-rays 2",
-        "Declare=Size=0.5 +K0.25 File_Gamma=1.8", "+Q3 +SR3 +ER9 +SC0.25",
+        "Declare=Size=0.5 +K0.25 File_Gamma=1.8", "-A File_Gamma=bt2020", "+Q3 +SR3 +ER9 +SC0.25",
         "--light-sampler light_bvh", "+KFI1 +KFF4 +KF2 +KC +SF3 +EF3", "+MV3.6 --threads 1");
     const auto make = [&](const std::string& options, const std::string& name) {
         INFO(options);

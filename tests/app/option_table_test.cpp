@@ -121,7 +121,7 @@ TEST_CASE("every switch and keyword of POV-Ray has a meaning or a one-line answe
         {{"+TH", "+THB2", "Dither=on"}, ": is not offered: pictures are not dithered"},
         {{"Dither_Method=FS"}, ": is not offered: pictures are not dithered"},
         {{"-TH", "Dither=off"}},
-        {{"File_Gamma=sRGB", "File_Gamma=2.2"}},
+        {{"File_Gamma=sRGB", "File_Gamma=bt709", "File_Gamma=2.2"}},
         {{"Display_Gamma=2.2"}, "is ignored: no preview is shown"},
         {{"+GA",
           "-GA",

@@ -197,6 +197,18 @@ TEST_CASE("names are declared with numbers and strings") {
     CHECK(options.declares == expected);
 }
 
+TEST_CASE("keywords are switched by numbers, and spelled in either way, as in POV-Ray") {
+    CHECK(options_of({"Antialias=0.001"}).given.size() == 1);
+    CHECK(options_of({"Output_Alpha=2"}).alpha);
+    CHECK_FALSE(options_of({"Output_Alpha=0.0"}).alpha);
+    CHECK(options_of({"Bits_Per_Colour=16"}).bits == 16);
+    CHECK(options_of({"Greyscale_Output=on"}).grey);
+    CHECK(options_of({"--greyscale-output"}).grey);
+    CHECK(options_of({"-version"}).task == Task::version);
+    CHECK(options_of({"-help"}).task == Task::help);
+    CHECK(options_of({"File_Gamma=BT709"}).file_gamma < -1);
+}
+
 TEST_CASE("POV-Ray's switches that change nothing are taken in silence") {
     for (const char* word : {"+D", "-D", "+D0C", "+P", "-P", "Display=on", "Pause_When_Done=off",
                              "+Q9", "+Q11", "+HR", "File_Gamma=sRGB", "-UA", "-C", "-KC"}) {
@@ -208,7 +220,7 @@ TEST_CASE("POV-Ray's switches that change nothing are taken in silence") {
 TEST_CASE("POV-Ray's switches that leave the picture as it is are ignored with a warning") {
     CHECK(complaint({"+MB1"}, Severity::warning) ==
           "`+MB1` is ignored: objects are always found through an index; see --index");
-    for (const char* word : {"+BS16", "+MB1", "-UR", "+SP8", "Bounding=on"}) {
+    for (const char* word : {"-CC", "+BS16", "+MB1", "-UR", "+SP8", "Bounding=on"}) {
         CAPTURE(word);
         CHECK(complaint({word}, Severity::warning).find("is ignored") != std::string::npos);
     }
@@ -286,7 +298,7 @@ TEST_CASE("every wrong argument has one message") {
         {{"+GI"}, "`+GI`: needs the name of a file | +GIall.ini"},
         {{"Create_Ini=on"}, "`Create_Ini=on`: needs the name of a file | +GIall.ini"},
         {{"+UF"}, "`+UF`: is not offered: no screen has interlaced fields any more"},
-        {{"File_Gamma=0"}, "`File_Gamma=0`: needs sRGB or a number from 0.1 to 10"},
+        {{"File_Gamma=0"}, "`File_Gamma=0`: needs sRGB, bt709, bt2020 or a number from 0.1 to 10"},
         {{"+\x1b[2J"}, "`+\xe2\x90\x9b[2J`: there is no such option"},
     };
     for (const Case& each : cases) CHECK(complaint(each.words) == each.expected);
