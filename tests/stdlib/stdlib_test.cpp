@@ -183,6 +183,21 @@ TEST_CASE("the library declares every name of POV-Ray's file of the same name", 
     }
 }
 
+TEST_CASE("colours have places in the spaces of CIE, by D50 or D65", "[stdlib]") {
+    // sRGB's red, by CSS Color 4 (D50) and by the primaries (D65).
+    const std::string script =
+        "#include \"colors.inc\"\n"
+        "#macro P(C) #local D = color C; #debug concat(vstr(3, <D.red, D.green, D.blue>, \" \", 0, "
+        "2), \" \", str(D.filter + D.transmit, 0, 1), \"; \") #end\n"
+        "P(CRGB2Lab(rgb x)) P(CRGB2Lab_D65(rgb x)) P(CRGB2Lab(rgbft <1, 1, 1, 0.2, 0.3>)) "
+        "P(CRGB2XYZ_D65(rgb 1)) P(CRGB2XYZ(rgb 1)) P(CLab2RGB(CRGB2Lab(rgb <0.2, 0.5, 0.01>))) "
+        "P(CLab2RGB_D65(CRGB2Lab_D65(rgb <0.2, 0.5, 0>))) P(CXYZ2RGB(CRGB2XYZ(rgb <0.3, 0.4, 2>)))";
+    CHECK(evaluated(script).printed ==
+          "54.29 80.81 69.89 0.0; 53.24 80.09 67.20 0.0; 100.00 0.00 0.00 0.5; "
+          "0.95 1.00 1.09 0.0; 0.96 1.00 0.83 0.0; 0.20 0.50 0.01 0.0; "
+          "0.20 0.50 0.00 0.0; 0.30 0.40 2.00 0.0; ");
+}
+
 namespace {
 
 Texture library_texture(const std::string& include, const std::string& name) {
