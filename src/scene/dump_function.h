@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes what a dump has elsewhere than in its place: functions, for which written() has left marks,
-// and textures of several layers in maps, whose entries have room for one.
+// Writes what a dump has elsewhere than in its place: functions, for which written() has left
+// marks, and textures of several layers in maps, whose entries have room for one.
 #pragma once
 
 #include <string>
