@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Each source and each header compiles by itself: it includes the headers of the program that it uses. (Those of the standard
-# library are all there, for speed; includes_test.cpp looks after them.) Takes two minutes of two cores.
+# library are all there, for speed; includes_test.cpp looks after them.) Takes eight minutes of two cores.
 #   alone.sh BUILD [FILE...]     BUILD: the build folder, which has the generated headers; FILE: only these, relative to src/
 # CXX chooses the compiler.
 set -euo pipefail

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Both commands of the README on a bare Debian: a debootstrap, a copy of this clone in it, examples/run.sh and tests/run.sh;
 # then each source by itself, and the list of bytes.sh, in build/bytes. What is committed counts. Run by hand, as root; it
-# takes 30 minutes on two idle cores, and 5 GB.
+# takes 40 minutes on two idle cores, and 3 GB.
 #   debian.sh SUITE FOLDER [COMMAND...]     SUITE: bookworm or trixie; COMMAND: instead of these, in the clone
 # FOLDER keeps the system and FOLDER/candelabra the clone with its build: the next time only what changed is built. Without
 # FOLDER/candelabra everything is built, and without FOLDER the packages come anew. MIRROR chooses where they come from.
