@@ -62,6 +62,7 @@ std::optional<std::string> dumped(const Studio& studio, const std::string& text,
     Diagnostics diagnostics;
     Session run(session_settings(text, settings_with(studio, options)), diagnostics);
     run.read();
+    const WrittenFunctions functions;
     const Scene scene = run.evaluate();
     if (diagnostics.failed()) return {};
     return dump(scene);
