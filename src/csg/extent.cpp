@@ -15,10 +15,11 @@ double volume(const Box& box) {
     return size.x * size.y * size.z;
 }
 
-/// Box of the intersection of all objects.
+/// Box of the intersection of all objects. As in POV-Ray, inverse ones have no end.
 Box shared(const std::vector<ObjectHandle>& objects) {
     Box result = everywhere();
-    for (const ObjectHandle& each : objects) result = clip(result, extent(*each));
+    for (const ObjectHandle& each : objects)
+        if (!each->inverse) result = clip(result, extent(*each));
     return result;
 }
 

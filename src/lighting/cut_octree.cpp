@@ -24,13 +24,14 @@ constexpr double coarse_pixels = 32;
 constexpr double coarser_in_air = 2;
 /// Bounds on this size as an angle (size over distance), for large and for small pictures.
 constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
-/// Maximum size of cells where all rays of the camera are parallel, in widths of the view. It is
-/// large, so that only far lamps divide cells: surveys of smaller cells than the rule of noise asks
-/// for found fewer places and starved lamps that light the rims of things (tests/statistics).
-constexpr double most_views = 32;
+/// Maximum size of cells where all rays of the camera are parallel, in widths of the view.
+constexpr double most_views = 4;
 /// Number of levels beyond the deepest one by which cells that are too large may still be divided:
 /// enough for every ratio of lengths in single precision.
 constexpr int more_levels = 160;
+/// Number of levels below cells that are too large by which noise may divide cells without a survey
+/// in any case: one lamp that is far makes the whole cube large, and its first levels say nothing.
+constexpr int finer_levels = 5;
 /// Near luminaires look different from different points of a cell, and so count more than the
 /// survey says. Together they are raised by at most this multiple of the survey's total of all
 /// entries, and each alone by at most this multiple. So occluded luminaires cause little noise,
@@ -75,6 +76,7 @@ struct BuiltCutOctree::CellSurvey {
 struct BuiltCutOctree::Cell {
     Box box;
     int depth = -1;                    ///< 0 for the root
+    int too_large = 0;                 ///< number of the cells around it that are too large
     bool in_air = false;               ///< for points between surfaces
     std::optional<LightCut> cut;       ///< none: the cell is divided
     std::optional<CellSurvey> survey;  ///< none: there was no scene to survey
@@ -95,6 +97,7 @@ struct BuiltCutOctree::State {
     LightTree tree;
     LightBall ball;
     std::optional<Vec3> eye;
+    Viewer viewer;
     /// Maximum size of small cells, at distance 1 from the eye if there is one.
     double coarse = 0;
     double view = 0;                                ///< see LightScene
@@ -123,6 +126,7 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
     state_->eye = scene.eye;
+    state_->viewer = {scene.eye, scene.axis};
     state_->view = scene.view;
     state_->coarse = std::clamp(coarse_pixels * scene.pixel, min_coarse, greatest_coarse);
     state_->tree = LightTree(scene.luminaires);
@@ -162,7 +166,11 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     const bool several = cell->cut->entries() > 1;
     const bool uneven = large ? noise > bound || ((learns || too_large) && several)
                               : !(learns && small) && noise > divided_above * bound;
-    const int depth_limit = state_->settings.max_depth + (too_large ? more_levels : 0);
+    cell->too_large = parent.too_large + (too_large ? 1 : 0);
+    const int deepest = state_->settings.max_depth,
+              finer = learns ? 0 : std::min(finer_levels, deepest);
+    const int depth_limit =
+        too_large ? deepest + more_levels : std::max(deepest, cell->too_large + finer);
     if (uneven && cell->depth < depth_limit)
         cell->cut.reset();
     else if (learns)
@@ -175,8 +183,8 @@ BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cu
                                                   const LightProbe& probe) const {
     const Box& box = cell.box;
     const std::vector<SurveyPlace> receivers = cell.in_air
-                                                   ? air_places_in(box, state_->eye, probe)
-                                                   : survey_places_in(box, state_->eye, probe);
+                                                   ? air_places_in(box, state_->viewer, probe)
+                                                   : survey_places_in(box, state_->viewer, probe);
     cut.scale(counted(arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), cut,
                       box));
     CellSurvey result;

@@ -165,11 +165,11 @@ Vec3 place_anywhere(const Box& cell, std::uint32_t i) {
     return cell.low + place * cell.size();
 }
 
-/// Whether a surface that lets no light pass is between a place and the eye.
-bool is_hidden(const Vec3& position, const Vec3& eye, const LightProbe& probe) {
-    const double distance = length(position - eye);
+/// Whether a surface that lets no light pass is on the ray before a place.
+bool is_hidden(const Vec3& position, const Ray& ray, const LightProbe& probe) {
+    const double distance = length(position - ray.origin);
     bool blocked = false;
-    look_along({eye, (position - eye) / distance}, 0, probe, [&](const ProbeHit& sight, double) {
+    look_along(ray, 0, probe, [&](const ProbeHit& sight, double) {
         if (sight.distance >= distance) return true;
         blocked = sight.passes == 0;
         return blocked;
@@ -198,12 +198,20 @@ std::vector<double> balanced(std::span<const double> arriving) {
     return result;
 }
 
-std::vector<SurveyPlace> air_places_in(const Box& cell, const std::optional<Vec3>& eye,
+std::optional<Ray> Viewer::ray_to(const Vec3& place) const {
+    if (eye) return Ray{*eye, unit(place - *eye)};
+    if (!axis) return std::nullopt;
+    const Vec3& along = axis->direction;
+    return Ray{place - dot(place - axis->origin, along) * along, along};
+}
+
+std::vector<SurveyPlace> air_places_in(const Box& cell, const Viewer& viewer,
                                        const LightProbe& probe) {
     std::vector<SurveyPlace> seen, hidden;
     for (std::uint32_t i = 0; i < lines && seen.size() < enough; ++i) {
         const Vec3 position = place_anywhere(cell, i);
-        (eye && is_hidden(position, *eye, probe) ? hidden : seen)
+        const auto ray = viewer.ray_to(position);
+        (ray && is_hidden(position, *ray, probe) ? hidden : seen)
             .push_back({{position, Vec3(0), Horizon::none}, 0});
     }
     if (!seen.empty()) return seen;
@@ -211,12 +219,11 @@ std::vector<SurveyPlace> air_places_in(const Box& cell, const std::optional<Vec3
     return hidden;
 }
 
-std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<Vec3>& eye,
+std::vector<SurveyPlace> survey_places_in(const Box& cell, const Viewer& viewer,
                                           const LightProbe& probe) {
-    if (eye) {
-        Found seen = met_by(cell, probe, [&](std::uint32_t, const Vec3& place) {
-            return Ray{*eye, unit(place - *eye)};
-        });
+    if (viewer.ray_to(cell.centre())) {
+        Found seen = met_by(
+            cell, probe, [&](std::uint32_t, const Vec3& place) { return *viewer.ray_to(place); });
         if (!seen[0].empty()) return std::move(seen[0]);
     }
     Found found = met_by(cell, probe, [&](std::uint32_t i, const Vec3& place) {

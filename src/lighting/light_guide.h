@@ -45,15 +45,22 @@ struct SurveyPlace {
     Receiver point;
     double tolerance = 0;
 };
-/// Returns places on the surfaces in a cell or, if none are found, anywhere in it. If the eye sees
-/// some of these places, only those: there may be sunshine on the other side of a wall.
+/// From where most points to be lit are seen; neither: not known.
+struct Viewer {
+    std::optional<Vec3> eye = {};
+    std::optional<Ray> axis = {};  ///< see LightScene
+
+    /// The ray of the camera that leads to a place.
+    std::optional<Ray> ray_to(const Vec3& place) const;
+};
+
+/// Returns places on the surfaces in a cell or, if none are found, anywhere in it. If the viewer
+/// sees some of these places, only those: there may be sunshine on the other side of a wall.
 /// Deterministic.
-std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<Vec3>& eye,
-                                          const LightProbe&);
+std::vector<SurveyPlace> survey_places_in(const Box& cell, const Viewer&, const LightProbe&);
 
 /// Returns places anywhere in a cell, between surfaces. Deterministic.
-std::vector<SurveyPlace> air_places_in(const Box& cell, const std::optional<Vec3>& eye,
-                                       const LightProbe& probe);
+std::vector<SurveyPlace> air_places_in(const Box& cell, const Viewer&, const LightProbe&);
 
 /// Returns factors on the light that arrives at several places, for averages over these: none
 /// counts much more than the place with the least light. Otherwise light on a few places would

@@ -2,9 +2,11 @@
 // The input and the result of a light sampling strategy.
 #pragma once
 
+#include "base/ray.h"
 #include "luminaire/luminaire.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,7 +28,9 @@ struct LightScene {
     std::span<const Box> surfaces;
     std::span<const Plane> planes = {};  ///< the unbounded ones, in world space
     std::optional<Vec3> eye = {};        ///< point from which most points to be lit are seen
-    double view = 0;       ///< size of the view of a camera without an eye; 0: not known
+    double view = 0;  ///< size of the view of a camera without an eye; 0: not known
+    /// If all rays of the camera are parallel: one of them, from the plane in which they start.
+    std::optional<Ray> axis = {};
     double pixel = 0.004;  ///< angle of a pixel of the picture, in radians
 };
 

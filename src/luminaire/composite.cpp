@@ -25,6 +25,8 @@ using std::numbers::pi;
 /// Offset of ray origins as a fraction of the luminaire's size, so that a point of the luminaire
 /// does not see itself.
 constexpr double clearance = 1e-9;
+/// Distance between faces that lie in the same place, as a fraction of that size.
+constexpr double same_face = 1e-9;
 
 /// Bounding sphere of the leaf's bounding box.
 struct Around {
@@ -330,15 +332,18 @@ std::optional<EmittedRay> emit(const CompositeEmitter& e, double inner, const Em
     const auto weight = [&](const Composite::Meeting& met) {
         return dot(met.normal, along) < 0 ? from_inside : 1 - from_inside;
     };
-    ShortList<Composite::Meeting, 8> found;
-    double sum = 0;
+    ShortList<Composite::Meeting, 8> all, found;
     e.composite->all(
         line, Interval{0}, [&](std::uint32_t leaf) { return leaf == e.leaf; },
-        [&](const Composite::Meeting& met) {
-            found.push_back(met);
-            sum += weight(met);
-        });
-    sort_stably(found, {}, &Composite::Meeting::t);
+        [&](const Composite::Meeting& met) { all.push_back(met); });
+    sort_stably(all, {}, &Composite::Meeting::t);
+    double sum = 0;
+    for (const Composite::Meeting& met : all) {
+        // Faces in the same place, as a mesh may have them, glow once.
+        if (!found.empty() && met.t - found.back().t <= same_face * ball.radius) continue;
+        found.push_back(met);
+        sum += weight(met);
+    }
     const Composite::Meeting* drawn = nullptr;
     double left = u.side * sum;
     for (const Composite::Meeting& met : found) {

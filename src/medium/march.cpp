@@ -127,8 +127,10 @@ public:
         if (!even_ || scatters || stretch_.shows) walk();
         if (even_) {
             left_ = math::exp(-stretch_.distance * first_.extinction);
-            emitted_ += whole(first_.emission);
-            if (!stretch_.shows) of_luminaires_ = whole(first_.luminaires);
+            if (!stretch_.shows) {
+                emitted_ = whole(first_.emission);
+                of_luminaires_ = whole(first_.luminaires);
+            }
         }
         if (!scatters) result_.places.clear();
         if (!stretch_.counted) result_.of_luminaires = of_luminaires_;
@@ -188,18 +190,28 @@ private:
         if (even_) {
             const Vec3 left = math::exp(-distance * first_.extinction);
             result_.places.push_back({distance, way * left, first_.scattering});
-            if (stretch_.shows) add_luminaires(distance, way * left * first_.luminaires);
+            if (stretch_.shows) add_emission(distance, way * left, first_);
             return;
         }
         const MediumPoint here = pass_to(distance);
-        emitted_ += way * left_ * here.emission;
-        add_luminaires(distance, way * left_ * here.luminaires);
+        add_emission(distance, way * left_, here);
         if (here.scattering != Vec3(0))
             result_.places.push_back({distance, way * left_, here.scattering});
     }
 
-    void add_luminaires(double distance, const Vec3& light) {
-        if (!stretch_.shows || (*stretch_.shows)(ray_.at(distance))) of_luminaires_ += light;
+    void add_emission(double distance, const Vec3& weight, const MediumPoint& here) {
+        if (!stretch_.shows) {
+            emitted_ += weight * here.emission;
+            of_luminaires_ += weight * here.luminaires;
+            return;
+        }
+        const Vec3 point = ray_.at(distance);
+        for (std::size_t i = 0; i < media_.size(); ++i) {
+            const Media& each = *media_[i];
+            if (each.emission != Vec3(0) && (*stretch_.shows)(i, point))
+                (each.luminaire ? of_luminaires_ : emitted_) +=
+                    weight * density(each, point, scene_) * each.emission;
+        }
     }
 
     /// Advances to a distance, and returns the coefficients there.

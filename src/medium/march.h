@@ -10,6 +10,8 @@
 #include "medium/media.h"
 #include "medium/veil.h"
 
+#include <cstddef>
+
 namespace candelabra {
 
 /// A point of a ray where media scatter light towards the viewer.
@@ -41,8 +43,8 @@ struct MediaStretch {
     using Worth = FunctionRef<void(std::span<const Vec3>, std::span<double>)>;
     const Worth* worth = nullptr;
     bool counted = false;  ///< luminaires' emission is counted elsewhere
-    /// Whether luminaires' emission shows at a point; null: everywhere.
-    using Shows = FunctionRef<bool(const Vec3&)>;
+    /// Whether the emission of the medium with that index shows at a point; null: everywhere.
+    using Shows = FunctionRef<bool(std::size_t, const Vec3&)>;
     const Shows* shows = nullptr;
     LightInAir light = LightInAir::any;  ///< what may be scattered
 };

@@ -59,7 +59,9 @@ Microfacets::Microfacets(const Shading& s)
       colour_(s.colour.rgb),
       opacity_(s.opacity),
       dielectric_(max_specular * material_.specular),
-      facing_((1 - material_.metallic) * Vec3(dielectric_) + material_.metallic * colour_),
+      metal_(material_.metallic * opacity_),
+      facing_((1 - material_.metallic) * Vec3(dielectric_) + metal_ * colour_),
+      grazing_(1 - material_.metallic * (1 - opacity_)),
       view_(s.view),
       geometric_normal_(s.geometric_normal),
       normal_(fitted_normal(s)),
@@ -71,12 +73,12 @@ Microfacets::Microfacets(const Shading& s)
     base_ = colour_ * (base_albedo() * opacity_);
     per_base_ = inverse(mean.base);
     further_ = colour_of_further(colour_, mean_facet_albedo(material_.roughness).all) *
-               (material_.metallic * viewer_left_.further);
+               (metal_ * viewer_left_.further);
     per_further_ = inverse(mean.further);
 }
 
 Vec3 Microfacets::mirror(double cosine) const {
-    return facing_ + (Vec3(1) - facing_) * grazing_share(cosine);
+    return facing_ + (Vec3(grazing_) - facing_) * grazing_share(cosine);
 }
 
 double Microfacets::coat(double cosine) const {
@@ -166,8 +168,19 @@ FacetLight Microfacets::light() const {
 
 /// Fraction of uniform light that the facets below the coat reflect at once.
 double Microfacets::mirror_albedo(double facing) const {
-    return std::max(facet_albedo(material_.roughness, viewer_).schlick(facing), 0.0) *
+    const FacetAlbedo own = facet_albedo(material_.roughness, viewer_);
+    return std::max(facing * (own.all - own.grazing) + grazing_ * own.grazing, 0.0) *
            (1 - viewer_left_.coat);
+}
+
+double Microfacets::passing() const {
+    return base_albedo() + material_.metallic * (1 - viewer_left_.coat);
+}
+
+Vec3 Microfacets::facets_albedo() const {
+    const FacetAlbedo own = facet_albedo(material_.roughness, viewer_);
+    const Vec3 at_once = facing_ * (own.all - own.grazing) + Vec3(grazing_ * own.grazing);
+    return Vec3(viewer_left_.coat) + (1 - viewer_left_.coat) * at_once + further_;
 }
 
 /// The same as draw_mirrored(), before the real surface mirrors what would lead into it.

@@ -45,6 +45,12 @@ public:
     /// white base would scatter.
     Vec3 base_response(const Vec3& to_light) const;
     double base_albedo() const { return (1 - material_.metallic) * viewer_left_.base; }
+    /// Fraction of uniform light of colour 1 that the facets scatter to the viewer, without the
+    /// base.
+    Vec3 facets_albedo() const;
+    /// Fraction of light from behind that a clear pigment lets pass. Facets of what is no metal lie
+    /// above it; a metal is as clear as its pigment, with holes where this is clear.
+    double passing() const;
     FacetLight light() const;
 
     /// Returns a direction for which facets of this width mirror light to the viewer;
@@ -91,7 +97,9 @@ private:
     Vec3 colour_;  ///< of the base and of the metal
     double opacity_;
     double dielectric_;  ///< reflectance of the non-metallic part at normal incidence
+    double metal_;       ///< share of the surface that is metal
     Vec3 facing_;        ///< reflectance at normal incidence
+    double grazing_;     ///< the same at grazing incidence
     Vec3 view_, geometric_normal_;
     Vec3 normal_;    ///< fitted to the viewer
     double viewer_;  ///< cosine of the viewer; above 0

@@ -188,6 +188,7 @@ void CompositeBuilder::show(const PartRef& part, const Box& within) {
     }
     Composite::Node& node = made_.nodes_[part.index];
     settle(part.index);
+    made_.overlaps_ |= node.how == Combination::together && parts_[part.index].size() > 1;
     Box inner = within;
     if (node.how == Combination::common && !node_regions_[part.index].outside)
         inner = clip(inner, node_regions_[part.index].box);

@@ -58,8 +58,9 @@ public:
 
     bool inside(const Vec3&) const;
     /// Whether rays may pass between inside and outside other than through a visible surface,
-    /// because the whole or a part of it is clipped or bounded.
-    bool has_openings() const { return clipped_ || limited_; }
+    /// because the whole or a part of it is clipped or bounded, or meet surfaces within it, because
+    /// parts of it overlap; provided that the leaves are closed.
+    bool has_openings() const { return clipped_ || limited_ || overlaps_; }
 
     /// Bounds of the visible surface; infinite when part of it is unbounded.
     const Box& bounds() const { return bounds_; }
@@ -120,7 +121,7 @@ private:
     std::vector<Node> nodes_;
     std::vector<Handle<Composite>> limits_;
     PartRef root_;
-    bool limited_ = false, clipped_ = false;
+    bool limited_ = false, clipped_ = false, overlaps_ = false;
     std::vector<std::uint32_t> apart_;  ///< leaves with unbounded surface; all when they are few
     WideTree tree_;                     ///< over the other leaves
     Box bounds_, inside_bounds_;

@@ -220,7 +220,7 @@ bool takes_from_behind(const Texture& texture) {
     return any_finish(texture, [](const Finish& f) {
         const Reflection& mirror = f.reflection;
         const bool reflects = mirror.least != Vec3(0) || mirror.greatest != Vec3(0);
-        return (f.conserve_energy && reflects) || f.refraction != 1;
+        return (f.conserve_energy && reflects) || f.refraction != 1 || f.microfacet.on;
     });
 }
 

@@ -223,10 +223,29 @@ Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double dista
 Vec3 DirectLight::emitted(const LitLayer& layer, const Luminaire& luminaire, const Ray& ray,
                           double distance) const {
     const double tolerance = layer.vertex.tolerance();
-    if (!luminaire.is_volume()) return radiance_seen(world_, {luminaire, ray, tolerance, distance});
+    Vec3 light(0);
+    if (luminaire.is_volume()) {
+        const EnteredSolids around = solids_along(world_, layer.vertex, ray.direction);
+        light = volume_emission(world_, luminaire.primitive,
+                                {ray, tolerance, distance, {around.data(), around.size()}});
+    } else {
+        light = radiance_seen(world_, {luminaire, ray, tolerance, distance});
+    }
+    return light == Vec3(0) ? light : light * left_by_lamp(layer, luminaire, ray, distance);
+}
+
+/// Fraction of a luminaire's light that its own solid lets through, if other light passes it.
+Vec3 DirectLight::left_by_lamp(const LitLayer& layer, const Luminaire& luminaire, const Ray& ray,
+                               double distance) const {
+    if (!world_.material(luminaire.primitive).no_shadow) return Vec3(1);
     const EnteredSolids around = solids_along(world_, layer.vertex, ray.direction);
-    return volume_emission(world_, luminaire.primitive,
-                           {ray, tolerance, distance, {around.data(), around.size()}});
+    return candelabra::left_by_lamp(world_, luminaire,
+                                    {.ray = ray,
+                                     .tolerance = layer.vertex.tolerance(),
+                                     .distance = distance,
+                                     .around = {around.data(), around.size()},
+                                     .air = air_on_way_to(layer)},
+                                    medium_key_);
 }
 
 double DirectLight::expected_luminaires(const Vec3& position) const {
@@ -288,13 +307,36 @@ Vec3 DirectLight::from_direction(const Vec3& direction, const LightTree* meeting
     return seen_along(layer, direction, ledger, weight);
 }
 
+/// Adds the meetings of a searched luminaire behind the first one, which is seen through: the
+/// direction is drawn for all of them.
+void DirectLight::add_further(const Luminaire& luminaire, const Ray& ray, LightHits& meetings) {
+    const auto* searched = std::get_if<CompositeEmitter>(&luminaire.emitter);
+    if (!searched) return;
+    const double density = meetings.front().density;
+    searched->composite->all(
+        ray, Interval{meetings.front().distance * (1 + same_point)},
+        [&](std::uint32_t leaf) { return leaf == searched->leaf; },
+        [&](const Composite::Meeting& met) {
+            meetings.push_back({met.t, density});
+        });
+    sort_stably(meetings, {}, &LightHit::distance);
+    // Faces in the same place glow once.
+    const auto again = std::ranges::unique(meetings, [](const LightHit& a, const LightHit& b) {
+        return b.distance - a.distance <= same_point * b.distance;
+    });
+    meetings.erase(again.begin(), again.end());
+}
+
 /// Fills met_ with all luminaires on the line.
 void DirectLight::meet_along(const LightTree& tree, const Vertex& vertex, const Receiver& point,
                              const Vec3& direction) {
     met_.clear();
     tree.along(point.position, direction, [&](LightIndex light) {
         meetings_.clear();
-        intersect(world_.lights.luminaires[light], point, direction, meetings_);
+        const Luminaire& luminaire = world_.lights.luminaires[light];
+        intersect(luminaire, point, direction, meetings_);
+        if (!meetings_.empty() && !world_.material(luminaire.primitive).stops_light())
+            add_further(luminaire, {point.position, direction}, meetings_);
         for (const LightHit& meeting : meetings_)
             // The point may lie on a luminaire, which does not light itself there.
             if (meeting.distance > vertex.tolerance()) met_.push_back({meeting, light});
@@ -349,11 +391,11 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
         for_densities(light, layer, direction, {distance, hit.tolerance},
                       [&](double density) { weights += weight(light, density); });
         const Luminaire& luminaire = world_.lights.luminaires[light];
-        const Vec3 seen =
-            weights == Vec3(0)
-                ? weights
-                : weights * gathered(layer, clear * radiance_of(world_, luminaire, hit.position,
-                                                                hit.side_towards(direction)));
+        Vec3 seen(0);
+        if (weights != Vec3(0))
+            seen = weights * gathered(layer, clear * left_by_lamp(layer, luminaire, ray, distance) *
+                                                 radiance_of(world_, luminaire, hit.position,
+                                                             hit.side_towards(direction)));
         record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
         met_.push_back({{distance, 0}, light});
         sum += seen;
@@ -364,15 +406,13 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
 }
 
 /// Calls visit with the pdf of each point of the luminaire at that distance which may be sampled.
-/// Of a searched luminaire only the first hit on the ray is sampled: luminaires in met_ have had
-/// theirs.
+/// That of a searched luminaire is the direction's: all points on the ray are found by it.
 template <class Visit>
 void DirectLight::for_densities(LightIndex light, const LitLayer& layer, const Vec3& direction,
                                 const Distance& there, const Visit& visit) {
     const Luminaire& luminaire = world_.lights.luminaires[light];
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
-        if (std::ranges::find(met_, light, &Met::light) == met_.end())
-            visit(searched->density(layer.vertex.position(), direction));
+        visit(searched->density(layer.vertex.position(), direction));
         return;
     }
     meetings_.clear();

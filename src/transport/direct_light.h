@@ -118,12 +118,14 @@ private:
     template <class Weight>
     Vec3 seen_towards(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&);
     Vec3 light_left(const LitLayer&, const Ray&, double distance, bool ends = true) const;
+    static void add_further(const Luminaire&, const Ray&, LightHits&);
     void meet_along(const LightTree&, const Vertex&, const Receiver&, const Vec3& direction);
     template <class Weight>
     Vec3 seen_along(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&) const;
 
     void record(LightLedger&, LightIndex, const Vec3& seen, const Vec3& throughput,
                 std::uint64_t rays) const;
+    Vec3 left_by_lamp(const LitLayer&, const Luminaire&, const Ray&, double distance) const;
     Vec3 emitted(const LitLayer&, const Luminaire&, const Ray&, double distance) const;
     static Vec3 gathered(const LitLayer&, const Vec3& light);
     template <LightAnswer Answer>

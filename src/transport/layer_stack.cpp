@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/layer_stack.h"
 
+#include "scattering/microfacet.h"
 #include "scattering/mirror.h"
 #include "surface/quality.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace candelabra {
 
 namespace {
 
-/// Fraction of light that a layer transmits to the layers below it. `ior_ratio` is the index of
-/// refraction in front of the surface over the one behind it.
+/// Fraction of light that a finish with `conserve_energy` leaves below its mirror.
+Vec3 below_mirror(const Vec3& reflected) {
+    return glm::clamp(Vec3(1) - reflected, Vec3(0), Vec3(1));
+}
+
+/// Fraction of light that a layer transmits to the layers below it: of what its mirror and its
+/// facets leave. `ior_ratio` is the index of refraction in front of the surface over the one behind
+/// it.
 Vec3 kept_by(const Shading& s, double ior_ratio) {
-    const Vec3 clear = s.colour.passing();
+    Vec3 clear = s.colour.passing();
+    if (s.finish->microfacet.on) clear *= Microfacets(s).passing();
     if (!s.finish->conserve_energy) return clear;
-    return clear * glm::clamp(Vec3(1) - reflectivity(s, ior_ratio), Vec3(0), Vec3(1));
+    return clear * below_mirror(reflectivity(s, ior_ratio));
 }
 
 /// Factor on the diffuse part of a layer, so that it reflects, scatters and transmits no more than
@@ -45,6 +54,10 @@ LayerStack::LayerStack(const World& world, const PathState& path, const Vertex& 
                       });
     if (asks) interface_ = interface_at(world, path.media, vertex.hit.primitive, path.band);
     if (!transparent) return;
+    // Where energy is kept, mirrors and total reflection share the light: the latter takes the
+    // place of what would pass, and the mirror has what it has from outside.
+    if (world.keeps_energy() && candelabra::reflects_totally(top_, interface_.plain))
+        interface_.plain = 1 / interface_.plain;
     behind_ = Vec3(1);
     for (const Layer& layer : layers)
         behind_ *= kept_by(with_layer(world, vertex, layer), interface_.plain);
@@ -62,33 +75,60 @@ void LayerStack::visit(FunctionRef<void(const Seen&)> use) const {
         Seen seen{first ? top_ : with_layer(world_, vertex_, layer), through,
                   first ? 1 : grey(through), Vec3(0)};
         if (seen.weight <= world_.rules.settings.adc_bailout) return;
-        // Total reflection replaces that of all layers with the normal at which it happens.
-        const bool replaced = total_ && seen.shading.normal == top_.normal;
+        const Finish& finish = *seen.shading.finish;
+        const bool conserves = world_.keeps_energy() && finish.conserve_energy;
+        // Total reflection replaces that of all layers with the normal at which it happens, unless
+        // these leave light for it.
+        const bool replaced = total_ && !conserves && seen.shading.normal == top_.normal;
         if (!replaced && world_.rules.quality >= quality_reflection)
             seen.reflected = reflectivity(seen.shading, interface_.plain);
-        const Finish& finish = *seen.shading.finish;
-        if (world_.keeps_energy() && finish.conserve_energy && !finish.microfacet.on)
+        if (conserves && finish.microfacet.on)
+            seen.below_mirror = below_mirror(seen.reflected);
+        else if (conserves)
             seen.diffuse = diffuse_beside(seen.shading, seen.reflected);
+        if (conserves) seen.reflected *= through;
         use(seen);
         through *= kept_by(seen.shading, interface_.plain);
     }
 }
 
-Vec3 passed_straight(const World& world, const Ray& ray, const Hit& hit,
-                     std::span<const PrimitiveIndex> solids) {
-    const Material& material = world.material(hit.primitive);
+StraightWay::StraightWay(const World& world, const Ray& ray, bool bent)
+    : world_(world), ray_(ray), bent_(bent) {}
+
+Vec3 StraightWay::passed(const Hit& hit, std::span<const PrimitiveIndex> solids) {
+    const Material& material = world_.material(hit.primitive);
     const bool focuses = material.interior && material.interior->caustics != 0;
-    if (!world.keeps_energy() || !material.keeps_energy || material.no_shadow || focuses)
-        return world.passed(hit, ray);
-    const Vertex vertex = vertex_at(world, ray, hit, solids);
-    const MediaStack around(solids.begin(), solids.end());
-    const double plain = interface_at(world, around, hit.primitive, std::nullopt).plain;
-    const double from_outside = std::min(plain, 1 / plain);
+    if (!world_.keeps_energy() || !material.keeps_energy || material.no_shadow || focuses)
+        return world_.passed(hit, ray_);
+    return seen(hit, solids);
+}
+
+Vec3 StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids) {
+    if (!world_.material(hit.primitive).transparent) return Vec3(0);
+    return seen(hit, solids,
+                interface_at(world_, MediaStack(solids.begin(), solids.end()), hit.primitive,
+                             std::nullopt));
+}
+
+Vec3 StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids,
+                       const Interface& surface) {
+    const Vertex vertex = vertex_at(world_, ray_, hit, solids);
+    const bool real = !std::exchange(bent_, bent_ || surface.ratio != 1);
+    const double from_outside = std::min(surface.plain, 1 / surface.plain);
+    const auto met = [&](Shading s) {
+        if (!real && s.finish->microfacet.on && surface.plain > 1)
+            s.view = refracted_direction(s, from_outside);
+        return s;
+    };
     Vec3 sum(0);
-    for_visible_layers(world, vertex, 0, [&](double weight, std::span<const Layer> layers) {
-        Vec3 left(weight * layers.front().finish->refraction);
+    for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
+        const Shading top = with_layer(world_, vertex, layers.front());
+        Vec3 left(weight * top.finish->refraction);
+        // Total reflection takes the place of what passes.
+        const bool at_angle = real && !reflects_totally(top, surface.plain);
         for (const Layer& layer : layers)
-            left *= kept_by(with_layer(world, vertex, layer), from_outside);
+            left *= kept_by(met(with_layer(world_, vertex, layer)),
+                            at_angle ? surface.plain : from_outside);
         sum += left;
     });
     return sum;

@@ -22,11 +22,15 @@ public:
         Shading shading;
         Vec3 through = Vec3(1);  ///< fraction of its radiance that the layers above transmit
         double weight = 1;       ///< grey of `through`
-        /// Fraction of the radiance from the mirror direction, without the factor `through`.
+        /// Fraction of the radiance from the mirror direction: as in POV-Ray, without the factor
+        /// `through`, but with it for a finish with `conserve_energy` where energy is kept.
         Vec3 reflected = Vec3(0);
         /// Factor on the diffuse part. Where energy is kept, a finish with `conserve_energy` has at
         /// most what its reflection and the light from behind leave.
         double diffuse = 1;
+        /// Factor on the light that facets and their base scatter: what the mirror of a finish with
+        /// `conserve_energy` leaves, where energy is kept.
+        Vec3 below_mirror = Vec3(1);
 
         /// The shading with that factor, for a BSDF.
         Shading scattering() const {
@@ -57,11 +61,29 @@ private:
     bool clear_ = false, total_ = false;
 };
 
-/// Fraction of light from behind that the surface at a hit transmits to a ray that goes straight
-/// through it, as shadow rays and photons do before their target. In integrators that keep energy
-/// it is what a refracted ray would see behind the surface: Fresnel's reflection is the same from
-/// both sides, for the angle on the side of the lower index. `solids` contain the ray to the hit.
-Vec3 passed_straight(const World&, const Ray&, const Hit&, std::span<const PrimitiveIndex> solids);
+/// The surfaces that a ray meets in turn if it goes straight through them, as shadow rays and
+/// photons before their target do. In integrators that keep energy they transmit what a refracted
+/// ray would see behind them: Fresnel's reflection is the same from both sides, for the angle on
+/// the side of the lower index. Only the first surface is met at its real angle. Total reflection
+/// takes the place of what passes, and does not count.
+class StraightWay {
+public:
+    /// `bent`: the ray has passed other surfaces before. The arguments must outlive this.
+    StraightWay(const World&, const Ray&, bool bent = false);
+
+    /// Fraction of light from behind that the surface at a hit transmits. `solids` contain the ray
+    /// to the hit.
+    Vec3 passed(const Hit&, std::span<const PrimitiveIndex> solids);
+    /// The same of an object that casts no shadow, too: what a followed ray sees through it.
+    Vec3 seen(const Hit&, std::span<const PrimitiveIndex> solids);
+
+private:
+    Vec3 seen(const Hit&, std::span<const PrimitiveIndex> solids, const Interface&);
+
+    const World& world_;
+    const Ray& ray_;
+    bool bent_;
+};
 
 /// Fraction of light that a solid's interior transmits along the segment of a path that ends at the
 /// solid's surface.

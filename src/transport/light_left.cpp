@@ -5,6 +5,7 @@
 #include "transport/atmosphere.h"
 #include "transport/layer_stack.h"
 #include "transport/media_stack.h"
+#include "world/volumes.h"
 
 #include <algorithm>
 
@@ -75,8 +76,9 @@ Vec3 left_in_air(const World& world, const AirStretch& stretch, const Key& key) 
 }
 
 Vec3 light_left(const World& world, const WayOfLight& way, const Key& key) {
+    StraightWay straight(world, way.ray);
     const auto at_surface = [&](const Hit& hit, std::span<const PrimitiveIndex> solids) {
-        return passed_straight(world, way.ray, hit, solids);
+        return straight.passed(hit, solids);
     };
     const World::UseSurface surfaces(at_surface);
     const bool reflect = world.appearance.any_keeps_energy && world.keeps_energy();
@@ -103,6 +105,46 @@ Vec3 light_left(const World& world, const WayOfLight& way, const Key& key) {
     if (passed == Vec3(0)) return passed;
     left *= passed;
     return way.air == AirOnWay::throughout ? left * left_throughout(world, way, key) : left;
+}
+
+Vec3 left_by_lamp(const World& world, const Luminaire& luminaire, const WayOfLight& way,
+                  const Key& key) {
+    const PrimitiveIndex lamp = luminaire.primitive;
+    if (!world.material(lamp).no_shadow) return Vec3(1);
+    const double end =
+        luminaire.is_volume() ? way.distance : World::end_of_way(way.tolerance, way.distance).min;
+    EnteredSolids inside;
+    for (const PrimitiveIndex each : way.around) inside.push_back(each);
+    StraightWay straight(world, way.ray);
+    Vec3 left(1);
+    double before = 0;
+    std::uint32_t number = 0;
+    const auto pass = [&](double until) {
+        const Key own = key.branched(Branch::medium, number++);
+        const auto solid = std::ranges::find_if(
+            inside, [&](PrimitiveIndex each) { return is_same_solid(world, each, lamp); });
+        if (solid == inside.end() || way.air == AirOnWay::none) return;
+        MediaList media, others;
+        add_media(world, {&*solid, 1}, media);
+        add_media(world, {inside.data(), inside.size()}, others);
+        if (!others.empty())
+            left *= left_by_media(world, media, {way.ray, {before, until}, {}}, own);
+    };
+    world.along(way.ray, way.tolerance, RayKind::light, [&](const Hit& hit, double t) {
+        pass(std::min(t, end));
+        if (t >= end) return false;
+        const std::span<const PrimitiveIndex> around(inside.data(), inside.size());
+        if (is_same_solid(world, hit.primitive, lamp)) {
+            const auto& interior = world.material(hit.primitive).interior;
+            left *= straight.seen(hit, around);
+            if (interior && interior->fade_distance != 0 && is_in(world, inside, hit.primitive))
+                left *= attenuation(*interior, t - before);
+        }
+        world.pass(hit.primitive, inside);
+        before = t;
+        return left != Vec3(0);
+    });
+    return left;
 }
 
 }  // namespace candelabra

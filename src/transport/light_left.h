@@ -37,6 +37,11 @@ struct WayOfLight {
 /// otherwise exact.
 Vec3 light_left(const World&, const WayOfLight&, const Key&);
 
+/// Fraction of a luminaire's light that its own solid lets through on its way to the ray's origin,
+/// if the solid has `no_shadow`: other light passes it, and light_left() leaves it out. 1 for other
+/// luminaires.
+Vec3 left_by_lamp(const World&, const Luminaire&, const WayOfLight&, const Key&);
+
 /// A part of a ray between two surfaces, inside of the solids.
 struct AirStretch {
     const Ray& ray;

@@ -89,7 +89,8 @@ void LightPaths::follow(const Key& key, double share,
             const Vec3 seen =
                 radiance_seen(world_, {luminaire, way.ray, way.tolerance, way.distance});
             if (seen == Vec3(0)) return;
-            go_on({path, vertex, power_of_one * left * seen, 0,
+            const Vec3 by_lamp = left_by_lamp(world_, luminaire, way, path.key);
+            go_on({path, vertex, power_of_one * left * by_lamp * seen, 0,
                    world_.provenance.statement_of_luminaire[light]},
                   found);
         }

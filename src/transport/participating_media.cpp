@@ -63,6 +63,20 @@ void ParticipatingMedia::fill(const PathState& path, double distance) {
     add_followed(world_, {path.media.data(), path.media.size()}, std::isfinite(distance), media_);
 }
 
+/// Whether the emission of one of the media in the solids around the path shows at a point. A ray
+/// that leaves a solid through an opening meets its media outside as well, as in POV-Ray; but some
+/// glow only within.
+bool ParticipatingMedia::shows(const PathState& path, std::size_t number, const Vec3& point) const {
+    for (const PrimitiveIndex solid : path.media) {
+        const Material& material = world_.material(solid);
+        const std::size_t count = material.interior ? material.interior->media.size() : 0;
+        if (number < count)
+            return !glows_within(world_, material) || is_within(world_, solid, point);
+        number -= count;
+    }
+    return true;
+}
+
 Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLight& direct_light,
                                LightLedger& ledger) {
     march_.veil = {};
@@ -80,18 +94,21 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
     const MediaStretch::Worth expected(worth);
     const bool scatters =
         std::ranges::any_of(media_, [&](const Media* each) { return each->scatters(light_); });
-    // A ray that leaves a solid through an opening meets its media outside as well, as in POV-Ray.
-    // Those that are luminaires emit nothing there, where no point of them is sampled.
-    const auto emits = [&](const Vec3& point) {
-        return std::ranges::all_of(path.media, [&](PrimitiveIndex solid) {
-            return !lights_from_inside(world_.material(solid)) || is_within(world_, solid, point);
-        });
+    // Media of solids come first.
+    MediaList own;
+    if (std::isfinite(distance)) add_media(world_, {path.media.data(), path.media.size()}, own);
+    const auto glows = [&](std::size_t number, const Vec3& point) {
+        return number >= own.size() || shows(path, number, point);
     };
-    const MediaStretch::Shows shows(emits);
+    const MediaStretch::Shows where(glows);
+    const bool somewhere = world_.lights.glow_beside_openings &&
+                           std::ranges::any_of(path.media, [&](PrimitiveIndex solid) {
+                               return glows_within(world_, world_.material(solid));
+                           });
     march(view_of(media_),
           {path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
            scatters ? &expected : nullptr, path.counted || path.brought,
-           world_.lights.volumes_with_openings ? &shows : nullptr, light_},
+           somewhere ? &where : nullptr, light_},
           world_.pattern_scene(), path.key, march_);
     Veil veil = march_.veil;
     if (march_.of_luminaires != Vec3(0))

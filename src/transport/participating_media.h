@@ -8,6 +8,8 @@
 #include "transport/light_left.h"
 #include "transport/path.h"
 
+#include <cstddef>
+
 namespace candelabra {
 
 /// Each job has its own: it keeps scratch memory.
@@ -35,6 +37,7 @@ private:
     template <class Expected, class Use>
     void choose(const Key&, int count, Expected expected, Use use);
     void fill(const PathState&, double distance);
+    bool shows(const PathState&, std::size_t number, const Vec3& point) const;
     double near(const Vec3& from) const;
     Vec3 scattered(const PathState&, DirectLight&, LightLedger&);
     double unshadowed(const Vec3& position) const;

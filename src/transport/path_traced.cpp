@@ -29,10 +29,10 @@ constexpr double chance_of_shine = 0.25;
 constexpr double min_survival = 0.05;
 
 /// Approximate fraction of uniform incident light that the diffuse part reflects to the viewer.
-Vec3 diffuse_albedo(const Shading& s) {
+Vec3 diffuse_albedo(const Shading& s, const std::optional<Microfacets>& facets) {
     const Finish& f = *s.finish;
-    const double amount = f.microfacet.on ? Microfacets(s).base_albedo()
-                                          : std::fmax(f.diffuse, 0) + std::abs(f.diffuse_back);
+    const double amount =
+        facets ? facets->base_albedo() : std::fmax(f.diffuse, 0) + std::abs(f.diffuse_back);
     return s.colour.rgb * (s.opacity * amount);
 }
 
@@ -40,9 +40,10 @@ Vec3 diffuse_albedo(const Shading& s) {
 [[maybe_unused]] bool adds_no_light(const Layer& layer) {
     const Finish& f = *layer.finish;
     const bool mirrors = f.reflection.least != Vec3(0) || f.reflection.greatest != Vec3(0);
-    return f.diffuse + f.diffuse_back <= 1 && (f.conserve_energy || !mirrors) &&
-           f.refraction <= 1 && f.brilliance >= 1 && !f.microfacet.on &&
-           min_component(layer.colour.rgb) >= 0 && max_component(layer.colour.rgb) <= 1;
+    const bool scatters = !f.microfacet.on && f.diffuse + f.diffuse_back > 1;
+    return !scatters && (f.conserve_energy || !mirrors) && f.refraction <= 1 && f.brilliance >= 1 &&
+           min_component(layer.colour.rgb) >= 0 && max_component(layer.colour.rgb) <= 1 &&
+           layer.colour.opacity() >= 0;
 }
 
 }  // namespace
@@ -188,14 +189,16 @@ bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double 
 }
 
 /// Adds the radiance that one layer emits and the direct light that it reflects.
-void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex,
+void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
                                   const LayerStack::Seen& layer) {
     const Vec3 own =
-        own_radiance(layer.shading, rules_, shows_emission(world_, path, vertex.hit.primitive));
+        own_radiance(layer.shading, rules_, shows_emission(world_, seen, vertex.hit.primitive));
     const Shading s = layer.scattering();
-    record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
+    record_seen(ledger_, world_, vertex.hit.primitive, seen.throughput * own);
+    sum_ += seen.throughput * own;
+    const PathState path = seen.dimmed(layer.below_mirror);
     const Bsdf whole(s, rules_);
-    Vec3 light = own;
+    Vec3 light(0);
     const bool by_reflected = reflected_ && is_lambertian(world_, vertex, s);
     if (by_reflected && path.covered) {
         // What the diffuse part reflects of luminaires has been counted.
@@ -227,13 +230,16 @@ void PathTracedIntegrator::add_ways(const PathState& path, const LayerStack::See
     const auto add = [&](Way::Kind kind, const Vec3& through, const Vec3& share) {
         if (share != Vec3(0)) ways.push_back({kind, scattering, through, share});
     };
+    const Vec3 through = layer.through * layer.below_mirror;
+    std::optional<Microfacets> facets;
+    if (scattering.finish->microfacet.on) facets.emplace(scattering);
     if (path.depth + 1 < world_.rules.settings.max_trace_level) {
         add(Way::mirror, layer.reflected, layer.reflected);
-        if (layer.shading.finish->microfacet.on && world_.rules.quality >= quality_reflection)
-            add(Way::facets, layer.through, layer.through);
+        if (facets && world_.rules.quality >= quality_reflection)
+            add(Way::facets, through, through * facets->facets_albedo());
     }
     if (path.bounces < max_bounces_ && world_.rules.quality >= quality_full)
-        add(Way::diffuse, layer.through, layer.through * diffuse_albedo(scattering));
+        add(Way::diffuse, through, through * diffuse_albedo(scattering, facets));
 }
 
 /// Continues the path in the way, which was chosen with probability `chance`. Returns false if the
@@ -252,11 +258,11 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
     path.dim(way.through / (chance * survival));
     switch (way.kind) {
         case Way::mirror:
-        case Way::total_reflection:
             path = mirrored_path(path, vertex, way.shading);
-            if (way.kind == Way::mirror)
-                path.dim(iridescence(way.shading, rules_, path.ray.direction));
+            path.dim(iridescence(way.shading, rules_, path.ray.direction));
             return path.depth < world_.rules.settings.max_trace_level;
+        case Way::total_reflection:
+            return reflect_totally(way.shading, vertex, path);
         case Way::facets:
             if (auto scattered = facet_path(path, vertex, way.shading)) {
                 path = scattered->next;
@@ -289,14 +295,20 @@ bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const 
     return true;
 }
 
+bool PathTracedIntegrator::reflect_totally(const Shading& s, const Vertex& vertex,
+                                           PathState& path) {
+    // Light that was counted goes straight on instead.
+    const bool counted = path.counted;
+    path = mirrored_path(path, vertex, s);
+    path.counted = counted;
+    return path.depth < world_.rules.settings.max_trace_level;
+}
+
 bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
                                      const LayerStack& stack, PathState& path) {
     const Interface& surface = stack.interface();
     const double ratio = refraction_ratio(path, surface);
-    if (surface.bands > 0 && reflects_totally(s, ratio)) {
-        path = mirrored_path(path, vertex, s);
-        return path.depth < world_.rules.settings.max_trace_level;
-    }
+    if (surface.bands > 0 && reflects_totally(s, ratio)) return reflect_totally(s, vertex, path);
     const bool straight = std::abs(ratio - 1) < 1e-10;
     const Vec3 direction = straight ? path.ray.direction : refracted_direction(s, ratio);
     const int depth = path.depth + (straight ? 0 : 1);

@@ -54,6 +54,7 @@ private:
     void add_ways(const PathState&, const LayerStack::Seen&, Ways&) const;
     bool follow(const Way&, double chance, const Vertex&, const LayerStack&, PathState&);
     bool bounce(const Shading&, const Vertex&, const LayerStack&, PathState&);
+    bool reflect_totally(const Shading&, const Vertex&, PathState&);
     bool go_behind(const Shading&, const Vertex&, const LayerStack&, PathState&);
 
     const World& world_;

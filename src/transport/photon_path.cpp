@@ -17,6 +17,8 @@ namespace {
 
 /// Maximum number of photons that are deposited along one segment through media.
 constexpr double max_air_places = 8;
+/// Fraction of the way to a surface after which a photon is still in front of it.
+constexpr double before_surface = 1 - 1e-7;
 
 }  // namespace
 
@@ -46,12 +48,14 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
     path.ray = shot.ray;
     path.tolerance = shot.tolerance;
     path.key = key;
-    // Beyond the surface of a lamp, which is not inside of it.
-    path.media = world_.containing(shot.ray.at(shot.tolerance));
     while (journey.passed < max_surfaces_along) {
         Hit hit;
-        const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
+        const bool met = world_.first_hit(path.ray, path.tolerance, RayKind::light, hit);
         const double distance = met ? length(hit.position - path.ray.origin) : INFINITY;
+        // In front of the first surface, where the photon has left its lamp, if only through an
+        // opening.
+        if (journey.met + journey.passed == 0 && met)
+            path.media = world_.containing(path.ray.at(distance * before_surface));
         if (journey.met > 0) deposit_in_air(journey, distance, found);
         if (!met) return;
         journey.way += distance;
@@ -124,7 +128,7 @@ Vec3 PhotonPaths::left_after(const Journey& journey, double distance, bool ends)
 /// Continues straight through the surface, attenuated as a shadow ray is. Returns whether any light
 /// passes.
 bool PhotonPaths::pass(Journey& journey, const Vertex& vertex, const Ray& came) const {
-    const Vec3 left = passed_straight(world_, came, vertex.hit, vertex.around);
+    const Vec3 left = StraightWay(world_, came, true).passed(vertex.hit, vertex.around);
     if (left == Vec3(0)) return false;
     PathState& path = journey.path;
     ++journey.passed;

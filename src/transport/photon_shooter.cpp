@@ -5,6 +5,7 @@
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "lighting/draw.h"
+#include "transport/light_left.h"
 #include "transport/sight.h"
 
 #include <algorithm>
@@ -267,6 +268,20 @@ std::optional<PhotonShot> PhotonShooter::from_plane(const PointLight& light,
     return shot;
 }
 
+/// Radiance of a luminaire at a point on the ray; of a volume, per unit of length.
+Vec3 PhotonShooter::seen(const Luminaire& luminaire, const Ray& ray, double distance,
+                         const Key& key) const {
+    const Vec3 radiance = radiance_seen(world_, {luminaire, ray, 0, distance});
+    // A photon's own way dims it by the media that it starts in.
+    if (radiance == Vec3(0) || luminaire.is_volume() ||
+        !world_.material(luminaire.primitive).no_shadow)
+        return radiance;
+    const EnteredSolids around = world_.containing(ray.origin);
+    const WayOfLight way{
+        .ray = ray, .distance = distance, .around = {around.data(), around.size()}};
+    return radiance * left_by_lamp(world_, luminaire, way, key);
+}
+
 /// Samples a ray into the ball by its entry point, which faces the luminaire. The luminaire is
 /// chosen for the centre of the ball.
 std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& target,
@@ -301,20 +316,26 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
         if (!drawn) return std::nullopt;
         direction = drawn->direction;
         density *= drawn->density;
+        // Of several points on the ray, as of a clear lamp, one is drawn.
+        double met = 0;
         world_.along({entry.position, direction}, 0, RayKind::light, [&](const Hit& hit, double) {
             if (world_.lights.luminaire_of[hit.primitive] != pick.light) return true;
-            start = hit.position;
-            radiance = radiance_of(world_, luminaire, start, hit.side_towards(direction));
-            return false;
+            ++met;
+            const Key own = key.with_branch(static_cast<std::uint32_t>(met));
+            if (uniform(own, Purpose::roulette) * met < 1) {
+                start = hit.position;
+                radiance = radiance_of(world_, luminaire, start, hit.side_towards(direction));
+            }
+            return !world_.material(hit.primitive).stops_light();
         });
+        radiance *= met;
     } else {
         const auto point = sample(luminaire, entry, place_on_light(key));
         if (!point) return std::nullopt;
         start = point->position;
         direction = point->direction;
         density *= point->density;
-        radiance =
-            radiance_seen(world_, {luminaire, {entry.position, direction}, 0, point->distance});
+        radiance = seen(luminaire, {entry.position, direction}, point->distance, key);
     }
     const double cosine = dot(direction, normal);
     if (radiance == Vec3(0) || !(cosine > 0 && density > 0)) return std::nullopt;
@@ -337,9 +358,17 @@ std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const Pho
                          uniform(key, Purpose::way_choice)});
     if (!emitted || length(emitted->ray.origin - target.centre) > target.radius)
         return std::nullopt;
-    // Seen from a place on the ray.
-    const Ray back{emitted->ray.at(target.radius), -emitted->ray.direction};
-    const Vec3 radiance = radiance_seen(world_, {luminaire, back, 0, target.radius});
+    // Seen from a place on the ray; light of media, from the first surface.
+    double away = target.radius;
+    if (luminaire.is_volume()) {
+        constexpr double before = 1 - 1e-7;
+        Hit hit;
+        if (!world_.first_hit(emitted->ray, away_from_lamp * away, RayKind::light, hit))
+            return std::nullopt;
+        away = before * length(hit.position - emitted->ray.origin);
+    }
+    const Vec3 radiance =
+        seen(luminaire, {emitted->ray.at(away), -emitted->ray.direction}, away, key);
     if (radiance == Vec3(0)) return std::nullopt;
     shot.statement = world_.provenance.statement_of_luminaire[light];
     shot.power =

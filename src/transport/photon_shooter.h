@@ -74,6 +74,7 @@ private:
     std::optional<PhotonShot> from_luminaires(const PhotonTarget&, PhotonShot, const Key&) const;
     std::optional<PhotonShot> from_inside(LightIndex, const PhotonTarget&, PhotonShot,
                                           const Key&) const;
+    Vec3 seen(const Luminaire&, const Ray&, double distance, const Key&) const;
 
     const World& world_;
     std::vector<Aim> aims_;

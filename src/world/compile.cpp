@@ -232,10 +232,12 @@ void build_indices(World& world, const CompileOptions& options) {
     const std::vector<Plane> planes = world_planes(world.geometry);
     LightScene lit{world.lights.luminaires, boxes, planes};
     lit.pixel = pixel_angle(world.view.camera, options);
-    if (world.view.camera.parallel)
-        lit.view = view_size(world.view.camera);
+    const Projection& camera = world.view.camera;
+    if (camera.parallel)
+        lit.view = view_size(camera);
     else
-        lit.eye = world.view.camera.location;
+        lit.eye = camera.location;
+    if (camera.lens == Lens::parallel && !camera.mesh) lit.axis = camera.ray(0, 0);
     const auto* octree = std::get_if<LightOctree>(&world.rules.settings.light_sampler);
     if (octree && !octree->paper) find_bent_normals(world, lit.eye, options.threads);
     world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -71,16 +72,25 @@ public:
 
 private:
     Emitter by_shape(const Luminaire& look) {
+        // Through the near side of what is clear its far side is seen, which formulas leave out.
+        const bool clear = world_.material(look.primitive).transparent;
         return world_.geometry.visit_primitive(
             look.primitive,
-            [](const SpherePrimitive& s) -> Emitter {
+            [&](const SpherePrimitive& s) -> Emitter {
+                if (clear) return alone({Sphere{s.centre, s.radius}, nullptr, {}}, look);
                 return SphereEmitter{s.centre, s.radius};
             },
             [](const TrianglePrimitive& t) -> Emitter {
                 return TriangleEmitter{t.corner1, t.corner2, t.corner3};
             },
             [&](const PlacedShape& placed) -> Emitter {
-                if (surface_area(placed.shape) > 0)
+                const bool hides = visit_shape(
+                    []<class S>(const S&) {
+                        return std::is_same_v<S, Sphere> || std::is_same_v<S, Cuboid> ||
+                               std::is_same_v<S, Cylinder> || std::is_same_v<S, Cone>;
+                    },
+                    placed.shape);
+                if (surface_area(placed.shape) > 0 && !(clear && hides))
                     return AreaEmitter{placed.shape, placed.transform};
                 return alone(placed, look);
             },
@@ -145,6 +155,10 @@ void set_radiance(const World& world, Luminaire& luminaire) {
     const auto parts = world.appearance.part_textures.find(luminaire.primitive);
     if (parts != world.appearance.part_textures.end())
         std::ranges::for_each(parts->second, include);
+    // What is partly transparent emits by its opacity only.
+    if (look.transparent && !luminaire.varying && !luminaire.two_faced)
+        luminaire.radiance = emission(*look.texture, Vec3(0), world.pattern_scene(),
+                                      [&](const Colour& colour) { return world.opacity(colour); });
 }
 
 }  // namespace
@@ -156,6 +170,7 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
         Luminaire luminaire;
         luminaire.primitive = world.geometry.primitive(glow.kind, glow.index);
         set_radiance(world, luminaire);
+        if (luminaire.radiance == Vec3(0)) continue;
         luminaire.emitter = emitters.of(luminaire);
         if (emitting_area(luminaire.emitter) > 0) {
             world.lights.luminaires.push_back(std::move(luminaire));

@@ -38,9 +38,10 @@ struct WorldLights {
     /// of a primitive do not count as its own luminaire.
     std::vector<std::uint32_t> luminaire_of;
     std::vector<GlowingVolume> volumes;
-    /// Whether there are volumes, and rays may pass between the inside and the outside of a solid
-    /// other than through its surface: only a walk along a ray then tells which media it sees.
-    bool volumes_with_openings = false;
+    /// Whether media glow within solids only, and rays may pass between the inside and the outside
+    /// of a solid other than through its surface: only a walk along a ray then tells which media it
+    /// sees.
+    bool glow_beside_openings = false;
     BuiltLightSampler sampler;  ///< chooses among the luminaires
     std::vector<Light> sources;
     std::vector<LightReach> reach;       ///< for each source

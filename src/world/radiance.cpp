@@ -28,8 +28,14 @@ double luminance_at(const World& world, PrimitiveIndex primitive, const Vec3& po
 
 Vec3 radiance_seen(const World& world, const PointOnRay& point) {
     const Luminaire& luminaire = point.luminaire;
-    if (luminaire.is_volume())
-        return volume_emission(world, luminaire.primitive, point.ray.at(point.distance));
+    if (luminaire.is_volume()) {
+        if (!world.lights.glow_beside_openings)
+            return volume_emission(world, luminaire.primitive, point.ray.at(point.distance));
+        const EnteredSolids around = world.containing(point.ray.origin);
+        return volume_emission(
+            world, luminaire.primitive,
+            {point.ray, point.tolerance, point.distance, {around.data(), around.size()}});
+    }
     const Interval place = World::end_of_way(point.tolerance, point.distance);
     Vec3 seen(0), left(1);
     world.along(point.ray, place.min, RayKind::light, [&](const Hit& hit, double distance) {

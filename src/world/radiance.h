@@ -28,7 +28,8 @@ struct PointOnRay {
     double distance;
 };
 
-/// Radiance of the side that the ray meets at the point, if no surface before is in the way. Of
+/// Radiance of the side that the ray meets at the point, if no surface before is in the way; for
+/// volumes, per unit of length, as a ray sees it that begins in the solids around its origin. Of
 /// surfaces that lie in the same place, the first one along the ray counts, as for any ray: behind
 /// an opaque one the radiance is 0. (World::transmittance() leaves out surfaces so close to the
 /// light.)

@@ -6,6 +6,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace candelabra {
 
@@ -18,11 +19,6 @@ constexpr double max_boxes = 8192, max_boxes_of_one = 128, longest = 64;
 constexpr std::uint32_t points_in_cell = 2;
 /// Minimum mean brightness of a box, as a fraction of that of all: the points may miss something.
 constexpr double min_of_mean = 0.01;
-
-bool is_same_solid(const World& world, PrimitiveIndex a, PrimitiveIndex b) {
-    return world.solid(a) == world.solid(b) ||
-           world.geometry.item_of(a) == world.geometry.item_of(b);
-}
 
 Vec3 emission_of_media(const World& world, PrimitiveIndex volume, const Vec3& point) {
     Vec3 sum(0);
@@ -137,34 +133,68 @@ private:
     bool surveyed_;
 };
 
-template <class S>
-bool is_open(const S& shape) {
-    if constexpr (requires { shape.open; }) return shape.open;
-    return false;
+template <class S, class... Others>
+constexpr bool one_of = (std::is_same_v<S, Others> || ...);
+
+/// Whether rays may pass between the inside and the outside of a shape other than through its
+/// surface; also said of shapes of which that depends on their numbers.
+bool is_open(const BuiltShape& shape) {
+    return visit_shape(
+        []<class S>(const S& s) {
+            if constexpr (requires { s.open; }) return s.open;
+            return one_of<S, Disc, Triangle, SmoothTriangle, BuiltPolygon, BuiltBicubicPatch,
+                          BuiltParametric, BuiltMesh, BuiltLathe, BuiltPrism>;
+        },
+        shape);
 }
 
-/// Whether rays may pass between the solid's inside and outside other than through its surface.
-bool has_openings(const World& world, std::uint32_t item) {
-    const auto closed = [](const auto&) { return false; };
-    return world.geometry.visit(
-        item, closed, closed,
-        [](const PlacedShape& placed) {
-            return std::visit(
-                [](const auto& shape) {
-                    if constexpr (requires { *shape; })
-                        return is_open(*shape);
-                    else
-                        return is_open(shape);
-                },
-                placed.shape);
-        },
-        [](const PlacedComposite& placed) { return placed.composite->has_openings(); });
+/// The same for an item.
+bool has_openings(const Geometry& geometry, std::uint32_t item) {
+    return geometry.visit(
+        item, [](const SpherePrimitive&) { return false; },
+        [](const TrianglePrimitive&) { return true; },
+        [](const PlacedShape& placed) { return is_open(placed.shape); },
+        [](const PlacedComposite& placed) {
+            const Composite& whole = *placed.composite;
+            bool open = whole.has_openings();
+            for (std::uint32_t i = 0; !open && i < whole.leaf_count(); ++i)
+                open = is_open(whole.leaf(i).shape);
+            return open;
+        });
+}
+
+/// Whether there is emission within solids only, and a surface that parts inside from outside not
+/// everywhere.
+bool glows_beside_openings(const World& world) {
+    const Geometry& geometry = world.geometry;
+    if (std::ranges::none_of(world.appearance.materials, [&](const Material& material) {
+            return glows_within(world, material);
+        }))
+        return false;
+    for (std::uint32_t item = 0; item < geometry.item_count(); ++item) {
+        const bool noted = geometry.is_triangle(item) ? world.material(item).transparent
+                                                      : world.is_noted_solid(item);
+        if (noted && has_openings(geometry, item)) return true;
+    }
+    return false;
 }
 
 }  // namespace
 
+bool is_same_solid(const World& world, PrimitiveIndex a, PrimitiveIndex b) {
+    return world.solid(a) == world.solid(b) ||
+           world.geometry.item_of(a) == world.geometry.item_of(b);
+}
+
 bool lights_from_inside(const Material& material) {
     return material.interior && std::ranges::any_of(material.interior->media, &Media::luminaire);
+}
+
+bool glows_within(const World& world, const Material& material) {
+    return material.interior &&
+           std::ranges::any_of(material.interior->media, [&](const Media& media) {
+               return media.luminaire || (world.keeps_energy() && media.emission != Vec3(0));
+           });
 }
 
 void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool surveyed,
@@ -189,27 +219,19 @@ void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool s
             maker.add(world.lights.volumes.back(), box);
         }
     }
-    for (std::uint32_t item = 0; !world.lights.volumes.empty() && item < geometry.item_count();
-         ++item)
-        world.lights.volumes_with_openings |=
-            world.is_noted_solid(item) && has_openings(world, item);
+}
+
+void find_openings(World& world) {
+    world.lights.glow_beside_openings = glows_beside_openings(world);
 }
 
 namespace {
 
-/// The parts that share the volume's media and contain a point.
-struct PartsThere {
-    int together = 0;
-    bool within = false;  ///< the volume itself is among them
-};
-PartsThere parts_there(const World& world, PrimitiveIndex volume,
-                       std::span<const PrimitiveIndex> solids) {
-    PartsThere parts;
-    for (const PrimitiveIndex solid : solids) {
-        parts.within |= world.geometry.item_of(solid) == world.geometry.item_of(volume);
-        parts.together += is_same_solid(world, solid, volume) ? 1 : 0;
-    }
-    return parts;
+/// Number of the parts that share the volume's media among those solids, but at least 1.
+int parts_there(const World& world, PrimitiveIndex volume, std::span<const PrimitiveIndex> solids) {
+    const auto count = std::ranges::count_if(
+        solids, [&](PrimitiveIndex solid) { return is_same_solid(world, solid, volume); });
+    return std::max(static_cast<int>(count), 1);
 }
 
 bool all_hollow(const World& world, std::span<const PrimitiveIndex> solids) {
@@ -219,19 +241,20 @@ bool all_hollow(const World& world, std::span<const PrimitiveIndex> solids) {
 }  // namespace
 
 Vec3 volume_emission(const World& world, PrimitiveIndex volume, const Vec3& point) {
+    if (!world.contains_point(volume, point)) return Vec3(0);
     const EnteredSolids there = world.containing(point);
     const std::span<const PrimitiveIndex> solids(there.data(), there.size());
-    const PartsThere parts = parts_there(world, volume, solids);
-    if (!parts.within || parts.together % 2 == 0 || !all_hollow(world, solids)) return Vec3(0);
-    return emission_of_media(world, volume, point) / static_cast<double>(parts.together);
+    const int parts = parts_there(world, volume, solids);
+    if (parts % 2 == 0 || !all_hollow(world, solids)) return Vec3(0);
+    return emission_of_media(world, volume, point) / static_cast<double>(parts);
 }
 
 Vec3 volume_emission(const World& world, PrimitiveIndex volume, const SightOfVolume& sight) {
     const Vec3 point = sight.ray.at(sight.distance);
-    if (!world.lights.volumes_with_openings) return volume_emission(world, volume, point);
+    if (!world.lights.glow_beside_openings) return volume_emission(world, volume, point);
+    if (!world.contains_point(volume, point)) return Vec3(0);
     const EnteredSolids there = world.containing(point);
-    const PartsThere parts = parts_there(world, volume, {there.data(), there.size()});
-    if (!parts.within) return Vec3(0);
+    const int parts = parts_there(world, volume, {there.data(), there.size()});
     EnteredSolids entered(sight.solids.begin(), sight.solids.end());
     bool ends = false;
     world.along(sight.ray, sight.tolerance, RayKind::gathering, [&](const Hit& hit, double t) {
@@ -243,13 +266,15 @@ Vec3 volume_emission(const World& world, PrimitiveIndex volume, const SightOfVol
     const bool seen = std::ranges::any_of(
         solids, [&](PrimitiveIndex solid) { return is_same_solid(world, solid, volume); });
     if (!ends || !seen || !all_hollow(world, solids)) return Vec3(0);
-    return emission_of_media(world, volume, point) / static_cast<double>(parts.together);
+    return emission_of_media(world, volume, point) / static_cast<double>(parts);
 }
 
 bool is_within(const World& world, PrimitiveIndex solid, const Vec3& point) {
-    return std::ranges::any_of(world.containing(point), [&](PrimitiveIndex there) {
-        return is_same_solid(world, there, solid);
-    });
+    if (world.contains_point(solid, point)) return true;
+    return world.material(solid).shared_interior != 0 &&
+           std::ranges::any_of(world.containing(point), [&](PrimitiveIndex there) {
+               return is_same_solid(world, there, solid);
+           });
 }
 
 const GlowingVolume* volume_among(const World& world, std::span<const PrimitiveIndex> solids) {

@@ -11,8 +11,18 @@
 
 namespace candelabra {
 
+/// Whether two primitives belong to one solid, or share their interior.
+bool is_same_solid(const World&, PrimitiveIndex, PrimitiveIndex);
+
 /// Whether media inside of such primitives light the scene.
 bool lights_from_inside(const Material&);
+
+/// Whether such media glow within their solid only: those that are luminaires, and, where energy is
+/// kept, all. As in POV-Ray, a ray that leaves a solid through an opening still meets the others.
+bool glows_within(const World&, const Material&);
+
+/// Fills WorldLights::glow_beside_openings.
+void find_openings(World&);
 
 /// Fills WorldLights::volumes, adds the luminaires, and warns of unbounded volumes. If not
 /// `surveyed`, each solid is one evenly glowing box, for callers that only count them.

@@ -72,6 +72,22 @@ TEST_CASE("confines replace a box that is larger", "[solid]") {
     CHECK(is(extent(ball), Vec3(-2), Vec3(2)));
 }
 
+TEST_CASE("inverse confines have no end, as in POV-Ray", "[solid]") {
+    for (const bool clips : {false, true})
+        for (const Object& shape :
+             {lone_object(Cuboid{Vec3(-1), Vec3(1)}), lone_object(Sphere{o, 1}),
+              lone_object(Cylinder{-3.0 * y, 3.0 * y, 0.5}), lone_object(Torus{1, 0.2}),
+              object_group(Csg::together, {lone_object(Sphere{o, 1})})}) {
+            Object inverse = shape;
+            inverse.inverse = true;
+            Object ball = lone_object(Sphere{o, 2});
+            Clipping clipping;
+            (clips ? clipping.clips : clipping.bounds) = {make_handle<Object>(inverse)};
+            ball.clipping = make_handle<Clipping>(clipping);
+            CHECK(is(extent(ball), Vec3(-2), Vec3(2)));
+        }
+}
+
 TEST_CASE("a union without shapes, or with a light, has no end", "[solid]") {
     CHECK(is(extent(object_group(Csg::together, {})), Vec3(-no_end), Vec3(no_end)));
     Object lit = object_group(Csg::together, {lone_object(Sphere{})});

@@ -83,7 +83,7 @@ TEST_CASE("places in the air of a cell have no horizon", "[lighting]") {
     const Vec3 eye(5, 3, 5);
     for (const double top : {0.0, -2.0}) {
         const std::vector<SurveyPlace> seen =
-            air_places_in({Vec3(2, -3, 2), Vec3(4, top, 4)}, eye, sight);
+            air_places_in({Vec3(2, -3, 2), Vec3(4, top, 4)}, {eye}, sight);
         REQUIRE(seen.size() > 3);
         for (const SurveyPlace& each : seen) CHECK((each.point.position.y > -1.5) == (top == 0));
     }

@@ -124,4 +124,95 @@ TEST_CASE("paths count glowing media once, however they meet them", "[statistics
     }
 }
 
+namespace {
+
+/// Checks that a floor below media gets the light that a path finds there by chance; `$` in the
+/// script is where `luminaire` may stand.
+void check_sampled_as_met(const std::string& script, std::uint32_t count) {
+    const auto scene = [&](bool luminaire) {
+        std::string own = script;
+        for (std::size_t at; (at = own.find('$')) != own.npos;)
+            own.replace(at, 1, luminaire ? "luminaire" : "");
+        return with("light_octree",
+                    luminaire ? "path_traced { bounces 0 }" : "path_traced { bounces 1 }") +
+               "camera { location <0, 0.5, -0.5> } "
+               "plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } } " +
+               own;
+    };
+    const Ray ray{Vec3(0, 0.5, -0.5), unit(Vec3(0.1, -0.5, 0.5))};
+    CAPTURE(script);
+    check_alike(seen(scene(true), count, ray), seen(scene(false), 4 * count, ray));
+}
+
+}  // namespace
+
+TEST_CASE("media in a clipped solid light what sees them, whatever clips it", "[statistics]") {
+    const std::string shapes[] = {
+        "plane { <0.3, 1, 0.2>, 2",
+        "sphere { <0.3, 1.6, 0>, 0.6",
+        "box { <-0.4, 1, -0.3>, <0.5, 2.1, 0.4>",
+        "cylinder { <0, 0, 0.1>, <0, 4, 0.1>, 0.4",
+        "cone { <0, 1, 0>, 0.7, <0.2, 3, 0>, 0.1",
+        "torus { 0.5, 0.2 rotate 40*x translate 2*y",
+        "union { sphere { <-0.3, 1.7, 0>, 0.4 } box { <0, 1, -0.2>, <0.6, 2, 0.2> }",
+        "intersection { sphere { 1.7*y, 0.7 } cylinder { <0, 0, 0>, <0, 4, 0>, 0.4 }",
+        "sphere { 1.6*y, 0.7 clipped_by { plane { x, 0.1 } }",
+        "merge { sphere { <-0.3, 1.7, 0>, 0.4 inverse } box { <0, 1, -0.2>, <0.6, 2, 0.2> }"};
+    for (const std::string& shape : shapes)
+        for (const char* const side : {" } ", " inverse } "})
+            for (const char* const behind :
+                 {"", "plane { -y, -4 pigment { rgb 0 } finish { ambient 0 diffuse 0 } } "})
+                check_sampled_as_met(std::string(behind) + "sphere { 2*y, 0.8" + clear_hollow +
+                                         "interior { media { emission 1 absorption 0.3 } $ } "
+                                         "clipped_by { " +
+                                         shape + side + "} } ",
+                                     600);
+}
+
+TEST_CASE("media light through what is open as they are seen", "[statistics]") {
+    const std::string gas = clear_hollow + "interior { media { emission 1 absorption 0.3 } $ } } ";
+    const std::string wall = "plane { -y, -4 pigment { rgb 0 } finish { ambient 0 diffuse 0 } } ";
+    const std::string scenes[] = {
+        "cylinder { y, 2*y, 0.7 open" + gas + wall, "cone { y, 0.7, 2*y, 0.2 open" + gas + wall,
+        "intersection { union { sphere { <-0.2, 2, 0>, 0.5 } sphere { <0.2, 2, 0>, 0.5 } } "
+        "sphere { 2*y, 0.6 }" +
+            gas,
+        // Two of them, one in the other.
+        "sphere { 2*y, 0.8 clipped_by { plane { x, 0 } }" + gas + "sphere { 2*y, 0.5" + gas + wall,
+        // Behind clear things that rays pass without leaving them.
+        "sphere { 2*y, 0.5" + gas + "disc { y, y, 0.5 pigment { rgbt 1 } finish { diffuse 0 } }",
+        "sphere { 2*y, 0.3" + gas +
+            "mesh { triangle { <-1, 1, -1>, <1, 1, -1>, <0, 1, 1> } triangle { <-1, 1, -1>, "
+            "<1, 1, -1>, <0, 3, 0> } triangle { <1, 1, -1>, <0, 1, 1>, <0, 3, 0> } triangle { "
+            "<0, 1, 1>, <-1, 1, -1>, <0, 3, 0> } pigment { rgbt 1 } finish { diffuse 0 } }"};
+    for (const std::string& scene : scenes) check_sampled_as_met(scene, 1000);
+}
+
+TEST_CASE("a flame that casts no shadow is dimmed by itself, and dims nothing else",
+          "[statistics]") {
+    const std::string flames[] = {
+        "media { emission 1 absorption 1 } $",
+        "media { emission 1 absorption 2 density { spherical translate 2*y } } $"};
+    for (const std::string& flame : flames)
+        for (const char* const shape : {"sphere { 2*y, 0.8", "box { <-0.6, 1, -0.6>, <0.6, 2, 0.6>",
+                                        "sphere { 2*y, 0.8 clipped_by { plane { x, 0.2 } }",
+                                        "difference { sphere { 2*y, 0.8 } sphere { 2*y, 0.5 }"})
+            for (const char* const colour : {"rgbt 1", "rgbft <1, 0.8, 0.5, 0.6, 0>"})
+                check_sampled_as_met(std::string(shape) + " no_shadow pigment { " + colour +
+                                         " } finish { ambient 0 diffuse 0 } hollow interior { " +
+                                         flame + " } } ",
+                                     600);
+    const auto floor = [](const std::string& flame) {
+        return seen(
+            with("light_octree", "path_traced { bounces 0 }") +
+                "camera { location <0, 0.5, -0.5> } plane { y, 0 pigment { rgb 1 } finish { "
+                "ambient 0 diffuse 1 } } sphere { 5*y, 1 pigment { rgb 1 } finish { ambient "
+                "0 diffuse 0 emission 5 } } " +
+                flame,
+            400, {Vec3(0, 0.5, -0.5), unit(Vec3(0.1, -0.5, 0.5))});
+    };
+    check_alike(floor(""), floor("sphere { 2*y, 0.8 no_shadow" + clear_hollow +
+                                 "interior { media { absorption 1 } luminaire } } "));
+}
+
 }  // namespace candelabra

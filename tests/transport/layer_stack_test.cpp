@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/layer_stack.h"
 
+#include "scattering/microfacet.h"
 #include "support/scripts.h"
 #include "world/compile.h"
 
@@ -33,6 +34,75 @@ TEST_CASE("layers are seen through those above them", "[transport]") {
     CHECK(length(through[2] - Vec3(0.2, 0.4, 0.4)) < 1e-6);
     CHECK(reflected[0] == Vec3(0));
     CHECK(reflected[2] == Vec3(0.3));
+}
+
+namespace {
+
+/// Sum of the fractions of all ways on which light comes to the viewer from a vertex: by mirrors,
+/// by facets, by what is below them, and from behind.
+Vec3 sum_of_ways(const World& world, const PathState& path) {
+    Hit hit;
+    REQUIRE(world.first_hit(path.ray, 0, RayKind::camera, hit));
+    const Vertex vertex = vertex_at(world, path.ray, hit, {path.media.data(), path.media.size()});
+    Vec3 sum(0);
+    for_visible_layers(world, vertex, 0, [&](double, std::span<const Layer> layers) {
+        const LayerStack stack(world, path, vertex, layers);
+        stack.visit([&](const LayerStack::Seen& seen) {
+            const Shading s = seen.scattering();
+            const Finish& f = *s.finish;
+            Vec3 scattered = s.colour.rgb * s.opacity * (f.diffuse + f.diffuse_back);
+            if (f.microfacet.on)
+                scattered = Microfacets(s).facets_albedo() +
+                            s.colour.rgb * s.opacity * Microfacets(s).base_albedo();
+            sum += seen.reflected + seen.through * seen.below_mirror * scattered;
+        });
+        sum += stack.behind();
+    });
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("all ways from a vertex together have no more than all light", "[transport]") {
+    const std::string glossy = " reflection { 0, 1 fresnel } conserve_energy ";
+    std::vector<std::string> finishes = {"diffuse 1", "diffuse 0.6, 0.4",
+                                         "diffuse 1 reflection 0.4 conserve_energy",
+                                         "diffuse 0.7" + glossy};
+    for (const char* const facets :
+         {"roughness 0.05", "roughness 0.3", "roughness 0.6 specular 1", "roughness 0.3 coat 1",
+          "roughness 0.3 metallic 0.5", "roughness 0.2 metallic 1",
+          "roughness 0.6 metallic 0.3 coat 0.5 coat_roughness 0.4"})
+        for (const std::string& more : {std::string(), glossy})
+            finishes.push_back("microfacet { " + std::string(facets) + " }" + more);
+    for (const std::string& finish : finishes)
+        for (const char* const colour : {"rgb 1", "rgbt <1, 1, 1, 0.3>", "rgbt <1, 1, 1, 0.9>",
+                                         "rgbf <0.9, 1, 0.8, 0.7>", "rgbft <1, 0.5, 1, 0.3, 0.6>"})
+            for (const bool twice : {false, true})
+                for (const char* const ior : {"1", "1.05", "1.5", "2", "0.7"}) {
+                    const std::string texture = "texture { pigment { " + std::string(colour) +
+                                                " } finish { ambient 0 " + finish + " } } ";
+                    const World world = world_of(
+                        "#version 3.7; global_settings { max_trace_level 20 adc_bailout 0 "
+                        "integrator { path_traced } } sphere { 0, 1 " +
+                        texture + (twice ? texture : "") + "interior { ior " + ior + " } }");
+                    const bool white =
+                        colour == std::string("rgb 1") || std::string(colour).starts_with("rgbt");
+                    CAPTURE(finish, colour, ior, twice);
+                    for (const double aside : {0.0, 0.5, 0.9, 0.99}) {
+                        PathState path;
+                        path.ray = {Vec3(aside, 0, -3), Vec3(0, 0, 1)};
+                        const Vec3 outside = sum_of_ways(world, path);
+                        path.ray = {Vec3(0, 0, -aside), Vec3(1, 0, 0)};
+                        path.media.push_back(0);
+                        const Vec3 inside = sum_of_ways(world, path);
+                        CAPTURE(aside, outside.x, inside.x);
+                        CHECK(max_component(outside) <= 1 + 1e-9);
+                        CHECK(max_component(inside) <= 1 + 1e-9);
+                        if (!white || !finish.starts_with("microfacet")) continue;
+                        CHECK(min_component(outside) >= 1 - 1e-3);
+                        CHECK(min_component(inside) >= 1 - 1e-3);
+                    }
+                }
 }
 
 }  // namespace candelabra

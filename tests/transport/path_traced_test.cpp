@@ -159,9 +159,8 @@ TEST_CASE("a closed body keeps the light of a lamp inside, however smooth it loo
 
 TEST_CASE("white facets disappear before a white sky, at every angle and with any bumps",
           "[transport]") {
-    for (const std::string facets :
-         {"metallic 0 roughness 0.05", "metallic 1 roughness 0.05", "metallic 1 roughness 0.6",
-          "metallic 0 roughness 0.3 coat 1"})
+    for (const std::string facets : {"metallic 0 roughness 0.05", "metallic 1 roughness 0.05",
+                                     "metallic 1 roughness 0.6", "metallic 0 roughness 0.3 coat 1"})
         for (const std::string bumps :
              {"", "normal { bumps 0.3 scale 0.01 }", "normal { bumps 2 scale 0.01 }"})
             for (const double elevation : {0.05, 0.3}) {
@@ -335,6 +334,62 @@ TEST_CASE("no solid makes light in a furnace", "[transport]") {
         CHECK(sum / count < (greatest == 1 ? 1.01 : 1.06));
         CHECK(sum / count > 0.5);
         if (greatest == 1) CHECK(most <= 1 + 1e-9);
+    }
+}
+
+TEST_CASE("facets over half-clear solids keep all light of a furnace and make none",
+          "[transport]") {
+    const std::string rough = "roughness 0.3";
+    const auto ball = [](const std::string& clear, const std::string& facets,
+                         const std::string& interior) {
+        return "sphere { 0, 1 pigment { rgbt <1, 1, 1, " + clear + "> } finish { microfacet { " +
+               facets + " } } interior { " + interior + " } }";
+    };
+    const std::string look =
+        " pigment { rgbt <1, 1, 1, 0.6> } finish { microfacet { roughness 0.3 } } ";
+    const std::string inside = "interior { ior 1.5 } }";
+    const std::string solids[] = {
+        ball("0.3", rough, "ior 1.5"),
+        ball("0.6", "roughness 0.05", "ior 1.5"),
+        ball("0.6", "roughness 0.6", "ior 1.05"),
+        ball("0.9", rough, "ior 2"),
+        ball("0.6", rough, "ior 0.7"),
+        ball("0.6", "roughness 0.3 coat 1", "ior 1.5"),
+        ball("0.6", "roughness 0.3 metallic 0.5", "ior 1.5"),
+        ball("0.5", "roughness 0.4 metallic 1", "ior 1"),
+        "sphere { 0, 1 texture {" + look + "} texture {" + look + "} " + inside,
+        "sphere { 0, 1 texture {" + look + "} texture { pigment { rgb 1 } finish { diffuse 1 } } " +
+            inside,
+        "sphere { 0, 1 pigment { rgbt <1, 1, 1, 0.6> } finish { microfacet { roughness 0.3 } "
+        "reflection { 0, 1 fresnel } conserve_energy } " +
+            inside,
+        "sphere { 0, 1 pigment { rgb 1 } finish { microfacet { roughness 0.3 } reflection 0.3 "
+        "conserve_energy } }",
+        "box { -0.7, 0.7 rotate <30, 40, 0>" + look + inside,
+        "difference { sphere { 0, 1 } sphere { <0.5, 0.5, -0.5>, 0.6 }" + look + inside,
+        "sphere { 0, 1 clipped_by { plane { y, 0.3 } }" + look + inside};
+    const std::string sky = "background { rgb 1 } ";
+    for (const std::string& solid : solids) {
+        const World world = world_of(
+            "#version 3.7; global_settings { max_trace_level 40 integrator { path_traced { "
+            "bounces 30 reflected_luminaires 0 } } } #default { finish { ambient 0 diffuse 1 } "
+            "} camera { location <0.3, 0.9, -3.3> } " +
+            sky + solid);
+        Integrator integrator(world, {});
+        Draw draw(4);
+        Key key;
+        double sum = 0, squares = 0;
+        constexpr std::uint32_t count = 2000;
+        for (; key.sample < count; ++key.sample) {
+            const Vec3 from(0.3, 0.9, -3.3),
+                towards(draw.between(-0.8, 0.8), draw.between(-0.8, 0.8), 0);
+            const double seen = grey(integrator.radiance({from, unit(towards - from)}, key));
+            sum += seen, squares += seen * seen;
+        }
+        const double mean = sum / count, error = std::sqrt((squares / count - mean * mean) / count);
+        CAPTURE(solid, sky, mean, error);
+        CHECK(mean < 1.01 + 4.5 * error);
+        CHECK(mean > 0.97 - 4.5 * error);
     }
 }
 

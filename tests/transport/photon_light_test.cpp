@@ -2,6 +2,7 @@
 #include "transport/photon_light.h"
 
 #include "support/ball_lens.h"
+#include "support/means.h"
 #include "support/scripts.h"
 #include "transport/integrator.h"
 #include "world/compile.h"
@@ -14,11 +15,11 @@ namespace {
 
 /// Mean radiance over points of a floor, in a ring around the axis, over some samples.
 double seen_on_floor(Integrator& integrator, double from, double to, int samples,
-                     const Vec3& above = Vec3(0, 0.5, 0)) {
+                     const Vec3& above = Vec3(0, 0.5, 0), int first = 0) {
     double sum = 0;
     constexpr int places = 64;
     for (int i = 0; i < places; ++i)
-        for (int sample = 0; sample < samples; ++sample) {
+        for (int sample = first; sample < first + samples; ++sample) {
             const double share = (i + 0.5) / places, angle = 2.4 * i;
             // Uniform in the ring.
             const double away = std::sqrt(from * from + share * (to * to - from * from));
@@ -94,6 +95,63 @@ TEST_CASE("a disc of glass that bends nothing changes nothing", "[transport][sta
         INFO(lamp);
         CHECK(light(lamp, "photons { count 20000 }") == Approx(light(lamp, "")).epsilon(0.03));
     }
+}
+
+TEST_CASE("photons bring light of all kinds of lamps through air as it comes without them",
+          "[transport][statistics]") {
+    // A disc of glass that bends nothing, below lamps that are seen through their openings, on one
+    // side, through themselves, or without a shadow.
+    const std::string gas =
+        " hollow pigment { rgbt 1 } finish { diffuse 0 } interior { media { emission 4 absorption "
+        "0.5 } luminaire } ";
+    const std::string dark = "texture { pigment { rgb 1 } finish { diffuse 0 } } ",
+                      glow = "texture { pigment { rgb 1 } finish { diffuse 0 emission 9 } } ";
+    const std::string lamps[] = {
+        "sphere { 4*y, 1" + gas + "}",
+        "sphere { 4*y, 1 clipped_by { plane { y, 4 } }" + gas + "}",
+        "sphere { 4*y, 1 clipped_by { plane { -y, -4 } }" + gas + "}",
+        "sphere { 4*y, 1 clipped_by { cylinder { 0, 9*y, 0.5 inverse } }" + gas + "}",
+        "cylinder { <0, 4, -1>, <0, 4, 1>, 0.8 open" + gas + "} plane { -y, -9 pigment { rgb 0 } }",
+        "sphere { 1.8*y, 0.5 clipped_by { plane { x, 0 } }" + gas + "}",
+        "sphere { 4*y, 1 no_shadow" + gas + "}",
+        "disc { 4*y, -y, 1 " + glow + "interior_" + dark + "}",
+        "disc { 4*y, y, 1 " + dark + "interior_" + glow + "}",
+        "sphere { 4*y, 1 clipped_by { plane { -y, -4 } } " + dark + "interior_" + glow + "}",
+        "sphere { 4*y, 1 pigment { rgbt <1, 1, 1, 0.5> } finish { diffuse 0 emission 4 } }",
+        "torus { 0.8, 0.2 translate 4*y no_shadow pigment { rgb 1 } finish { diffuse 0 emission 9 "
+        "} "
+        "}"};
+    for (const std::string& lamp : lamps)
+        for (const std::string air : {"", "fog { rgb 0 distance 5 } ", "media { absorption 0.2 } "})
+            for (const char* const integrator : {"pov_ray", "path_traced { bounces 0 }"}) {
+                const auto light = [&](const std::string& photons) {
+                    const World world = world_of(
+                        "#version 3.7; #default { pigment { rgb 1 } finish { ambient 0 } } "
+                        "global_settings { " +
+                        photons + " integrator { " + integrator +
+                        " } } camera { location 0.5*y } " + air + lamp +
+                        R"( box { <-3, 1, -3>, <3, 1.2, 3> hollow pigment { rgbt 1 }
+                            finish { diffuse 0 } photons { target refraction on } }
+                            plane { y, 0 pigment { rgb 1 } })");
+                    // The first samples have photons of their own.
+                    Integrator integrating(world, {});
+                    double sum = 0, squares = 0;
+                    constexpr int samples = 12;
+                    for (int i = 0; i < samples; ++i) {
+                        const double seen =
+                            seen_on_floor(integrating, 0, 1.2, 1, Vec3(0, 0.5, 0), i);
+                        sum += seen, squares += seen * seen;
+                    }
+                    const double mean = sum / samples;
+                    return Mean{mean, std::sqrt(std::fmax(squares / samples - mean * mean, 0) /
+                                                (samples - 1))};
+                };
+                const Mean brought = light("photons { count 4000 }"), straight = light("");
+                CAPTURE(lamp, air, integrator, brought.value, brought.error, straight.value);
+                // Discs of photons spread the edges of light.
+                const bool dark = std::fmax(straight.value, brought.value) < 1e-3;
+                CHECK((dark || agree(straight, brought, 0.05)));
+            }
 }
 
 TEST_CASE("light that photons bring is counted for its lamp", "[transport]") {

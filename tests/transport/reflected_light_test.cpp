@@ -111,4 +111,34 @@ TEST_CASE("a closed room that glows everywhere is as bright with reflected lumin
     }
 }
 
+TEST_CASE("reflected light over an endless plane is as quiet as over a wide floor",
+          "[transport][statistics]") {
+    // Some light is reflected far away, which makes the cube of the light sampler's cells huge.
+    const auto scene = [](const std::string& floor, int luminaires) {
+        return "#version 3.7; global_settings { integrator { path_traced { bounces 1 "
+               "reflected_luminaires " +
+               std::to_string(luminaires) +
+               " } } } #default { finish { ambient 0 diffuse 0.8 } pigment { rgb 0.7 } } camera { "
+               "location <0, 3, -6> } sphere { y, 1 } sphere { <2, 4, -2>, 0.3 finish { diffuse 0 "
+               "emission 5 } } " +
+               floor;
+    };
+    const std::string plane = "plane { y, 0 }", wide = "box { <-60, -1, -60>, <60, 0, 60> }";
+    double of_plane = 0, of_wide = 0;
+    for (const Vec3& towards :
+         {Vec3(0.9, 1, -0.4), Vec3(-0.9, 1, -0.4), Vec3(0.8, 0.5, -0.3), Vec3(0, 1, -1)}) {
+        const Vec3 from(0, 3, -6);
+        const Ray ray{from, unit(towards - from)};
+        const Estimate endless = estimate(scene(plane, 600), 150, ray),
+                       bounded = estimate(scene(wide, 600), 150, ray),
+                       by_paths = estimate(scene(plane, 0), 400, ray);
+        CAPTURE(towards.x, endless.mean.x, by_paths.mean.x);
+        CHECK(std::abs(endless.mean.x - by_paths.mean.x) <
+              4.5 * std::hypot(endless.deviation.x, by_paths.deviation.x));
+        of_plane += endless.deviation.x * endless.deviation.x;
+        of_wide += bounded.deviation.x * bounded.deviation.x;
+    }
+    CHECK(of_plane < 4 * of_wide);
+}
+
 }  // namespace candelabra
