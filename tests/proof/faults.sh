@@ -2,11 +2,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Puts deliberate faults into a clone, one at a time, and says how long the machine takes to find each.
 #   faults.sh [--clone FOLDER] [--minutes N] [--seed S] [FAULT]...
+#   faults.sh --check             only says whether all patches still fit
 # FAULT is the name of a patch in faults/ (default: all of them). The clone is made if necessary, is built in its folder
 # build/, and is clean again in the end. The exit status is 1 if a fault is not found in the time (default: 10 minutes).
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../.." && pwd)
 clone=$root/build/faults minutes=10 seed=1 names=()
+if [ "${1:-}" = --check ]; then
+    command -v patch > /dev/null || exit 77
+    cd "$root"
+    for patch in tests/proof/faults/*.patch; do
+        patch -p1 -F0 --dry-run --silent < "$patch" || { echo "$patch does not fit; make it anew"; exit 1; }
+    done
+    exit
+fi
 while [ $# -gt 0 ]; do
     case $1 in
         --clone) clone=$2; shift ;;
