@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // law furnace, seed 1
-// open
 #version 3.7;
 #default { finish { ambient 0 } }
 global_settings { assumed_gamma 1 max_trace_level 40 integrator { path_traced bounces 60 reflected_luminaires 0 } }
