@@ -163,7 +163,7 @@ void Evaluator::State::run_within_memory(SourceId main) {
     // Released to have room for the message.
     auto reserve = std::make_unique<std::array<char, std::size_t{1} << 20>>();
     // Steps that objects, meshes and patterns count take longer than those of expressions.
-    constexpr std::uint64_t each_step = 16;
+    constexpr std::uint64_t each_step = 20;
     const WorkWatch* asking = nullptr;
     std::uint64_t counted = 0;
     const std::function<bool()> too_much = [&] {

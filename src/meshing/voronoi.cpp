@@ -5,13 +5,23 @@
 #include "base/order.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace candelabra {
 
 namespace {
 
 double square(const Vec2& v) { return dot(v, v); }
+
+/// Another point. The greatest one is the nearest; of equally near ones, the first.
+struct Neighbour {
+    double distance2;
+    std::size_t number;
+
+    friend bool operator<(const Neighbour& a, const Neighbour& b) {
+        return std::pair(b.distance2, b.number) < std::pair(a.distance2, a.number);
+    }
+};
 
 /// The part of the polygon that is nearer to p than to q.
 std::vector<Vec2> nearer(const std::vector<Vec2>& polygon, const Vec2& p, const Vec2& q) {
@@ -32,20 +42,20 @@ std::vector<Vec2> nearer(const std::vector<Vec2>& polygon, const Vec2& p, const 
 
 std::vector<Vec2> voronoi_cell(std::span<const Vec2> points, std::size_t i, const Vec2& low,
                                const Vec2& high) {
-    count_long_work(2 * points.size());
+    count_long_work(5 * points.size());
     const Vec2 own = points[i];
     std::vector<Vec2> cell = {low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)};
-    std::vector<std::size_t> others(points.size());
-    std::iota(others.begin(), others.end(), std::size_t{0});
-    sort_stably(others, {}, [&](std::size_t k) { return square(points[k] - own); });
-    for (const std::size_t k : others) {
-        if (k == i || cell.empty()) continue;
+    std::vector<Neighbour> others;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (k != i) add_to_heap(others, {square(points[k] - own), k});
+    for (; !others.empty() && !cell.empty(); remove_greatest(others)) {
+        const auto [distance2, k] = others.front();
         if (points[k] == own) return {};
         // Stops when no corner is so far away that this point, or any after it, could be nearer to
         // it.
         double reach = 0;
         for (const Vec2& corner : cell) reach = std::max(reach, square(corner - own));
-        if (square(points[k] - own) > 4 * reach) break;
+        if (distance2 > 4 * reach) break;
         count_long_work(1 + cell.size() / 4);
         cell = nearer(cell, own, points[k]);
     }

@@ -271,6 +271,7 @@ bool Composite::inside_node(const Node& node, const Vec3& point, const PartRef* 
     // A ray of length 0 visits the leaves around its origin.
     const bool found = node.index.traverse(
         Ray{point, Vec3(1)}, {0, 0}, [&](std::span<const std::uint32_t> items, Interval&) {
+            count_long_work(1 + items.size() / parts_of_step);
             return std::ranges::any_of(items, [&](std::uint32_t i) {
                 return contains(node.boxed[i].region.box, point) && decides(node.boxed[i]);
             });
@@ -380,6 +381,7 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
     for (const std::uint32_t leaf : apart_) ask(leaf);
     Asked asked;
     tree_.traverse(ray, left, [&](std::span<const std::uint32_t> items, Interval& rest) {
+        count_long_work(items.size());
         for (const std::uint32_t leaf : items)
             if (!asked.before(leaf)) ask(leaf);
         rest.max = left.max;
@@ -395,6 +397,7 @@ void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
     for (const std::uint32_t leaf : apart_)
         if (!slabs.miss(seen_[leaf], range)) candidates.push_back(leaf);
     tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
+        count_long_work(items.size());
         candidates.insert(candidates.end(), items.begin(), items.end());
         return false;
     });
