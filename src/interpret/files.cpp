@@ -5,8 +5,10 @@
 #include "text/message.h"
 #include "text/printable.h"
 #include "text/scene_text.h"
+#include "text/written_name.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace candelabra {
 
@@ -69,11 +71,18 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
     const std::string rule = !path                 ? access.writing_rule(file.name)
                              : loader.keeps(*path) ? std::string()
                                                    : access.rule_of_file(*path);
-    if (!rule.empty())
-        return report(error(Fault::file_access, span,
-                            message("a scene may not write `", clipped(file.name), "`"))
-                          .with_note(rule)
-                          .with_help(access.writing_help(file.name)));
+    if (!rule.empty()) {
+        // POV-Ray renders a scene that writes pages and the like, so the scene goes on without them.
+        const std::filesystem::path last = std::filesystem::path(file.name).filename();
+        const bool goes_on = rule == forbidden_data_name(last) && forbidden_name(last).empty();
+        const std::string said = message("a scene may not write `", clipped(file.name), "`");
+        report((goes_on ? warning(Fault::file_access, span, said)
+                        : error(Fault::file_access, span, said))
+                   .with_note(rule)
+                   .with_help(access.writing_help(file.name)));
+        if (goes_on) file.writer = std::make_unique<DataWriter>(std::make_shared<std::string>());
+        return;
+    }
     const std::shared_ptr<DataWriter> writer = writer_for(*path, append);
     if (!writer->good())
         return report(error(Fault::io, span,

@@ -68,6 +68,18 @@ TEST_CASE("what is written can be read and included", "[files]") {
     CHECK(folder.get("numbers.txt") == "1,<2,3> ,4");
 }
 
+TEST_CASE("a scene goes on without a page that it may not write", "[files]") {
+    const SceneFolder folder;
+    for (const std::string name : {"page.html", "makefile", "run.sh", "-rf.txt"}) {
+        const SaidWithFiles result =
+            said(folder, "#fopen Out \"" + name + "\" write #write(Out, 1) #fclose Out P(7)");
+        CHECK(result.printed == "7 ");
+        CHECK(result.messages.starts_with("a scene may not write `" + name + "` | `--allow-write "));
+        CHECK_FALSE(std::filesystem::exists(folder / name));
+    }
+    CHECK(said(folder, "#fopen Out \"a.ini\" write P(7)").printed == "");
+}
+
 TEST_CASE("a run that changes nothing reads back what it has not written", "[files]") {
     const SceneFolder folder;
     CHECK(said(folder, "#fopen Out \"old.txt\" write #write(Out, \"7,\")").messages == "");
