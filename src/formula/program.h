@@ -49,7 +49,5 @@ inline bool execute(const Program& program, double* registers) {
 /// Number of instructions of an execution in which no loop repeats, including those of called
 /// functions; at most 2^62.
 std::uint64_t cost(const Program&);
-/// Additional cost of each pass of a loop, in the same unit.
-inline constexpr std::uint64_t cost_of_pass = 10;
 
 }  // namespace candelabra

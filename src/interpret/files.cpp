@@ -72,7 +72,7 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
                              : loader.keeps(*path) ? std::string()
                                                    : access.rule_of_file(*path);
     if (!rule.empty()) {
-        // POV-Ray renders a scene that writes pages and the like, so the scene goes on without them.
+        // POV-Ray renders scenes that write pages and the like, so a scene goes on without them.
         const std::filesystem::path last = std::filesystem::path(file.name).filename();
         const bool goes_on = rule == forbidden_data_name(last) && forbidden_name(last).empty();
         const std::string said = message("a scene may not write `", clipped(file.name), "`");
