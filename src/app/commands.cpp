@@ -45,12 +45,6 @@ std::string explanation(const Options& options, const std::string& library,
 
 int run_task(const Options& options, const std::optional<Animation>& animation,
              const Console& console, Diagnostics& diagnostics) {
-    if (options.preview_port && options.task != Task::render) {
-        diagnostics.add(error(Fault::option, {},
-                              "a run shows the preview, or checks, dumps or exports the scene, one "
-                              "of them only"));
-        return exit_status::usage;
-    }
     if (options.preview_port) return run_preview(options, animation, console, diagnostics);
     const auto work = [&]() -> Outcome {
         if (animation) return {run_animation(options, *animation, console, diagnostics)};

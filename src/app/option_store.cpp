@@ -265,6 +265,10 @@ namespace {
 bool is_second_task(const Options& options, const Given& given, Diagnostics& diagnostics,
                     std::initializer_list<Task> same) {
     using enum Task;
+    if (options.preview_port) {
+        refuse(given, diagnostics, shown_only);
+        return true;
+    }
     static constexpr auto exclusive =
         std::array{check,      check_syntax, dump_tokens, dump_tree,
                    dump_scene, dump_world,   dump_index,  export_mesh};

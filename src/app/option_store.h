@@ -32,6 +32,10 @@ std::string shown(const Given&);
 /// Reports an error of an option.
 void refuse(const Given&, Diagnostics&, const std::string& rule, const std::string& help = {});
 
+/// The rule of the preview beside tasks.
+inline constexpr const char* shown_only =
+    "a run shows the preview, or checks, dumps or exports the scene, one of them only";
+
 /// A setting of the rendering or of the animation that has an option.
 struct Setting {
     const ItemInfo* item = nullptr;  ///< null: there is none

@@ -118,6 +118,7 @@ void store::preview(Options& options, const Given& given, Diagnostics& diagnosti
     const auto port = number(*given.value);
     if (!port || *port < 0 || *port > 65535 || *port != static_cast<int>(*port))
         return refuse(given, diagnostics, "a port is a number from 0 to 65535");
+    if (options.task != Task::render) return refuse(given, diagnostics, shown_only);
     options.preview_port = static_cast<int>(*port);
 }
 

@@ -133,7 +133,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::unary
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::negative(
     Result operand) {
     if (!operand) return operand;
-    std::string written = message("(-", text(*operand), ")");
+    std::string written = worded("(-", text(*operand), ")");
     const Operand result = builder.emit(Operation::negate, *operand);
     builder.release(*operand);
     return said(result, std::move(written));
@@ -164,7 +164,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::combi
 ProgramBuilder::Operand Evaluator::State::FunctionCompiler::joined(Operation operation,
                                                                    std::string_view sign, Operand a,
                                                                    Operand b) {
-    std::string written = message("(", text(a), " ", sign, " ", text(b), ")");
+    std::string written = worded("(", text(a), " ", sign, " ", text(b), ")");
     const Operand result = builder.emit(operation, a, b);
     builder.release(a);
     builder.release(b);
@@ -203,7 +203,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::divis
     if (!known) return joined(Operation::divide, "/", a, b);
     // A sign before the number keeps it from being plain.
     std::string written =
-        message("(", text(a), plain ? " / " : " / (+", text(b), plain ? ")" : "))");
+        worded("(", text(a), plain ? " / " : " / (+", text(b), plain ? ")" : "))");
     if (plain && *known == 0) {
         state.broken(Fault::division_by_zero, tree.span(divisor),
                      "this function always divides by zero");
@@ -306,7 +306,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call_
     if (!values) return std::nullopt;
     if (!state.check_count(called.name, values->size(), *called.formula, tree.span(id)))
         return std::nullopt;
-    std::string written = message(called_text(called.formula), "(", texts(*values), ")");
+    std::string written = worded(called_text(called.formula), "(", texts(*values), ")");
     const Operand first = builder.call(called.formula, *values);
     for (const Operand value : *values) builder.release(value);
     return said(first, std::move(written));
@@ -323,7 +323,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::membe
     if (!first) return std::nullopt;
     const std::string_view member = state.names.spelling(node.member);
     const std::size_t count = function->formula->results();
-    std::string written = message(text(*first), ".", member);
+    std::string written = worded(text(*first), ".", member);
     const Result result = part(member, *first, count);
     for (std::size_t i = 0; i < count; ++i) {
         const Operand other = ProgramBuilder::following(*first, i);
@@ -375,8 +375,8 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::loop(
     }
     const Result first = expression(tree, parts[1]), last = expression(tree, parts[2]);
     if (!first || !last) return std::nullopt;
-    const std::string counted = message("i", ++counters);
-    std::string written = message(state.names.spelling(node.name), "(", counted, ", ", text(*first),
+    const std::string counted = worded("i", ++counters);
+    std::string written = worded(state.names.spelling(node.name), "(", counted, ", ", text(*first),
                                   ", ", text(*last), ", ");
     const Operand i = builder.variable(), result = builder.variable();
     builder.pin(i);  // else each reading of the counter would release it
@@ -438,7 +438,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::funct
                              ", but here ", values->size() == 1 ? "is " : "are ", values->size()));
         return std::nullopt;
     }
-    std::string written = message(name, "(", texts(*values), ")");
+    std::string written = worded(name, "(", texts(*values), ")");
     if (extreme)
         return said(builder.fold(name == "min" ? Operation::least : Operation::greatest, *values),
                     std::move(written));
@@ -482,6 +482,7 @@ std::string Evaluator::State::FunctionCompiler::text(Operand operand) {
 }
 
 std::string Evaluator::State::FunctionCompiler::texts(std::span<const Operand> operands) {
+    if (!FunctionTexts::kept()) return {};
     std::string all;
     for (const Operand each : operands) {
         if (!all.empty()) all += ", ";
@@ -499,6 +500,7 @@ std::string Evaluator::State::FunctionCompiler::called_text(const Handle<Formula
 }
 
 void Evaluator::State::FunctionCompiler::name_parameters(std::size_t count, bool listed) {
+    if (!FunctionTexts::kept()) return;
     constexpr std::string_view usual = "xyz";
     for (std::size_t i = 0; i < count; ++i) {
         const std::string name = listed ? message("p", i + 1) : std::string(1, usual[i]);

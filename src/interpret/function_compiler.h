@@ -8,6 +8,7 @@
 #include "formula/formula.h"
 #include "formula/function_texts.h"
 #include "interpret/state.h"
+#include "text/message.h"
 
 #include <optional>
 #include <span>
@@ -27,6 +28,11 @@ struct Evaluator::State::FunctionCompiler {
     void add_parameter(NameId name) { locals.push_back({name, builder.input()}); }
 
     // ---- the text of the function, if texts are kept
+    /// The parts as one text; empty if texts are not kept.
+    template <class... Parts>
+    static std::string worded(const Parts&... parts) {
+        return FunctionTexts::kept() ? message(parts...) : std::string();
+    }
     /// Keeps the text of an operand, which may be taken once, or often if it `stays`.
     Operand said(Operand, std::string text, bool stays = false);
     /// The text of an operand; empty if texts are not kept.

@@ -361,11 +361,10 @@ std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const Pho
     // Seen from a place on the ray; light of media, from the first surface.
     double away = target.radius;
     if (luminaire.is_volume()) {
-        constexpr double before = 1 - 1e-7;
         Hit hit;
         if (!world_.first_hit(emitted->ray, away_from_lamp * away, RayKind::light, hit))
             return std::nullopt;
-        away = before * length(hit.position - emitted->ray.origin);
+        away = (1 - away_from_lamp) * length(hit.position - emitted->ray.origin);
     }
     const Vec3 radiance =
         seen(luminaire, {emitted->ray.at(away), -emitted->ray.direction}, away, key);

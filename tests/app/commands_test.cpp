@@ -42,6 +42,12 @@ TEST_CASE("explanations are results; usage errors are not") {
     CHECK(shell({"+W0", "+H0", shell.path("lit.pov")}) == 2);
     CHECK(has(shell.err, "`+W0`"));
     CHECK(has(shell.err, "`+H0`"));
+    for (const std::string task : {"--check", "--dump=scene", "--export-mesh=m.ply"}) {
+        CHECK(shell({"--preview=8081", task, shell.path("lit.pov")}) == 2);
+        CHECK(has(shell.err, "one of them only"));
+        CHECK(shell({task, "--preview=8081", shell.path("lit.pov")}) == 2);
+        CHECK(has(shell.err, "one of them only"));
+    }
 }
 
 TEST_CASE("a rendering leaves a picture and says what it did") {
