@@ -26,6 +26,7 @@ std::vector<std::size_t> made_by(const World& world) {
     for (const auto* lights :
          {&world.provenance.statement_of_luminaire, &world.provenance.statement_of_light})
         for (const std::uint32_t statement : *lights) ++counts[statement];
+    if (!world.sky.light.empty()) ++counts[world.provenance.statement_of_sky];
     return counts;
 }
 

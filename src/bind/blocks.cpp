@@ -74,6 +74,11 @@ void scene_part(SceneContent& content, const Element& element) {
 
 // ---- readers of one block
 
+void sky_in_scene(SceneContent& content, const Element& element) {
+    scene_part<SkySphere, &Scene::sky, read_sky_sphere>(content, element);
+    content.scene.sky_statement = element.word_span;
+}
+
 void object_in_scene(SceneContent& content, const Element& element) {
     auto object = read_object_into(content.scene.objects, content.binder.default_texture,
                                    content.binder, element);
@@ -153,8 +158,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"light_source", "", BlockForm::object, light_in_scene, light_value},
     {"camera", "", BlockForm::block, camera_in_scene, camera_value, default_camera},
     {"background", "", BlockForm::block, background_in_scene},
-    {"sky_sphere", "", BlockForm::block, scene_part<SkySphere, &Scene::sky, read_sky_sphere>,
-     part<SkySphere, read_sky_sphere>},
+    {"sky_sphere", "", BlockForm::block, sky_in_scene, part<SkySphere, read_sky_sphere>},
     {"fog", "", BlockForm::block, scene_part<Fog, &Scene::fogs, read_fog>, part<Fog, read_fog>},
     {"rainbow", "", BlockForm::block, scene_part<Rainbow, &Scene::rainbows, read_rainbow>,
      part<Rainbow, read_rainbow>},

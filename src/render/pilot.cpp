@@ -83,7 +83,7 @@ PilotNoise pilot_noise(const World& world, const RenderSettings& settings,
         } catch (const WorkEnded&) {
             return;
         }
-        noise[row].of_hits = integrator.noise();
+        noise[row].of_hits = integrator.ledger().noise;
     });
     PilotNoise sum;
     for (const PilotNoise& each : noise) {

@@ -123,6 +123,13 @@ double Bsdf::diffuse_pdf(const Vec3& direction) const {
     return std::abs(cosine) * (cosine < 0 ? behind : 1 - behind) / pi;
 }
 
+Vec3 Bsdf::diffuse_albedo() const {
+    const Finish& f = *shading_.finish;
+    const double amount =
+        facets_ ? facets_->base_albedo() : std::fmax(f.diffuse, 0) + std::abs(f.diffuse_back);
+    return shading_.colour.rgb * (shading_.opacity * amount);
+}
+
 std::optional<Vec3> Bsdf::sample(const Lobe& lobe, Vec2 u) const {
     if (lobe.kind == Lobe::facets) return facets_->draw_mirrored(lobe.extent, u);
     if (lobe.kind == Lobe::about_mirrored)

@@ -26,6 +26,9 @@ struct BsdfTerms {
     bool through_surface = false;
 };
 
+/// The terms of a Lambertian layer.
+inline constexpr BsdfTerms diffuse_terms{.highlights = false, .facets = FacetLobes::none};
+
 /// Throughout, light of colour 1 has a perpendicular irradiance of pi, as in POV-Ray, and values
 /// include the cosine: pi times the BSDF times the cosine.
 class Bsdf {
@@ -73,6 +76,11 @@ public:
     /// the sides that the diffuse term has.
     std::optional<Vec3> sample_diffuse(Vec2 u) const;
     double diffuse_pdf(const Vec3& direction) const;
+
+    /// Approximate fraction of uniform light that the diffuse part scatters to the viewer, and the
+    /// fraction that microfacets above it reflect.
+    Vec3 diffuse_albedo() const;
+    Vec3 facets_albedo() const { return facets_ ? facets_->facets_albedo() : Vec3(0); }
 
     /// Fraction of the directions that are drawn from highlights: about their fraction of the
     /// scattered uniform light. 0 for surfaces without highlights.

@@ -141,6 +141,7 @@ struct Scene {
     bool camera_given = false;  ///< false: the camera is the default
     Background background;
     std::optional<SkySphere> sky;
+    Span sky_statement;  ///< of `sky`
     std::vector<Fog> fogs;
     std::vector<Media> media;  ///< fill all space outside of solids
     std::vector<Rainbow> rainbows;

@@ -62,10 +62,7 @@ private:
             stretch_.path.scattered ? LightInAir::repeatedly_only : LightInAir::any);
         const Vec3 seen = phase.evaluate(-Vec3(passed.photon->direction));
         sum_ += seen;
-        if (ledger_.lights.empty()) return;
-        LightCount& own = ledger_.lights[passed.photon->statement];
-        own.light.add(grey(seen));
-        own.seen += stretch_.path.throughput * seen;
+        ledger_.add_reflected(passed.photon->lamp, seen, stretch_.path.throughput);
     }
 
     PatternScene scene_;

@@ -21,9 +21,8 @@ concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&
     { integrator.radiance(ray, key) } -> std::same_as<Vec3>;
     { integrator.ledger() } -> std::same_as<LightLedger&>;
     { asked.ledger() } -> std::same_as<const LightLedger&>;
-    { asked.noise() } -> std::convertible_to<HitNoise>;  // expected of shadow rays so far
-    { asked.clear() } -> std::same_as<double>;           // share of the last sample that is clear
-    { asked.cut() } -> std::same_as<bool>;               // whether the last sample is incomplete
+    { asked.clear() } -> std::same_as<double>;  // share of the last sample that is clear
+    { asked.cut() } -> std::same_as<bool>;      // whether the last sample is incomplete
     asked.prepare(std::uint32_t{});  // builds the sent light for a sample, with several threads
 };
 
@@ -40,9 +39,6 @@ public:
     const LightLedger& ledger() const {
         return std::visit([](const auto& built) -> const LightLedger& { return built.ledger(); },
                           built_);
-    }
-    HitNoise noise() const {
-        return std::visit([](const auto& built) { return HitNoise(built.noise()); }, built_);
     }
     double clear() const {
         return std::visit([](const auto& built) { return built.clear(); }, built_);

@@ -7,25 +7,56 @@
 
 namespace candelabra {
 
+void LightLedger::add_reflected(Lamp lamp, const Vec3& radiance, const Vec3& throughput,
+                                std::uint64_t rays) {
+    if (!provenance) return;
+    LightCount& own = lights[provenance->statement_of(lamp)];
+    own.light.add(grey(radiance));
+    own.seen += throughput * radiance;
+    own.rays += rays;
+}
+
+void LightLedger::add_visible(Lamp lamp, const Vec3& light) {
+    if (provenance) lights[provenance->statement_of(lamp)].seen += light;
+}
+
+void LightLedger::add_miss() {
+    if (provenance) ++lights.back().rays;
+}
+
+LightLedger& LightLedger::operator+=(const LightLedger& other) {
+    camera += other.camera;
+    shadow += other.shadow;
+    scattered += other.scattered;
+    noise += other.noise;
+    if (lights.size() < other.lights.size()) lights.resize(other.lights.size());
+    for (std::size_t i = 0; i < other.lights.size(); ++i) {
+        lights[i].light.add(other.lights[i].light);
+        lights[i].rays += other.lights[i].rays;
+    }
+    return *this;
+}
+
 LightLedger empty_ledger(const World& world, bool counted) {
     LightLedger ledger;
-    if (counted) ledger.lights.resize(world.provenance.light_statements.size() + 1);
+    if (!counted) return ledger;
+    ledger.lights.resize(world.provenance.light_statements.size() + 1);
+    ledger.provenance = &world.provenance;
     return ledger;
 }
 
 void record_seen(LightLedger& ledger, const World& world, PrimitiveIndex primitive,
                  const Vec3& light) {
-    if (ledger.lights.empty() || world.lights.luminaires.empty()) return;
+    if (!ledger.provenance || world.lights.luminaires.empty()) return;
     const LightIndex luminaire = world.lights.luminaire_of[primitive];
-    if (luminaire != no_primitive)
-        ledger.lights[world.provenance.statement_of_luminaire[luminaire]].seen += light;
+    if (luminaire != no_primitive) ledger.add_visible(Lamp::luminaire(luminaire), light);
 }
 
 void record_volume(LightLedger& ledger, const World& world, std::span<const PrimitiveIndex> solids,
                    const Vec3& light) {
-    if (ledger.lights.empty()) return;
+    if (!ledger.provenance) return;
     if (const GlowingVolume* volume = volume_among(world, solids))
-        ledger.lights[volume->statement].seen += light;
+        ledger.add_visible(Lamp::luminaire(volume->luminaire), light);
 }
 
 void take_lights(LightLedger& ledger, FunctionRef<void(std::size_t statement, const Vec3&)> use) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cost of a rendering, in rays, and the contribution of each light. It is only written while
-// light is followed: no decision about rays depends on it.
+// The cost of a rendering, in rays, and the contribution of each lamp. It is only written while
+// light is followed: no ray depends on it. Lamps are told apart by the statements that made them;
+// light that is followed knows its lamp only.
 #pragma once
 
 #include "base/exact_sum.h"
@@ -12,7 +13,7 @@
 
 namespace candelabra {
 
-/// Contribution and cost of the lights of one statement of the scene.
+/// Contribution and cost of the lamps of one statement of the scene.
 struct LightCount {
     ExactSum light;          ///< grey, as all hits that they light reflect it to their viewers
     std::uint64_t rays = 0;  ///< towards them
@@ -20,31 +21,47 @@ struct LightCount {
     Vec3 seen = Vec3(0);
 };
 
-struct LightLedger {
-    std::uint64_t camera = 0;
-    std::uint64_t shadow = 0;     ///< towards luminaires and light sources
-    std::uint64_t scattered = 0;  ///< reflected and refracted
-    /// One for each of Provenance::light_statements, and a last one for rays that met no luminaire.
-    /// Empty if lights are not counted.
-    std::vector<LightCount> lights = {};
+/// Expected noise of one shadow ray (see ShadowRays), over many hits.
+struct HitNoise {
+    double sum = 0, squares = 0;
+    int hits = 0;
 
-    LightLedger& operator+=(const LightLedger& other) {
-        camera += other.camera;
-        shadow += other.shadow;
-        scattered += other.scattered;
-        if (lights.size() < other.lights.size()) lights.resize(other.lights.size());
-        for (std::size_t i = 0; i < other.lights.size(); ++i) {
-            lights[i].light.add(other.lights[i].light);
-            lights[i].rays += other.lights[i].rays;
-        }
+    void add(double noise) { *this += {noise, noise * noise, 1}; }
+    HitNoise& operator+=(const HitNoise& other) {
+        sum += other.sum;
+        squares += other.squares;
+        hits += other.hits;
         return *this;
     }
 };
 
-/// Returns a ledger without counts, with an entry for each statement if lights are `counted`.
+struct LightLedger {
+    std::uint64_t camera = 0;
+    std::uint64_t shadow = 0;     ///< towards luminaires and light sources
+    std::uint64_t scattered = 0;  ///< reflected and refracted
+    HitNoise noise = {};          ///< of all hits at which it was known
+    /// One for each of Provenance::light_statements, and a last one for rays that met no luminaire.
+    /// Empty if lights are not counted.
+    std::vector<LightCount> lights = {};
+    /// Of the lamps that it counts; null if lights are not counted.
+    const Provenance* provenance = nullptr;
+
+    /// Records light of a lamp that a surface or a medium reflects to its viewer, and the number of
+    /// rays towards the lamp. `throughput` is that of the viewer's ray in the sample.
+    void add_reflected(Lamp, const Vec3& radiance, const Vec3& throughput, std::uint64_t rays = 0);
+    /// Records light of a lamp that is seen directly, as it contributes to the sample.
+    void add_visible(Lamp, const Vec3& light);
+    /// Records a ray that met no lamp.
+    void add_miss();
+
+    LightLedger& operator+=(const LightLedger&);
+};
+
+/// Returns a ledger without counts, with an entry for each statement if lights are `counted`. The
+/// world must outlive it.
 LightLedger empty_ledger(const World&, bool counted);
 
-/// Records the light of a directly visible luminaire, as it contributes to the sample.
+/// Records the light of a directly visible primitive, if it is a luminaire.
 void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);
 
 /// The same for glowing media in those solids: the innermost medium counts.

@@ -50,7 +50,7 @@ struct LightPaths::Lit {
     Vertex vertex;
     Vec3 power;  ///< colour of light times area perpendicular to the ray
     int reflections = 0;
-    std::uint32_t statement = 0;
+    Lamp lamp = Lamp::sky();
 };
 
 void LightPaths::follow(const Key& key, double share,
@@ -91,7 +91,7 @@ void LightPaths::follow(const Key& key, double share,
             if (seen == Vec3(0)) return;
             const Vec3 by_lamp = left_by_lamp(world_, luminaire, way, path.key);
             go_on({path, vertex, power_of_one * left * by_lamp * seen, 0,
-                   world_.provenance.statement_of_luminaire[light]},
+                   Lamp::luminaire(light)},
                   found);
         }
         if (world_.passed(hit, path.ray) == Vec3(0)) return;
@@ -124,7 +124,7 @@ void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
         const Vec3 power = lit.power * reflected(lit.path, lit.vertex) / cosine;
         if (power == Vec3(0)) return;
         found.push_back({lit.vertex.position(), normal, power, lit.vertex.tolerance(),
-                         lit.reflections, lit.statement});
+                         lit.reflections, lit.lamp});
         const double survival =
             std::clamp(max_component(glm::abs(power)) / max_component(glm::abs(lit.power)),
                        min_light_survival, 1.0);

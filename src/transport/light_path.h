@@ -16,16 +16,14 @@ struct ReflectedLuminaire {
     Vec3 position;
     Vec3 normal;                  ///< unit geometric normal, on the side that reflects
     Vec3 power;                   ///< radiance, equal in all directions of that side, times area
-    double tolerance = 0;         ///< of the hit
-    int reflections = 1;          ///< diffuse ones on the light's way, including this one
-    std::uint32_t statement = 0;  ///< of the lamp, in Provenance::light_statements
+    double tolerance = 0;     ///< of the hit
+    int reflections = 1;      ///< diffuse ones on the light's way, including this one
+    Lamp lamp = Lamp::sky();  ///< that sent the light
 };
 
 /// Whether reflected luminaires can stand for the diffuse reflection of a layer at a vertex: its
 /// radiance is then the same in all directions of one side.
 bool is_lambertian(const World&, const Vertex&, const Shading&);
-/// The terms of a Lambertian layer's BSDF.
-inline constexpr BsdfTerms diffuse_terms{.highlights = false, .facets = FacetLobes::none};
 
 class LightPaths {
 public:

@@ -107,7 +107,7 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
                            });
     march(view_of(media_),
           {path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
-           scatters ? &expected : nullptr, path.counted || path.brought,
+           scatters ? &expected : nullptr, path.taken.lamps(),
            somewhere ? &where : nullptr, light_},
           world_.pattern_scene(), path.key, march_);
     Veil veil = march_.veil;
@@ -278,10 +278,8 @@ PathState ParticipatingMedia::scattered_path(const PathState& path) const {
     next.depth = path.depth;
     ++next.bounces;
     next.kind = RayKind::gathering;
-    next.counted = true;
     // Photons in the air bring what mirrors send to it.
-    next.collects = phase.collects() && world_.rules.settings.photons.media > 0;
-    next.brought = false;
+    next.taken.scatter(true, phase.collects() && world_.rules.settings.photons.media > 0);
     next.scattered |= once;
     return next;
 }

@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "surface/dispersion.h"
 #include "transport/media_stack.h"
+#include "transport/taken.h"
 
 #include <algorithm>
 #include <optional>
@@ -31,17 +32,9 @@ struct PathState {
     Key key;
     MediaStack media;
     std::optional<SpectralBand> band;  ///< if the ray is one colour of split white light
-    bool collects = false;             ///< photons light the surface that the ray leaves
-    bool brought = false;              ///< photons bring the light of luminaires that the ray hits
-    bool counted = false;  ///< light of luminaires that the ray hits has been counted already
+    Taken taken;                       ///< by other estimates, of the light along the ray
     /// Whether a medium without `multiple` has scattered the path, which only one of them does.
     bool scattered = false;
-    /// For a ray that leaves a surface lit by reflected luminaires: its cosine to the normal there.
-    /// 0 for other rays.
-    double leaving = 0;
-    /// Whether reflected luminaires account for the light of luminaires that reaches the ray by way
-    /// of diffuse surfaces only.
-    bool covered = false;
 
     /// Returns the same path with its throughput multiplied by `share`.
     PathState dimmed(const Vec3& share) const {

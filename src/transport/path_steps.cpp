@@ -20,8 +20,14 @@ PathState PathEnds::begin(const Ray& ray, const Key& key) {
     return path;
 }
 
-Vec3 PathEnds::background(const PathState& path) {
-    if (path.counted && !world_.sky.light.empty()) return Vec3(0);
+Vec3 PathEnds::background(const PathState& path, LightLedger& ledger) {
+    const Vec3 radiance = seen_behind(path);
+    if (!world_.sky.light.empty()) ledger.add_visible(Lamp::sky(), path.throughput * radiance);
+    return radiance;
+}
+
+Vec3 PathEnds::seen_behind(const PathState& path) {
+    if (path.taken.by_shadow_rays && !world_.sky.light.empty()) return Vec3(0);
     const Vec3& direction = path.ray.direction;
     if (!clear_sky_) return world_.sky_radiance(direction);
     if (path.kind != RayKind::camera)
@@ -32,7 +38,7 @@ Vec3 PathEnds::background(const PathState& path) {
 }
 
 bool shows_emission(const World& world, const PathState& path, PrimitiveIndex primitive) {
-    return (!path.counted && !path.brought) || world.lights.luminaires.empty() ||
+    return !path.taken.lamps() || world.lights.luminaires.empty() ||
            world.lights.luminaire_of[primitive] == no_primitive;
 }
 
@@ -40,10 +46,7 @@ PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shadi
     PathState next = path;
     next.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(), Branch::reflection);
     next.kind = RayKind::reflected;
-    next.counted = false;
-    const PhotonSurface& photons = vertex.material->photons;
-    next.brought |= path.collects && photons.target != 0 &&
-                    is_open(ways_of_luminaires.reflection, photons.ways.reflection);
+    next.taken.pass_mirror(vertex.material->photons);
     return next;
 }
 
@@ -55,9 +58,7 @@ std::optional<FacetPath> facet_path(const PathState& path, const Vertex& vertex,
     PathState next = path.dimmed(drawn->weight);
     next.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Branch::scattering);
     next.kind = RayKind::reflected;
-    next.counted = !drawn->narrow;
-    next.collects = next.counted && vertex.material->photons.collects;
-    next.brought = false;
+    next.taken.scatter(!drawn->narrow, vertex.material->photons.collects);
     return FacetPath{next, drawn->weight};
 }
 
@@ -77,9 +78,19 @@ PathState gathering_path(const PathState& path, const Vertex& vertex, const Vec3
     next.clear = 0;
     ++next.bounces;
     next.kind = RayKind::gathering;
-    next.counted = true;
-    next.collects = vertex.material->photons.collects;
-    next.brought = false;
+    next.taken.scatter(true, vertex.material->photons.collects);
+    return next;
+}
+
+PathState path_behind(const PathState& path, const Vertex& vertex, const Shading& s,
+                      const Interface& surface, double ratio) {
+    const bool straight = std::abs(ratio - 1) < 1e-10;
+    PathState next = path;
+    next.go_on({vertex.position(), straight ? path.ray.direction : refracted_direction(s, ratio)},
+               vertex.tolerance(), Branch::refraction);
+    if (straight) next.depth = path.depth;
+    ++next.passed;
+    next.media = surface.behind;
     return next;
 }
 

@@ -3,6 +3,7 @@
 // the background.
 #pragma once
 
+#include "transport/light_ledger.h"
 #include "transport/path.h"
 #include "transport/vertex.h"
 
@@ -19,12 +20,14 @@ public:
 
     /// Starts a path along a camera ray, for a new sample.
     PathState begin(const Ray&, const Key&);
-    /// Radiance of the background.
-    Vec3 background(const PathState&);
+    /// Radiance of the background. Records it if the sky is a lamp.
+    Vec3 background(const PathState&, LightLedger&);
     /// Fraction of the sample that shows clear background, from 0 to 1.
     double clear() const { return std::min(clear_, 1.0); }
 
 private:
+    Vec3 seen_behind(const PathState&);
+
     const World& world_;
     MediaStack around_camera_;
     bool clear_sky_;
@@ -49,6 +52,12 @@ std::optional<FacetPath> facet_path(const PathState&, const Vertex&, const Shadi
 /// chooses one of its bands at random: the path has its colour from then on, and the mean of all
 /// bands is white.
 double refraction_ratio(PathState&, const Interface&);
+
+/// Continues the path behind the surface, into the solids behind the interface, with that ratio of
+/// the indices of refraction. As in POV-Ray, a ray that goes straight on takes no level.
+/// Precondition: no total reflection.
+PathState path_behind(const PathState&, const Vertex&, const Shading&, const Interface&,
+                      double ratio);
 
 /// The path that gathers light at a diffuse surface from a direction.
 PathState gathering_path(const PathState&, const Vertex&, const Vec3& direction);

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/path_traced.h"
 
-#include "scattering/microfacet.h"
-#include "scattering/mirror.h"
 #include "scattering/phong.h"
 #include "surface/quality.h"
 #include "transport/atmosphere.h"
-#include "transport/path_steps.h"
 #include "transport/subsurface.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
-#include <numbers>
-#include <numeric>
 #include <utility>
 
 namespace candelabra {
@@ -28,31 +22,13 @@ constexpr double chance_of_shine = 0.25;
 /// Minimum survival probability in Russian roulette.
 constexpr double min_survival = 0.05;
 
-/// Approximate fraction of uniform incident light that the diffuse part reflects to the viewer.
-Vec3 diffuse_albedo(const Shading& s, const std::optional<Microfacets>& facets) {
-    const Finish& f = *s.finish;
-    const double amount =
-        facets ? facets->base_albedo() : std::fmax(f.diffuse, 0) + std::abs(f.diffuse_back);
-    return s.colour.rgb * (s.opacity * amount);
-}
-
-/// Whether a layer reflects and transmits no more than all light, as its finish says.
-[[maybe_unused]] bool adds_no_light(const Layer& layer) {
-    const Finish& f = *layer.finish;
-    const bool mirrors = f.reflection.least != Vec3(0) || f.reflection.greatest != Vec3(0);
-    const bool scatters = !f.microfacet.on && f.diffuse + f.diffuse_back > 1;
-    return !scatters && (f.conserve_energy || !mirrors) && f.refraction <= 1 && f.brilliance >= 1 &&
-           min_component(layer.colour.rgb) >= 0 && max_component(layer.colour.rgb) <= 1 &&
-           layer.colour.opacity() >= 0;
-}
-
 }  // namespace
 
 PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
       rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays, wanted.sent->photons),
-      reflected_(world, wanted.sent->reflected),
+      reflected_(wanted.sent->reflected),
       media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)),
@@ -80,7 +56,7 @@ void PathTracedIntegrator::trace(PathState path) {
             met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();
         if (pass_air(path, distance)) continue;
         if (!met) {
-            sum_ += path.throughput * ends_.background(path);
+            sum_ += path.throughput * ends_.background(path, ledger_);
             break;
         }
         if (ends_covered(path, hit, distance)) break;
@@ -141,47 +117,26 @@ void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
         return;
     }
     const LayerStack stack(world_, path, vertex, layers);
-    Ways ways;
+    SurfaceLobes lobes(world_, path, vertex, stack);
+    const LobeKinds wanted = wanted_lobes(path);
     stack.visit([&](const LayerStack::Seen& layer) {
         gather(path.dimmed(layer.through), vertex, layer);
-        add_ways(path, layer, ways);
+        lobes.add(layer, wanted);
     });
-    if (stack.is_clear()) {
-        // Total reflection takes the place of what would pass, so that all ways together have no
-        // more than all light.
-        const Vec3 left =
-            left_inside(world_, path, vertex.hit) * stack.top().finish->refraction * stack.behind();
-        ways.push_back({stack.reflects_totally() ? Way::total_reflection : Way::behind, stack.top(),
-                        left, left});
-    }
-    assert(vertex.shading.both_sides || !std::ranges::all_of(layers, adds_no_light) ||
-           max_component(std::accumulate(
-               ways.begin(), ways.end(), Vec3(0),
-               [](const Vec3& sum, const Way& way) { return sum + way.share; })) <= 1 + 1e-9);
-    double all = 0;
-    for (const Way& way : ways) all += max_component(glm::abs(way.share));
-    double u = uniform(path.key, Purpose::way_choice) * all;
-    for (const Way& way : ways) {
-        const double own = max_component(glm::abs(way.share));
-        if (u < own) {
-            if (!follow(way, own / all, vertex, stack, path)) path.throughput = Vec3(0);
-            return;
-        }
-        u -= own;
-    }
-    path.throughput = Vec3(0);
+    lobes.add_behind();
+    if (!go_on(lobes, vertex, path)) path.throughput = Vec3(0);
 }
 
 /// Whether reflected luminaires account for all light from the hit. If the scene has other light,
 /// too, a random part of the paths continues in search of it.
 bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double distance) const {
-    if (path.leaving > 0) {
+    if (path.taken.cosine > 0) {
         const double there = std::abs(dot(path.ray.direction, unit(hit.normal)));
-        const double share = reflected_.share(path.leaving, there, distance);
-        path.covered = uniform(path.key, Purpose::near_reflection) < share;
-        path.leaving = 0;
+        const double share = reflected_.share(path.taken.cosine, there, distance);
+        path.taken.by_reflected = uniform(path.key, Purpose::near_reflection) < share;
+        path.taken.cosine = 0;
     }
-    if (!path.covered || !world_.has_other_light()) return path.covered;
+    if (!path.taken.by_reflected || !world_.has_other_light()) return path.taken.by_reflected;
     if (world_.material(hit.primitive).other_light) return false;
     if (uniform(path.key, Purpose::other_light) >= chance_of_covered_) return true;
     path.dim(Vec3(1 / chance_of_covered_));
@@ -200,7 +155,7 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
     const Bsdf whole(s, rules_);
     Vec3 light(0);
     const bool by_reflected = reflected_ && is_lambertian(world_, vertex, s);
-    if (by_reflected && path.covered) {
+    if (by_reflected && path.taken.by_reflected) {
         // What the diffuse part reflects of luminaires has been counted.
         EachKindOnce once;
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
@@ -213,8 +168,9 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
     } else if (!scatters_inside(world_, s)) {
         light += direct_light_({vertex, whole, all_light, path.throughput}, path.key, ledger_);
         if (by_reflected && path.bounces < max_bounces_)
-            light += reflected_(vertex, s, max_bounces_ - path.bounces, path.throughput, path.key,
-                                ledger_);
+            light += reflected_(
+                {world_, {vertex, whole, all_light, path.throughput}, false, ledger_},
+                max_bounces_ - path.bounces, path.key);
     } else {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
         light += direct_light_({vertex, highlights, all_light, path.throughput}, path.key, ledger_);
@@ -224,100 +180,38 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
     sum_ += path.throughput * light;
 }
 
-void PathTracedIntegrator::add_ways(const PathState& path, const LayerStack::Seen& layer,
-                                    Ways& ways) const {
-    const Shading scattering = layer.scattering();
-    const auto add = [&](Way::Kind kind, const Vec3& through, const Vec3& share) {
-        if (share != Vec3(0)) ways.push_back({kind, scattering, through, share});
-    };
-    const Vec3 through = layer.through * layer.below_mirror;
-    std::optional<Microfacets> facets;
-    if (scattering.finish->microfacet.on) facets.emplace(scattering);
-    if (path.depth + 1 < world_.rules.settings.max_trace_level) {
-        add(Way::mirror, layer.reflected, layer.reflected);
-        if (facets && world_.rules.quality >= quality_reflection)
-            add(Way::facets, through, through * facets->facets_albedo());
-    }
-    if (path.bounces < max_bounces_ && world_.rules.quality >= quality_full)
-        add(Way::diffuse, through, through * diffuse_albedo(scattering, facets));
+LobeKinds PathTracedIntegrator::wanted_lobes(const PathState& path) const {
+    const bool deeper = path.depth + 1 < world_.rules.settings.max_trace_level;
+    return {.mirror = deeper,
+            .facets = deeper && world_.rules.quality >= quality_reflection,
+            .diffuse = path.bounces < max_bounces_ && world_.rules.quality >= quality_full};
 }
 
-/// Continues the path in the way, which was chosen with probability `chance`. Returns false if the
-/// path ends.
-bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& vertex,
-                                  const LayerStack& stack, PathState& path) {
+/// Continues the path in one lobe, chosen at random. Returns false if the path ends.
+bool PathTracedIntegrator::go_on(const SurfaceLobes& lobes, const Vertex& vertex, PathState& path) {
+    const auto chosen = lobes.choose(uniform(path.key, Purpose::way_choice));
+    if (!chosen) return false;
+    const auto& [lobe, chance] = *chosen;
     double survival = 1;
     if (path.bounces >= first_roulette) {
-        const double left = max_component(glm::abs(path.throughput * way.share)) / chance;
+        const double left = max_component(glm::abs(path.throughput * lobe.share)) / chance;
         survival = std::clamp(left, min_survival, 1.0);
     }
-    path.covered &= way.kind == Way::diffuse && is_lambertian(world_, vertex, way.shading);
-    if (path.covered && vertex.material->other_light) survival *= chance_of_covered_;
+    const bool diffuse = lobe.kind == LobeKind::diffuse;
+    const bool lambertian = diffuse && is_lambertian(world_, vertex, lobe.shading);
+    path.taken.by_reflected &= lambertian;
+    if (path.taken.by_reflected && vertex.material->other_light) survival *= chance_of_covered_;
     if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;
     ++ledger_.scattered;
-    path.dim(way.through / (chance * survival));
-    switch (way.kind) {
-        case Way::mirror:
-            path = mirrored_path(path, vertex, way.shading);
-            path.dim(iridescence(way.shading, rules_, path.ray.direction));
-            return path.depth < world_.rules.settings.max_trace_level;
-        case Way::total_reflection:
-            return reflect_totally(way.shading, vertex, path);
-        case Way::facets:
-            if (auto scattered = facet_path(path, vertex, way.shading)) {
-                path = scattered->next;
-                return true;
-            }
-            return false;
-        case Way::diffuse:
-            return bounce(way.shading, vertex, stack, path);
-        case Way::behind:
-            return go_behind(way.shading, vertex, stack, path);
-    }
-    return false;
-}
-
-/// Samples a direction for the diffuse part, on one side of the surface or on both. Returns false
-/// if the path ends.
-bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const LayerStack& stack,
-                                  PathState& path) {
-    const Bsdf bsdf(s, rules_);
-    const auto direction = bsdf.sample_diffuse(
-        {uniform(path.key, Purpose::bounce_u), uniform(path.key, Purpose::bounce_v)});
-    const double density = direction ? bsdf.diffuse_pdf(*direction) : 0;
-    if (!(density > 0)) return false;
-    path.dim(bsdf.evaluate(*direction, diffuse_terms, 0) / (std::numbers::pi * density));
-    path = gathering_path(path, vertex, *direction);
-    if (reflected_ && !path.covered && is_lambertian(world_, vertex, s))
-        path.leaving = dot(*direction, s.normal);
-    const bool from_behind = dot(*direction, s.geometric_normal) < 0;
-    if (from_behind && vertex.material->transparent) path.media = stack.interface().behind;
+    path.dim(lobe.through / (chance * survival));
+    // As in POV-Ray, also a ray that continues straight on requires one more level.
+    const bool deeper = path.depth + 1 < world_.rules.settings.max_trace_level;
+    const auto next = lobes.follow(lobe, path);
+    if (!next || !(diffuse || deeper) || next->passed > max_surfaces_along) return false;
+    path = *next;
+    if (reflected_ && lambertian && !path.taken.by_reflected)
+        path.taken.cosine = dot(path.ray.direction, lobe.shading.normal);
     return true;
-}
-
-bool PathTracedIntegrator::reflect_totally(const Shading& s, const Vertex& vertex,
-                                           PathState& path) {
-    // Light that was counted goes straight on instead.
-    const bool counted = path.counted;
-    path = mirrored_path(path, vertex, s);
-    path.counted = counted;
-    return path.depth < world_.rules.settings.max_trace_level;
-}
-
-bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
-                                     const LayerStack& stack, PathState& path) {
-    const Interface& surface = stack.interface();
-    const double ratio = refraction_ratio(path, surface);
-    if (surface.bands > 0 && reflects_totally(s, ratio)) return reflect_totally(s, vertex, path);
-    const bool straight = std::abs(ratio - 1) < 1e-10;
-    const Vec3 direction = straight ? path.ray.direction : refracted_direction(s, ratio);
-    const int depth = path.depth + (straight ? 0 : 1);
-    path.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::refraction);
-    path.depth = depth;
-    path.media = surface.behind;
-    // As in POV-Ray, a ray that continues straight on requires one more trace level.
-    return ++path.passed <= max_surfaces_along &&
-           depth + (straight ? 1 : 0) < world_.rules.settings.max_trace_level;
 }
 
 }  // namespace candelabra

@@ -8,8 +8,8 @@
 #include "transport/direct_light.h"
 #include "transport/layer_stack.h"
 #include "transport/participating_media.h"
-#include "transport/path_steps.h"
 #include "transport/reflected_light.h"
+#include "transport/surface_lobes.h"
 #include "transport/tracing.h"
 
 #include <optional>
@@ -24,7 +24,6 @@ public:
 
     LightLedger& ledger() { return ledger_; }
     const LightLedger& ledger() const { return ledger_; }
-    const HitNoise& noise() const { return direct_light_.noise(); }
     double clear() const { return ends_.clear(); }
 
     /// Paths do not branch, and have a bounded number of vertices.
@@ -36,26 +35,13 @@ public:
     }
 
 private:
-    /// A way in which a path may continue from a vertex.
-    struct Way {
-        enum Kind { mirror, facets, diffuse, behind, total_reflection };
-        Kind kind = mirror;
-        Shading shading;
-        Vec3 through = Vec3(1);  ///< factor on the throughput besides the sampled direction's
-        Vec3 share = Vec3(0);    ///< expected factor altogether, by which the way is chosen
-    };
-    using Ways = ShortList<Way, 4>;
-
     void trace(PathState);
     bool pass_air(PathState&, double distance);
     void at_vertex(PathState&, const Vertex&, std::span<const Layer>);
     bool ends_covered(PathState&, const Hit&, double distance) const;
     void gather(const PathState&, const Vertex&, const LayerStack::Seen&);
-    void add_ways(const PathState&, const LayerStack::Seen&, Ways&) const;
-    bool follow(const Way&, double chance, const Vertex&, const LayerStack&, PathState&);
-    bool bounce(const Shading&, const Vertex&, const LayerStack&, PathState&);
-    bool reflect_totally(const Shading&, const Vertex&, PathState&);
-    bool go_behind(const Shading&, const Vertex&, const LayerStack&, PathState&);
+    LobeKinds wanted_lobes(const PathState&) const;
+    bool go_on(const SurfaceLobes&, const Vertex&, PathState&);
 
     const World& world_;
     ShadingRules rules_;

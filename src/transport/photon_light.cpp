@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/photon_light.h"
 
-#include "transport/direct_light.h"
-
 namespace candelabra {
 
 namespace {
@@ -13,29 +11,26 @@ constexpr double min_arriving_cosine = 1e-6;
 
 }  // namespace
 
-Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger,
-                             bool through_surface) {
+Vec3 PhotonLight::operator()(const ArrivingLight& at, const Key& key) {
+    const LitLayer& layer = at.layer;
     const Vec3& point = layer.vertex.position();
     const Vec3& normal = layer.vertex.hit.normal;
-    BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
+    const bool through_surface = passes_surfaces(at.world);
+    BsdfTerms terms = layer.terms();
     const double grain = layer.grain(key);
     Vec3 sum(0);
     current().on_surfaces.around(point, [&](const Photon& photon) {
-        if (!layer.light.has(photon.glows ? LightKind::luminaires : LightKind::sources)) return;
+        const bool of_source = photon.lamp.is_source();
+        if (!layer.light.has(of_source ? LightKind::sources : LightKind::luminaires)) return;
         const double density = photon_density(photon, point, normal);
         if (density == 0) return;
         const Vec3 to_light = -Vec3(photon.direction);
         const double cosine = std::abs(dot(to_light, Vec3(photon.normal)));
         if (cosine < min_arriving_cosine) return;
-        terms.through_surface = through_surface && !photon.glows;
+        terms.through_surface = through_surface && of_source;
         // The density on the surface includes the cosine already, and evaluate() applies it again.
-        const Vec3 seen = Vec3(photon.power) * (density / cosine) *
-                          layer.scatterer.evaluate(to_light, terms, grain);
-        sum += seen;
-        if (ledger.lights.empty()) return;
-        LightCount& own = ledger.lights[photon.statement];
-        own.light.add(grey(seen));
-        own.seen += layer.throughput * seen;
+        sum += at({photon.lamp, layer.scatterer.evaluate(to_light, terms, grain),
+                   Vec3(photon.power) * (density / cosine)});
     });
     return sum;
 }

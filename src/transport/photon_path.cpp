@@ -3,11 +3,9 @@
 
 #include "medium/transmittance.h"
 #include "scattering/bsdf.h"
-#include "scattering/mirror.h"
 #include "scattering/phase_function.h"
-#include "scattering/phong.h"
 #include "transport/light_left.h"
-#include "transport/path_steps.h"
+#include "transport/surface_lobes.h"
 
 #include <algorithm>
 
@@ -66,7 +64,7 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
         if (journey.met == 0 && surface.target != shot.target) {
             // Photons of another target are shot at that target.
             const bool other =
-                surface.target != 0 && is_open(shot.lamp.refraction, surface.ways.refraction);
+                surface.target != 0 && is_open(shot.ways.refraction, surface.ways.refraction);
             if (other || !pass(journey, vertex, came)) return;
             continue;
         }
@@ -97,7 +95,7 @@ void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
                            (journey.share * stands_for);
         if (power != Vec3(0))
             found.push_back({path.ray.at(way), glm::vec3(path.ray.direction), glm::vec3(0),
-                             glm::vec3(power), 0, journey.shot.statement, journey.shot.glows});
+                             glm::vec3(power), 0, journey.shot.lamp});
     };
     const Box& box = world_.sky.near;
     const double near = length(path.ray.origin - box.centre()) + length(box.size()),
@@ -117,7 +115,7 @@ Vec3 PhotonPaths::left_after(const Journey& journey, double distance, bool ends)
     const PathState& path = journey.path;
     const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
     const Key key = path.key.branched(Branch::medium);
-    if (journey.shot.glows)
+    if (journey.shot.lamp.is_luminaire())
         return left_in_air(world_, {path.ray, {0, distance}, solids, ends}, key);
     MediaList media;
     if (ends) add_media(world_, solids, media);
@@ -142,14 +140,14 @@ bool PhotonPaths::pass(Journey& journey, const Vertex& vertex, const Ray& came) 
 /// Whether a photon that continues behind the surface is refracted.
 bool PhotonPaths::is_refracted(const Journey& journey, const PhotonSurface& surface) const {
     const bool straight = surface.target == 0 && surface.passed;
-    return !straight && is_open(journey.shot.lamp.refraction, surface.ways.refraction);
+    return !straight && is_open(journey.shot.ways.refraction, surface.ways.refraction);
 }
 
 /// Whether the surface mirrors the photon. Light that luminaires send to a mirror which is not a
 /// target is found from the camera.
 bool PhotonPaths::is_reflected(const Journey& journey, const PhotonSurface& surface) const {
-    return (surface.target != 0 || !journey.shot.glows) &&
-           is_open(journey.shot.lamp.reflection, surface.ways.reflection);
+    return (surface.target != 0 || !journey.shot.lamp.is_luminaire()) &&
+           is_open(journey.shot.ways.reflection, surface.ways.reflection);
 }
 
 /// Continues from a surface in one randomly chosen way. Returns false if the photon ends.
@@ -168,65 +166,36 @@ bool PhotonPaths::choose(Journey& journey, const Vertex& vertex,
     PathState& path = journey.path;
     const PhotonSurface& surface = vertex.material->photons;
     const LayerStack stack(world_, path, vertex, layers);
-    const Vec3 inside = left_inside(world_, path, vertex.hit);
-    Ways ways;
-    const auto add = [&](const Vec3& share, const Shading& shading, bool mirrors) {
-        if (share != Vec3(0)) ways.push_back({inside * share, shading, mirrors});
-    };
-    if (is_reflected(journey, surface))
-        stack.visit([&](const LayerStack::Seen& layer) {
-            const Vec3 direction = reflected_direction(layer.shading);
-            add(layer.reflected * iridescence(layer.shading, rules_, direction), layer.shading,
-                true);
-        });
     // At the first surface light continues only where photons are refracted; at later ones, always.
     const bool bent = is_refracted(journey, surface);
-    if (stack.is_clear() && (bent || journey.met > 1)) {
-        const bool total = bent && stack.reflects_totally();
-        add(stack.top().finish->refraction * stack.behind(), stack.top(), total);
-    }
-    double all = 0;
-    for (const Way& way : ways) all += max_component(glm::abs(way.share));
-    double u = uniform(path.key, Purpose::way_choice) * all;
-    for (const Way& way : ways) {
-        const double own = max_component(glm::abs(way.share));
-        if (u >= own) {
-            u -= own;
-            continue;
-        }
-        path.throughput *= way.share * (all / own);
-        path.weight *= own;
-        if (path.weight < min_weight_) return false;
-        if (way.mirrors) {
-            path = mirrored_path(path, vertex, way.shading);
-            return true;
-        }
-        if (bent) return go_behind(path, vertex, stack);
+    SurfaceLobes lobes(world_, path, vertex, stack);
+    if (is_reflected(journey, surface))
+        stack.visit([&](const LayerStack::Seen& layer) {
+            lobes.add(layer, {.mirror = true, .facets = false, .diffuse = false});
+        });
+    if (bent || journey.met > 1) lobes.add_behind();
+    const auto chosen = lobes.choose(uniform(path.key, Purpose::way_choice));
+    if (!chosen) return false;
+    const Lobe& lobe = chosen->lobe;
+    const bool from_behind = lobe.kind == LobeKind::behind || lobe.kind == LobeKind::total;
+    // The lobe of light from behind has what the interior leaves.
+    const Vec3 inside = from_behind ? Vec3(1) : left_inside(world_, path, vertex.hit);
+    path.weight *= max_component(glm::abs(inside * lobe.share));
+    if (path.weight < min_weight_) return false;
+    path.throughput *= inside * lobe.through / chosen->chance;
+    if (from_behind && !bent) {
         path.media = stack.interface().behind;
         path.go_on({vertex.position(), path.ray.direction}, vertex.tolerance(), Branch::refraction);
         return true;
     }
-    return false;
-}
-
-bool PhotonPaths::go_behind(PathState& path, const Vertex& vertex, const LayerStack& stack) const {
-    const Interface& surface = stack.interface();
-    const Shading& s = stack.top();
-    const double ratio = refraction_ratio(path, surface);
-    if (surface.bands > 0 && reflects_totally(s, ratio)) {
-        path = mirrored_path(path, vertex, s);
-        return true;
-    }
-    const bool straight = std::abs(ratio - 1) < 1e-10;
-    path.media = surface.behind;
-    path.go_on({vertex.position(), straight ? path.ray.direction : refracted_direction(s, ratio)},
-               vertex.tolerance(), Branch::refraction);
-    return true;
+    const auto next = lobes.follow(lobe, path);
+    if (next) path = *next;
+    return next.has_value();
 }
 
 /// Whether the light group of the photon's lamp lights objects of the material.
 bool PhotonPaths::reaches(const Journey& journey, const Material& material) const {
-    return journey.shot.glows || world_.reaches(journey.shot.light_group, material);
+    return journey.shot.lamp.is_luminaire() || world_.reaches(journey.shot.light_group, material);
 }
 
 /// Whether any layer reflects arriving light to the viewer.
@@ -248,8 +217,7 @@ void PhotonPaths::deposit(const Journey& journey, const Vertex& vertex,
         journey.shot.power_after(journey.way) * journey.path.throughput * journey.share;
     if (power == Vec3(0)) return;
     found.push_back({vertex.position(), glm::vec3(journey.path.ray.direction),
-                     glm::vec3(vertex.hit.normal), glm::vec3(power), 0, journey.shot.statement,
-                     journey.shot.glows});
+                     glm::vec3(vertex.hit.normal), glm::vec3(power), 0, journey.shot.lamp});
 }
 
 }  // namespace candelabra

@@ -21,19 +21,10 @@ public:
 
 private:
     struct Journey;
-    /// A way in which a photon may continue from a surface.
-    struct Way {
-        Vec3 share = Vec3(0);
-        Shading shading = {};
-        bool mirrors = false;
-    };
-    using Ways = ShortList<Way, 4>;
-
     Vec3 left_after(const Journey&, double distance, bool ends) const;
     bool pass(Journey&, const Vertex&, const Ray&) const;
     bool scatter(Journey&, const Vertex&, const Key&) const;
     bool choose(Journey&, const Vertex&, std::span<const Layer>) const;
-    bool go_behind(PathState&, const Vertex&, const LayerStack&) const;
     bool is_refracted(const Journey&, const PhotonSurface&) const;
     bool is_reflected(const Journey&, const PhotonSurface&) const;
     void deposit(const Journey&, const Vertex&, std::vector<Photon>&) const;

@@ -201,13 +201,12 @@ std::optional<PhotonShot> PhotonShooter::shoot(const Aim& aim, const Key& key) c
     PhotonShot shot;
     shot.target = aim.target + 1;
     if (aim.kind != Aim::source) {
-        shot.glows = true;
-        shot.lamp = ways_of_luminaires;
+        shot.ways = ways_of_luminaires;
         return aim.kind == Aim::inner ? from_inside(aim.lamp, target, shot, key)
                                       : from_luminaires(target, shot, key);
     }
-    shot.lamp = ways_of_source(world_, aim.lamp);
-    shot.statement = world_.provenance.statement_of_light[aim.lamp];
+    shot.lamp = Lamp::source(aim.lamp);
+    shot.ways = ways_of_source(world_, aim.lamp);
     shot.light_group = world_.lights.reach[aim.lamp].group;
     return std::visit(
         [&](const auto& light) {
@@ -340,7 +339,7 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
     const double cosine = dot(direction, normal);
     if (radiance == Vec3(0) || !(cosine > 0 && density > 0)) return std::nullopt;
     if (length(start - target.centre) <= target.radius) return std::nullopt;
-    shot.statement = world_.provenance.statement_of_luminaire[pick.light];
+    shot.lamp = Lamp::luminaire(pick.light);
     shot.power = radiance * (target.radius * target.radius * cosine / (pi * density));
     shot.ray = {start, -direction};
     shot.tolerance = away_from_lamp * length(start - entry.position);
@@ -369,7 +368,7 @@ std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const Pho
     const Vec3 radiance =
         seen(luminaire, {emitted->ray.at(away), -emitted->ray.direction}, away, key);
     if (radiance == Vec3(0)) return std::nullopt;
-    shot.statement = world_.provenance.statement_of_luminaire[light];
+    shot.lamp = Lamp::luminaire(light);
     shot.power =
         radiance * (dot(emitted->normal, emitted->ray.direction) / (pi * emitted->density));
     shot.ray = emitted->ray;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/box.h"
+#include "world/lamp.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,9 +21,8 @@ struct Photon {
     /// Colour of light times area perpendicular to the direction; in the air, also times the length
     /// of the path segment that the photon stands for.
     glm::vec3 power;
-    float radius = 0;             ///< of its disc or ball
-    std::uint32_t statement = 0;  ///< of the lamp, in Provenance::light_statements
-    bool glows = false;           ///< whether its lamp is a luminaire
+    float radius = 0;  ///< of its disc or ball
+    Lamp lamp = Lamp::sky();
 
     bool in_air() const { return normal == glm::vec3(0); }
 };

@@ -44,14 +44,14 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
     const bool airless = path.kind == RayKind::gathering && !radiosity_.media;
     if (!(world_.has_air() || world_.has_media()) || airless)
-        return met ? surface(path, hit) : ends_.background(path);
+        return met ? surface(path, hit) : ends_.background(path, ledger_);
     const double distance =
         met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();
     const Veil air = veil_along(world_, path, distance);
     const Veil veil =
         air.before(media_.along(path.dimmed(air.transmittance), distance, direct_light_, ledger_));
     const PathState behind = path.dimmed(veil.transmittance);
-    return veil.through(met ? surface(behind, hit) : ends_.background(behind));
+    return veil.through(met ? surface(behind, hit) : ends_.background(behind, ledger_));
 }
 
 /// Radiance of all textures that are mixed at a hit.
@@ -229,18 +229,11 @@ Vec3 PovRayIntegrator::split(const PathState& path, const Vertex& vertex, const 
 
 Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, const Shading& s,
                                    const Interface& surface, const Vec3& share) {
-    const bool straight = std::abs(surface.ratio - 1) < 1e-10;
-    // As in POV-Ray, a ray that continues straight on takes no level, but needs one to be left.
-    if (straight && path.depth + 1 >= world_.rules.settings.max_trace_level) return Vec3(0);
-    PathState next = path.dimmed(share);
-    next.go_on(
-        {vertex.position(), straight ? path.ray.direction : refracted_direction(s, surface.ratio)},
-        vertex.tolerance(), Branch::refraction);
-    if (straight) next.depth = path.depth;
-    next.passed = path.passed + 1;
+    // As in POV-Ray, also a ray that continues straight on requires one more level.
+    if (path.depth + 1 >= world_.rules.settings.max_trace_level) return Vec3(0);
+    PathState next = path_behind(path.dimmed(share), vertex, s, surface, surface.ratio);
     if (next.passed > max_surfaces_along) return Vec3(0);
     next.weight = path.weight * max_component(glm::abs(share));
-    next.media = surface.behind;
     ++ledger_.scattered;
     return share * follow(next);
 }

@@ -21,7 +21,6 @@ public:
 
     LightLedger& ledger() { return ledger_; }
     const LightLedger& ledger() const { return ledger_; }
-    const HitNoise& noise() const { return direct_light_.noise(); }
 
     /// Builds the photons for a sample.
     void prepare(std::uint32_t sample) const { direct_light_.photons().prepare(sample); }

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/reflected_light.h"
 
+#include "transport/shadow_ray.h"
+
 #include <cmath>
 #include <numbers>
 
 namespace candelabra {
 
-Vec3 ReflectedLight::operator()(const Vertex& vertex, const Shading& s, int reflections,
-                                const Vec3& throughput, const Key& key, LightLedger& ledger) {
+Vec3 ReflectedLight::operator()(const ArrivingLight& at, int reflections, const Key& key) {
     const ReflectedSet& set = current();
     const Key own = key.branched(Branch::reflected);
-    const Receiver point = receiver(s);
+    const Receiver point = receiver(at.layer.scatterer);
     const BsdfLobes lobes;
     samples_.clear();
     std::visit(
@@ -21,20 +22,7 @@ Vec3 ReflectedLight::operator()(const Vertex& vertex, const Shading& s, int refl
     Vec3 sum(0);
     for (const LightPick& pick : samples_.picks) {
         const ReflectedLuminaire& luminaire = set.list[pick.light];
-        if (luminaire.reflections > reflections) continue;
-        const Vec3 arriving = from(luminaire, vertex, s);
-        if (arriving == Vec3(0)) continue;
-        ++ledger.shadow;
-        const Vec3 offset = luminaire.position - vertex.position();
-        const double distance = length(offset);
-        if (!is_seen(luminaire, vertex, offset / distance, distance)) continue;
-        const Vec3 seen = arriving / pick.expected;
-        sum += seen;
-        if (ledger.lights.empty()) continue;
-        LightCount& count = ledger.lights[luminaire.statement];
-        count.light.add(grey(seen));
-        count.seen += throughput * seen;
-        ++count.rays;
+        if (luminaire.reflections <= reflections) sum += from(pick, luminaire, at);
     }
     return sum;
 }
@@ -44,28 +32,25 @@ double ReflectedLight::share(double cosine, double other_cosine, double distance
     return geometry > source().bound() ? source().bound() / geometry : 1;
 }
 
-/// Radiance towards the viewer by one reflected luminaire, if it is not occluded.
-Vec3 ReflectedLight::from(const ReflectedLuminaire& luminaire, const Vertex& vertex,
-                          const Shading& s) const {
+/// Light of one reflected luminaire. Clear surfaces occlude it, too: paths go through these by
+/// themselves.
+Vec3 ReflectedLight::from(const LightPick& pick, const ReflectedLuminaire& luminaire,
+                          const ArrivingLight& at) const {
+    const Vertex& vertex = at.layer.vertex;
     const Vec3 offset = luminaire.position - vertex.position();
     const double distance = length(offset);
     if (!(distance > vertex.tolerance())) return Vec3(0);
     const Vec3 direction = offset / distance;
-    const double cosine = dot(direction, s.normal), there = -dot(direction, luminaire.normal);
+    const Vec3& normal = at.layer.scatterer.bsdf().shading().normal;
+    const double cosine = dot(direction, normal), there = -dot(direction, luminaire.normal);
     if (!(cosine > 0 && there > 0)) return Vec3(0);
-    return Bsdf(s, rules_).evaluate(direction, diffuse_terms, 0) * luminaire.power *
-           (there * share(cosine, there, distance) / (std::numbers::pi * distance * distance));
-}
-
-bool ReflectedLight::is_seen(const ReflectedLuminaire& luminaire, const Vertex& vertex,
-                             const Vec3& direction, double distance) const {
-    const Ray ray{vertex.position(), direction};
-    // Clear surfaces occlude, too: paths go through these by themselves.
-    if (!world_.appearance.any_clear && !world_.appearance.any_left_out)
-        return world_.transmittance(ray, vertex.tolerance(), distance) != Vec3(0);
-    Hit hit;
-    return !world_.first_hit(ray, vertex.tolerance(), RayKind::gathering, hit) ||
-           length(hit.position - ray.origin) > distance - luminaire.tolerance;
+    const Vec3 response = at.layer.scatterer.evaluate(direction, diffuse_terms, 0);
+    const Vec3 light = luminaire.power * (there * share(cosine, there, distance) /
+                                          (std::numbers::pi * distance * distance));
+    if (response * light == Vec3(0)) return Vec3(0);
+    ++at.ledger.shadow;
+    const bool free = ShadowRay(at, direction, {}).is_free(distance, luminaire.tolerance);
+    return at({luminaire.lamp, response / pick.expected, free ? light : Vec3(0), 1});
 }
 
 }  // namespace candelabra

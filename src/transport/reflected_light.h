@@ -2,7 +2,7 @@
 // Light at a vertex from reflected luminaires.
 #pragma once
 
-#include "transport/light_ledger.h"
+#include "transport/arrival.h"
 #include "transport/reflected_luminaires.h"
 
 namespace candelabra {
@@ -10,26 +10,20 @@ namespace candelabra {
 /// Each job has its own.
 class ReflectedLight : public ServedGeneration<ReflectedLuminaires> {
 public:
-    ReflectedLight(const World& world, std::shared_ptr<ReflectedLuminaires> luminaires)
-        : ServedGeneration(std::move(luminaires)), world_(world) {}
+    using ServedGeneration::ServedGeneration;
 
     /// Radiance towards the viewer from a Lambertian layer, by light that arrives there after at
     /// most `reflections` reflections, by way of diffuse surfaces only, with the geometry term
-    /// clamped to its bound. `throughput` is that of the layer's radiance, for the ledger.
-    Vec3 operator()(const Vertex&, const Shading&, int reflections, const Vec3& throughput,
-                    const Key&, LightLedger&);
+    /// clamped to its bound.
+    Vec3 operator()(const ArrivingLight&, int reflections, const Key&);
 
     /// Fraction of the light from one surface to another that comes from reflected luminaires,
     /// given the cosines to their normals and the distance.
     double share(double cosine, double other_cosine, double distance) const;
 
 private:
-    Vec3 from(const ReflectedLuminaire&, const Vertex&, const Shading&) const;
-    bool is_seen(const ReflectedLuminaire&, const Vertex&, const Vec3& direction,
-                 double distance) const;
+    Vec3 from(const LightPick&, const ReflectedLuminaire&, const ArrivingLight&) const;
 
-    const World& world_;
-    ShadingRules rules_ = shading_rules(world_);
     LightSamples samples_;  ///< kept as a member to reuse its memory
 };
 

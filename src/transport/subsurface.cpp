@@ -5,7 +5,6 @@
 #include "base/elementary.h"
 #include "scattering/mirror.h"
 #include "surface/quality.h"
-#include "transport/point_lights.h"
 
 #include <cmath>
 #include <numbers>
@@ -219,17 +218,14 @@ private:
         if (!(chance > 0) || next(inner, from, way)) return Vec3(0);
         const auto count = static_cast<double>(world_.lights.sources.size());
         const auto light = static_cast<std::uint32_t>(count * draw.v);
-        const Vec3 seen = dipole_.scattering() * left * light_from(light, inner.at(way), draw.key) *
-                          (count / (4 * pi * chance));
-        if (!ledger_.lights.empty())
-            ledger_.lights[world_.provenance.statement_of_light[light]].seen +=
-                draw.throughput * seen;
-        return seen;
+        const Vec3 factor = dipole_.scattering() * left * (count / (4 * pi * chance));
+        return factor * light_from(light, inner.at(way), draw.throughput * factor, draw.key);
     }
 
     /// Light of a source at a point inside. The path from the source is straight, but as long
     /// inside as the refracted one. As in POV-Ray, the light per area of the surface counts.
-    Vec3 light_from(std::uint32_t light, const Vec3& point, const Key& key) {
+    Vec3 light_from(std::uint32_t light, const Vec3& point, const Vec3& throughput,
+                    const Key& key) {
         if (!world_.reaches(world_.lights.reach[light].group, *layer_.vertex.material))
             return Vec3(0);
         const Vec3 direction =
@@ -244,8 +240,10 @@ private:
         const Bsdf bsdf = Bsdf::entering(vertex.shading, rules_, ior_);
         const double bent = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const double way = length(way_in->position - point) * cosine / bent;
-        return math::exp(-dipole_.extinction() * way) *
-               source_light(world_, light, {vertex, bsdf, {LightKind::sources}}, key, ledger_);
+        const Vec3 left = math::exp(-dipole_.extinction() * way);
+        return left * lights_.from_source(
+                          light, 1, {vertex, bsdf, {LightKind::sources}, throughput * left}, key,
+                          ledger_);
     }
 
     static constexpr auto chances = std::to_array<double>({0.75, 0.125, 0.125});

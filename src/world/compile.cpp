@@ -139,6 +139,7 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     if (scene.language_version < 3.7)  // the background was always visible
         world.sky.background.colour.filter = world.sky.background.colour.transmit = 0;
     world.sky.sphere = scene.sky;
+    world.provenance.sky = scene.sky_statement;
     if (world.rules.quality >= quality_full) {
         world.sky.fogs = scene.fogs;
         world.sky.rainbows = scene.rainbows;
@@ -213,6 +214,17 @@ double view_size(const Projection& camera) {
     return starts.empty() ? 0 : length(starts.size());
 }
 
+/// Makes a lamp of the sky if it is a luminaire.
+void light_the_sky(World& world) {
+    if (!world.sky.sphere || !world.sky.sphere->luminaire) return;
+    if (world.rules.quality < quality_shadows) return;
+    world.sky.light = SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
+    if (world.sky.light.empty()) return;
+    Provenance& provenance = world.provenance;
+    provenance.statement_of_sky = static_cast<std::uint32_t>(provenance.light_statements.size());
+    provenance.light_statements.push_back(provenance.sky);
+}
+
 /// Builds the index structures and light samplers of a flattened world.
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.rules.settings.light_sampler = *options.light_sampler;
@@ -222,9 +234,7 @@ void build_indices(World& world, const CompileOptions& options) {
         world.geometry.clear_solids = find_clear_solids(world);
     note_luminaires(world);
     map_brightness(world);
-    if (world.sky.sphere && world.sky.sphere->luminaire && world.rules.quality >= quality_shadows)
-        world.sky.light =
-            SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
+    light_the_sky(world);
     // After the tree, whose construction takes the most memory.
     std::vector<Box> boxes(world.geometry.item_count());
     for (std::uint32_t item = 0; item < boxes.size(); ++item)

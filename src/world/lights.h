@@ -28,7 +28,7 @@ struct LightReach {
 /// A solid whose media light the scene.
 struct GlowingVolume {
     PrimitiveIndex primitive = no_primitive;  ///< one of its primitives
-    std::uint32_t statement = 0;              ///< in Provenance::light_statements
+    std::uint32_t luminaire = 0;              ///< the first of its boxes
 };
 
 /// All lights except for the sky.

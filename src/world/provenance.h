@@ -5,6 +5,7 @@
 
 #include "text/span.h"
 #include "world/geometry.h"
+#include "world/lamp.h"
 
 #include <array>
 #include <map>
@@ -19,11 +20,19 @@ struct Provenance {
     /// of each.
     std::vector<Span> light_statements;
     std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
+    std::uint32_t statement_of_sky = 0;  ///< if the sky is a luminaire
+    Span sky;                            ///< the statement that made it
     /// The index in object_spans of each primitive's object; objects are counted as the scene makes
     /// them. Both are empty unless compile() was told to remember objects.
     std::vector<std::uint32_t> object_of;
     std::vector<Span> object_spans;
     std::size_t object_count = 0;  ///< as the scene counts them
+
+    /// Index in light_statements.
+    std::uint32_t statement_of(Lamp lamp) const {
+        if (lamp.is_sky()) return statement_of_sky;
+        return (lamp.is_source() ? statement_of_light : statement_of_luminaire)[lamp.index()];
+    }
 };
 
 /// Numbers the statements that make lights, in the order in which they do.

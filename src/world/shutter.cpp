@@ -26,6 +26,8 @@ void share_light_statements(World& world, const SourceStore& sources) {
         for (auto* list :
              {&sample.provenance.statement_of_luminaire, &sample.provenance.statement_of_light})
             for (std::uint32_t& statement : *list) statement = now[statement];
+        if (!sample.sky.light.empty())
+            sample.provenance.statement_of_sky = now[sample.provenance.statement_of_sky];
     };
     renumber(world);
     for (World& sample : world.shutter) renumber(sample);

@@ -103,9 +103,9 @@ public:
     VolumeMaker(World& world, double boxes_of_one, bool surveyed)
         : world_(world), boxes_(boxes_of_one), surveyed_(surveyed) {}
 
-    void add(const GlowingVolume& volume, const Box& box) {
+    void add(PrimitiveIndex volume, std::uint32_t statement, const Box& box) {
         const Cut cut(box, boxes_);
-        const VolumeSurvey survey(world_, volume.primitive);
+        const VolumeSurvey survey(world_, volume);
         std::vector<VolumeSurvey::Cells> cells(cut.count());
         double mean = 0;
         for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -113,7 +113,7 @@ public:
             for (const double each : cells[i])
                 mean += each / static_cast<double>(cells.size() * EmissionGrid::count);
         }
-        const Vec3 greatest = greatest_emission_of(world_, volume.primitive);
+        const Vec3 greatest = greatest_emission_of(world_, volume);
         const double least = min_of_mean * (mean > 0 ? mean : luminance(greatest));
         for (std::size_t i = 0; i < cells.size(); ++i) {
             Luminaire luminaire;
@@ -121,9 +121,9 @@ public:
             luminaire.emitter = VolumeEmitter{part, make_handle<EmissionGrid>(cells[i], least)};
             luminaire.radiance = length(part.size()) * greatest;
             luminaire.varying = true;
-            luminaire.primitive = volume.primitive;
+            luminaire.primitive = volume;
             world_.lights.luminaires.push_back(std::move(luminaire));
-            world_.provenance.statement_of_luminaire.push_back(volume.statement);
+            world_.provenance.statement_of_luminaire.push_back(statement);
         }
     }
 
@@ -215,8 +215,9 @@ void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool s
                                     "media without bounds emit light, but light nothing")
                                 .with_help("put them into a large `box`, which can be sampled"));
         } else if (size.x * size.y * size.z > 0) {
-            world.lights.volumes.push_back({primitive, glow.statement});
-            maker.add(world.lights.volumes.back(), box);
+            const auto first = static_cast<std::uint32_t>(world.lights.luminaires.size());
+            world.lights.volumes.push_back({primitive, first});
+            maker.add(primitive, glow.statement, box);
         }
     }
 }

@@ -32,7 +32,7 @@ inline Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, i
         });
     }
     return {sum / count, static_cast<double>(rays.shadow) / count,
-            light.noise().sum / std::max(light.noise().hits, 1)};
+            rays.noise.sum / std::max(rays.noise.hits, 1)};
 }
 
 /// At the origin.

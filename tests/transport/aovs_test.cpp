@@ -68,6 +68,32 @@ TEST_CASE("the light of all statements together is the picture", "[render]") {
     CHECK(lit > 200);
 }
 
+TEST_CASE("a luminous sky is a lamp like others", "[render]") {
+    for (const char* const way : {"", "global_settings { integrator { path_traced bounces 2 } }",
+                                  "sphere { <0, 1, 2>, 1 hollow pigment { rgbt 1 } interior { "
+                                  "media { scattering { 1, 0.5 } } } }"}) {
+        INFO(way);
+        std::string clear = room;  // fog would hide the sky
+        clear.erase(clear.find("fog"), clear.find("plane") - clear.find("fog"));
+        const World world = world_of(clear + lamps[0] + R"(
+            sky_sphere { pigment { gradient y color_map { [0 rgb 0] [1 rgb <1, 2, 3>] } } luminaire })" +
+                                     way);
+        REQUIRE(world.provenance.light_statements.size() == 2);
+        Aovs aovs;
+        aovs.lights = true;
+        const RenderState state = made(world, aovs);
+        Vec3 of_sky(0);
+        for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
+            const Vec3 seen = state.film.pixels()[i].mean();
+            of_sky += light(state, aovs, i, 1);
+            for (int c = 0; c < 3; ++c)
+                CHECK(light(state, aovs, i, 0)[c] + light(state, aovs, i, 1)[c] ==
+                      Approx(seen[c]).margin(1e-9));
+        }
+        CHECK(of_sky.z > 20);
+    }
+}
+
 TEST_CASE("light that surfaces reflect is counted for the statement that it came from",
           "[render]") {
     for (const char* const indirect :

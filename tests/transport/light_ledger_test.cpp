@@ -16,7 +16,7 @@ TEST_CASE("a ledger has the light of each statement until it is taken", "[transp
     LightLedger ledger;
     record_seen(ledger, world, 0, Vec3(1));  // lights are not counted
     CHECK(ledger.lights.empty());
-    ledger.lights.resize(3);
+    ledger = empty_ledger(world, true);
     record_seen(ledger, world, 0, Vec3(1, 2, 3));
     record_seen(ledger, world, 1, Vec3(9));  // no luminaire
     record_seen(ledger, world, 2, Vec3(4));
@@ -26,6 +26,22 @@ TEST_CASE("a ledger has the light of each statement until it is taken", "[transp
         CHECK(taken ==
               (again ? std::vector<Vec3>(2, Vec3(0)) : std::vector<Vec3>{Vec3(1, 2, 3), Vec3(4)}));
     }
+}
+
+TEST_CASE("a flame's light is counted for the statement of its luminaires", "[transport]") {
+    World world = world_of(R"(
+        sphere { 3, 1 pigment { rgb 1 } finish { emission 1 } }
+        sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { emission 1 } luminaire } })");
+    REQUIRE(world.provenance.light_statements.size() == 2);
+    // A shutter renumbers the statements of its moments.
+    for (std::uint32_t& statement : world.provenance.statement_of_luminaire)
+        statement = 1 - statement;
+    LightLedger ledger = empty_ledger(world, true);
+    const EnteredSolids flame = world.containing(Vec3(0));
+    REQUIRE(flame.size() == 1);
+    record_volume(ledger, world, {flame.data(), flame.size()}, Vec3(2));
+    CHECK(ledger.lights[0].seen == Vec3(2));
+    CHECK(ledger.lights[1].seen == Vec3(0));
 }
 
 TEST_CASE("ledgers of several jobs add up", "[transport]") {

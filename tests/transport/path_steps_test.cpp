@@ -32,11 +32,12 @@ TEST_CASE("a path begins inside of what is around its origin", "[transport]") {
 TEST_CASE("what is clear counts until the next sample", "[transport]") {
     const World world = world_of("#version 3.7; background { rgbt <0.5, 0.5, 0.5, 1> }");
     PathEnds ends(world, true);
+    LightLedger ledger;
     for (int sample = 0; sample < 2; ++sample) {
         PathState path = ends.begin({Vec3(0), Vec3(0, 0, 1)}, Key());
         CHECK(ends.clear() == 0);
         path.dim(Vec3(0.25));
-        ends.background(path);
+        ends.background(path, ledger);
         CHECK(ends.clear() == Approx(0.25 * world.sky_clear(path.ray.direction)));
     }
 }
@@ -47,7 +48,7 @@ TEST_CASE("luminaires that were asked before show no emission", "[transport]") {
         sphere { 3, 1 pigment { rgb 1 } finish { emission 1 no_luminaire } })");
     PathState path;
     CHECK(shows_emission(world, path, 0));
-    path.counted = true;
+    path.taken.by_shadow_rays = true;
     CHECK_FALSE(shows_emission(world, path, 0));
     CHECK(shows_emission(world, path, 1));
 }
@@ -57,7 +58,7 @@ TEST_CASE("steps from a surface leave it on the side that is seen", "[transport]
         "plane { -z, 0 pigment { rgb 1 } finish { microfacet { roughness 0.6 metallic 1 } } }");
     PathState path;
     path.ray = {Vec3(0, 0, -3), unit(Vec3(0.3, 0.2, 1))};
-    path.counted = true;
+    path.taken.by_shadow_rays = true;
     path.depth = 2;
     const Vertex vertex = met_from(world, path);
     for_visible_layers(world, vertex, 0, [&](double, std::span<const Layer> layers) {
@@ -65,11 +66,11 @@ TEST_CASE("steps from a surface leave it on the side that is seen", "[transport]
         const PathState mirror = mirrored_path(path, vertex, s);
         CHECK(mirror.ray.direction.z == Approx(-path.ray.direction.z));
         CHECK(mirror.depth == 3);
-        CHECK_FALSE(mirror.counted);
+        CHECK_FALSE(mirror.taken.by_shadow_rays);
         const PathState gathers = gathering_path(path, vertex, Vec3(0, 0, -1));
         CHECK(gathers.depth == 0);
         CHECK(gathers.bounces == 1);
-        CHECK(gathers.counted);
+        CHECK(gathers.taken.by_shadow_rays);
         CHECK(gathers.kind == RayKind::gathering);
         int scattered = 0;
         for (path.key.sample = 0; path.key.sample < 100; ++path.key.sample)

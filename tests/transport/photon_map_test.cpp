@@ -17,7 +17,7 @@ std::vector<Photon> floor_of(std::uint32_t count) {
         const Key key{5, i, 0, 0};
         photons.push_back({Vec3(uniform(key, Purpose::pixel_x), 0, uniform(key, Purpose::pixel_y)),
                            glm::vec3(0, -1, 0), glm::vec3(0, 1, 0),
-                           glm::vec3(1.0F / static_cast<float>(count)), 0, 0});
+                           glm::vec3(1.0F / static_cast<float>(count))});
     }
     return photons;
 }
@@ -47,7 +47,7 @@ TEST_CASE("discs hold about as many photons as are wanted", "[transport]") {
 }
 
 TEST_CASE("a photon gives what it has to the surface that it is on", "[transport]") {
-    Photon photon{Vec3(0), glm::vec3(0, -1, 0), glm::vec3(0, 1, 0), glm::vec3(1), 2, 0};
+    Photon photon{Vec3(0), glm::vec3(0, -1, 0), glm::vec3(0, 1, 0), glm::vec3(1), 2};
     // The integral of its density over its disc, by rings.
     double sum = 0;
     constexpr int rings = 1000;

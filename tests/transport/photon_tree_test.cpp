@@ -17,7 +17,7 @@ std::vector<Photon> photons_about(const Vec3& middle, int count) {
         photons.push_back(
             {middle + draw.point(1), glm::vec3(0, -1, 0), glm::vec3(0), glm::vec3(1)});
         photons.back().radius = 0.1F;
-        photons.back().statement = static_cast<std::uint32_t>(i);
+        photons.back().lamp = Lamp::luminaire(static_cast<std::uint32_t>(i));
     }
     return photons;
 }
@@ -37,10 +37,10 @@ TEST_CASE("a walk finds all photons whose space holds a point", "[transport]") {
         std::set<std::uint32_t> found, expected;
         tree.walk([&](const Box& box) { return contains(box, point); },
                   [&](const Photon& photon) {
-                      if (holds(photon)) found.insert(photon.statement);
+                      if (holds(photon)) found.insert(photon.lamp.index());
                   });
         for (const Photon& photon : tree.photons())
-            if (holds(photon)) expected.insert(photon.statement);
+            if (holds(photon)) expected.insert(photon.lamp.index());
         CHECK(found == expected);
     }
     PhotonTree().walk([](const Box&) { return true; }, [](const Photon&) { FAIL(); });

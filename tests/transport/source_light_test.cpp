@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "transport/point_lights.h"
+#include "transport/source_light.h"
 
 #include "render/render.h"
 #include "support/scripts.h"

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A layer of a surface, or media, at a vertex whose light is wanted.
+#pragma once
+
+#include "base/random.h"
+#include "scattering/scatterer.h"
+#include "transport/light_kinds.h"
+#include "transport/vertex.h"
+
+namespace candelabra {
+
+/// The layer or the media at a vertex that respond to light, and the kinds of light that count.
+struct LitLayer {
+    const Vertex& vertex;
+    Scatterer scatterer;
+    LightKinds light;           ///< the kinds that count
+    Vec3 throughput = Vec3(1);  ///< of the layer's radiance, in the sample
+    bool highlights = true;     ///< phong and specular highlights count
+    /// Settings of the radiosity that gathers the luminaires' light; null: nothing gathers it.
+    const Radiosity* radiosity = nullptr;
+
+    double grain(const Key&) const;  ///< the random number of the finish's `crand`
+    /// The terms of the BSDF by which it responds. Brilliance does not apply to light that
+    /// radiosity gathers.
+    BsdfTerms terms() const { return {highlights, !radiosity, FacetLobes::wide}; }
+    /// Radiance towards the viewer due to light of colour 1 from a unit direction.
+    Vec3 response(const Vec3& direction, const Key& key) const {
+        return scatterer.evaluate(direction, terms(), grain(key));
+    }
+    /// Radiance from one direction, as radiosity counts it.
+    Vec3 counted(const Vec3& radiance) const {
+        return radiosity ? gathered_light(*radiosity, radiance) : radiance;
+    }
+    /// Whether photons light the layer instead of direct light through targets. If the scene asks
+    /// for no photons in media, media are dark behind a target, as in POV-Ray.
+    bool collects() const {
+        return scatterer.in_air() ? scatterer.phase().collects()
+                                  : vertex.material->photons.collects;
+    }
+};
+
+}  // namespace candelabra

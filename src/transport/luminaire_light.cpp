@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/luminaire_light.h"
+
+#include "base/elementary.h"
+#include "base/gamma.h"
+#include "base/order.h"
+#include "lighting/draw.h"
+#include "transport/sight.h"
+#include "world/radiance.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace candelabra {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Maximum number of shadow rays at one hit, where the number varies.
+constexpr int max_rays = 32;
+
+/// Standard deviation that Russian roulette of luminaires may add to a sample with other light, in
+/// steps of an 8-bit picture.
+constexpr double hidden_steps = 4;
+/// Minimum probability that luminaires are sampled.
+constexpr double min_chance = 1.0 / 256;
+
+/// About the greatest response of a surface, to compare its noise with that of others.
+Vec3 straight_response(const LitLayer& layer, const Key& key) {
+    const Bsdf& bsdf = layer.scatterer.bsdf();
+    BsdfTerms terms = layer.terms();
+    terms.through_surface = true;
+    return bsdf.evaluate(receiver(bsdf.shading()).normal, terms, layer.grain(key)) +
+           Vec3(bsdf.highlights());
+}
+
+/// Difference in radiance that amounts to hidden_steps steps of the displayed picture.
+double visible_step(double radiance) {
+    constexpr double gamma = display_gamma, steps = 255;
+    return hidden_steps / steps * gamma * math::pow(std::fmin(radiance, 1), 1 - 1 / gamma);
+}
+
+/// Probability of sampling luminaires (Russian roulette), which is low where their light, by the
+/// estimate of the cell, is small against the light from before. The resulting noise is too small
+/// to be seen.
+template <LightAnswer Answer>
+double chance_of_asking(const Answer& answer, const LitLayer& layer, const Vec3& straight,
+                        const Vec3& before) {
+    const double share = std::abs(grey(layer.throughput)), there = share * grey(before);
+    if (!(there > 0)) return 1;
+    const double response = share * std::abs(grey(straight)) / pi;
+    const double mean = response * answer.irradiance(), deviation = response * answer.noise();
+    const double squares = mean * mean + deviation * deviation;
+    const double visible = visible_step(there);
+    return std::clamp(squares / (mean * mean + visible * visible), min_chance, 1.0);
+}
+
+}  // namespace
+
+/// Number of shadow rays in proportion to the expected noise; a power of two, which suits Sobol
+/// points.
+template <LightAnswer Answer>
+int LuminaireLight::rays_at(const Answer& answer, const ArrivingLight& at,
+                            const Vec3& straight) const {
+    const double noise = answer.noise() * std::abs(grey(at.layer.throughput * straight));
+    at.ledger.noise.add(noise);
+    if (rays_.usual_noise == 0) return rays_.usual;
+    const double wanted = rays_.usual * noise / rays_.usual_noise;
+    const double exponent = std::round(math::log2(std::clamp<double>(wanted, 1, max_rays)));
+    return 1 << static_cast<int>(exponent);
+}
+
+Vec3 LuminaireLight::operator()(const ArrivingLight& at, const Key& key, const Vec3& before) {
+    const LitLayer& layer = at.layer;
+    const Scatterer& scatterer = layer.scatterer;
+    const Receiver point = receiver(scatterer);
+    const BsdfLobes lobes = scatterer.lobes();
+    const auto draw = [&](Vec2 u) { return scatterer.sample(u); };
+    const auto pdf = [&](const Vec3& direction) { return scatterer.pdf(direction); };
+    const BsdfSampler sampler{scatterer.specular_probability(), draw, pdf};
+    const auto look = [&](const Ray& ray, double tolerance) {
+        return first_sight(world_, ray, tolerance);
+    };
+    const LightProbe scene(look);
+    return std::visit(
+        [&](const auto& strategy) {
+            const auto answer = strategy.at({point, lobes, &sampler, &scene});
+            int count = rays_.usual;
+            double chance = 1;
+            if (answer.noise() >= 0 && scatterer.in_air()) {
+                count = rays_at(answer, at, scatterer.phase().mean());
+            } else if (answer.noise() >= 0) {
+                const Vec3 straight = straight_response(layer, key);
+                chance = chance_of_asking(answer, layer, straight, before);
+                if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return Vec3(0);
+                count = rays_at(answer, at, straight);
+            }
+            Vec3 sum(0);
+            for (int i = 0; i < count; ++i)
+                sum += by_answer(answer, {at, key.part(count, i), count * chance});
+            return sum;
+        },
+        world_.lights.sampler);
+}
+
+double LuminaireLight::expected(const Vec3& position) const {
+    const Receiver point{position, Vec3(0), Horizon::none};
+    const auto look = [&](const Ray& ray, double tolerance) {
+        return first_sight(world_, ray, tolerance);
+    };
+    const LightProbe scene(look);
+    const BsdfLobes lobes;
+    return std::visit(
+        [&](const auto& strategy) {
+            return strategy.at({point, lobes, nullptr, &scene}).expected_light();
+        },
+        world_.lights.sampler);
+}
+
+/// Light by one shadow ray.
+template <LightAnswer Answer>
+Vec3 LuminaireLight::by_answer(const Answer& answer, const Asked& asked) {
+    samples_.clear();
+    answer.sample(asked.key, samples_);
+    Vec3 sum(0);
+    if (samples_.direction)
+        sum += by_direction(*samples_.direction, answer.meetings(), asked,
+                            [&](LightIndex light, double of_point) {
+                                return answer.pdf(*samples_.direction,
+                                                  answer.expected(asked.key, light), of_point);
+                            });
+    // The conventional strategy picks every luminaire once; further shadow rays add points on each.
+    const bool several = samples_.picks.size() > 1;
+    for (const LightPick& pick : samples_.picks) {
+        const bool volume = world_.lights.luminaires[pick.light].is_volume();
+        const Key place = several ? asked.key.with_branch(pick.light) : asked.key;
+        sum += by_pick(pick, asked, place, [&](const Vec3& direction, double of_point) {
+            return volume ? answer.picked() * pick.expected * of_point
+                          : answer.pdf(direction, pick.expected, of_point);
+        });
+    }
+    return sum;
+}
+
+/// Light of one luminaire. Density: returns the pdf of a sampled point, given its direction and the
+/// luminaire's own pdf. A searched luminaire is met wherever the ray meets it.
+template <class Density>
+Vec3 LuminaireLight::by_pick(const LightPick& pick, const Asked& asked, const Key& place,
+                             const Density& density) {
+    const LitLayer& layer = asked.at.layer;
+    const Luminaire& luminaire = world_.lights.luminaires[pick.light];
+    const auto searched = SearchedLuminaire::of(luminaire);
+    Vec3 direction(0);
+    double of_point = 0;
+    on_ray_.clear();
+    if (searched) {
+        const auto drawn = searched->draw(layer.vertex.position(), place_on_light(place));
+        if (!drawn) return Vec3(0);
+        direction = drawn->direction;
+        of_point = drawn->density;
+    } else {
+        const auto point = sample(luminaire, receiver(layer.scatterer), place_on_light(place));
+        if (!point) return Vec3(0);
+        direction = point->direction;
+        of_point = point->density;
+        on_ray_.push_back({pick.light, point->distance});
+    }
+    const Vec3 response = layer.response(direction, place);
+    if (response == Vec3(0)) return Vec3(0);
+    const ShadowRay ray(asked.at, direction, asked.key);
+    if (searched) walk_along(ray, asked.at);
+    const Vec3 weight = response / (pi * density(direction, of_point) * asked.number);
+    return seen(ray, asked.at, [&](const OnRay& there) {
+        return there.light == pick.light ? weight : Vec3(0);
+    });
+}
+
+/// Light of all luminaires that are visible in the direction. Density: returns the pdf of a point,
+/// given its luminaire and the luminaire's own pdf.
+template <class Density>
+Vec3 LuminaireLight::by_direction(const Vec3& direction, const LightTree* meetings,
+                                  const Asked& asked, const Density& density) {
+    const LitLayer& layer = asked.at.layer;
+    const Vec3 response = layer.response(direction, asked.key);
+    if (response == Vec3(0)) return Vec3(0);
+    const auto weight = [&](LightIndex light, double of_point) {
+        return response / (pi * density(light, of_point) * asked.number);
+    };
+    const ShadowRay ray(asked.at, direction, asked.key);
+    if (meetings) {
+        meet_along(*meetings, asked.at, direction);
+        return seen(ray, asked.at,
+                    [&](const OnRay& there) { return weight(there.light, there.density); });
+    }
+    walk_along(ray, asked.at);
+    return seen(ray, asked.at, [&](const OnRay& there) {
+        Vec3 sum(0);
+        for_densities(there, layer, direction,
+                      [&](double of_point) { sum += weight(there.light, of_point); });
+        return sum;
+    });
+}
+
+/// Radiance by the luminaires in on_ray_, as far as they are visible.
+Vec3 LuminaireLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight weight) const {
+    Vec3 sum(0);
+    for (const OnRay& there : on_ray_) {
+        at.ledger.shadow += there.rays;
+        const Vec3 left = there.unobstructed ? Vec3(1) : ray.left(there.distance);
+        const Vec3 factor = left == Vec3(0) ? left : weight(there);
+        Vec3 light(0);
+        if (factor != Vec3(0))
+            light = left * (there.hit ? ray.emitted(there.light, *there.hit, there.distance)
+                                      : ray.emitted(there.light, there.distance));
+        sum += at({Lamp::luminaire(there.light), factor, light, there.rays});
+        const PrimitiveIndex primitive = world_.lights.luminaires[there.light].primitive;
+        if (left == Vec3(0) || world_.material(primitive).stops_light()) break;
+    }
+    return sum;
+}
+
+/// Fills on_ray_ with the luminaires that a ray in the scene meets, up to a surface that stops it.
+void LuminaireLight::walk_along(const ShadowRay& ray, const ArrivingLight& at) {
+    on_ray_.clear();
+    bool unobstructed = !(world_.has_media() || world_.has_air());
+    world_.along(ray.ray(), at.layer.vertex.tolerance(), RayKind::light, [&](const Hit& hit, double distance) {
+        const bool first = std::exchange(unobstructed, false);
+        const LightIndex light = world_.lights.luminaire_of[hit.primitive];
+        // The walk is one ray, whatever it meets.
+        if (light != no_primitive)
+            on_ray_.push_back({light, distance, 0, hit, first, on_ray_.empty() ? 1U : 0U});
+        return !world_.material(hit.primitive).stops_light();
+    });
+    if (!on_ray_.empty()) return;
+    ++at.ledger.shadow;
+    at.ledger.add_miss();
+}
+
+/// Adds the meetings of a searched luminaire behind the first one, which is seen through: the
+/// direction is drawn for all of them.
+void LuminaireLight::add_further(const Luminaire& luminaire, const Ray& ray, LightHits& meetings) {
+    const auto* searched = std::get_if<CompositeEmitter>(&luminaire.emitter);
+    if (!searched) return;
+    const double density = meetings.front().density;
+    searched->composite->all(
+        ray, Interval{meetings.front().distance * (1 + same_point)},
+        [&](std::uint32_t leaf) { return leaf == searched->leaf; },
+        [&](const Composite::Meeting& met) {
+            meetings.push_back({met.t, density});
+        });
+    sort_stably(meetings, {}, &LightHit::distance);
+    // Faces in the same place glow once.
+    const auto again = std::ranges::unique(meetings, [](const LightHit& a, const LightHit& b) {
+        return b.distance - a.distance <= same_point * b.distance;
+    });
+    meetings.erase(again.begin(), again.end());
+}
+
+/// Fills on_ray_ with all luminaires on a line, by the tree of luminaires.
+void LuminaireLight::meet_along(const LightTree& tree, const ArrivingLight& at,
+                                const Vec3& direction) {
+    on_ray_.clear();
+    const Receiver point = receiver(at.layer.scatterer);
+    tree.along(point.position, direction, [&](LightIndex light) {
+        hits_.clear();
+        const Luminaire& luminaire = world_.lights.luminaires[light];
+        intersect(luminaire, point, direction, hits_);
+        if (!hits_.empty() && !world_.material(luminaire.primitive).stops_light())
+            add_further(luminaire, {point.position, direction}, hits_);
+        for (const LightHit& met : hits_)
+            // The point may lie on a luminaire, which does not light itself there.
+            if (met.distance > at.layer.vertex.tolerance())
+                on_ray_.push_back({light, met.distance, met.density});
+    });
+    sort_stably(on_ray_, [](const OnRay& a, const OnRay& b) {
+        return std::pair(a.distance, a.light) < std::pair(b.distance, b.light);
+    });
+}
+
+/// Calls visit with the pdf of each point of the luminaire at that distance which may be sampled.
+/// That of a searched luminaire is the direction's: all points on the ray are found by it.
+template <class Visit>
+void LuminaireLight::for_densities(const OnRay& there, const LitLayer& layer, const Vec3& direction,
+                                   const Visit& visit) {
+    const Luminaire& luminaire = world_.lights.luminaires[there.light];
+    if (const auto searched = SearchedLuminaire::of(luminaire)) {
+        visit(searched->density(layer.vertex.position(), direction));
+        return;
+    }
+    hits_.clear();
+    intersect(luminaire, receiver(layer.scatterer), direction, hits_);
+    for (const LightHit& met : hits_)
+        if (std::abs(met.distance - there.distance) <=
+            same_point * there.distance + there.hit->tolerance)
+            visit(met.density);
+}
+
+}  // namespace candelabra

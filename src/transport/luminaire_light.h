@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light of luminaires at a layer, by shadow rays to luminaires and in directions that the light
+// strategy of the world chooses. Strategies implement the interface of lighting/light_query.h; this
+// code knows none of them by name.
+#pragma once
+
+#include "base/function_ref.h"
+#include "lighting/light_query.h"
+#include "transport/shadow_ray.h"
+
+#include <optional>
+#include <vector>
+
+namespace candelabra {
+
+/// Number of shadow rays at each hit.
+struct ShadowRays {
+    // NOLINTNEXTLINE(google-explicit-constructor): one number for all is the plain case
+    ShadowRays(int usual_number = 1, double noise = 0) : usual(usual_number), usual_noise(noise) {}
+
+    int usual;
+    /// Standard deviation of one shadow ray, times the throughput of the hit, at which a hit gets
+    /// the usual number. Other hits get more or fewer in proportion, which minimises the noise for
+    /// a given number of rays. 0: all get the usual number.
+    double usual_noise;
+};
+
+/// Each job has its own: it keeps scratch memory.
+class LuminaireLight {
+public:
+    LuminaireLight(const World& world, const ShadowRays& rays) : world_(world), rays_(rays) {}
+
+    /// Radiance towards the viewer by all luminaires; an unbiased estimate. `before`: the radiance
+    /// by other light, in which noise is hidden. Precondition: there are luminaires.
+    Vec3 operator()(const ArrivingLight&, const Key&, const Vec3& before);
+
+    /// Expected light at a point between surfaces, up to a constant factor; below 0 where it is not
+    /// known. Precondition: there are luminaires.
+    double expected(const Vec3& position) const;
+
+private:
+    /// A luminaire on a shadow ray.
+    struct OnRay {
+        LightIndex light;
+        double distance;
+        double density = 0;           ///< the luminaire's pdf of the direction, if it is known
+        std::optional<Hit> hit = {};  ///< of the scene, if it is known
+        bool unobstructed = false;    ///< whether it is known that nothing lies before it
+        std::uint64_t rays = 1;       ///< that count for it
+    };
+    using Weight = FunctionRef<Vec3(const OnRay&)>;  ///< see Arrival
+    /// One shadow ray, or what takes its place.
+    struct Asked {
+        const ArrivingLight& at;
+        Key key;
+        double number;  ///< expected number of shadow rays at the hit
+    };
+
+    template <LightAnswer Answer>
+    Vec3 by_answer(const Answer&, const Asked&);
+    template <class Density>
+    Vec3 by_pick(const LightPick&, const Asked&, const Key& place, const Density&);
+    template <class Density>
+    Vec3 by_direction(const Vec3&, const LightTree* meetings, const Asked&, const Density&);
+    Vec3 seen(const ShadowRay&, const ArrivingLight&, Weight) const;
+
+    void walk_along(const ShadowRay&, const ArrivingLight&);
+    void meet_along(const LightTree&, const ArrivingLight&, const Vec3& direction);
+    static void add_further(const Luminaire&, const Ray&, LightHits&);
+    template <class Visit>
+    void for_densities(const OnRay&, const LitLayer&, const Vec3& direction, const Visit&);
+
+    template <LightAnswer Answer>
+    int rays_at(const Answer&, const ArrivingLight&, const Vec3& straight) const;
+
+    const World& world_;
+    ShadowRays rays_;
+    // Kept as members to reuse their memory.
+    LightSamples samples_;
+    LightHits hits_;
+    std::vector<OnRay> on_ray_;  ///< nearest first
+};
+
+}  // namespace candelabra

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/shadow_ray.h"
+
+#include "world/radiance.h"
+#include "world/volumes.h"
+
+namespace candelabra {
+
+namespace {
+
+/// Distance beyond all objects.
+constexpr double far_away = 1e20;
+
+/// As in POV-Ray, a clear surface does not dim light of a source if it lies no further than this,
+/// along the way of light, behind another one that does, or from either end. So glasses that touch
+/// each other, and things in a glass, are not darker for it.
+constexpr double apart_for_sources = 1e-3;
+
+/// The air that dims light on its way to a layer dims a ray which the layer follows, too. As in
+/// POV-Ray, air dims light that radiosity gathers only if that is asked for.
+AirOnWay air_on_way_to(const LitLayer& layer) {
+    return layer.radiosity && !layer.radiosity->media ? AirOnWay::none : AirOnWay::followed;
+}
+
+}  // namespace
+
+ShadowRay::ShadowRay(const ArrivingLight& at, const Vec3& direction, const Key& key)
+    : at_(at),
+      ray_{at.layer.vertex.position(), direction},
+      key_(key),
+      air_(air_on_way_to(at.layer)),
+      around_(at.layer.vertex.around.begin(), at.layer.vertex.around.end()) {
+    const Vertex& vertex = at.layer.vertex;
+    const bool behind = dot(direction, vertex.shading.geometric_normal) < 0;
+    if (behind && vertex.material->transparent) at.world.pass(vertex.hit.primitive, around_);
+}
+
+ShadowRay::ShadowRay(const ArrivingLight& at, const Vec3& direction, const Key& key,
+                     const SourceRules& rules)
+    : at_(at),
+      ray_{at.layer.vertex.position(), direction},
+      key_(key),
+      air_(rules.air),
+      apart_(apart_for_sources),
+      photons_(rules.photons),
+      around_(at.layer.vertex.around.begin(), at.layer.vertex.around.end()) {}
+
+WayOfLight ShadowRay::way(double distance, bool ends) const {
+    return {.ray = ray_,
+            .tolerance = at_.layer.vertex.tolerance(),
+            .distance = distance,
+            .ends = ends,
+            .around = {around_.data(), around_.size()},
+            .apart = apart_,
+            .air = air_};
+}
+
+Vec3 ShadowRay::left(double distance, bool ends) const {
+    const Vec3 left = light_left(at_.world, way(distance, ends), key_);
+    const bool brought =
+        at_.photons && left != Vec3(0) && at_.layer.collects() &&
+        target_between(at_.world, photons_, ray_, at_.layer.vertex.tolerance(), distance);
+    return brought ? Vec3(0) : left;
+}
+
+Vec3 ShadowRay::left(double distance) const { return left(distance, true); }
+
+Vec3 ShadowRay::left_from_sky() const { return left(far_away, false); }
+
+bool ShadowRay::is_free(double distance, double tolerance) const {
+    const World& world = at_.world;
+    const double start = at_.layer.vertex.tolerance();
+    if (!world.appearance.any_clear && !world.appearance.any_left_out)
+        return world.transmittance(ray_, start, distance) != Vec3(0);
+    Hit hit;
+    return !world.first_hit(ray_, start, RayKind::gathering, hit) ||
+           length(hit.position - ray_.origin) > distance - tolerance;
+}
+
+Vec3 ShadowRay::emitted(LightIndex light, double distance) const {
+    const World& world = at_.world;
+    const Luminaire& luminaire = world.lights.luminaires[light];
+    const double tolerance = at_.layer.vertex.tolerance();
+    const Vec3 radiance =
+        luminaire.is_volume()
+            ? volume_emission(world, luminaire.primitive,
+                              {ray_, tolerance, distance, {around_.data(), around_.size()}})
+            : radiance_seen(world, {luminaire, ray_, tolerance, distance});
+    return radiance == Vec3(0) ? radiance : radiance * left_by_lamp(luminaire, distance);
+}
+
+Vec3 ShadowRay::emitted(LightIndex light, const Hit& hit, double distance) const {
+    const Luminaire& luminaire = at_.world.lights.luminaires[light];
+    return left_by_lamp(luminaire, distance) *
+           radiance_of(at_.world, luminaire, hit.position, hit.side_towards(ray_.direction));
+}
+
+/// Fraction of a luminaire's light that its own solid lets through, if other light passes it.
+Vec3 ShadowRay::left_by_lamp(const Luminaire& luminaire, double distance) const {
+    if (!at_.world.material(luminaire.primitive).no_shadow) return Vec3(1);
+    return candelabra::left_by_lamp(at_.world, luminaire, way(distance, true), key_);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/source_light.h"
+
+#include "transport/shadow_ray.h"
+
+#include <algorithm>
+#include <array>
+
+namespace candelabra {
+
+namespace {
+
+/// Whether each light of the grid is evaluated by itself, not only its shadow.
+bool lit_by_grid(const PointLight& light, const Scatterer& scatterer) {
+    return light.is_area() && light.area_illumination && !scatterer.in_air();
+}
+
+/// Light of one source at a layer, with the data to evaluate it.
+class SourceAtLayer {
+public:
+    SourceAtLayer(const PointLight& light, std::uint32_t number, const ArrivingLight& at,
+                  const Key& key)
+        : at_(at),
+          light_(light),
+          window_(at.world.lights.reach[number].window.get()),
+          rules_(rules_of(at.world, light, number)),
+          scatterer_(at.layer.scatterer),
+          terms_{.highlights = at.layer.highlights && !light.shadowless,
+                 .through_surface = passes_surfaces(at.world)},
+          grain_(at.layer.grain(key)),
+          key_(key) {
+        // As in POV-Ray: with area_illumination the grid decides which side it lights, and without
+        // a grid both sides are lit.
+        if (light.area_illumination && light.size1 == 0 && !scatterer_.in_air())
+            scatterer_ = both_sides_.emplace(scatterer_.bsdf().on_both_sides());
+    }
+    SourceAtLayer(const SourceAtLayer&) = delete;
+
+    /// The layer's response to the source's light. `central` is the light from its location.
+    Vec3 response(const Incidence& central) {
+        direction_ = central.direction;
+        return lit_by_grid(light_, scatterer_) ? grid_answer() : answer_to(central);
+    }
+    /// Fraction of the light that is left at the layer. Precondition: response() was called.
+    Vec3 left(const Incidence& central) {
+        if (light_.shadowless) return Vec3(window_ && !seen_through(central) ? 0 : 1);
+        return light_.is_area() ? grid_shadow() : passed(central);
+    }
+
+private:
+    Vec3 answer_to(const Incidence& light) const {
+        if (light.colour == Vec3(0)) return Vec3(0);
+        if (scatterer_.in_air()) return light.colour * scatterer_.phase().evaluate(direction_);
+        const Bsdf& bsdf = scatterer_.bsdf();
+        // The film's iridescence depends on the direction to the light's centre.
+        return light.colour * bsdf.film(direction_) *
+               bsdf.evaluate_without_film(light.direction, terms_, grain_);
+    }
+
+    Vec3 grid_answer() const {
+        Vec3 sum(0);
+        for (int i = 0; i < light_.size1; ++i)
+            for (int j = 0; j < light_.size2; ++j)
+                sum += answer_to(
+                    incidence(light_, grid_point(light_, i, j, direction_), vertex().position()));
+        return sum / static_cast<double>(light_.size1 * light_.size2);
+    }
+
+    Vec3 passed(const Incidence& light) {
+        if (light.distance <= 0) return Vec3(1);
+        const auto until = window_ ? seen_through(light) : std::optional(light.distance);
+        if (!until) return Vec3(0);
+        ++at_.ledger.shadow;
+        return ShadowRay(at_, light.direction, key_, rules_).left(*until);
+    }
+
+    static SourceRules rules_of(const World& world, const PointLight& light, std::uint32_t number) {
+        // As in POV-Ray, the source says whether air outside of solids dims its light.
+        const bool air = light.media_attenuation && light.media_interaction;
+        return {air ? AirOnWay::throughout : AirOnWay::in_solids,
+                world.photon_targets.empty() ? PhotonWays() : ways_of_source(world, number)};
+    }
+
+    const Vertex& vertex() const { return at_.layer.vertex; }
+
+    /// Returns the distance to the window; nothing if the ray does not pass through it.
+    std::optional<double> seen_through(const Incidence& light) const {
+        const auto any = [](std::uint32_t) { return true; };
+        const auto met = window_->first({vertex().position(), light.direction},
+                                        {vertex().tolerance(), light.distance}, any);
+        return met ? std::optional(met->t) : std::nullopt;
+    }
+
+    /// Fraction of the grid's light that arrives.
+    Vec3 grid_shadow() {
+        corners_.assign(static_cast<std::size_t>(light_.size1 * light_.size2), Vec3(-1));
+        return mean({0, 0, light_.size1 - 1, light_.size2 - 1}, 0);
+    }
+
+    struct Part {
+        int first1, first2, last1, last2;
+    };
+
+    /// Mean over a part of the grid, by its corners; the part is divided if they differ. The
+    /// weights of the parts are POV-Ray's.
+    Vec3 mean(const Part& p, int level) {
+        const std::array<Vec3, 4> corner = {at(p.first1, p.first2), at(p.last1, p.first2),
+                                            at(p.first1, p.last2), at(p.last1, p.last2)};
+        const bool divisible = p.last1 - p.first1 > 1 || p.last2 - p.first2 > 1;
+        if (!divisible || (light_.adaptive && level >= *light_.adaptive && alike(corner)))
+            return 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+        const int low1 = (p.first1 + p.last1) / 2, high1 = (p.first1 + p.last1 + 1) / 2;
+        const int low2 = (p.first2 + p.last2) / 2, high2 = (p.first2 + p.last2 + 1) / 2;
+        return 0.25 * (mean({p.first1, p.first2, low1, low2}, level + 1) +
+                       mean({high1, p.first2, p.last1, low2}, level + 1) +
+                       mean({p.first1, high2, low1, p.last2}, level + 1) +
+                       mean({high1, high2, p.last1, p.last2}, level + 1));
+    }
+
+    bool alike(const std::array<Vec3, 4>& corner) const {
+        const auto differ = [&](const Vec3& a, const Vec3& b) {
+            const Vec3 d = glm::abs(a - b) * light_.colour;
+            return d.x + d.y + d.z > 0.1;
+        };
+        return !differ(corner[0], corner[1]) && !differ(corner[2], corner[3]) &&
+               !differ(corner[0], corner[2]) && !differ(corner[1], corner[3]);
+    }
+
+    /// Fraction of light that arrives from one light of the grid; computed once.
+    Vec3 at(int i, int j) {
+        const int index = i * light_.size2 + j;
+        Vec3& known = corners_[static_cast<std::size_t>(index)];
+        if (known.x >= 0) return known;
+        double place1 = i, place2 = j;
+        if (light_.jitter) {
+            const Key key = key_.with_branch(static_cast<std::uint32_t>(index));
+            place1 += uniform(key, Purpose::jitter_u) - 0.5;
+            place2 += uniform(key, Purpose::jitter_v) - 0.5;
+        }
+        const Vec3 from = grid_point(light_, place1, place2, direction_);
+        if (light_.along_axis()) return known = passed(incidence(light_, from, vertex().position()));
+        const Vec3 offset = from - vertex().position();
+        const double distance = length(offset);
+        return known = distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});
+    }
+
+    const ArrivingLight& at_;
+    const PointLight& light_;
+    const Composite* window_;  ///< null: none
+    const SourceRules rules_;
+    Scatterer scatterer_;
+    std::optional<Bsdf> both_sides_;  ///< referred to by scatterer_, if present
+    const BsdfTerms terms_;
+    const double grain_;
+    const Key key_;
+    Vec3 direction_ = Vec3(0);
+    std::vector<Vec3> corners_;
+};
+
+/// Returns the first hit on a ray at a surface that stops all light.
+std::optional<ProbeHit> sight_past_clear(const World& world, const Ray& ray, double tolerance) {
+    std::optional<ProbeHit> seen;
+    world.along(ray, tolerance, RayKind::light, [&](const Hit& hit, double distance) {
+        if (!world.material(hit.primitive).stops_light()) return true;
+        seen = ProbeHit{distance, hit.normal, hit.tolerance, {}, 0};
+        return false;
+    });
+    return seen;
+}
+
+}  // namespace
+
+Vec3 SourceLight::operator()(const ArrivingLight& at, const Key& key) {
+    Vec3 sum(0);
+    for (const SourceSet& set : at.world.lights.source_sets) {
+        if (!at.world.reaches(set.group, *at.layer.vertex.material)) continue;
+        if (set.drawn())
+            sum += drawn(set, at, key);
+        else
+            for (const std::uint32_t light : set.lights) sum += from(light, 1, at, key);
+    }
+    return sum;
+}
+
+Vec3 SourceLight::from(std::uint32_t number, double weight, const ArrivingLight& at,
+                       const Key& key) const {
+    const bool in_air = at.layer.scatterer.in_air();
+    const Vec3& position = at.layer.vertex.position();
+    return std::visit(
+        [&](const auto& light) {
+            if (in_air && (light.shadowless || !light.media_interaction)) return Vec3(0);
+            const bool by_grid = lit_by_grid(light, at.layer.scatterer);
+            if (!by_grid && is_beside_cone(light, position)) return Vec3(0);
+            const Incidence central = incidence(light, light.location, position);
+            if (!by_grid && central.colour == Vec3(0)) return Vec3(0);
+            SourceAtLayer source(light, number, at, key.branched(Branch::source, number));
+            const Vec3 response = source.response(central);
+            if (response == Vec3(0)) return Vec3(0);
+            const std::uint64_t before = at.ledger.shadow;
+            const Vec3 left = source.left(central);
+            return at({Lamp::source(number), weight * response, left, at.ledger.shadow - before});
+        },
+        at.world.lights.sources[number]);
+}
+
+/// Samples some of many sources. Sources have no surface that a sampled direction could hit.
+Vec3 SourceLight::drawn(const SourceSet& set, const ArrivingLight& at, const Key& key) {
+    const Key own = key.branched(Branch::drawn_sources);
+    const Receiver point = set.asked(receiver(at.layer.scatterer));
+    const BsdfLobes lobes = at.layer.scatterer.lobes();
+    const auto look = [&](const Ray& ray, double tolerance) {
+        return sight_past_clear(at.world, ray, tolerance);
+    };
+    const LightProbe scene(look);
+    const auto ask = [&](const auto& strategy) {
+        const auto answer = strategy.at({point, lobes, nullptr, set.parallel ? nullptr : &scene});
+        Vec3 sum(0);
+        for (int i = 0; i < rays_; ++i) {
+            const Key part = own.part(rays_, i);
+            samples_.clear();
+            answer.sample(part, samples_);
+            for (const LightPick& pick : samples_.picks)
+                sum += from(set.lights[pick.light], 1 / (pick.expected * rays_), at, part);
+        }
+        return sum;
+    };
+    return std::visit(ask, set.sampler);
+}
+
+}  // namespace candelabra

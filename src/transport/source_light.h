@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light of POV-Ray's sources, one by one, or of some of them if they are many. Grids of lights are
+// treated as in POV-Ray, too.
+#pragma once
+
+#include "transport/arrival.h"
+
+namespace candelabra {
+
+/// Each job has its own: it keeps scratch memory.
+class SourceLight {
+public:
+    /// `rays`: number of choices among many sources.
+    explicit SourceLight(int rays) : rays_(rays) {}
+
+    /// Radiance towards the viewer by all light sources; an unbiased estimate.
+    Vec3 operator()(const ArrivingLight&, const Key&);
+    /// The same by one of them, times a weight.
+    Vec3 from(std::uint32_t number, double weight, const ArrivingLight&, const Key&) const;
+
+private:
+    Vec3 drawn(const SourceSet&, const ArrivingLight&, const Key&);
+
+    int rays_;
+    LightSamples samples_;  ///< kept as a member to reuse its memory
+};
+
+}  // namespace candelabra
