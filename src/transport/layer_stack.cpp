@@ -43,10 +43,10 @@ double diffuse_beside(const Shading& s, const Vec3& reflected) {
 }  // namespace
 
 LayerStack::LayerStack(const World& world, const PathState& path, const Vertex& vertex,
-                       std::span<const Layer> layers)
+                       const Layers& layers)
     : world_(world),
       vertex_(vertex),
-      layers_(layers),
+      layers_(layers.data(), layers.size()),
       top_(with_layer(world, vertex, layers.front())) {
     const bool transparent = vertex.material->transparent;
     const bool asks = transparent || std::ranges::any_of(layers, [](const Layer& layer) {
@@ -121,7 +121,7 @@ Vec3 StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids,
         return s;
     };
     Vec3 sum(0);
-    for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
+    for (const auto& [weight, layers] : visible_textures(world_, vertex)) {
         const Shading top = with_layer(world_, vertex, layers.front());
         Vec3 left(weight * top.finish->refraction);
         // Total reflection takes the place of what passes.
@@ -130,7 +130,7 @@ Vec3 StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids,
             left *= kept_by(met(with_layer(world_, vertex, layer)),
                             at_angle ? surface.plain : from_outside);
         sum += left;
-    });
+    }
     return sum;
 }
 

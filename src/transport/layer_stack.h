@@ -15,7 +15,7 @@ namespace candelabra {
 class LayerStack {
 public:
     /// The layers at a vertex that the path has met.
-    LayerStack(const World&, const PathState&, const Vertex&, std::span<const Layer>);
+    LayerStack(const World&, const PathState&, const Vertex&, const Layers&);
 
     /// One layer, as it is seen through those above it.
     struct Seen {

@@ -105,13 +105,12 @@ void LightPaths::follow(const Key& key, double share,
 /// arrives along the path's ray.
 Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
     Vec3 sum(0);
-    for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
-        LayerStack(world_, path, vertex, layers).visit([&](const LayerStack::Seen& layer) {
+    for (const VisibleTexture& each : visible_textures(world_, vertex))
+        LayerStack(world_, path, vertex, each.layers).visit([&](const LayerStack::Seen& layer) {
             if (!is_lambertian(world_, vertex, layer.shading)) return;
-            sum += weight * layer.through *
+            sum += each.weight * layer.through *
                    Bsdf(layer.shading, rules_).evaluate(-path.ray.direction, diffuse_terms, 0);
         });
-    });
     return sum;
 }
 

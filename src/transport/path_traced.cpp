@@ -62,18 +62,9 @@ void PathTracedIntegrator::trace(PathState path) {
         if (ends_covered(path, hit, distance)) break;
         const Vertex vertex =
             vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
-        // Chooses one of the mixed textures at random.
-        double u = uniform(path.key, Purpose::texture_choice);
-        PathState next = path;
-        next.throughput = Vec3(0);
-        for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
-            if (u >= 0 && u < weight) {
-                next = path;
-                at_vertex(next, vertex, layers);
-            }
-            u -= weight;
-        });
-        path = next;
+        const auto textures = visible_textures(world_, vertex);
+        const auto* texture = choose(textures, uniform(path.key, Purpose::texture_choice));
+        if (!texture || !at_vertex(path, vertex, texture->layers)) break;
     }
 }
 
@@ -108,13 +99,13 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     return false;
 }
 
-/// Adds the layers' emission and reflected direct light, and continues the path.
-void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
-                                     std::span<const Layer> layers) {
+/// Adds the layers' emission and reflected direct light, and continues the path. Returns false if it
+/// ends.
+bool PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
+                                     const Layers& layers) {
     if (world_.rules.quality < quality_light) {
         sum_ += path.throughput * layers.back().colour.rgb;
-        path.throughput = Vec3(0);
-        return;
+        return false;
     }
     const LayerStack stack(world_, path, vertex, layers);
     SurfaceLobes lobes(world_, path, vertex, stack);
@@ -124,7 +115,7 @@ void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
         lobes.add(layer, wanted);
     });
     lobes.add_behind();
-    if (!go_on(lobes, vertex, path)) path.throughput = Vec3(0);
+    return go_on(lobes, vertex, path);
 }
 
 /// Whether reflected luminaires account for all light from the hit. If the scene has other light,

@@ -37,7 +37,7 @@ public:
 private:
     void trace(PathState);
     bool pass_air(PathState&, double distance);
-    void at_vertex(PathState&, const Vertex&, std::span<const Layer>);
+    bool at_vertex(PathState&, const Vertex&, const Layers&);
     bool ends_covered(PathState&, const Hit&, double distance) const;
     void gather(const PathState&, const Vertex&, const LayerStack::Seen&);
     LobeKinds wanted_lobes(const PathState&) const;

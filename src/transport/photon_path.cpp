@@ -152,17 +152,13 @@ bool PhotonPaths::is_reflected(const Journey& journey, const PhotonSurface& surf
 
 /// Continues from a surface in one randomly chosen way. Returns false if the photon ends.
 bool PhotonPaths::scatter(Journey& journey, const Vertex& vertex, const Key& key) const {
-    double u = uniform(key, Purpose::texture_choice);
-    bool goes_on = false;
-    for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
-        if (u >= 0 && u < weight) goes_on = choose(journey, vertex, layers);
-        u -= weight;
-    });
-    return goes_on;
+    const auto textures = visible_textures(world_, vertex);
+    const VisibleTexture* texture = choose(textures, uniform(key, Purpose::texture_choice));
+    return texture && go_on(journey, vertex, texture->layers);
 }
 
-bool PhotonPaths::choose(Journey& journey, const Vertex& vertex,
-                         std::span<const Layer> layers) const {
+bool PhotonPaths::go_on(Journey& journey, const Vertex& vertex,
+                        const Layers& layers) const {
     PathState& path = journey.path;
     const PhotonSurface& surface = vertex.material->photons;
     const LayerStack stack(world_, path, vertex, layers);
@@ -200,12 +196,11 @@ bool PhotonPaths::reaches(const Journey& journey, const Material& material) cons
 
 /// Whether any layer reflects arriving light to the viewer.
 bool PhotonPaths::answers(const Vertex& vertex) const {
-    bool any = false;
-    for_visible_layers(world_, vertex, 0, [&](double, std::span<const Layer> layers) {
-        for (const Layer& layer : layers)
-            any = any || Bsdf(with_layer(world_, vertex, layer), rules_).answers_light();
+    return std::ranges::any_of(visible_textures(world_, vertex), [&](const VisibleTexture& each) {
+        return std::ranges::any_of(each.layers, [&](const Layer& layer) {
+            return Bsdf(with_layer(world_, vertex, layer), rules_).answers_light();
+        });
     });
-    return any;
 }
 
 void PhotonPaths::deposit(const Journey& journey, const Vertex& vertex,

@@ -24,7 +24,7 @@ private:
     Vec3 left_after(const Journey&, double distance, bool ends) const;
     bool pass(Journey&, const Vertex&, const Ray&) const;
     bool scatter(Journey&, const Vertex&, const Key&) const;
-    bool choose(Journey&, const Vertex&, std::span<const Layer>) const;
+    bool go_on(Journey&, const Vertex&, const Layers&) const;
     bool is_refracted(const Journey&, const PhotonSurface&) const;
     bool is_reflected(const Journey&, const PhotonSurface&) const;
     void deposit(const Journey&, const Vertex&, std::vector<Photon>&) const;

@@ -58,17 +58,16 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
 Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
     const Vertex vertex = vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
     Vec3 sum(0);
-    for_visible_layers(world_, vertex, world_.rules.settings.adc_bailout,
-                       [&](double weight, std::span<const Layer> layers) {
-                           sum += weight * layered(path.dimmed(Vec3(weight)), vertex, layers);
-                       });
+    const double least = world_.rules.settings.adc_bailout;
+    for (const auto& [weight, layers] : visible_textures(world_, vertex, least))
+        sum += weight * layered(path.dimmed(Vec3(weight)), vertex, layers);
     return sum;
 }
 
 /// Radiance of a stack of layers: each layer through those above it, the reflections of all, and
 /// light from behind.
 Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
-                               std::span<const Layer> layers) {
+                               const Layers& layers) {
     if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
     const LayerStack stack(world_, path, vertex, layers);
     const bool emission = shows_emission(world_, path, vertex.hit.primitive);

@@ -34,7 +34,7 @@ public:
 private:
     Vec3 follow(const PathState&);
     Vec3 surface(const PathState&, const Hit&);
-    Vec3 layered(const PathState&, const Vertex&, std::span<const Layer>);
+    Vec3 layered(const PathState&, const Vertex&, const Layers&);
     Vec3 lit(const PathState&, const Vertex&, const Shading&, bool emission);
     Vec3 gathered(const PathState&, const Vertex&, const Shading&);
     Vec3 gathered_from(const PathState&, const Vertex&, const Shading&, bool behind);

@@ -11,14 +11,14 @@ PrimaryHit primary_hit(const World& world, const Ray& ray) {
     seen.met = world.first_hit(ray, 0, RayKind::camera, seen.hit);
     if (!seen.met) return seen;
     const Vertex vertex = vertex_at(world, ray, seen.hit);
-    for_visible_layers(world, vertex, 0, [&](double weight, std::span<const Layer> layers) {
+    for (const auto& [weight, layers] : visible_textures(world, vertex)) {
         Vec3 through(weight);
         seen.normal += weight * layers.front().normal;
         for (const Layer& layer : layers) {
             seen.albedo += through * layer.colour.rgb * world.opacity(layer.colour);
             through *= layer.colour.passing();
         }
-    });
+    }
     seen.normal = seen.normal == Vec3(0) ? vertex.shading.normal : unit(seen.normal);
     seen.distance = length(seen.hit.position - ray.origin);
     if (!world.provenance.object_of.empty())

@@ -63,21 +63,31 @@ Vertex vertex_in_air(const World& world, const Ray& ray, double distance,
     return vertex;
 }
 
-void for_visible_layers(const World& world, const Vertex& vertex, double least,
-                        FunctionRef<void(double, std::span<const Layer>)> use) {
+VisibleTextures visible_textures(const World& world, const Vertex& vertex, double least) {
     const Shading& s = vertex.shading;
     const Hit& hit = vertex.hit;
     const SurfaceView view{s.position, s.normal, s.view};
     PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
     scene.view = &view;
+    VisibleTextures found;
     world.for_textures(hit.primitive, hit.part, hit.position, hit.side_towards(s.view),
                        [&](double share, const Texture& texture) {
                            if (share < least) return;
                            for_layers(texture, s.position, s.normal, scene,
                                       [&](double weight, std::span<const Layer> layers) {
-                                          use(share * weight, layers);
+                                          found.push_back({share * weight,
+                                                           {layers.begin(), layers.end()}});
                                       });
                        });
+    return found;
+}
+
+const VisibleTexture* choose(const VisibleTextures& textures, double u) {
+    for (const VisibleTexture& each : textures) {
+        if (u < each.weight) return &each;
+        u -= each.weight;
+    }
+    return nullptr;
 }
 
 }  // namespace candelabra

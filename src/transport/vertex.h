@@ -3,6 +3,7 @@
 // of the world to the BSDFs of its layers. It may also be a point between surfaces.
 #pragma once
 
+#include "base/short_list.h"
 #include "scattering/scatterer.h"
 #include "scattering/shading.h"
 #include "surface/texture.h"
@@ -43,10 +44,22 @@ Receiver receiver(const Scatterer&);
 Vertex vertex_in_air(const World&, const Ray&, double distance,
                      std::span<const PrimitiveIndex> around);
 
-/// Calls use(weight, layers) for the layers of each texture that shows at the vertex, with the
-/// texture's share there. If the ray comes from inside, these are the textures of the inner side.
-/// Textures with a smaller share than `least` are skipped.
-void for_visible_layers(const World&, const Vertex&, double least,
-                        FunctionRef<void(double, std::span<const Layer>)> use);
+/// The layers of one texture, top first; at least one.
+using Layers = ShortList<Layer, 4>;
+
+/// One of the textures that are mixed at a vertex.
+struct VisibleTexture {
+    double weight;  ///< its share
+    Layers layers;
+};
+using VisibleTextures = ShortList<VisibleTexture, 2>;
+
+/// The textures that show at a vertex, at least one, with shares that add up to 1. If the ray comes
+/// from inside, these are the textures of the inner side. Those with a smaller share than `least`
+/// are left out.
+VisibleTextures visible_textures(const World&, const Vertex&, double least = 0);
+/// One of them, with its share as the probability; `u` is in [0, 1). Null if the shares' rounding
+/// errors leave none.
+const VisibleTexture* choose(const VisibleTextures&, double u);
 
 }  // namespace candelabra

@@ -26,10 +26,10 @@ inline Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, i
         Key key;
         key.sample = static_cast<std::uint32_t>(i);
         const Vertex vertex = vertex_at(world, ray, hit);
-        for_visible_layers(world, vertex, 0, [&](double, std::span<const Layer> layers) {
-            const Bsdf bsdf(with_layer(world, vertex, layers.front()), rules);
+        for (const VisibleTexture& each : visible_textures(world, vertex)) {
+            const Bsdf bsdf(with_layer(world, vertex, each.layers.front()), rules);
             sum += light({vertex, bsdf, all_light}, key, rays).x;
-        });
+        }
     }
     return {sum / count, static_cast<double>(rays.shadow) / count,
             rays.noise.sum / std::max(rays.noise.hits, 1)};

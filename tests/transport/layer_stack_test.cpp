@@ -20,14 +20,14 @@ TEST_CASE("layers are seen through those above them", "[transport]") {
     REQUIRE(world.first_hit(path.ray, 0, RayKind::camera, hit));
     const Vertex vertex = vertex_at(world, path.ray, hit);
     std::vector<Vec3> through, reflected;
-    for_visible_layers(world, vertex, 0, [&](double, std::span<const Layer> layers) {
+    for (const auto& [weight, layers] : visible_textures(world, vertex)) {
         const LayerStack stack(world, path, vertex, layers);
         CHECK_FALSE(stack.is_clear());  // the lowest layer is opaque
         stack.visit([&](const LayerStack::Seen& seen) {
             through.push_back(seen.through);
             reflected.push_back(seen.reflected);
         });
-    });
+    }
     REQUIRE(through.size() == 3);
     CHECK(through[0] == Vec3(1));
     CHECK(length(through[1] - Vec3(0.4, 0.8, 0.8)) < 1e-6);
@@ -45,7 +45,7 @@ Vec3 sum_of_ways(const World& world, const PathState& path) {
     REQUIRE(world.first_hit(path.ray, 0, RayKind::camera, hit));
     const Vertex vertex = vertex_at(world, path.ray, hit, {path.media.data(), path.media.size()});
     Vec3 sum(0);
-    for_visible_layers(world, vertex, 0, [&](double, std::span<const Layer> layers) {
+    for (const auto& [weight, layers] : visible_textures(world, vertex)) {
         const LayerStack stack(world, path, vertex, layers);
         stack.visit([&](const LayerStack::Seen& seen) {
             const Shading s = seen.scattering();
@@ -57,7 +57,7 @@ Vec3 sum_of_ways(const World& world, const PathState& path) {
             sum += seen.reflected + seen.through * seen.below_mirror * scattered;
         });
         sum += stack.behind();
-    });
+    }
     return sum;
 }
 

@@ -61,7 +61,7 @@ TEST_CASE("steps from a surface leave it on the side that is seen", "[transport]
     path.taken.by_shadow_rays = true;
     path.depth = 2;
     const Vertex vertex = met_from(world, path);
-    for_visible_layers(world, vertex, 0, [&](double, std::span<const Layer> layers) {
+    for (const auto& [weight, layers] : visible_textures(world, vertex)) {
         const Shading s = with_layer(world, vertex, layers.front());
         const PathState mirror = mirrored_path(path, vertex, s);
         CHECK(mirror.ray.direction.z == Approx(-path.ray.direction.z));
@@ -80,7 +80,7 @@ TEST_CASE("steps from a surface leave it on the side that is seen", "[transport]
                 CHECK(facets->next.throughput == facets->share);
             }
         CHECK(scattered > 50);
-    });
+    }
 }
 
 }  // namespace candelabra

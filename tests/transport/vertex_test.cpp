@@ -18,13 +18,13 @@ TEST_CASE("a vertex looks to the side that is seen", "[transport]") {
         CHECK(vertex.shading.geometric_normal.z == Approx(-1));
         CHECK(vertex.position().z == Approx(from < 0 ? -1 : 1));
         double weights = 0;
-        for_visible_layers(world, vertex, 0, [&](double weight, std::span<const Layer> layers) {
+        for (const auto& [weight, layers] : visible_textures(world, vertex)) {
             weights += weight;
             const Shading s = with_layer(world, vertex, layers.front());
             CHECK(s.colour.rgb == Vec3(1, 0.5, 0));
             CHECK(s.opacity == Approx(0.75));
             CHECK(receiver(s).horizon == Horizon::one_side);
-        });
+        }
         CHECK(weights == Approx(1));
     }
 }
@@ -63,11 +63,10 @@ TEST_CASE("normals decide which side of a smooth face is the outer one", "[trans
                     Hit hit;
                     REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
                     const bool outer = form == "flat" ? wound == (side > 0) : up == (side > 0);
-                    for_visible_layers(world, vertex_at(world, ray, hit), 0,
-                                       [&](double, std::span<const Layer> layers) {
-                                           CHECK(layers.front().colour.rgb ==
-                                                 (outer ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
-                                       });
+                    for (const auto& [weight, layers] :
+                         visible_textures(world, vertex_at(world, ray, hit)))
+                        CHECK(layers.front().colour.rgb ==
+                              (outer ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
                 }
             }
 }
@@ -79,11 +78,9 @@ TEST_CASE("textures of a small share are left out", "[transport]") {
     const Ray ray{Vec3(0, 0, -3), Vec3(0, 0, 1)};
     Hit hit;
     REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
-    int all = 0, large = 0;
-    for_visible_layers(world, vertex_at(world, ray, hit), 0, [&](double, auto) { ++all; });
-    for_visible_layers(world, vertex_at(world, ray, hit), 0.2, [&](double, auto) { ++large; });
-    CHECK(all == 2);
-    CHECK(large == 1);
+    const Vertex vertex = vertex_at(world, ray, hit);
+    CHECK(visible_textures(world, vertex).size() == 2);
+    CHECK(visible_textures(world, vertex, 0.2).size() == 1);
 }
 
 }  // namespace candelabra
