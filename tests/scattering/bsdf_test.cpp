@@ -223,6 +223,57 @@ TEST_CASE("directions are drawn with the density that is said", "[render]") {
     });
 }
 
+TEST_CASE("a finish sends on no more light than it claims, at any elevation", "[scattering]") {
+    for (const auto& [name, finish] : kinds())
+        for (const double height : {1.0, 0.6, 0.3, 0.1, 0.02}) {
+            Look look(finish, unit(Vec3(std::sqrt(1 - height * height), -height, 0)));
+            look.shading.colour = {Vec3(1)};
+            const Bsdf bsdf(look.shading, ShadingRules());
+            CAPTURE(name, height);
+            const double claimed = bsdf.diffuse_albedo().x + bsdf.facets_albedo().x;
+            const bool shines = finish.phong > 0 || finish.specular > 0;
+            if (shines) continue;  // as in POV-Ray, highlights are added to all light
+            CHECK(claimed <= 1 + 1e-9);
+            if (finish.microfacet.on) CHECK(claimed > 0.97);
+            // Lobes that a grid cannot integrate are those that scattered rays sample.
+            if (finish.microfacet.on && finish.microfacet.roughness < 0.4) continue;
+            double sum = 0;
+            constexpr int rows = 400, columns = 400;
+            for (int i = 0; i < rows; ++i)
+                for (int j = 0; j < columns; ++j) {
+                    const double y = 2 * (i + 0.5) / rows - 1, turn = 2 * pi * (j + 0.5) / columns;
+                    const double across = std::sqrt(1 - y * y);
+                    const Vec3 d(across * std::cos(turn), y, across * std::sin(turn));
+                    sum += bsdf.evaluate(d, {}, 0.5).x * 4 / (rows * columns);
+                }
+            if (finish.brilliance == 1 && finish.crand == 0 && finish.irid.amount == 0 &&
+                finish.diffuse_back >= 0)
+                CHECK(sum == Approx(claimed).epsilon(0.02));
+            if (finish.brilliance >= 1) CHECK(sum < 1.02);
+        }
+}
+
+TEST_CASE("light takes the same way back", "[scattering]") {
+    // POV-Ray's highlights and brilliance do not, nor its crand and thin films.
+    Draw draw(6);
+    for (const auto& [name, finish] : kinds()) {
+        if (finish.phong > 0 || finish.specular > 0 || finish.brilliance != 1 ||
+            finish.crand > 0 || finish.irid.amount > 0)
+            continue;
+        for (int i = 0; i < 200; ++i) {
+            Vec3 there = draw.direction(), back = draw.direction();
+            there.y = 0.02 + std::abs(there.y);
+            back.y = 0.02 + std::abs(back.y);
+            there = unit(there), back = unit(back);
+            const Look from(finish, -back), to(finish, -there);
+            CAPTURE(name, there.x, there.y, back.x, back.y);
+            const Vec3 one = Bsdf(from.shading, ShadingRules()).evaluate(there, {}, 0) / there.y,
+                       other = Bsdf(to.shading, ShadingRules()).evaluate(back, {}, 0) / back.y;
+            for (int c = 0; c < 3; ++c) CHECK(one[c] == Approx(other[c]).epsilon(1e-9));
+        }
+    }
+}
+
 TEST_CASE("surfaces without highlights, or that leave them to reflection, draw none", "[render]") {
     const Look dull(looks().front()), mirror(facets(0.1, 1)), shiny(highlights(0, 1, 40, 0, 0.05));
     CHECK(Bsdf(dull.shading, ShadingRules()).specular_probability() == 0);

@@ -58,6 +58,49 @@ TEST_CASE("directions are drawn as media scatter light", "[render]") {
     }
 }
 
+TEST_CASE("media draw directions with the density that is said, and light takes its way back",
+          "[scattering]") {
+    for (int type = 1; type <= 5; ++type)
+        for (const double eccentricity : {-0.7, 0.0, 0.4, 0.9}) {
+            if (type != 5 && eccentricity != 0) continue;
+            const Media medium = scattering_medium(type, 0.4, eccentricity);
+            const std::array<const Media*, 1> media = {&medium};
+            const Vec3 view = unit(Vec3(1, -2, 3));
+            const PhaseFunction phase(media, Vec3(0), view, {});
+            CAPTURE(type, eccentricity);
+            // By the cosine to the view: each bin's share by the density, in steps of equal
+            // solid angle.
+            constexpr int bins = 20, steps = 200;
+            constexpr std::uint32_t count = 20000;
+            const auto [x, y] = perpendiculars(view);
+            const auto at = [&](double cosine) {
+                return cosine * view + std::sqrt(1 - cosine * cosine) * x;
+            };
+            std::array<double, bins> said{}, drawn{};
+            double all = 0;
+            for (int i = 0; i < bins * steps; ++i) {
+                const double cosine = 2 * (i + 0.5) / (bins * steps) - 1;
+                const double share = phase.pdf(at(cosine)) * 4 * std::numbers::pi / (bins * steps);
+                said[static_cast<std::size_t>(i / steps)] += share;
+                all += share;
+                const PhaseFunction back(media, Vec3(0), -at(cosine), {});
+                CHECK(back.evaluate(-view).x == Approx(phase.evaluate(at(cosine)).x));
+            }
+            CHECK(all == Approx(1).epsilon(0.002));
+            Key key;
+            for (key.sample = 0; key.sample < count; ++key.sample) {
+                const Vec3 d = phase.sample(
+                    {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)});
+                const int bin = std::min(static_cast<int>((dot(d, view) + 1) / 2 * bins), bins - 1);
+                drawn[static_cast<std::size_t>(bin)] += 1.0 / count;
+            }
+            double squares = 0;
+            for (std::size_t i = 0; i < bins; ++i)
+                squares += (drawn[i] - said[i]) * (drawn[i] - said[i]) / (said[i] / count + 1e-7);
+            CHECK(squares < bins + 5 * std::sqrt(2.0 * bins));
+        }
+}
+
 TEST_CASE("what scatters nothing answers no light", "[render]") {
     Media clear;
     clear.emission = Vec3(1);
