@@ -134,8 +134,16 @@ void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
         lit.path = gathering_path(lit.path, lit.vertex, cosine_direction(normal, u));
         Hit hit;
         if (!world_.first_hit(lit.path.ray, lit.path.tolerance, lit.path.kind, hit)) return;
+        const Vec3 from = lit.path.ray.origin;
         lit.vertex =
             vertex_at(world_, lit.path.ray, hit, {lit.path.media.data(), lit.path.media.size()});
+        if (!(world_.has_air() || world_.has_media())) continue;
+        const WayOfLight way{.ray = {lit.vertex.position(), -lit.path.ray.direction},
+                             .tolerance = lit.vertex.tolerance(),
+                             .distance = length(lit.vertex.position() - from),
+                             .around = lit.vertex.around};
+        lit.power *= light_left(world_, way, lit.path.key);
+        if (lit.power == Vec3(0)) return;
     }
 }
 

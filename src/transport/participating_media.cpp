@@ -280,6 +280,7 @@ PathState ParticipatingMedia::scattered_path(const PathState& path) const {
     next.kind = RayKind::gathering;
     // Photons in the air bring what mirrors send to it.
     next.taken.scatter(true, phase.collects() && world_.rules.settings.photons.media > 0);
+    next.taken.leave_diffuse_surfaces();
     next.scattered |= once;
     return next;
 }

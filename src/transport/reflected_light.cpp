@@ -22,7 +22,7 @@ Vec3 ReflectedLight::operator()(const ArrivingLight& at, int reflections, const 
     Vec3 sum(0);
     for (const LightPick& pick : samples_.picks) {
         const ReflectedLuminaire& luminaire = set.list[pick.light];
-        if (luminaire.reflections <= reflections) sum += from(pick, luminaire, at);
+        if (luminaire.reflections <= reflections) sum += from(pick, luminaire, at, own);
     }
     return sum;
 }
@@ -35,7 +35,7 @@ double ReflectedLight::share(double cosine, double other_cosine, double distance
 /// Light of one reflected luminaire. Clear surfaces occlude it, too: paths go through these by
 /// themselves.
 Vec3 ReflectedLight::from(const LightPick& pick, const ReflectedLuminaire& luminaire,
-                          const ArrivingLight& at) const {
+                          const ArrivingLight& at, const Key& key) const {
     const Vertex& vertex = at.layer.vertex;
     const Vec3 offset = luminaire.position - vertex.position();
     const double distance = length(offset);
@@ -49,8 +49,8 @@ Vec3 ReflectedLight::from(const LightPick& pick, const ReflectedLuminaire& lumin
                                           (std::numbers::pi * distance * distance));
     if (response * light == Vec3(0)) return Vec3(0);
     ++at.ledger.shadow;
-    const bool free = ShadowRay(at, direction, {}).is_free(distance, luminaire.tolerance);
-    return at({luminaire.lamp, response / pick.expected, free ? light : Vec3(0), 1});
+    const Vec3 left = ShadowRay(at, direction, key).left_by_air(distance, luminaire.tolerance);
+    return at({luminaire.lamp, response / pick.expected, light * left, 1});
 }
 
 }  // namespace candelabra

@@ -45,8 +45,8 @@ std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const World& world,
                                                              int threads) {
     const auto* wanted = std::get_if<PathTraced>(&world.rules.settings.integrator);
     if (!wanted || wanted->reflected_luminaires == 0 || wanted->bounces == 0 ||
-        world.lights.luminaires.empty() || world.rules.quality < quality_full || world.has_air() ||
-        world.has_media() || !world.photon_targets.empty())
+        world.lights.luminaires.empty() || world.rules.quality < quality_full ||
+        !world.photon_targets.empty())
         return nullptr;
     auto made = std::make_shared<ReflectedLuminaires>(
         world, static_cast<std::uint32_t>(wanted->reflected_luminaires), wanted->bounces, seed,

@@ -67,6 +67,12 @@ Vec3 ShadowRay::left(double distance) const { return left(distance, true); }
 
 Vec3 ShadowRay::left_from_sky() const { return left(far_away, false); }
 
+Vec3 ShadowRay::left_by_air(double distance, double tolerance) const {
+    if (!is_free(distance, tolerance)) return Vec3(0);
+    const bool air = at_.world.has_air() || at_.world.has_media();
+    return air ? light_left(at_.world, way(distance, true), key_) : Vec3(1);
+}
+
 bool ShadowRay::is_free(double distance, double tolerance) const {
     const World& world = at_.world;
     const double start = at_.layer.vertex.tolerance();

@@ -30,9 +30,9 @@ public:
     Vec3 left(double distance) const;
     /// The same for light from behind everything.
     Vec3 left_from_sky() const;
-    /// Whether nothing lies between the layer and a point of a surface; clear surfaces count, too.
-    /// `tolerance` is that of the point.
-    bool is_free(double distance, double tolerance) const;
+    /// Fraction of the light from a point of a surface that media let through: 0 if a surface lies
+    /// between, even a clear one. `tolerance` is that of the point.
+    Vec3 left_by_air(double distance, double tolerance) const;
 
     /// Radiance of a luminaire at a point on the ray, as the layer sees it; of a volume, per unit
     /// of length. It is 0 where something else covers it in its place.
@@ -41,6 +41,7 @@ public:
     Vec3 emitted(LightIndex, const Hit&, double distance) const;
 
 private:
+    bool is_free(double distance, double tolerance) const;
     WayOfLight way(double distance, bool ends) const;
     Vec3 left(double distance, bool ends) const;
     Vec3 left_by_lamp(const Luminaire&, double distance) const;

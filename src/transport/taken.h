@@ -38,6 +38,11 @@ struct Taken {
         from_targets = sampled && collects;
         by_photons = false;
     }
+    /// Something else than a diffuse surface sends the ray on.
+    void leave_diffuse_surfaces() {
+        by_reflected = false;
+        cosine = 0;
+    }
 };
 
 }  // namespace candelabra

@@ -185,11 +185,10 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
     if (!path_traced) return;
     if (path_traced->reflected_luminaires > 0 &&
         path_traced->reflected_luminaires != PathTraced{}.reflected_luminaires &&
-        (world.has_air() || world.has_media() || !world.photon_targets.empty()))
-        diagnostics.add(
-            warning(Fault::no_effect, {},
-                    "`reflected_luminaires` has no effect in a scene with fog, media or "
-                    "photons: paths find all reflected light there"));
+        !world.photon_targets.empty())
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "`reflected_luminaires` has no effect in a scene with photons: "
+                                "paths find all reflected light there"));
     if (world.rules.settings.radiosity.on)
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`radiosity` has no effect with path_traced, which follows all "

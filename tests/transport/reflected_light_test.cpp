@@ -78,6 +78,15 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
         {"sky over a yard",
          "plane { y, 0 pigment { rgb 0.6 } } box { <-1, 0, 0>, <0, 2, 1> pigment { rgb 0.8 } }"
          "sky_sphere { pigment { rgb <0.1, 0.15, 0.3> } }"},
+        {"fog", bare_room + "fog { distance 4 rgb <0.1, 0.2, 0.3> }"},
+        {"smoke",
+         bare_room + "media { scattering { 1, 0.08 } absorption <0.02, 0.05, 0.1> density { bozo } }"},
+        {"a flame and a cloud in a box",
+         bare_room +
+             "sphere { <1.4, 0.7, 0>, 0.6 hollow pigment { rgbt 1 } interior { media { emission "
+             "<3, 2, 1> } luminaire } }"
+             "box { <-2.8, 1, 0.5>, <0, 2.2, 2.5> hollow pigment { rgbt 1 } interior { media { "
+             "scattering { 1, 0.5 } } } }"},
     };
     const Vec3 eye(0.3, 1.4, -2.5);
     for (const Row& row : rows)
