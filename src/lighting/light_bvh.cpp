@@ -2,7 +2,6 @@
 #include "lighting/light_bvh.h"
 
 #include "lighting/draw.h"
-#include "lighting/light_hierarchy.h"
 #include "luminaire/light_proxy.h"
 
 #include <algorithm>

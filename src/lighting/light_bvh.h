@@ -6,24 +6,11 @@
 #pragma once
 
 #include "base/random.h"
+#include "lighting/light_hierarchy.h"
 #include "lighting/light_query.h"
 #include "lighting/settings.h"
 
 namespace candelabra {
-
-/// A node of the hierarchy: a sphere around its luminaires, and their emission.
-struct LightNode {
-    Vec3 centre = Vec3(0);
-    double radius = 0;
-    double intensity = 0;
-    glm::vec<3, float> axis{
-        0};  ///< middle of the normals of flat luminaires; 0 if light goes in all directions
-    float cos_spread = 1, sin_spread = 0;  ///< of half the cone around the axis with all normals
-    std::uint32_t parent = 0;
-    /// The second child (the first one is the next node); in leaves, the luminaire.
-    std::uint32_t second = 0;
-    bool leaf = false;
-};
 
 class BuiltLightBvh {
 public:

@@ -1,50 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_tree.h"
 
-#include "base/order.h"
+#include "lighting/hierarchy_builder.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 namespace candelabra {
 
 namespace {
 
-constexpr int tree_bins = 16;
-/// Depth below which nodes are halved by number, so that luminaires in geometric progression do not
-/// make an endless tree.
-constexpr int tree_halved_below = 64;
-/// Nodes with more luminaires are only cut across their longest side: the axis matters little
-/// there, but time does.
-constexpr std::uint32_t many_luminaires = 1u << 12;
 /// Least intensity, as a fraction of all, above which whole places of LightPlaces tell the
 /// intensities apart well.
 constexpr double wide_range = 0x1p-40;
 
 using Float3 = std::array<float, 3>;
 
-struct Bin {
-    Float3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-    float intensity = 0;
-    std::uint32_t count = 0;
+/// A luminaire that is to be placed in the tree.
+struct TreeItem {
+    Float3 low, high;
+    float intensity;
+    LightIndex light;
+};
 
-    void add(const Float3& other_low, const Float3& other_high) {
+/// Cost of a part: its surface times its strength, as fractions that are never quite 0.
+struct TreeCost {
+    using Item = TreeItem;
+    using Number = float;
+    static constexpr int bins = 16;
+    static constexpr std::size_t many = std::size_t{1} << 12;
+
+    struct Sum {
+        Float3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+        float intensity = 0;
+    };
+
+    static float place(const Item& item, int axis) {
+        return item.low[axis] + item.high[axis];  // doubled: harmless
+    }
+    static LightIndex light(const Item& item) { return item.light; }
+    static int bin(float from_low, float size) {
+        return static_cast<int>(from_low * (bins / size));
+    }
+    template <class Part>
+    static void add(Sum& sum, const Part& part) {
         for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], other_low[axis]);
-            high[axis] = std::max(high[axis], other_high[axis]);
+            sum.low[axis] = std::min(sum.low[axis], part.low[axis]);
+            sum.high[axis] = std::max(sum.high[axis], part.high[axis]);
         }
+        sum.intensity += part.intensity;
     }
-    void add(const Bin& other) {
-        add(other.low, other.high);
-        intensity += other.intensity;
-        count += other.count;
+    static double of(const Sum& sum) {
+        const double x = sum.high[0] - sum.low[0], y = sum.high[1] - sum.low[1],
+                     z = sum.high[2] - sum.low[2];
+        return (x * y + y * z + z * x) * (sum.intensity + 1e-12);
     }
-    /// Cost of the node: its surface times its strength, as fractions that are never quite 0.
-    double cost() const {
-        if (count == 0) return 0;
-        const double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-        return (x * y + y * z + z * x) * (intensity + 1e-12);
-    }
+    static bool longer(float later, float earlier) { return later > earlier; }
+    static double of_side(float, float) { return 1; }
 };
 
 /// Emission of all luminaires of a node: sums, weighted by intensity.
@@ -104,141 +116,54 @@ public:
         tree_.origin_ = middle_of(lights);
         tree_.size_ = std::fmax(max_abs_component(all.low - tree_.origin_),
                                 max_abs_component(all.high - tree_.origin_));
-        items_.reserve(lights.size());
+        std::vector<TreeItem> items;
+        items.reserve(lights.size());
         for (const LightBounds& light : lights) {
-            Item item{};
+            TreeItem item{};
             for (int axis = 0; axis < 3; ++axis) {
                 item.low[axis] = below(light.box.low[axis] - tree_.origin_[axis]);
                 item.high[axis] = -below(tree_.origin_[axis] - light.box.high[axis]);
             }
             item.intensity = sum > 0 ? static_cast<float>(light.intensity / sum) : 0;
-            item.light = static_cast<LightIndex>(items_.size());
-            items_.push_back(item);
+            item.light = static_cast<LightIndex>(items.size());
+            items.push_back(item);
         }
-        tree_.nodes_.reserve(2 * items_.size());
         total_ = sum;
-    }
-
-    void build() {
-        // The second half waits on the stack while the first is processed: depth first.
-        std::vector<Work> waiting = {{0, static_cast<std::uint32_t>(items_.size()), 0}};
-        while (!waiting.empty()) {
-            const Work work = waiting.back();
-            waiting.pop_back();
-            LightTreeNode node;
-            Bin all;
-            for (std::uint32_t i = work.first; i < work.end; ++i)
-                all.add(items_[i].low, items_[i].high);
-            node.low = all.low;
-            node.high = all.high;
-            if (work.end - work.first > 1) {
-                const std::uint32_t middle = divide(work);
-                node.first_half = middle - work.first;
-                waiting.push_back({middle, work.end, work.depth + 1});
-                waiting.push_back({work.first, middle, work.depth + 1});
-            }
-            tree_.nodes_.push_back(node);
-        }
+        build(std::move(items));
         finish();
     }
 
 private:
-    /// A luminaire that is to be placed in the tree.
-    struct Item {
-        Float3 low, high;
-        float intensity;
-        LightIndex light;
-
-        float middle(int axis) const { return low[axis] + high[axis]; }  // doubled: harmless
-    };
-
-    struct Work {
-        std::uint32_t first, end;
-        int depth;
-    };
-    struct Split {
-        double cost = INFINITY;
-        int axis = -1;
-        int bin = 0;  ///< first one of the second half
-        float low = 0, scale = 0;
-
-        int bin_of(const Item& item) const {
-            return std::clamp(static_cast<int>((item.middle(axis) - low) * scale), 0,
-                              tree_bins - 1);
-        }
-    };
-
     /// Returns a number of single precision that is surely below x.
     static float below(double x) {
         return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
     }
 
-    void consider(const Work& work, Split place, Split& best) const {
-        std::array<Bin, tree_bins> bin;
-        for (std::uint32_t i = work.first; i < work.end; ++i) {
-            Bin& b = bin[place.bin_of(items_[i])];
-            b.add(items_[i].low, items_[i].high);
-            b.intensity += items_[i].intensity;
-            ++b.count;
-        }
-        std::array<double, tree_bins> upper{};
-        Bin behind;
-        for (int b = tree_bins - 1; b > 0; --b) {
-            behind.add(bin[b]);
-            upper[b] = behind.cost();
-        }
-        Bin before;
-        for (int b = 1; b < tree_bins; ++b) {
-            before.add(bin[b - 1]);
-            if (before.count == 0 || before.count == work.end - work.first) continue;
-            place.cost = before.cost() + upper[b];
-            place.bin = b;
-            if (place.cost < best.cost) best = place;
-        }
-    }
-
-    /// Partitions the luminaires of a node. Returns the index of the first one of the second half.
-    std::uint32_t divide(const Work& work) {
-        Float3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-        for (std::uint32_t i = work.first; i < work.end; ++i)
-            for (int axis = 0; axis < 3; ++axis) {
-                low[axis] = std::min(low[axis], items_[i].middle(axis));
-                high[axis] = std::max(high[axis], items_[i].middle(axis));
-            }
-        int longest = 0;
-        for (int axis = 1; axis < 3; ++axis)
-            if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
-        const auto begin = items_.begin() + work.first, end = items_.begin() + work.end;
-        Split best;
-        if (work.depth < tree_halved_below)
-            for (int axis = 0; axis < 3; ++axis)
-                if (high[axis] > low[axis] &&
-                    (work.end - work.first <= many_luminaires || axis == longest))
-                    consider(work, {0, axis, 0, low[axis], tree_bins / (high[axis] - low[axis])},
-                             best);
-        if (best.axis >= 0) {
-            const auto middle = std::stable_partition(
-                begin, end, [&](const Item& item) { return best.bin_of(item) < best.bin; });
-            return static_cast<std::uint32_t>(middle - items_.begin());
-        }
-        const std::uint32_t half = work.first + (work.end - work.first) / 2;
-        put_nth(begin, items_.begin() + half, end, [&](const Item& a, const Item& b) {
-            return a.middle(longest) != b.middle(longest) ? a.middle(longest) < b.middle(longest)
-                                                          : a.light < b.light;
+    void build(std::vector<TreeItem> items) {
+        tree_.nodes_.reserve(2 * items.size());
+        HierarchyBuilder<TreeCost> builder(std::move(items), {});
+        builder.build([&](std::size_t first, std::size_t middle, std::size_t end) {
+            TreeCost::Sum all;
+            for (std::size_t i = first; i < end; ++i) TreeCost::add(all, builder.items()[i]);
+            LightTreeNode node;
+            node.low = all.low;
+            node.high = all.high;
+            node.first_half = middle < end ? static_cast<std::uint32_t>(middle - first) : 0;
+            tree_.nodes_.push_back(node);
         });
-        return half;
+        tree_.place_of_.resize(builder.items().size());
+        tree_.order_.reserve(builder.items().size());
+        for (const TreeItem& item : builder.items()) {
+            tree_.place_of_[item.light] = static_cast<std::uint32_t>(tree_.order_.size());
+            tree_.order_.push_back(item.light);
+        }
     }
 
     void finish() {
         std::vector<double> intensities;
-        intensities.reserve(items_.size());
-        tree_.place_of_.resize(items_.size());
-        for (const Item& item : items_) {
-            tree_.place_of_[item.light] = static_cast<std::uint32_t>(tree_.order_.size());
-            tree_.order_.push_back(item.light);
-            intensities.push_back(bounds(luminaires_[item.light]).intensity);
-        }
-        items_ = {};
+        intensities.reserve(tree_.order_.size());
+        for (const LightIndex light : tree_.order_)
+            intensities.push_back(bounds(luminaires_[light]).intensity);
         tree_.strengths_ = LightPlaces(intensities);
         if (tree_.strengths_.total() > 0)
             tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
@@ -267,7 +192,7 @@ private:
     }
 
     /// Sets the emission of the nodes, from the leaves up. (The depth is bounded: see
-    /// tree_halved_below.)
+    /// HierarchyBuilder.)
     Shine shine(const LightCluster& cluster) {
         Shine sum;
         if (cluster.count == 1) {
@@ -295,13 +220,12 @@ private:
 
     LightTree& tree_;
     std::span<const Luminaire> luminaires_;
-    std::vector<Item> items_;
     double total_ = 0;
 };
 
 LightTree::LightTree(std::span<const Luminaire> luminaires) {
     if (luminaires.empty()) return;
-    LightTreeBuilder(*this, luminaires).build();
+    LightTreeBuilder(*this, luminaires);
 }
 
 Box LightTree::box(const LightCluster& c) const {
