@@ -33,7 +33,7 @@ double importance(const LightNode& node, const Receiver& point) {
     const double distance = std::sqrt(d2), sine = node.radius / distance,
                  cosine = std::sqrt((1 - sine) * (1 + sine));
     const double height = point.cosine(v / distance);
-    if (height <= -(sine + horizon_slack)) return 0;
+    if (height <= -(sine + ProxyMargins<double>::horizon_slack)) return 0;
     const double lifted = std::fmax(cosine_beyond(std::fmin(height, 1), cosine, sine), min_height);
     const Vec3 axis(node.axis);
     double turned = 1;

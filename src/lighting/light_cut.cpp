@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cut.h"
 
-#include "base/elementary.h"
 #include "base/target_clones.h"
 
 #include <algorithm>
@@ -18,9 +17,6 @@ constexpr double min_strength = 1e-24;
 /// direction and with the same light: products of their distances stay in the range of single
 /// precision.
 constexpr double farthest = 0x1p36;
-/// Radius over distance at which rounding in single precision may still lift an entry above the
-/// horizon.
-constexpr float slack = 1e-6f;
 /// Minimum reflectance of surfaces without a diffuse part: highlights differ a little from the
 /// formula.
 constexpr double min_diffuse = 0.02;
@@ -36,8 +32,9 @@ struct EntryColumns {
 struct SourceColumns {
     const float *fade_power, *per_fade_distance, *dark, *per_edge;
 };
+using Single = glm::vec<3, float>;
 struct Place {
-    float x, y, z, nx, ny, nz;
+    Single position, normal;
 };
 
 /// A block of rows. Compilers vectorise arithmetic on local arrays of known length, to which
@@ -45,102 +42,63 @@ struct Place {
 constexpr std::size_t block = CutWeights::block;
 using Rows = std::array<float, block>;
 
-/// The formula of irradiance() in glow.h, in single precision and with wider margins.
+/// From the receiver to the centre of an entry.
+[[gnu::always_inline]] inline Single towards(const EntryColumns& c, std::size_t row,
+                                             const Place& p) {
+    return {c.x[row] - p.position.x, c.y[row] - p.position.y, c.z[row] - p.position.z};
+}
+
+[[gnu::always_inline]] inline Single axis_of(const EntryColumns& c, std::size_t row) {
+    return {c.axis_x[row], c.axis_y[row], c.axis_z[row]};
+}
+
 template <Horizon horizon>
 [[gnu::always_inline]] inline void weigh_even(const EntryColumns& c, std::size_t first,
                                               const Place& p, Rows& out) {
-    const float steep_x = std::abs(p.nx), steep_y = std::abs(p.ny), steep_z = std::abs(p.nz);
+    const Single steep(std::abs(p.normal.x), std::abs(p.normal.y), std::abs(p.normal.z));
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
-        const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
-        const float radius = c.radius[row], r2 = radius * radius;
-        const float d2 = vx * vx + vy * vy + vz * vz;
-        const float outside2 = d2 > r2 ? d2 : r2;
-        const float distance = std::sqrt(outside2);
-        const float inverse = 1 / distance;
-        if constexpr (horizon == Horizon::none) {
-            out[i] = c.strength[row] * radius * (d2 < r2 ? 4.0f : 1.0f) * inverse * inverse;
-            continue;
-        }
-        constexpr bool both_sides = horizon == Horizon::both_sides;
-        const float signed_height = p.nx * vx + p.ny * vy + p.nz * vz;
-        const float height = both_sides ? std::abs(signed_height) : signed_height;
-        const float of_box =
-            steep_x * c.half_x[row] + steep_y * c.half_y[row] + steep_z * c.half_z[row];
-        const float least = 1e-3f * radius, wide = of_box > least ? of_box : least;
-        const float reach = wide < radius ? wide : radius;
-        const float cut = height < reach ? height : reach;
-        float lifted = cut + reach + slack * distance;
-        lifted = lifted > 0 ? lifted : 0;
-        const float partly =
-            both_sides ? 0.5f * (cut * cut / reach + reach) : 0.25f * lifted * lifted / reach;
-        const float above = partly + (height - cut);
-        const float surrounded = both_sides ? 2 * reach : reach;
-        const float within = d2 < r2 ? surrounded : 0;
-        out[i] = c.strength[row] * radius * (above > within ? above : within) * inverse * inverse *
-                 inverse;
+        const Single half(c.half_x[row], c.half_y[row], c.half_z[row]);
+        const float reach = reach_along(steep, half, c.radius[row]);
+        out[i] = irradiance<horizon>(towards(c, row, p), p.normal, c.radius[row], c.strength[row],
+                                     reach);
     }
 }
 
 [[gnu::always_inline]] inline void turn_to_point(const EntryColumns& c, std::size_t first,
                                                  const Place& p, Rows& out) {
-    constexpr auto kept = static_cast<float>(min_unoccluded);
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
-        const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
-        const float r2 = c.radius[row] * c.radius[row];
-        const float d2 = vx * vx + vy * vy + vz * vz;
-        const float along = std::abs(c.axis_x[row] * vx + c.axis_y[row] * vy + c.axis_z[row] * vz);
-        const float outwards = c.bent_x[row] * vx + c.bent_y[row] * vy + c.bent_z[row] * vz;
-        const float inverse = 1 / std::sqrt(d2 > r2 ? d2 : r2);
-        const float seen = c.evenness[row] + (along - outwards) * inverse;
-        const float least = c.bent_length[row] * (kept + c.radius[row] * inverse);
-        out[i] *= seen > least ? seen : least;
+        const Single bent(c.bent_x[row], c.bent_y[row], c.bent_z[row]);
+        out[i] *= turned(towards(c, row, p), c.radius[row], axis_of(c, row), c.evenness[row], bent,
+                         c.bent_length[row]);
     }
 }
 
 /// x to the power p within some hundredths, for x above 0; the result is clamped to a wide range.
-[[gnu::always_inline]] inline float rough_power(float x, float p) {
-    const auto bits = std::bit_cast<std::int32_t>(x);
-    const float m = std::bit_cast<float>((bits & 0x7fffff) | 0x3f800000);
-    const float log =
-        static_cast<float>((bits >> 23) - 127) + ((-0.3333333f * m + 2) * m - 1.6666667f);
-    float e = p * log;
-    e = e < -60 ? -60.0f : (e > 60 ? 60.0f : e);
-    const auto towards_zero = static_cast<std::int32_t>(e);
-    const std::int32_t whole = towards_zero - (e < static_cast<float>(towards_zero) ? 1 : 0);
-    const float f = e - static_cast<float>(whole);
-    return std::bit_cast<float>(std::bit_cast<std::int32_t>(1 + f * (0.6565f + 0.3435f * f)) +
-                                whole * (1 << 23));
-}
+struct RoughPower {
+    [[gnu::always_inline]] float operator()(float x, float p) const {
+        const auto bits = std::bit_cast<std::int32_t>(x);
+        const float m = std::bit_cast<float>((bits & 0x7fffff) | 0x3f800000);
+        const float log =
+            static_cast<float>((bits >> 23) - 127) + ((-0.3333333f * m + 2) * m - 1.6666667f);
+        float e = p * log;
+        e = e < -60 ? -60.0f : (e > 60 ? 60.0f : e);
+        const auto towards_zero = static_cast<std::int32_t>(e);
+        const std::int32_t whole = towards_zero - (e < static_cast<float>(towards_zero) ? 1 : 0);
+        const float f = e - static_cast<float>(whole);
+        return std::bit_cast<float>(std::bit_cast<std::int32_t>(1 + f * (0.6565f + 0.3435f * f)) +
+                                    whole * (1 << 23));
+    }
+};
 
-/// against_square_law(), in single precision.
 [[gnu::always_inline]] inline void fall_off(const EntryColumns& c, const SourceColumns& s,
                                             std::size_t first, const Place& p, Rows& out) {
-    constexpr auto slack = static_cast<float>(cone_slack), edge = static_cast<float>(cone_edge);
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
-        const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
-        const float radius = c.radius[row], r2 = radius * radius;
-        const float d2 = vx * vx + vy * vy + vz * vz;
-        const float outside2 = d2 > r2 ? d2 : r2;
-        const float distance = std::sqrt(outside2);
-        const float far = rough_power(distance * s.per_fade_distance[row], s.fade_power[row]);
-        const float inverse = 1 / distance, sine = radius * inverse;
-        const float cosine2 = 1 - sine * sine;
-        const float cosine = std::sqrt(cosine2 > 0 ? cosine2 : 0);
-        const float along =
-            -(c.axis_x[row] * vx + c.axis_y[row] * vy + c.axis_z[row] * vz) * inverse;
-        const float across2 = 1 - along * along;
-        const float across = std::sqrt(across2 > 0 ? across2 : 0);
-        const float turned = along * cosine + across * sine;
-        const float nearest = along < cosine ? turned : 1;
-        const float inside = nearest + slack - s.dark[row];
-        const float t0 = inside * s.per_edge[row], t = t0 < 1 ? t0 : 1;
-        const float smooth = t * t * (3 - 2 * t), lit = smooth > edge ? smooth : edge;
-        const float share = inside > 0 ? lit : 0;
-        const float kept = d2 > r2 ? share : 1;
-        out[i] *= outside2 * kept * (2 / (1 + far));
+        const FalloffTerms<float> terms{s.fade_power[row], s.per_fade_distance[row],
+                                        axis_of(c, row), s.dark[row], s.per_edge[row]};
+        out[i] *= against_square_law(terms, towards(c, row, p), c.radius[row], RoughPower());
     }
 }
 
@@ -182,7 +140,8 @@ void weigh_rows(const EntryColumns& c, std::size_t count, const Place& place, co
 }
 
 struct Peak {
-    float x, y, z, peak, sharpness;
+    Single axis;
+    float peak, sharpness;
 };
 
 /// Adds the least reflectance of a highlight, spread over each entry's cone, to the rows of a
@@ -191,12 +150,10 @@ struct Peak {
                                          const Peak& peak, Rows& out) {
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
-        const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
-        const float r2 = c.radius[row] * c.radius[row];
-        const float d2 = vx * vx + vy * vy + vz * vz;
-        const float inverse = 1 / std::sqrt(d2 > r2 ? d2 : r2);
-        const float off = 1 - (peak.x * vx + peak.y * vy + peak.z * vz) * inverse;
-        const float height = std::abs(p.nx * vx + p.ny * vy + p.nz * vz) * inverse;
+        const Single v = towards(c, row, p);
+        const float inverse = 1 / std::sqrt(outside_squared(v, c.radius[row]));
+        const float off = 1 - dot(peak.axis, v) * inverse;
+        const float height = std::abs(dot(p.normal, v)) * inverse;
         const float size = c.radius[row] * inverse;
         const float lowest = size > min_cosine ? size : min_cosine;
         const float cosine = height > lowest ? height : lowest;
@@ -298,17 +255,15 @@ void LightCut::fill(std::size_t entry, const LightProxy& g, double nearer) {
     turned_ = turned_ || g.axis != Vec3(0) || g.bent_normal != Vec3(0);
 }
 
-void LightCut::fill(std::size_t entry, const Falloff& f, double nearer) {
-    column(axis_x)[entry] = static_cast<float>(f.axis.x);
-    column(axis_y)[entry] = static_cast<float>(f.axis.y);
-    column(axis_z)[entry] = static_cast<float>(f.axis.z);
-    column(fade_power)[entry] = f.fades() ? static_cast<float>(f.fade_power) : 0;
-    const double distance = f.fades() ? std::fmax(f.fade_distance * scale_ * nearer, 1e-30) : 1;
-    column(per_fade_distance)[entry] = static_cast<float>(1 / distance);
-    const double least = math::cos(f.dark),
-                 wide = std::fmax(math::cos(f.bright) - least, cone_slack);
-    column(dark)[entry] = f.all_around() ? -10 : static_cast<float>(least);
-    column(per_edge)[entry] = f.all_around() ? 1 : static_cast<float>(1 / wide);
+void LightCut::fill(std::size_t entry, const Falloff& falloff, double nearer) {
+    const FalloffTerms<double> terms = terms_of(falloff, scale_ * nearer);
+    column(axis_x)[entry] = static_cast<float>(terms.axis.x);
+    column(axis_y)[entry] = static_cast<float>(terms.axis.y);
+    column(axis_z)[entry] = static_cast<float>(terms.axis.z);
+    column(fade_power)[entry] = static_cast<float>(terms.fade_power);
+    column(per_fade_distance)[entry] = static_cast<float>(terms.per_fade_distance);
+    column(dark)[entry] = static_cast<float>(terms.dark);
+    column(per_edge)[entry] = static_cast<float>(terms.per_edge);
 }
 
 std::size_t LightCut::entry_of(std::uint32_t place) const {
@@ -323,9 +278,7 @@ struct LightCut::Rough {
 
 LightCut::Rough LightCut::rough(const Receiver& point) const {
     const Vec3 p = (point.position - middle_) * scale_;
-    return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
-             static_cast<float>(point.normal.x), static_cast<float>(point.normal.y),
-             static_cast<float>(point.normal.z)},
+    return {{Single(p), Single(point.normal)},
             {column(x), column(y), column(z), column(radius), column(strength), column(axis_x),
              column(axis_y), column(axis_z), column(evenness), column(half_x), column(half_y),
              column(half_z), column(bent_x), column(bent_y), column(bent_z), column(bent_length)}};
@@ -346,9 +299,7 @@ void LightCut::weigh_answers(const Receiver& point, const BsdfLobes& lobes,
     std::array<Peak, 2> peaks;
     for (std::size_t i = 0; i < lobes.count; ++i) {
         const Highlight& h = lobes.highlights[i];
-        peaks[i] = {static_cast<float>(h.axis.x), static_cast<float>(h.axis.y),
-                    static_cast<float>(h.axis.z), static_cast<float>(h.peak),
-                    static_cast<float>(h.sharpness)};
+        peaks[i] = {Single(h.axis), static_cast<float>(h.peak), static_cast<float>(h.sharpness)};
     }
     const Rough all = rough(point);
     weigh_answers_of_rows(all.columns, rows_, all.place,

@@ -63,11 +63,11 @@ private:
         bent_z,
         bent_length,  ///< length of the bent normal
         columns,
-        /// For light sources only, after the others.
+        /// For light sources only, after the others: see FalloffTerms.
         fade_power = columns,
         per_fade_distance,
-        dark,      ///< cosine of the cone's half angle; much below -1: no cone
-        per_edge,  ///< one over the difference of that to the cosine of the bright part
+        dark,
+        per_edge,
         source_columns
     };
 

@@ -12,35 +12,36 @@ namespace {
 /// Distance, in radii, within which triangles are evaluated exactly.
 constexpr double exact_radii = 4;
 
-struct GlowColumns {
+struct ProxyColumns {
     const double *x, *y, *z, *radius, *strength;
     const double *axis_x, *axis_y, *axis_z, *evenness, *exact_within2;
 };
 
 template <Horizon horizon>
-[[gnu::always_inline]] inline void estimate_even(const GlowColumns& c, std::size_t count,
+[[gnu::always_inline]] inline void estimate_even(const ProxyColumns& c, std::size_t count,
                                                  const Receiver& point, double* out) {
     const Vec3 p = point.position, n = point.normal;
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = irradiance<horizon>({c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z}, n, c.radius[i],
-                                     c.strength[i]);
+        out[i] = irradiance<horizon>(Vec3(c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z), n, c.radius[i],
+                                     c.strength[i], c.radius[i]);
 }
 
 /// A negative sign marks an estimate to be replaced. -0 is not replaced, because nothing is above
 /// the horizon then.
-[[gnu::always_inline]] inline void turn_to_point(const GlowColumns& c, std::size_t count,
+[[gnu::always_inline]] inline void turn_to_point(const ProxyColumns& c, std::size_t count,
                                                  const Vec3& p, double* out) {
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 v(c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z);
         const double estimate =
-            out[i] * facing(v, c.radius[i], {c.axis_x[i], c.axis_y[i], c.axis_z[i]}, c.evenness[i]);
+            out[i] *
+            facing(v, c.radius[i], Vec3(c.axis_x[i], c.axis_y[i], c.axis_z[i]), c.evenness[i]);
         const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
         out[i] = d2 < c.exact_within2[i] ? -estimate : estimate;
     }
 }
 
 CANDELABRA_TARGET_CLONES
-void estimate_rows(const GlowColumns& c, std::size_t count, const Receiver& point, double* out) {
+void estimate_rows(const ProxyColumns& c, std::size_t count, const Receiver& point, double* out) {
     if (point.horizon == Horizon::one_side)
         estimate_even<Horizon::one_side>(c, count, point, out);
     else if (point.horizon == Horizon::both_sides)
@@ -68,19 +69,19 @@ std::size_t padded(std::size_t count) {
 LightTable::LightTable(std::span<const Luminaire> luminaires)
     : luminaires_(luminaires), records_(luminaires.size()) {
     for (std::size_t i = 0; i < luminaires.size(); ++i) {
-        records_[i].glow = candelabra::light_proxy(bounds(luminaires[i]));
-        records_[i].glow.half = LightProxy().half;  // the rows know spheres only
-        const double reach = exact_radii * records_[i].glow.radius;
+        records_[i].proxy = candelabra::light_proxy(bounds(luminaires[i]));
+        records_[i].proxy.half = LightProxy().half;  // the rows know spheres only
+        const double reach = exact_radii * records_[i].proxy.radius;
         if (std::holds_alternative<TriangleEmitter>(luminaires[i].emitter))
             records_[i].exact_within2 = reach * reach;
-        flat_ = flat_ || records_[i].glow.axis != Vec3(0);
+        flat_ = flat_ || records_[i].proxy.axis != Vec3(0);
     }
 }
 
 double LightTable::estimate(LightIndex light, const Receiver& point) const {
     const Record& record = records_[light];
-    const double rough = irradiance(record.glow, point);
-    const Vec3 v = record.glow.centre - point.position;
+    const double rough = irradiance(record.proxy, point);
+    const Vec3 v = record.proxy.centre - point.position;
     const bool near = v.x * v.x + v.y * v.y + v.z * v.z < record.exact_within2;
     return near && rough > 0 ? unoccluded(luminaires_[light], point) : rough;
 }
@@ -99,7 +100,7 @@ LightList LightTable::append(std::span<const LightIndex> lights) {
     Record nothing;
     for (std::size_t i = 0; i < padded(lights.size()); ++i) {
         const Record& record = i < lights.size() ? records_[lights[i]] : nothing;
-        const LightProxy& g = record.glow;
+        const LightProxy& g = record.proxy;
         lights_.push_back(i < lights.size() ? lights[i] : 0);
         x_.push_back(g.centre.x);
         y_.push_back(g.centre.y);

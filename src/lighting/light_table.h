@@ -46,7 +46,7 @@ public:
 
     /// Estimate for one luminaire, bitwise equal to that in a list.
     double estimate(LightIndex, const Receiver&) const;
-    const LightProxy& light_proxy(LightIndex light) const { return records_[light].glow; }
+    const LightProxy& light_proxy(LightIndex light) const { return records_[light].proxy; }
     LightIndex light(std::size_t row) const { return lights_[row]; }
     std::span<const LightIndex> lights(const LightList& list) const {
         return {lights_.data() + list.first, list.count};
@@ -63,7 +63,7 @@ public:
 private:
     /// Data of a luminaire for its estimates.
     struct Record {
-        LightProxy glow;
+        LightProxy proxy;
         /// Squared distance below which the luminaire is evaluated exactly: the estimate is too
         /// rough there.
         double exact_within2 = 0;

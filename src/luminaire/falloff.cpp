@@ -7,30 +7,22 @@
 
 namespace candelabra {
 
-namespace {
-
-using std::numbers::pi;
-
-/// Fraction of a cone's light in a direction whose angle to the axis has this cosine, where
-/// `sine_of_ball` is the sine of the ball's angular radius as seen from the point.
-double in_cone(const Falloff& f, double cosine, double sine_of_ball) {
-    const double ball = math::asin(sine_of_ball), dark = math::cos(f.dark);
-    const double angle = std::fmax(math::acos(std::clamp(cosine, -1.0, 1.0)) - ball, 0);
-    const double inside = math::cos(angle) + cone_slack - dark;
-    if (!(inside > 0)) return 0;
-    const double t = std::fmin(inside / std::fmax(math::cos(f.bright) - dark, cone_slack), 1);
-    return std::fmax(t * t * (3 - 2 * t), cone_edge);
+FalloffTerms<double> terms_of(const Falloff& f, double scale) {
+    FalloffTerms<double> result;
+    if (f.fades()) {
+        result.fade_power = f.fade_power;
+        result.per_fade_distance = 1 / std::fmax(f.fade_distance * scale, 1e-30);
+    }
+    result.axis = f.axis;
+    if (f.all_around()) return result;
+    result.dark = math::cos(f.dark);
+    result.per_edge = 1 / std::fmax(math::cos(f.bright) - result.dark, cone_slack);
+    return result;
 }
 
-}  // namespace
-
 double against_square_law(const Falloff& f, const Vec3& v, double radius) {
-    const double away = length(v), distance = std::fmax(away, radius);
-    double result = distance * distance;
-    if (f.fades()) result *= 2 / (1 + math::pow(distance / f.fade_distance, f.fade_power));
-    if (!f.all_around() && away > radius)
-        result *= in_cone(f, -dot(f.axis, v) / away, radius / away);
-    return result;
+    const auto power = [](double x, double p) { return p > 0 ? math::pow(x, p) : 1; };
+    return against_square_law(terms_of(f), v, radius, power);
 }
 
 Falloff join(const Falloff& a, const Falloff& b) {
@@ -48,8 +40,8 @@ Falloff join(const Falloff& a, const Falloff& b) {
     };
     const double turn_a = around(a.axis), turn_b = around(b.axis);
     result.dark = std::fmax(turn_a + a.dark, turn_b + b.dark);
-    if (result.dark >= pi) {
-        result.dark = pi;
+    if (result.dark >= std::numbers::pi) {
+        result.dark = std::numbers::pi;
         return result;
     }
     result.axis = axis;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A luminaire reduced to a few numbers, and the estimate of its irradiance from them, which is
-// evaluated many millions of times a second. Used by the luminaires and by the light samplers, so
-// that the formula exists only once.
+// evaluated many millions of times a second. Luminaires and light samplers use the same formula:
+// cuts of the light octree in single precision, all others in double precision.
 #pragma once
 
 #include "luminaire/luminaire.h"
@@ -51,18 +51,37 @@ inline LightProxy with_bent_normal(LightProxy g, const Vec3& bent_normal) {
 /// at once.
 inline constexpr double min_unoccluded = 0.1;
 
-/// Ratio of radius to distance at which rounding may still lift a luminaire above the horizon.
-inline constexpr double horizon_slack = 1e-14;
-/// Fraction of the squared radius; points whose squared distance from the centre is below it are
-/// inside.
-inline constexpr double inside_share = 1 - 2e-9;
+/// What rounding requires of the estimate in each precision.
+template <class T>
+struct ProxyMargins;
+template <>
+struct ProxyMargins<double> {
+    /// Ratio of radius to distance at which rounding may still lift a luminaire above the horizon.
+    static constexpr double horizon_slack = 1e-14;
+    /// Fraction of the squared radius; points whose squared distance from the centre is below it
+    /// are inside.
+    static constexpr double inside_share = 1 - 2e-9;
+};
+template <>
+struct ProxyMargins<float> {
+    static constexpr float horizon_slack = 1e-6f, inside_share = 1;
+};
 
-/// Extent of a luminaire along this normal from its centre: the smaller of those of its box and its
-/// sphere. Never quite 0.
-[[gnu::always_inline]] inline double reach_along(const Vec3& n, const Vec3& half, double radius) {
-    const double of_box = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
-    const double least = 1e-3 * radius, reach = of_box > least ? of_box : least;
+/// Extent of a luminaire along a normal from its centre: the smaller of those of its box and its
+/// sphere. Never quite 0. `steep` has the absolute components of the normal.
+template <class T>
+[[gnu::always_inline]] inline T reach_along(const glm::vec<3, T>& steep, const glm::vec<3, T>& half,
+                                            T radius) {
+    const T of_box = steep.x * half.x + steep.y * half.y + steep.z * half.z;
+    const T least = static_cast<T>(1e-3) * radius, reach = of_box > least ? of_box : least;
     return reach < radius ? reach : radius;
+}
+
+/// The squared distance to the centre, but at least the squared radius: what estimates divide by.
+template <class T>
+[[gnu::always_inline]] inline T outside_squared(const glm::vec<3, T>& v, T radius) {
+    const T r2 = radius * radius, d2 = v.x * v.x + v.y * v.y + v.z * v.z;
+    return d2 > r2 ? d2 : r2;
 }
 
 /// Irradiance from one sphere. Elementwise arithmetic without branches, so that loops over it are
@@ -76,58 +95,60 @@ inline constexpr double inside_share = 1 - 2e-9;
 /// instead: strength (h + reach)^2 r^2 / (4 reach d^3). Inside the sphere, light arrives from all
 /// directions. Without a horizon the estimate is strength r / d^2, and inside four times that of
 /// one side.
-template <Horizon horizon>
-[[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
-                                                double strength, double reach) {
-    const double r2 = radius * radius;
-    const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
-    const double outside2 = d2 > r2 ? d2 : r2;
-    const double distance = std::sqrt(outside2);
-    const double inverse = 1 / distance;
+template <Horizon horizon, class T>
+[[gnu::always_inline]] inline T irradiance(const glm::vec<3, T>& v, const glm::vec<3, T>& n,
+                                           T radius, T strength, T reach) {
+    using Margins = ProxyMargins<T>;
+    const T r2 = radius * radius, d2 = v.x * v.x + v.y * v.y + v.z * v.z;
+    const T inside2 = r2 * Margins::inside_share;
+    const T distance = std::sqrt(outside_squared(v, radius));
+    const T inverse = 1 / distance;
     if constexpr (horizon == Horizon::none)
-        return strength * radius * (d2 < r2 * inside_share ? 4 : 1) * inverse * inverse;
+        return strength * radius * (d2 < inside2 ? T(4) : T(1)) * inverse * inverse;
     constexpr bool both_sides = horizon == Horizon::both_sides;
-    const double signed_height = n.x * v.x + n.y * v.y + n.z * v.z;
-    const double height = both_sides ? std::abs(signed_height) : signed_height;
-    const double cut = height < reach ? height : reach;
-    double lifted = cut + reach + horizon_slack * distance;
+    const T signed_height = n.x * v.x + n.y * v.y + n.z * v.z;
+    const T height = both_sides ? std::abs(signed_height) : signed_height;
+    const T cut = height < reach ? height : reach;
+    T lifted = cut + reach + Margins::horizon_slack * distance;
     lifted = lifted > 0 ? lifted : 0;
-    const double partly =
-        both_sides ? 0.5 * (cut * cut / reach + reach) : 0.25 * lifted * lifted / reach;
-    const double above = radius * (partly + (height - cut));
-    const double surrounded = (both_sides ? 2 : 1) * radius * reach;
-    const double within = d2 < r2 * inside_share ? surrounded : 0;
-    const double seen = above > within ? above : within;
-    return strength * seen * inverse * inverse * inverse;
+    const T partly =
+        both_sides ? T(0.5) * (cut * cut / reach + reach) : T(0.25) * lifted * lifted / reach;
+    const T above = partly + (height - cut);
+    const T surrounded = both_sides ? 2 * reach : reach;
+    const T within = d2 < inside2 ? surrounded : 0;
+    return strength * radius * (above > within ? above : within) * inverse * inverse * inverse;
 }
 
-/// The same for a luminaire as thick as its sphere.
-template <Horizon horizon>
-[[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
-                                                double strength) {
-    return irradiance<horizon>(v, n, radius, strength, radius);
+/// Factor for the direction in which a flat luminaire is seen; 1 for other luminaires. `outwards`
+/// is the part of the bent normal along v, which weakens it.
+template <class T>
+[[gnu::always_inline]] inline T facing(const glm::vec<3, T>& v, T radius,
+                                       const glm::vec<3, T>& axis, T evenness, T outwards = 0) {
+    const T along = std::abs(axis.x * v.x + axis.y * v.y + axis.z * v.z);
+    return evenness + (along - outwards) * (1 / std::sqrt(outside_squared(v, radius)));
 }
 
-/// Factor for the direction in which a flat luminaire is seen; 1 for other luminaires.
-[[gnu::always_inline]] inline double facing(const Vec3& v, double radius, const Vec3& axis,
-                                            double evenness) {
-    const double r2 = radius * radius;
-    const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
-    const double outside2 = d2 > r2 ? d2 : r2;
-    return evenness + std::abs(axis.x * v.x + axis.y * v.y + axis.z * v.z) / std::sqrt(outside2);
+/// The same for a luminaire that may have a bent normal, of the given length.
+template <class T>
+[[gnu::always_inline]] inline T turned(const glm::vec<3, T>& v, T radius,
+                                       const glm::vec<3, T>& axis, T evenness,
+                                       const glm::vec<3, T>& bent, T bent_length) {
+    const T seen =
+        facing(v, radius, axis, evenness, bent.x * v.x + bent.y * v.y + bent.z * v.z);
+    const T inverse = 1 / std::sqrt(outside_squared(v, radius));
+    const T least = bent_length * (static_cast<T>(min_unoccluded) + radius * inverse);
+    return seen > least ? seen : least;
 }
 
-/// Factor for the direction in which a luminaire that may have a bent normal is seen.
+/// The same for a proxy, as seen along v.
 inline double turned(const LightProxy& g, const Vec3& v, double radius) {
-    const double distance = std::sqrt(std::fmax(dot(v, v), radius * radius));
-    const double seen = g.evenness + (std::abs(dot(g.axis, v)) - dot(g.bent_normal, v)) / distance;
-    return std::fmax(seen, length(g.bent_normal) * (min_unoccluded + radius / distance));
+    return turned(v, radius, g.axis, g.evenness, g.bent_normal, length(g.bent_normal));
 }
 
 /// Estimates the irradiance from one luminaire; see unoccluded().
 inline double irradiance(const LightProxy& g, const Receiver& point) {
     const Vec3 v = g.centre - point.position;
-    const double reach = reach_along(point.normal, g.half, g.radius);
+    const double reach = reach_along(glm::abs(point.normal), g.half, g.radius);
     const auto of_sphere = [&]<Horizon horizon>() {
         return irradiance<horizon>(v, point.normal, g.radius, g.strength, reach);
     };
