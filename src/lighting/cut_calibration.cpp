@@ -2,8 +2,8 @@
 #include "lighting/cut_calibration.h"
 
 #include "base/elementary.h"
-#include "base/random.h"
 #include "lighting/cluster_descent.h"
+#include "lighting/survey_draw.h"
 #include "luminaire/volume.h"
 
 #include <algorithm>
@@ -21,10 +21,6 @@ constexpr double least = 0.1, greatest = 4;
 /// Fraction of the arriving light that all entries with the minimum share may count together: a sun
 /// behind shutters must not take all rays.
 constexpr double max_unseen = 0.1;
-
-double trial_number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return uniform(Key::of(Survey::visibility, a, b, c), Purpose::light_representative);
-}
 
 /// Survey of an entry: the fraction of its weight that arrives, and its mean weight.
 struct Trial {
@@ -123,10 +119,13 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
             if (!(weight > 0)) continue;
             const DrawnMember member =
                 member_of(tree, cluster, receivers[place].point,
-                          Key::of(Survey::visibility, n, i, 3), trial_number(n, i, 0));
+                          survey_key(n, i, EntryDraw::further_members),
+                          survey_number(n, i, EntryDraw::member));
             if (!(member.probability > 0)) continue;
             const double light = arriving(luminaires, tree.light(member.place), receivers[place],
-                                          {trial_number(n, i, 1), trial_number(n, i, 2)}, probe) /
+                                          {survey_number(n, i, EntryDraw::point_u),
+                                           survey_number(n, i, EntryDraw::point_v)},
+                                          probe) /
                                  member.probability;
             given[entry][i] = light / weight;
             at_place[place] += light;

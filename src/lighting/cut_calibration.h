@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lighting/light_cut.h"
-#include "lighting/light_guide.h"
+#include "lighting/survey_places.h"
 
 namespace candelabra {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cut_octree.h"
 
-#include "lighting/cluster_descent.h"
-#include "lighting/cut_calibration.h"
+#include "lighting/cell_survey.h"
+#include "lighting/cut_choice.h"
 #include "lighting/draw.h"
 #include "lighting/light_cells.h"
-#include "lighting/refined_cut.h"
 
 #include <algorithm>
 
@@ -32,25 +31,6 @@ constexpr int more_levels = 160;
 /// Number of levels below cells that are too large by which noise may divide cells without a survey
 /// in any case: one lamp that is far makes the whole cube large, and its first levels say nothing.
 constexpr int finer_levels = 5;
-/// Near luminaires look different from different points of a cell, and so count more than the
-/// survey says. Together they are raised by at most this multiple of the survey's total of all
-/// entries, and each alone by at most this multiple. So occluded luminaires cause little noise,
-/// however bright, and those that are visible against the survey are not too rare.
-constexpr double max_raised = 1, max_raised_alone = 0.1;
-/// Number of shadow rays that measure the noise of choosing luminaires in a cell.
-constexpr std::uint32_t trials = 48;
-/// Minimum variance over squared mean of both ways of sampling, because surfaces differ.
-constexpr double min_noise = 0.02;
-/// Factor on the noise of the choice against that of the outlook: the rays that measured the choice
-/// had also trained it.
-constexpr double doubt = 3;
-/// Minimum fraction of the shadow rays that are sampled from the outlook, which finds luminaires
-/// that nearly touch the point. The fraction decreases with the noise of the choice below
-/// little_noise, and is 0 if there is none at all.
-constexpr double min_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
-/// Maximum ratio of the brightest luminaire to the mean visible luminance at which surfaces may
-/// sample directions from their BSDF alone: no ray can then bring much more than others.
-constexpr double max_glare = 16;
 /// Fraction of the shadow rays that surfaces without a diffuse part sample from their BSDF.
 constexpr double max_by_surface = 0.5;
 
@@ -63,15 +43,6 @@ int entries_for(int cut, std::span<const Luminaire> luminaires) {
 }
 
 }  // namespace
-
-/// Results of the rays that survey a cell.
-struct BuiltCutOctree::CellSurvey {
-    std::optional<LightGuide> outlook;  ///< none: no directions are sampled from it
-    double by_direction = 0;            ///< see Weights
-    bool as_scattered = false;
-    /// See Weights; per unit of the total weight.
-    double noise = -1, irradiance = 0;
-};
 
 struct BuiltCutOctree::Cell {
     Box box;
@@ -95,20 +66,35 @@ struct BuiltCutOctree::State {
     CutRule rule;
     std::span<const Luminaire> luminaires;
     LightTree tree;
-    LightBall ball;
+    CellSurveyor survey;
     std::optional<Vec3> eye;
-    Viewer viewer;
     /// Maximum size of small cells, at distance 1 from the eye if there is one.
     double coarse = 0;
-    double view = 0;                                ///< see LightScene
-    double brightest = 0;                           ///< luminance
-    bool any_volume = false, only_volumes = false;  ///< no direction hits a volume
+    double view = 0;  ///< see LightScene
     Box cube;
     std::atomic<Cell*> root;
     std::atomic<Cell*> air;  ///< for points between surfaces
     Cell above, above_air;   ///< parents of the two roots
     std::atomic<std::size_t> cells = 0, bytes = 0;
 
+    State(const LightOctree& of_scene, const LightScene& scene)
+        : settings(of_scene),
+          rule{settings.eta, entries_for(settings.cut, scene.luminaires)},
+          luminaires(scene.luminaires),
+          tree(luminaires),
+          survey(luminaires, tree, {scene.eye, scene.axis}, settings.outlook),
+          eye(scene.eye),
+          coarse(std::clamp(coarse_pixels * scene.pixel, min_coarse, greatest_coarse)),
+          view(scene.view) {
+        above_air.in_air = true;
+        if (luminaires.empty()) return;
+        LightBounds lights;
+        lights.box = tree.box(tree.root());
+        cube = cube_to_light(scene, {&lights, 1});
+        if (cube.empty()) cube = lights.box;
+    }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
     ~State() {
         delete root.load();
         delete air.load();
@@ -120,28 +106,7 @@ BuiltCutOctree& BuiltCutOctree::operator=(BuiltCutOctree&&) noexcept = default;
 BuiltCutOctree::~BuiltCutOctree() = default;
 
 BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& scene)
-    : state_(std::make_unique<State>()) {
-    state_->above_air.in_air = true;
-    state_->rule = {settings.eta, entries_for(settings.cut, scene.luminaires)};
-    state_->settings = settings;
-    state_->luminaires = scene.luminaires;
-    state_->eye = scene.eye;
-    state_->viewer = {scene.eye, scene.axis};
-    state_->view = scene.view;
-    state_->coarse = std::clamp(coarse_pixels * scene.pixel, min_coarse, greatest_coarse);
-    state_->tree = LightTree(scene.luminaires);
-    if (scene.luminaires.empty()) return;
-    LightBounds lights;
-    lights.box = state_->tree.box(state_->tree.root());
-    Box cube = cube_to_light(scene, {&lights, 1});
-    if (cube.empty()) cube = lights.box;
-    state_->ball = ball_around(lights.box, scene.luminaires);
-    for (const Luminaire& luminaire : scene.luminaires)
-        state_->brightest = std::fmax(state_->brightest, luminance(luminaire.radiance));
-    state_->any_volume = std::ranges::any_of(scene.luminaires, &Luminaire::is_volume);
-    state_->only_volumes = std::ranges::all_of(scene.luminaires, &Luminaire::is_volume);
-    state_->cube = cube;
-}
+    : state_(std::make_unique<State>(settings, scene)) {}
 
 const LightTree& BuiltCutOctree::tree() const { return state_->tree; }
 
@@ -174,112 +139,8 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     if (uneven && cell->depth < depth_limit)
         cell->cut.reset();
     else if (learns)
-        cell->survey = survey(*cell, *cell->cut, *probe);
+        cell->survey = state_->survey(box, cell->in_air, *cell->cut, *probe);
     return cell;
-}
-
-/// Surveys a cell, and scales its cut's entries by the arriving fraction of their light.
-BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cut,
-                                                  const LightProbe& probe) const {
-    const Box& box = cell.box;
-    const std::vector<SurveyPlace> receivers = cell.in_air
-                                                   ? air_places_in(box, state_->viewer, probe)
-                                                   : survey_places_in(box, state_->viewer, probe);
-    cut.scale(counted(arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), cut,
-                      box));
-    CellSurvey result;
-    // Directions cannot hit light sources.
-    if (state_->tree.falloff(state_->tree.root())) return result;
-    const Found by_choice = found_by_choice(cut, receivers, probe);
-    const double found = by_choice.noise, choice = doubt * found + min_noise;
-    if ((state_->any_volume || cell.in_air) && by_choice.irradiance > 0) {
-        result.irradiance = by_choice.irradiance;
-        result.noise = by_choice.irradiance * std::sqrt(found + min_noise);
-    }
-    // Luminaires look small from points in the air.
-    if (state_->only_volumes || cell.in_air) return result;
-    result.outlook.emplace(box, state_->ball, receivers, probe);
-    const double outlook = result.outlook->noise() + min_noise;
-    const double share =
-        std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
-    if (found > no_noise)
-        result.by_direction = std::clamp(
-            share, min_by_direction * std::fmin(found / little_noise, 1), state_->settings.outlook);
-    // The outlook knows surfaces only, which are not all luminaires here.
-    if (state_->any_volume) return result;
-    const double scattering = result.outlook->noise_of_scattering();
-    result.as_scattered = scattering <= std::fmin(outlook, found + min_noise) &&
-                          state_->brightest <= max_glare * result.outlook->mean_luminance();
-    const double variance =
-        result.as_scattered ? scattering + min_noise
-                            : (std::isinf(outlook) ? found + min_noise
-                                                   : 1 / (1 / (found + min_noise) + 1 / outlook));
-    const double weight = mean_total(cut, receivers);
-    const double seen = weight > 0 ? result.outlook->irradiance() / weight : 0;
-    if (std::isfinite(variance)) {
-        // Either way may have missed most of the light: the outlook small luminaires that are far.
-        result.irradiance = std::fmax(seen, by_choice.irradiance);
-        result.noise = result.irradiance * std::sqrt(variance);
-    }
-    return result;
-}
-
-/// Factors on the weights of a cell's entries: the survey's shares, raised for near entries.
-std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const LightCut& cut,
-                                           const Box& box) const {
-    const std::size_t count = cut.entries();
-    std::vector<double> given(count), raise(count);
-    double learned = 0, raised = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        given[i] = weight_in(box, state_->tree, cut.cluster(i));
-        learned += given[i] * shares[i];
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        const double share = shares[i];
-        raise[i] = cautious_share(shares[i], box, state_->tree.light_proxy(cut.cluster(i))) - share;
-        if (raise[i] * given[i] > max_raised_alone * learned)
-            raise[i] = max_raised_alone * learned / given[i];
-        raised += given[i] * raise[i];
-    }
-    const double kept = raised > max_raised * learned ? max_raised * learned / raised : 1;
-    std::vector<float> result(count);
-    for (std::size_t i = 0; i < count; ++i)
-        result[i] = static_cast<float>(shares[i] + kept * raise[i]);
-    return result;
-}
-
-BuiltCutOctree::Found BuiltCutOctree::found_by_choice(const LightCut& cut,
-                                                      std::span<const SurveyPlace> receivers,
-                                                      const LightProbe& probe) const {
-    Weights weights;
-    weights.cut = &cut;
-    LightPicks picks;
-    std::vector<double> found(trials, 0), at_place(receivers.size(), 0);
-    for (std::uint32_t i = 0; i < trials; ++i) {
-        const auto number = [&](std::uint32_t n) {
-            return uniform(Key::of(Survey::cell, n, i, 0), Purpose::light_representative);
-        };
-        const SurveyPlace& from = receivers[i % receivers.size()];
-        cut.weigh(from.point, weights);
-        picks.clear();
-        choose(from.point, weights, Key::of(Survey::cell, 3, i, 0), number(3), picks);
-        if (picks.empty()) continue;
-        const LightPick& pick = picks.front();
-        const double light =
-            arriving(state_->luminaires, pick.light, from, {number(4), number(5)}, probe);
-        if (!(light > 0)) continue;
-        found[i] = light / (pick.expected * weights.total);
-        at_place[i % receivers.size()] += found[i];
-    }
-    const std::vector<double> counts = balanced(at_place);
-    double sum = 0, squares = 0, light = 0;
-    for (std::size_t i = 0; i < trials; ++i) {
-        const double given = counts[i % receivers.size()] * found[i];
-        sum += given;
-        squares += given * given;
-        light += found[i];
-    }
-    return {sum > 0 ? trials * squares / (sum * sum) - 1 : INFINITY, light / trials};
 }
 
 /// Returns the cell at a place of the tree, which is made if there is none.
@@ -345,26 +206,14 @@ void BuiltCutOctree::weigh_choice(const Receiver& point, const BsdfLobes& lobes,
 
 void BuiltCutOctree::choose(const Receiver& point, const Weights& weights, const Key& key, double u,
                             LightPicks& picks) const {
-    if (!weights.cut || !(weights.total > 0)) return;
-    double target = u * weights.total;
-    const std::size_t entry = weights.cut->find(weights, target);
-    const double weight = weights.weight[entry];
-    const DrawnMember drawn =
-        member_of(state_->tree, weights.cut->cluster(entry), point, key, target / weight);
-    const double probability = weight / weights.total * drawn.probability;
-    picks.push_back({state_->tree.light(drawn.place),
-                     std::fmax(probability, std::numeric_limits<double>::min())});
+    if (!weights.cut) return;
+    if (const auto pick = pick_from(*weights.cut, weights, state_->tree, point, key, u))
+        picks.push_back(*pick);
 }
 
 double BuiltCutOctree::expected(const Receiver& point, const Weights& weights,
                                 LightIndex light) const {
-    if (!weights.cut || !(weights.total > 0)) return 0;
-    const std::uint32_t place = state_->tree.place_of(light);
-    const std::size_t entry = weights.cut->entry_of(place);
-    if (entry >= weights.cut->entries()) return 0;
-    const LightCluster& c = weights.cut->cluster(entry);
-    if (!c.holds(place) || !(weights.weight[entry] > 0)) return 0;
-    return weights.weight[entry] / weights.total * probability_of(state_->tree, c, point, place);
+    return weights.cut ? expected_from(*weights.cut, weights, state_->tree, point, light) : 0;
 }
 
 void BuiltCutOctree::choose(const Receiver& point, const Key& key, LightPicks& picks) const {
@@ -388,7 +237,7 @@ std::size_t BuiltCutOctree::cells() const { return state_->cells; }
 BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
     : octree_(octree),
       receiver_(query.receiver),
-      bsdf_(octree.state_->only_volumes ? nullptr : query.bsdf) {
+      bsdf_(octree.state_->survey.only_volumes() ? nullptr : query.bsdf) {
     if (query.scene)
         octree.weigh(query, weights_);
     else

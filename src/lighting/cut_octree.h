@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "lighting/light_cut.h"
+#include "lighting/light_guide.h"
 #include "lighting/light_query.h"
 #include "lighting/settings.h"
 
@@ -54,21 +55,12 @@ public:
     const LightTree& tree() const;
 
 private:
-    struct CellSurvey;
     struct Cell;
     struct State;
 
     Cell* cell_in(std::atomic<Cell*>&, const Box&, const Cell& parent, const LightProbe*) const;
     const Cell& cell_at(const Receiver&, const LightProbe*) const;
     std::unique_ptr<Cell> make(const Box&, const Cell& parent, const LightProbe*) const;
-    CellSurvey survey(const Cell&, LightCut&, const LightProbe&) const;
-    std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
-    /// Result of shadow rays to chosen luminaires: variance over squared mean, and mean irradiance
-    /// per unit of the total weight.
-    struct Found {
-        double noise, irradiance;
-    };
-    Found found_by_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
 
     std::unique_ptr<State> state_;
 };

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cut.h"
 
+#include "base/running_sums.h"
 #include "base/target_clones.h"
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 namespace candelabra {
 
@@ -315,25 +317,13 @@ void LightCut::scale(std::span<const float> factors) {
 std::size_t LightCut::find(const CutWeights& weights, double& target) const {
     // Rounding may carry the target past the end of the list or of a block: then the last entry
     // with a weight is taken.
-    std::size_t found = 0;
-    bool passed = false;
-    for (std::size_t i = 0; !passed && i < rows_ / CutWeights::block; ++i) {
-        const double sum = weights.block_sum[i];
-        if (!(sum > 0)) continue;
-        found = i;
-        passed = target < sum;
-        if (!passed) target -= sum;
-    }
-    std::size_t last = 0;
-    for (std::size_t i = found * CutWeights::block; i < (found + 1) * CutWeights::block; ++i) {
-        const double weight = weights.weight[i];
-        if (!(weight > 0)) continue;
-        last = i;
-        if (passed && target < weight) return i;
-        target -= weight;
-    }
-    target = weights.weight[last] * (1 - 0x1p-53);
-    return last;
+    const auto blocks = std::span(weights.block_sum).first(rows_ / block);
+    const ChosenWeight part = choose(blocks, target);
+    if (!part.passed) target = std::numeric_limits<double>::infinity();
+    const ChosenWeight entry =
+        choose(std::span(weights.weight).subspan(part.index * block, block), target);
+    if (!entry.passed) target = entry.weight * (1 - 0x1p-53);
+    return part.index * block + entry.index;
 }
 
 std::size_t LightCut::memory_bytes() const {

@@ -3,8 +3,9 @@
 
 #include "base/circle.h"
 #include "base/elementary.h"
-#include "base/random.h"
+#include "base/running_sums.h"
 #include "base/target_clones.h"
+#include "lighting/survey_draw.h"
 
 #include <algorithm>
 #include <numbers>
@@ -16,10 +17,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t rings = LightGuide::rings, sectors = LightGuide::sectors;
-/// Number of lines that look for surfaces in a cell, and number of places that suffice.
-constexpr std::uint32_t lines = 48, enough = 12;
-/// Maximum light of a place, as a multiple of that of the place with the least light.
-constexpr double max_counted = 4;
 /// Rays traced for each bin: results of some are compared with those of the others.
 constexpr std::size_t tries = 2;
 /// Distance, in its radii, from which the luminaires' ball is treated as a ball.
@@ -29,10 +26,6 @@ constexpr double neighbours = 0.3;
 /// Weights of the mean of all bins, in rays per bin; with the last one the picture is nearly
 /// uniform.
 constexpr std::array<double, 5> caution = {1, 2, 6, 20, 1e6};
-
-double outlook_number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return uniform(Key::of(Survey::cell, a, b, c), Purpose::light_representative);
-}
 
 /// Cosine and sine at the centres of the sectors.
 struct Compass {
@@ -88,23 +81,13 @@ void weigh_rings(const float* light, const Compass& c, const RingViews& views, f
     }
 }
 
-/// Returns the index at which the running sum passes the target. The remainder is stored in target,
-/// as a fraction.
-template <class Number>
-std::size_t find(const Number* sums, std::size_t count, double& target) {
-    std::size_t last = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double sum = sums[i];
-        if (!(sum > 0)) continue;
-        last = i;
-        if (target < sum) {
-            target /= sum;
-            return i;
-        }
-        target -= sum;
-    }
-    target = 1 - 0x1p-53;
-    return last;
+/// Chooses an index by a target in [0, total). The target becomes the place within its weight, in
+/// [0, 1).
+template <class Weight>
+std::size_t find(std::span<const Weight> weights, double& target) {
+    const ChosenWeight found = choose(weights, target);
+    target = found.passed ? target / found.weight : 1 - 0x1p-53;
+    return found.index;
 }
 
 using Picture = std::array<double, LightGuide::bins>;
@@ -139,106 +122,7 @@ double noise_of(const Picture& guess, const Picture& seen) {
     return sum > 0 && all > 0 ? std::fmax(second * all / (sum * sum) - 1, 0) : INFINITY;
 }
 
-/// Hits of the lines in a cell: outsides of solids that do not glow, which are seen most, then
-/// surfaces that glow, then insides.
-using Found = std::array<std::vector<SurveyPlace>, 3>;
-
-template <class Line>
-Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
-    Found found;
-    for (std::uint32_t i = 0; i < lines && found[0].size() < enough; ++i) {
-        const Vec3 place(outlook_number(i, 0, 1), outlook_number(i, 0, 2), outlook_number(i, 0, 3));
-        const Ray ray = line(i, cell.low + place * cell.size());
-        const auto sight = probe(ray, 0);
-        if (!sight) continue;
-        const Vec3 position = ray.at(sight->distance);
-        if (!contains(cell, position)) continue;
-        const bool within = dot(sight->normal, ray.direction) > 0;
-        const Receiver point{position, within ? -sight->normal : sight->normal};
-        found[within ? 2 : (sight->light ? 1 : 0)].push_back({point, sight->tolerance});
-    }
-    return found;
-}
-
-Vec3 place_anywhere(const Box& cell, std::uint32_t i) {
-    const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
-    return cell.low + place * cell.size();
-}
-
-/// Whether a surface that lets no light pass is on the ray before a place.
-bool is_hidden(const Vec3& position, const Ray& ray, const LightProbe& probe) {
-    const double distance = length(position - ray.origin);
-    bool blocked = false;
-    look_along(ray, 0, probe, [&](const ProbeHit& sight, double) {
-        if (sight.distance >= distance) return true;
-        blocked = sight.passes == 0;
-        return blocked;
-    });
-    return blocked;
-}
-
 }  // namespace
-
-LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
-    LightBall ball{box.centre(), 0};
-    for (const Luminaire& luminaire : luminaires) {
-        const LightBounds b = bounds(luminaire);
-        ball.radius = std::fmax(ball.radius, length(b.centre - ball.centre) + b.radius);
-    }
-    return ball;
-}
-
-std::vector<double> balanced(std::span<const double> arriving) {
-    double least = INFINITY;
-    for (const double light : arriving)
-        if (light > 0) least = std::fmin(least, light);
-    std::vector<double> result;
-    for (const double light : arriving)
-        result.push_back(light > max_counted * least ? max_counted * least / light : 1);
-    return result;
-}
-
-std::optional<Ray> Viewer::ray_to(const Vec3& place) const {
-    if (eye) return Ray{*eye, unit(place - *eye)};
-    if (!axis) return std::nullopt;
-    const Vec3& along = axis->direction;
-    return Ray{place - dot(place - axis->origin, along) * along, along};
-}
-
-std::vector<SurveyPlace> air_places_in(const Box& cell, const Viewer& viewer,
-                                       const LightProbe& probe) {
-    std::vector<SurveyPlace> seen, hidden;
-    for (std::uint32_t i = 0; i < lines && seen.size() < enough; ++i) {
-        const Vec3 position = place_anywhere(cell, i);
-        const auto ray = viewer.ray_to(position);
-        (ray && is_hidden(position, *ray, probe) ? hidden : seen)
-            .push_back({{position, Vec3(0), Horizon::none}, 0});
-    }
-    if (!seen.empty()) return seen;
-    hidden.resize(enough);
-    return hidden;
-}
-
-std::vector<SurveyPlace> survey_places_in(const Box& cell, const Viewer& viewer,
-                                          const LightProbe& probe) {
-    if (viewer.ray_to(cell.centre())) {
-        Found seen = met_by(
-            cell, probe, [&](std::uint32_t, const Vec3& place) { return *viewer.ray_to(place); });
-        if (!seen[0].empty()) return std::move(seen[0]);
-    }
-    Found found = met_by(cell, probe, [&](std::uint32_t i, const Vec3& place) {
-        const double height = 2 * outlook_number(i, 0, 4) - 1,
-                     angle = 2 * pi * outlook_number(i, 0, 5);
-        const double across = std::sqrt(1 - height * height);
-        return Ray{place, Vec3(across * on_circle(angle), height)};
-    });
-    for (auto& kind : found)
-        if (!kind.empty()) return std::move(kind);
-    std::vector<SurveyPlace> anywhere;
-    for (std::uint32_t i = 0; i < enough; ++i)
-        anywhere.push_back({{place_anywhere(cell, i), Vec3(0, 1, 0), Horizon::both_sides}, 0});
-    return anywhere;
-}
 
 Vec3 LightGuide::Cone::direction(double ring, double sector) const {
     const double versine = ring / rings * widest;
@@ -272,8 +156,9 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
             const std::size_t place = place_of(bin, i);
             const SurveyPlace& from = receivers[place];
             const Cone cone = cone_at(from.point.position);
-            const Vec3 direction = cone.direction(bin / sectors + outlook_number(bin, i, 10),
-                                                  bin % sectors + outlook_number(bin, i, 11));
+            const Vec3 direction =
+                cone.direction(bin / sectors + survey_number(bin, i, CellDraw::ring),
+                               bin % sectors + survey_number(bin, i, CellDraw::sector));
             const double cosine = from.point.cosine(direction);
             if (cosine <= 0) continue;
             cosines += cosine;
@@ -349,10 +234,10 @@ void LightGuide::weigh(const Receiver& point, Weights& result) const {
 
 LightGuide::Drawn LightGuide::draw(const Weights& weights, const Vec2& u) {
     double along = u.x * weights.total, around = 0;
-    const std::size_t ring = find(weights.ring.data(), rings, along);
+    const std::size_t ring = find(std::span<const double>(weights.ring), along);
     around = u.y * weights.ring[ring];
-    const float* sector_weights = weights.weight.data() + ring * sectors;
-    const std::size_t sector = find(sector_weights, sectors, around);
+    const auto sector_weights = std::span(weights.weight).subspan(ring * sectors, sectors);
+    const std::size_t sector = find(sector_weights, around);
     return {weights.cone.direction(static_cast<double>(ring) + along,
                                    static_cast<double>(sector) + around),
             sector_weights[sector] / weights.total * weights.cone.bin_density()};

@@ -4,77 +4,12 @@
 // directions from it, in proportion to luminance times cosine, and knows their exact pdf.
 #pragma once
 
-#include "base/box.h"
-#include "base/function_ref.h"
-#include "base/ray.h"
-#include "lighting/pick.h"
+#include "lighting/light_ball.h"
+#include "lighting/survey_places.h"
 
 #include <array>
 
 namespace candelabra {
-
-/// First hit of a ray that probes the scene.
-struct ProbeHit {
-    double distance = 0;
-    Vec3 normal = Vec3(0);  ///< unit, outward
-    double tolerance = 0;   ///< for rays that start there
-    std::optional<LightIndex> light;
-    double luminance = 0;
-    double passes = 0;  ///< fraction of light from behind that the surface transmits
-};
-/// Returns the first hit of a ray beyond the tolerance; nothing if there is none.
-using LightProbe = FunctionRef<std::optional<ProbeHit>(const Ray&, double tolerance)>;
-
-/// Calls visit(const ProbeHit&, double share) for the ray's hits one after the other, with the
-/// fraction of their light that reaches the ray's origin, until visit returns true or no light
-/// passes.
-template <class Visit>
-void look_along(const Ray& ray, double tolerance, const LightProbe& probe, Visit visit) {
-    constexpr int max_surfaces = 16;  // what lies behind more is left to chance
-    double share = 1;
-    for (int i = 0; i < max_surfaces && share > 0; ++i) {
-        const auto sight = probe(ray, tolerance);
-        if (!sight || visit(*sight, share)) return;
-        share *= sight->passes;
-        tolerance = sight->distance + sight->tolerance;
-    }
-}
-
-/// A place in a cell where light may arrive.
-struct SurveyPlace {
-    Receiver point;
-    double tolerance = 0;
-};
-/// From where most points to be lit are seen; neither: not known.
-struct Viewer {
-    std::optional<Vec3> eye = {};
-    std::optional<Ray> axis = {};  ///< see LightScene
-
-    /// The ray of the camera that leads to a place.
-    std::optional<Ray> ray_to(const Vec3& place) const;
-};
-
-/// Returns places on the surfaces in a cell or, if none are found, anywhere in it. If the viewer
-/// sees some of these places, only those: there may be sunshine on the other side of a wall.
-/// Deterministic.
-std::vector<SurveyPlace> survey_places_in(const Box& cell, const Viewer&, const LightProbe&);
-
-/// Returns places anywhere in a cell, between surfaces. Deterministic.
-std::vector<SurveyPlace> air_places_in(const Box& cell, const Viewer&, const LightProbe&);
-
-/// Returns factors on the light that arrives at several places, for averages over these: none
-/// counts much more than the place with the least light. Otherwise light on a few places would
-/// attract the rays of all.
-std::vector<double> balanced(std::span<const double> arriving);
-
-/// A ball around the luminaires.
-struct LightBall {
-    Vec3 centre = Vec3(0);
-    double radius = 0;
-};
-
-/// Centred on the box, and as tight as spheres around the luminaires in it allow.
-LightBall ball_around(const Box&, std::span<const Luminaire>);
 
 class LightGuide {
 public:

@@ -6,7 +6,7 @@
 
 #include "base/random.h"
 #include "lighting/bsdf_lobes.h"
-#include "lighting/light_guide.h"
+#include "lighting/probe.h"
 #include "lighting/light_tree.h"
 #include "lighting/pick.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_table.h"
 
+#include "base/running_sums.h"
 #include "base/target_clones.h"
 
 #include <algorithm>
@@ -158,24 +159,14 @@ void LightTable::sum(const LightList& list, const Receiver& point, Sums& sums) c
     }
 }
 
-LightTable::Found LightTable::find_among(const double* sums, std::size_t count, double& target) {
-    Found last;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!(sums[i] > 0)) continue;
-        last = {i, sums[i], target < sums[i]};
-        if (last.passed) return last;
-        target -= sums[i];
-    }
-    return last;
-}
-
 LightTable::Row LightTable::find(const LightList& list, const Receiver& point, const Sums& sums,
                                  double target) const {
     const std::size_t rows = padded(list.count), length = part_length(list);
     // Rounding may carry the target past the end of the list or of a part: then the last possible
     // row is taken.
-    const Found part = find_among(sums.part.data(), (rows + length - 1) / length, target);
-    if (length == 1) return {list.first + part.index, part.sum};
+    const ChosenWeight part =
+        choose(std::span(sums.part).first((rows + length - 1) / length), target);
+    if (length == 1) return {list.first + part.index, part.weight};
     if (!part.passed) target = std::numeric_limits<double>::infinity();
     Block estimates;
     Row found{list.first, 0};
@@ -183,8 +174,8 @@ LightTable::Row LightTable::find(const LightList& list, const Receiver& point, c
          i += block) {
         const std::size_t count = std::min(block, rows - i);
         estimate_block(list.first + i, count, point, estimates.data());
-        const Found row = find_among(estimates.data(), count, target);
-        if (row.sum > 0) found = {list.first + i + row.index, row.sum};
+        const ChosenWeight row = choose(std::span<const double>(estimates).first(count), target);
+        if (row.weight > 0) found = {list.first + i + row.index, row.weight};
         if (row.passed) break;
     }
     return found;

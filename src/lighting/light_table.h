@@ -70,17 +70,8 @@ private:
     };
     using Block = std::array<double, block>;
 
-    struct Found {
-        std::size_t index = 0;
-        double sum = 0;
-        bool passed = false;
-    };
-
     void estimate_block(std::size_t first, std::size_t count, const Receiver&, double* out) const;
     static std::size_t part_length(const LightList&);
-    /// Returns the first index at which the running sum passes target, else the last one above 0.
-    /// The remainder is stored in target.
-    static Found find_among(const double* sums, std::size_t count, double& target);
 
     std::span<const Luminaire> luminaires_;
     std::vector<Record> records_;

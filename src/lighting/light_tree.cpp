@@ -10,7 +10,7 @@ namespace candelabra {
 
 namespace {
 
-/// Least intensity, as a fraction of all, above which whole places of LightPlaces tell the
+/// Least intensity, as a fraction of all, above which whole places of WeightedPlaces tell the
 /// intensities apart well.
 constexpr double wide_range = 0x1p-40;
 
@@ -164,7 +164,7 @@ private:
         intensities.reserve(tree_.order_.size());
         for (const LightIndex light : tree_.order_)
             intensities.push_back(bounds(luminaires_[light]).intensity);
-        tree_.strengths_ = LightPlaces(intensities);
+        tree_.strengths_ = WeightedPlaces(intensities);
         if (tree_.strengths_.total() > 0)
             tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
         shine(tree_.root());

@@ -4,7 +4,7 @@
 // bytes per luminaire. Immutable once built.
 #pragma once
 
-#include "lighting/dim_set.h"
+#include "base/weighted_places.h"
 #include "lighting/pick.h"
 #include "luminaire/light_proxy.h"
 
@@ -80,7 +80,7 @@ private:
     std::vector<double> intensities_;   ///< of the nodes, if their range is very wide; else empty
     std::vector<LightIndex> order_;
     std::vector<std::uint32_t> place_of_;
-    LightPlaces strengths_;  ///< in the tree's order
+    WeightedPlaces strengths_;  ///< in the tree's order
     double unit_ = 0;        ///< intensity of one place of strengths_
     Vec3 origin_ = Vec3(0);
     double size_ = 0;  ///< greatest coordinate of a luminaire relative to the origin

@@ -36,7 +36,7 @@ BuiltPaperOctree::BuiltPaperOctree(const LightOctree& settings, const LightScene
         lights.push_back(bounds(luminaire));
         intensities.push_back(lights.back().intensity);
     }
-    places_ = LightPlaces(intensities);
+    places_ = WeightedPlaces(intensities);
     cells_ = build_light_cells(settings, scene, lights, threads);
     std::size_t bright = 0;
     for (const std::vector<LightIndex>& list : cells_.lists) bright += list.size();

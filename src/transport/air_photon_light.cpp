@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/air_photon_light.h"
 
+#include "base/running_sums.h"
 #include "medium/transmittance.h"
 #include "scattering/phase_function.h"
 
-#include <algorithm>
-#include <iterator>
+#include <span>
+#include <vector>
 
 namespace candelabra {
 
@@ -18,8 +19,7 @@ constexpr int choices_in_even_media = 4;
 struct Passed {
     const Photon* photon;
     double distance;
-    Vec3 power;    ///< colour of light times length
-    double until;  ///< sum of the powers up to and including this one
+    Vec3 power;  ///< colour of light times length
 };
 
 class AirGatherer {
@@ -37,15 +37,13 @@ public:
         return sum_;
     }
 
-    /// Light of a sample of the photons, chosen in proportion to their power.
-    Vec3 of_some(std::span<const Passed> passed) {
-        const double total = passed.back().until, count = choices_;
+    /// Light of a sample of the photons, chosen in proportion to their power, whose sums are given.
+    Vec3 of_some(std::span<const Passed> passed, std::span<const double> sums) {
+        const double total = sums.back(), count = choices_;
         const double shift = uniform(stretch_.path.key, Purpose::media_choice);
         for (int i = 0; i < choices_; ++i) {
-            const double target = std::min((i + shift) / count * total, total * (1 - 0x1p-53));
-            const auto found = std::ranges::upper_bound(passed, target, {}, &Passed::until);
-            const double before = found == passed.begin() ? 0 : std::prev(found)->until;
-            add(*found, total / (count * (found->until - before)), i);
+            const std::size_t found = drawn_share(sums, (i + shift) / count).index;
+            add(passed[found], total / (count * weight_of(sums, found)), i);
         }
         return sum_;
     }
@@ -77,16 +75,20 @@ private:
 Vec3 light_of_air_photons(const World& world, const AirPhotonMap& map, const PhotonStretch& stretch,
                           LightLedger& ledger) {
     std::vector<Passed> passed;
+    std::vector<double> sums;
     double total = 0;
     map.along(stretch.path.ray, stretch.distance,
               [&](const Photon& photon, double distance, double away2) {
                   const Vec3 power = air_photon_density(photon, away2) * Vec3(photon.power);
                   const double size = max_component(glm::abs(power));
-                  if (size > 0) passed.push_back({&photon, distance, power, total += size});
+                  if (!(size > 0)) return;
+                  passed.push_back({&photon, distance, power});
+                  sums.push_back(total += size);
               });
     if (passed.empty()) return Vec3(0);
     AirGatherer gatherer(world, stretch, ledger);
-    return passed.size() <= gatherer.choices() ? gatherer.of_all(passed) : gatherer.of_some(passed);
+    return passed.size() <= gatherer.choices() ? gatherer.of_all(passed)
+                                              : gatherer.of_some(passed, sums);
 }
 
 }  // namespace candelabra

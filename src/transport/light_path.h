@@ -3,7 +3,7 @@
 // that reflects their light, and continue from there.
 #pragma once
 
-#include "lighting/dim_set.h"
+#include "base/weighted_places.h"
 #include "transport/layer_stack.h"
 
 #include <vector>
@@ -44,7 +44,7 @@ private:
 
     const World& world_;
     ShadingRules rules_;
-    LightPlaces places_;  ///< luminaires, weighted by their intensity
+    WeightedPlaces places_;  ///< luminaires, weighted by their intensity
     int max_reflections_;
 };
 

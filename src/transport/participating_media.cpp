@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/participating_media.h"
 
+#include "base/running_sums.h"
 #include "medium/transmittance.h"
 #include "transport/air_photon_light.h"
 #include "world/volumes.h"
@@ -131,12 +132,9 @@ void ParticipatingMedia::choose(const Key& key, int count, Expected expected, Us
     if (!(total > 0) || !std::isfinite(total)) return;
     const double shift = uniform(key, Purpose::media_choice);
     for (int i = 0; i < count; ++i) {
-        const double target = (i + shift) / count * total;
-        const auto found = static_cast<std::size_t>(
-            std::ranges::upper_bound(sums_, std::min(target, std::nextafter(total, 0.0))) -
-            sums_.begin());
-        const double own = sums_[found] - (found == 0 ? 0 : sums_[found - 1]);
-        use(march_.places[found], i, total / (count * own));
+        const std::span<const double> sums(sums_);
+        const std::size_t found = drawn_share(sums, (i + shift) / count).index;
+        use(march_.places[found], i, total / (count * weight_of(sums, found)));
     }
 }
 

@@ -3,7 +3,7 @@
 // so that the cells of a strategy do not depend on who probes first.
 #pragma once
 
-#include "lighting/light_guide.h"
+#include "lighting/probe.h"
 #include "world/radiance.h"
 
 #include <optional>

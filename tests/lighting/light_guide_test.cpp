@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_guide.h"
 
+#include "support/ball_over_floor.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -9,85 +10,13 @@ namespace candelabra {
 
 namespace {
 
-/// First hit of a ray with a glowing ball of radius 1 around the origin, or with a floor at y =
-/// -1.5.
-const auto sight = [](const Ray& ray, double tolerance) -> std::optional<ProbeHit> {
-    const double b = dot(ray.origin, ray.direction), c = dot(ray.origin, ray.origin) - 1;
-    if (b * b > c) {
-        const double t = -b - std::sqrt(b * b - c);
-        if (t > tolerance) return ProbeHit{t, ray.at(t), 1e-9, 0, 2.5};
-    }
-    const double t = (-1.5 - ray.origin.y) / ray.direction.y;
-    if (t > tolerance) return ProbeHit{t, Vec3(0, 1, 0), 1e-9, {}, 0};
-    return {};
-};
-
 const LightBall ball{Vec3(0), 1.2};
 
 LightGuide outlook_of(const Box& cell) {
-    return LightGuide(cell, ball, survey_places_in(cell, {}, sight), sight);
+    return LightGuide(cell, ball, survey_places_in(cell, {}, ball_over_floor), ball_over_floor);
 }
 
 }  // namespace
-
-TEST_CASE("what is behind clear things is seen, as far as light passes them", "[lighting]") {
-    // Panes at 1, 2, 3 ..., each of which transmits half of the light, up to the first opaque one.
-    double opaque = 4;
-    const auto pane = [&](const Ray&, double tolerance) -> std::optional<ProbeHit> {
-        const double t = std::floor(tolerance + 1e-6) + 1;
-        return ProbeHit{t, Vec3(0, 1, 0), 1e-9, {}, 1, t < opaque ? 0.5 : 0};
-    };
-    std::vector<double> shares;
-    const auto note = [&](const ProbeHit& seen, double share) {
-        CHECK(seen.distance == static_cast<double>(shares.size()) + 1);
-        shares.push_back(share);
-        return shares.size() == 6;
-    };
-    look_along({Vec3(0), Vec3(0, 0, 1)}, 0, pane, note);
-    CHECK(shares == std::vector<double>{1, 0.5, 0.25, 0.125});
-    shares.clear();
-    opaque = 1e9;
-    look_along({Vec3(0), Vec3(0, 0, 1)}, 0, pane, note);
-    CHECK(shares.size() == 6);
-    int visited = 0;
-    look_along({Vec3(0), Vec3(0, 0, 1)}, 0, pane, [&](const ProbeHit&, double) {
-        ++visited;
-        return false;
-    });
-    CHECK(visited < 100);
-}
-
-TEST_CASE("places in a cell lie on the outsides of what is in it", "[lighting]") {
-    const Box cell{Vec3(2, -2, 2), Vec3(4, 0, 4)};
-    const std::vector<SurveyPlace> found = survey_places_in(cell, {}, sight);
-    REQUIRE(found.size() > 3);
-    for (const SurveyPlace& each : found) {
-        CHECK(each.point.position.y == Approx(-1.5));
-        CHECK(each.point.normal == Vec3(0, 1, 0));
-        CHECK(contains(cell, each.point.position));
-    }
-    // Without surfaces, any place will do.
-    for (const SurveyPlace& each : survey_places_in({Vec3(5, 5, 5), Vec3(6)}, {}, sight))
-        CHECK(each.point.horizon == Horizon::both_sides);
-}
-
-TEST_CASE("places in the air of a cell have no horizon", "[lighting]") {
-    const Box cell{Vec3(1, 2, 3), Vec3(2, 4, 4)};
-    const std::vector<SurveyPlace> places = air_places_in(cell, {}, sight);
-    REQUIRE_FALSE(places.empty());
-    for (const SurveyPlace& each : places) {
-        CHECK(contains(cell, each.point.position));
-        CHECK(each.point.horizon == Horizon::none);
-    }
-    // An eye above the floor sees none of those below it, unless all are.
-    const Vec3 eye(5, 3, 5);
-    for (const double top : {0.0, -2.0}) {
-        const std::vector<SurveyPlace> seen =
-            air_places_in({Vec3(2, -3, 2), Vec3(4, top, 4)}, {eye}, sight);
-        REQUIRE(seen.size() > 3);
-        for (const SurveyPlace& each : seen) CHECK((each.point.position.y > -1.5) == (top == 0));
-    }
-}
 
 TEST_CASE("directions of an outlook have the density that is stated for them", "[lighting]") {
     // Near the ball the outlook covers the whole sphere, farther away only the ball.
@@ -132,7 +61,7 @@ TEST_CASE("an outlook draws what shines more often than chance", "[lighting]") {
     Draw draw(4);
     for (int i = 0; i < 1000; ++i) {
         const auto drawn = LightGuide::draw(weights, {draw.number(), draw.number()});
-        const auto seen = sight({point.position, drawn.direction}, 1e-9);
+        const auto seen = ball_over_floor({point.position, drawn.direction}, 1e-9);
         met += seen && seen->light;
     }
     CHECK(met > 500);

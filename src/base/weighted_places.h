@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An index by weight that counts exactly: weights become integers, so rounding cannot lose an
+// element. For draws in proportion to weights of any range among many elements, and in parts of
+// them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace candelabra {
+
+/// All elements laid end to end. Each takes a number of places in proportion to its weight: at
+/// least one, unless its weight is 0.
+class WeightedPlaces {
+public:
+    WeightedPlaces() = default;
+    /// Precondition: no weight is below 0.
+    explicit WeightedPlaces(std::span<const double> weights);
+
+    std::size_t size() const { return ends_.size(); }
+    std::uint64_t total() const { return ends_.empty() ? 0 : ends_.back(); }
+    std::uint64_t before(std::uint32_t i) const { return i == 0 ? 0 : ends_[i - 1]; }
+    std::uint64_t end(std::uint32_t i) const { return ends_[i]; }
+    std::uint64_t of(std::uint32_t i) const { return end(i) - before(i); }
+    /// Returns the element that takes the place. Precondition: place < total().
+    std::uint32_t at(std::uint64_t place) const;
+    std::size_t memory_bytes() const;
+
+private:
+    std::vector<std::uint64_t> ends_;
+    std::vector<std::uint32_t> guide_;  ///< first element of each of equal parts of the places
+    int guide_shift_ = 0;
+};
+
+}  // namespace candelabra

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The survey of a cell of the light octree: some thousand rays that are traced when the cell is
+// made. They measure how much of the light that its cut promises arrives, which light is seen from
+// there, and how noisy each way of sampling it is.
+#pragma once
+
+#include "lighting/light_cut.h"
+#include "lighting/light_guide.h"
+
+namespace candelabra {
+
+/// Results of the rays that survey a cell.
+struct CellSurvey {
+    std::optional<LightGuide> outlook;  ///< none: no directions are sampled from it
+    double by_direction = 0;            ///< fraction of shadow rays to be sampled from the outlook
+    bool as_scattered = false;          ///< all shadow rays should be sampled from the BSDF
+    /// Expected standard deviation of one shadow ray's irradiance, per unit of the cut's total
+    /// weight at a point; below 0: not known.
+    double noise = -1;
+    /// Expected irradiance in the same unit; known if the noise is.
+    double irradiance = 0;
+};
+
+/// Surveys cells. Deterministic. Refers to the luminaires and to their tree.
+class CellSurveyor {
+public:
+    /// `max_by_direction`: maximum fraction of the shadow rays to be sampled from the outlook.
+    CellSurveyor(std::span<const Luminaire>, const LightTree&, const Viewer&,
+                 double max_by_direction);
+
+    /// Whether all luminaires are volumes, which no direction hits.
+    bool only_volumes() const { return only_volumes_; }
+
+    /// Surveys a cell, and scales its cut's entries by the arriving fraction of their light. In the
+    /// air: for points between surfaces.
+    CellSurvey operator()(const Box& cell, bool in_air, LightCut&, const LightProbe&) const;
+
+private:
+    /// Result of shadow rays to chosen luminaires: variance over squared mean, and mean irradiance
+    /// per unit of the total weight.
+    struct Found {
+        double noise, irradiance;
+    };
+    Found found_by_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
+    std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
+
+    std::span<const Luminaire> luminaires_;
+    const LightTree& tree_;
+    Viewer viewer_;
+    double max_by_direction_;
+    LightBall ball_;
+    double brightest_ = 0;  ///< luminance
+    bool any_volume_, only_volumes_;
+};
+
+}  // namespace candelabra

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The choice of a luminaire from a cut that was weighed at a point: of an entry by the weights, and
+// of a luminaire of the entry by cluster_descent.h.
+#pragma once
+
+#include "base/random.h"
+#include "lighting/light_cut.h"
+
+#include <optional>
+
+namespace candelabra {
+
+/// Returns a luminaire for u in [0, 1); nothing if all weights are 0. The key makes further numbers
+/// where u is used up.
+std::optional<LightPick> pick_from(const LightCut&, const CutWeights&, const LightTree&,
+                                   const Receiver&, const Key&, double u);
+
+/// Expected number of times that pick_from() returns the luminaire.
+double expected_from(const LightCut&, const CutWeights&, const LightTree&, const Receiver&,
+                     LightIndex);
+
+}  // namespace candelabra
