@@ -301,7 +301,7 @@ Vec3 spherical(const Projection& f, double u, double v) {
 
 }  // namespace
 
-double BlurRule::allowed(int rays) const {
+double BlurRays::allowed(int rays) const {
     if (rays >= most) return std::numeric_limits<double>::infinity();
     // As in POV-Ray, a variance of 0 requires all rays, even where the first ones are equal.
     if (rays < least || variance <= 0) return -1;

@@ -100,7 +100,7 @@ enum class Lens : std::uint8_t {
 };
 
 /// Number of rays of a blurred pixel: as many as its mean needs for the requested accuracy.
-struct BlurRule {
+struct BlurRays {
     int least = 1, most = 1;
     double variance = 0;    ///< of the mean, in each of red, green and blue
     double confidence = 0;  ///< probability with which the variance is met
@@ -118,7 +118,7 @@ struct Projection {
     double vertical_angle = 0;
     double lens_radius = 0;  ///< 0: pinhole
     double focal_distance = 0;
-    BlurRule blur = {};
+    BlurRays blur = {};
     Handle<MeshLens> mesh = {};  ///< generates the rays; null: ray() does
 
     bool blurs() const { return lens_radius > 0 && blur.most > 1; }

@@ -145,7 +145,7 @@ TEST_CASE("a blurred pixel gets rays until its mean is known", "[camera]") {
     camera.blur_samples = 10;
     camera.max_blur_samples = 50;
     camera.variance = 0.01;
-    const BlurRule rule = projection(camera).blur;
+    const BlurRays rule = projection(camera).blur;
     CHECK(rule.allowed(9) < 0);
     CHECK(rule.allowed(50) > 1e300);
     CHECK(rule.allowed(49) == Approx(0.01));
@@ -159,7 +159,7 @@ TEST_CASE("a blurred pixel whose variance is to be 0 gets all rays, however alik
     camera.aperture = 1;
     camera.blur_samples = 50;
     camera.variance = 0;
-    const BlurRule rule = projection(camera).blur;
+    const BlurRays rule = projection(camera).blur;
     CHECK(rule.allowed(7) < 0);
     CHECK(rule.allowed(49) < 0);
     CHECK(rule.allowed(50) > 1e300);

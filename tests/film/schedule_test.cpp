@@ -1,71 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/schedule.h"
 
+#include "support/grey_film.h"
+
 #include <catch2/catch.hpp>
 
 namespace candelabra {
 
-namespace {
-
-RenderSettings tiny() {
-    RenderSettings settings;
-    settings.width = 36;
-    settings.height = 34;
-    return settings;
-}
-
-/// Takes all wanted samples: grey on the left; alternately black and white on the right.
-void fill(Film& film) {
-    for (int y = 0; y < film.height(); ++y)
-        for (int x = 0; x < film.width(); ++x)
-            for (PixelSum& p = film.at(x, y); p.samples < p.target;)
-                p.add(Vec3(x < 10 ? 0.5 : p.samples % 2));
-}
-
-}  // namespace
-
 TEST_CASE("an even picture has one round, and another when more is asked for", "[render]") {
-    RenderSettings settings = tiny();
+    RenderSettings settings = tiny_picture();
     settings.samples = 4;
     RenderState state = begin_picture(settings);
     REQUIRE(plan_round(state, settings, 4));
     CHECK(wanted_samples(state.film).missing == 4u * 36 * 34);
-    fill(state.film);
+    take_wanted(state.film);
     CHECK_FALSE(plan_round(state, settings, 4));
     REQUIRE(plan_round(state, settings, 7));
     CHECK(wanted_samples(state.film).missing == 3u * 36 * 34);
 }
 
 TEST_CASE("the adaptive scheme has two rounds, the second where it is noisy", "[render]") {
-    const RenderSettings settings = tiny();
+    const RenderSettings settings = tiny_picture();
     RenderState state = begin_picture(settings);
     REQUIRE(plan_round(state, settings, 8));
-    fill(state.film);
+    take_wanted(state.film);
     REQUIRE(plan_round(state, settings, 8));
     CHECK(state.film.at(3, 3).target == 8);
     CHECK(state.film.at(15, 3).target == 64);
-    fill(state.film);
+    take_wanted(state.film);
     CHECK_FALSE(plan_round(state, settings, 8));
 }
 
 TEST_CASE("rounds go on until the noise is low enough or the samples are used up", "[render]") {
-    RenderSettings settings = tiny();
+    RenderSettings settings = tiny_picture();
     settings.noise = 0.05;
     RenderState state = begin_picture(settings);
     int rounds = 0;
-    for (; plan_round(state, settings, 16); ++rounds) fill(state.film);
+    for (; plan_round(state, settings, 16); ++rounds) take_wanted(state.film);
     CHECK(rounds > 3);
     const PixelSum& noisy = state.film.at(15, 9);
     CHECK(noisy.deviation() / std::sqrt(noisy.samples) < 0.0501);
     CHECK(state.film.at(3, 9).samples == 16);
     settings.samples = 100;
     state = begin_picture(settings);
-    while (plan_round(state, settings, 16)) fill(state.film);
+    while (plan_round(state, settings, 16)) take_wanted(state.film);
     CHECK(state.film.at(15, 9).samples == 100);
 }
 
 TEST_CASE("a share has its own pixels, and in the adaptive scheme their neighbours", "[render]") {
-    RenderSettings settings = tiny();
+    RenderSettings settings = tiny_picture();
     RenderState state = begin_picture(settings);
     state.shard.first_tile = 1;
     state.shard.tile_step = 4;
@@ -81,27 +64,11 @@ TEST_CASE("a share has its own pixels, and in the adaptive scheme their neighbou
     CHECK(state.film.at(31, 31).target == 0);
 }
 
-TEST_CASE("pixels behind a lens get samples until their mean is known, or no more", "[render]") {
-    RenderSettings settings = tiny();
-    settings.antialias = false;
-    RenderState state = begin_picture(settings);
-    const BlurRule rule{10, 60, 0.01, 0.9};
-    while (plan_round(state, settings, 10, rule)) fill(state.film);
-    CHECK(state.film.at(3, 3).samples == 10);
-    const PixelSum& noisy = state.film.at(15, 3);
-    CHECK(noisy.samples > 20);
-    CHECK(noisy.samples < 60);
-    CHECK(noisy.variance_of_mean() < rule.allowed(static_cast<int>(noisy.samples)));
-    state = begin_picture(settings);
-    while (plan_round(state, settings, 10, BlurRule{10, 25, 1e-6, 0.9})) fill(state.film);
-    CHECK(state.film.at(15, 3).samples == 25);
-}
-
 TEST_CASE("where tiles find out what pixels need there is one round, of the share", "[render]") {
-    const RenderSettings settings = tiny();
+    const RenderSettings settings = tiny_picture();
     for (const SampleRule& rule :
          {SampleRule(contrast_rule(settings, 1)), SampleRule(corner_rule(settings, 1))}) {
-        CHECK(is_settled_by_tiles(rule));
+        CHECK(decided_by(settings, rule) == DecidedBy::tile);
         CHECK_FALSE(is_even(settings, rule));
         RenderState state = begin_picture(settings);
         state.shard.first_tile = 1;
@@ -109,13 +76,13 @@ TEST_CASE("where tiles find out what pixels need there is one round, of the shar
         REQUIRE(plan_round(state, settings, 1, rule));
         CHECK(state.film.at(32, 3).target == 1);
         CHECK(state.film.at(31, 3).target == 0);
-        fill(state.film);
+        take_wanted(state.film);
         CHECK_FALSE(plan_round(state, settings, 1, rule));
     }
 }
 
 TEST_CASE("no target is beyond what the rules can want", "[render]") {
-    RenderSettings settings = tiny();
+    RenderSettings settings = tiny_picture();
     settings.samples = 4;
     CHECK(max_wanted(settings, 4) == 4);
     settings.samples = 0;
@@ -124,7 +91,7 @@ TEST_CASE("no target is beyond what the rules can want", "[render]") {
     settings.samples = 9;
     CHECK(max_wanted(settings, 4) == 9);
     BlurRule blur;
-    blur.most = 50;
+    blur.rays.most = 50;
     CHECK(max_wanted(settings, 4, blur) == 50);
 
     settings.noise = 1e-9;
@@ -132,7 +99,7 @@ TEST_CASE("no target is beyond what the rules can want", "[render]") {
     RenderState state = begin_picture(settings);
     while (plan_round(state, settings, 8)) {
         CHECK(wanted_samples(state.film).most <= max_wanted(settings, 8));
-        fill(state.film);
+        take_wanted(state.film);
     }
 }
 

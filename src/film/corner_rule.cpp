@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "film/corners.h"
+#include "film/corner_rule.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -28,20 +29,33 @@ CornerRule corner_rule(const RenderSettings& settings, double assumed_gamma, dou
             settings.jitter ? settings.jitter_amount : 0};
 }
 
-std::uint32_t quarters_across(const CornerRule& rule) {
-    return std::uint32_t{1} << (rule.depth - 1);
+std::optional<CornerRule> CornerRule::chosen(const RuleChoice& choice) {
+    if (!choice.compares_rays() || choice.settings.sampling_method <= 1) return {};
+    return corner_rule(choice.settings, choice.assumed_gamma, choice.film.exposure_factor());
 }
 
-Vec2 place_in_pixel(const CornerRule& rule, const Key& key) {
-    const std::uint32_t across = quarters_across(rule);
+std::optional<Vec2> CornerRule::place(const Key& key) const {
+    const std::uint32_t across = quarters_across();
     const std::uint32_t x = key.sample % (across + 1), y = key.sample / (across + 1);
     const Vec2 place = Vec2(x, y) / static_cast<double>(across);
-    if (rule.jitter == 0 || (x % across == 0 && y % across == 0)) return place;
+    if (jitter == 0 || (x % across == 0 && y % across == 0)) return place;
     // POV-Ray's least distance is slightly smaller than that of the samples.
     const double least = 1.0 / (2 * across + 1);
     return place +
-           rule.jitter * least *
+           jitter * least *
                Vec2(uniform(key, Purpose::pixel_x) - 0.5, uniform(key, Purpose::pixel_y) - 0.5);
+}
+
+std::uint64_t CornerRule::make(TileSamples& tile, std::uint32_t level) const {
+    CornerCells cells(*this, tile.region());
+    const auto look = [&](int x, int y, std::uint32_t sample) { return tile.look(x, y, sample); };
+    std::uint64_t made = 0;
+    for_pixels(tile.film(), tile.region(), [&](int x, int y, const PixelSum& pixel) {
+        if (pixel.samples >= std::min(level, pixel.target) || tile.stopped()) return;
+        tile.add(x, y, cells.pixel(x, y, look));
+        ++made;
+    });
+    return made;
 }
 
 CornerCells::CornerCells(const CornerRule& rule, const Region& tile)
@@ -53,14 +67,14 @@ CornerCells::CornerCells(const CornerRule& rule, const Region& tile)
 PixelSample CornerCells::pixel(int x, int y, Look look) {
     inside_.clear();
     const Pixel pixel{x, y, look};
-    PixelSample sight = mean(pixel, {0, 0, quarters_across(rule_)});
+    PixelSample sight = mean(pixel, {0, 0, rule_.quarters_across()});
     sight.shadow_rays = point(pixel, 0, 0).sight.shadow_rays;
     for (const auto& [sample, point] : inside_) sight.shadow_rays += point.sight.shadow_rays;
     return sight;
 }
 
 const CornerCells::Point& CornerCells::point(const Pixel& pixel, std::uint32_t x, std::uint32_t y) {
-    const std::uint32_t across = quarters_across(rule_);
+    const std::uint32_t across = rule_.quarters_across();
     if (x % across == 0 && y % across == 0) {
         const Pixel owner{pixel.x + static_cast<int>(x / across),
                           pixel.y + static_cast<int>(y / across), pixel.look};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "film/corners.h"
+#include "film/corner_rule.h"
 
 #include "support/edges.h"
 
@@ -53,13 +53,12 @@ TEST_CASE("rays inside of a pixel are moved, its corners are not", "[render]") {
     RenderSettings settings = by_corners(3);
     settings.jitter = true;
     const CornerRule rule = corner_rule(settings, 1);
-    const int places = static_cast<int>(quarters_across(rule)) + 1;
+    const int places = static_cast<int>(rule.quarters_across()) + 1;
     REQUIRE(places == 5);
     for (int i = 0; i < places * places; ++i) {
         Key key;
         key.sample = static_cast<std::uint32_t>(i);
-        const Vec2 row = Vec2(i % places, i / places) / 4.0,
-                   moved = place_in_pixel(rule, key) - row;
+        const Vec2 row = Vec2(i % places, i / places) / 4.0, moved = rule.place(key).value() - row;
         const bool corner = i == 0 || i == 4 || i == 20 || i == 24;
         CHECK((moved == Vec2(0)) == corner);
         CHECK(std::max(std::abs(moved.x), std::abs(moved.y)) <= 0.5 / 9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "film/adaptive.h"
+#include "film/noise_rule.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,12 +20,12 @@ TEST_CASE("a pixel gets more samples when its neighbours differ, whatever its ow
         for (int x = 0; x < 5; ++x) fill(film.at(x, y), 0.2, 0.2);
     film.at(2, 2) = PixelSum();
     fill(film.at(2, 2), 0, 1);
-    const AdaptiveRule rule{0.05, 64};
-    CHECK(samples_to_add(film, 1, 1, rule) == 60);
-    CHECK(samples_to_add(film, 3, 2, rule) == 60);
-    CHECK(samples_to_add(film, 2, 2, rule) == 0);
-    CHECK(samples_to_add(film, 0, 0, rule) == 0);
-    CHECK(samples_to_add(film, 4, 4, rule) == 0);
+    const NoiseBound enough{0.05, 64};
+    CHECK(samples_to_add(film, 1, 1, enough) == 60);
+    CHECK(samples_to_add(film, 3, 2, enough) == 60);
+    CHECK(samples_to_add(film, 2, 2, enough) == 0);
+    CHECK(samples_to_add(film, 0, 0, enough) == 0);
+    CHECK(samples_to_add(film, 4, 4, enough) == 0);
 }
 
 }  // namespace candelabra

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "film/contrast.h"
+#include "film/rule_kind.h"
 
 #include <optional>
 #include <unordered_map>
@@ -16,25 +17,22 @@ struct CornerRule {
     Contrast contrast;
     int depth;      ///< a pixel is quartered at most depth - 1 times
     double jitter;  ///< maximum random offset of rays inside, as a fraction of the least distance
+
+    static std::optional<CornerRule> chosen(const RuleChoice&);
+    static DecidedBy decided_by(const RenderSettings&) { return DecidedBy::tile; }
+    static int first(const FirstSamples&) { return 1; }
+    static std::uint32_t most(const RenderSettings&, std::uint32_t first) { return first; }
+    static void refine(RenderState&, const RenderSettings&) {}
+    /// Samples are numbered row by row; rows and columns have one sample more than quarters.
+    /// Corners are not jittered.
+    std::optional<Vec2> place(const Key&) const;
+    std::uint64_t make(TileSamples&, std::uint32_t level) const;
+
+    /// Number of the smallest quarters along an edge of a pixel.
+    std::uint32_t quarters_across() const { return std::uint32_t{1} << (depth - 1); }
 };
 
 CornerRule corner_rule(const RenderSettings&, double assumed_gamma, double exposure = 1);
-
-/// Returns the number of the smallest quarters along an edge of a pixel.
-std::uint32_t quarters_across(const CornerRule&);
-
-/// Returns the position of a sample's ray from the left and upper edge of its pixel, in pixels.
-/// Samples are numbered row by row; rows and columns have one sample more than quarters. Corners
-/// are not jittered.
-Vec2 place_in_pixel(const CornerRule&, const Key&);
-
-/// The values of one ray, or the mean of several.
-struct PixelSample {
-    Vec3 colour = Vec3(0);
-    double clear = 0;  ///< transparency to compare, if the picture has an alpha channel
-    std::vector<double> extra = {};  ///< the film's further sums
-    std::uint32_t shadow_rays = 0;
-};
 
 /// The pixels of a tile, which share their corners.
 class CornerCells {

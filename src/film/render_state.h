@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture that is being made.
+#pragma once
+
+#include "film/film.h"
+#include "film/picture_shard.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace candelabra {
+
+/// An unfinished picture.
+struct RenderState {
+    Film film;
+    PictureShard shard;
+    std::uint32_t rounds = 0;  ///< planned so far
+
+    friend bool operator==(const RenderState&, const RenderState&) = default;
+};
+
+/// Totals of the pixels' targets so far.
+struct Wanted {
+    std::uint64_t samples = 0;
+    std::uint64_t missing = 0;  ///< those not yet taken
+    std::uint32_t most = 0;     ///< in one pixel
+
+    void add(const PixelSum& pixel) {
+        samples += pixel.target;
+        if (pixel.target > pixel.samples) missing += pixel.target - pixel.samples;
+        most = std::max(most, pixel.target);
+    }
+};
+
+inline Wanted wanted_samples(const Film& film) {
+    Wanted all;
+    for (const PixelSum& pixel : film.pixels()) all.add(pixel);
+    return all;
+}
+
+/// Calls use(x, y, pixel) for the pixels of a region, row by row.
+template <class Use>
+void for_pixels(Film& film, const Region& region, const Use& use) {
+    for (int y = region.top; y < region.bottom; ++y)
+        for (int x = region.left; x < region.right; ++x) use(x, y, film.at(x, y));
+}
+
+/// The same for all pixels.
+template <class Use>
+void for_pixels(Film& film, const Use& use) {
+    for_pixels(film, {0, 0, film.width(), film.height()}, use);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/plan.h"
+
+#include "render/pilot.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace candelabra {
+
+namespace {
+
+/// Whether the number of samples depends on the number of shadow rays.
+bool follows_shadow_rays(const World& world, const RenderSettings& settings) {
+    return settings.samples <= 0 && settings.noise <= 0 && !world.view.camera.blurs();
+}
+
+/// Returns the number of samples that the noise of the light needs. `rays`: number of shadow rays
+/// at each hit, where relevant.
+int usual_samples(const World& world, const RenderSettings& settings, int rays) {
+    constexpr int first_for_noise = 16;
+    if (settings.noise > 0)
+        return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
+                                    : first_for_noise;
+    if (settings.samples > 0) return settings.samples;
+    // With more shadow rays per sample, fewer samples suffice.
+    constexpr int least = 4, to_middle = 16, min_in_media = 2;
+    if (!settings.antialias) {
+        if (!world.left_to_chance()) return 1;
+        if (world.differs_by_light()) return std::max(least, to_middle / rays);
+        return world.photon_targets.empty() ? min_in_media : least;
+    }
+    const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+    return rays == 1 ? first : std::min(first, std::max(least, first / rays));
+}
+
+/// Returns the number of samples that see all moments, and all that a pixel of the camera sees.
+int least_samples(const World& world, const RenderSettings& settings) {
+    if (settings.samples > 0 || settings.noise > 0) return 0;
+    const int moments = 1 + static_cast<int>(world.shutter.size());
+    return std::max(moments, world.view.camera.mesh ? world.view.camera.mesh->rays_per_pixel() : 1);
+}
+
+}  // namespace
+
+RenderPlan plan_of(const World& world, const RenderSettings& settings) {
+    return *plan_of(world, settings, SentLight::of(world, settings.seed, settings.threads), {});
+}
+
+std::optional<RenderPlan> plan_of(const World& world, const RenderSettings& settings,
+                                  const SentLight& sent, const std::function<bool()>& cancelled) {
+    const Pilot tried = pilot(world, settings, sent, cancelled);
+    if (cancelled && cancelled()) return {};
+    const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
+    const bool quiet = tried.quiet && !world.lights.sources.empty() && world.sky.light.empty();
+    const SampleRule rule =
+        choose_rule({settings, world.view.camera, world.view.film,
+                     world.rules.settings.assumed_gamma, world.left_to_chance(), quiet});
+    const FirstSamples wanted{usual_samples(world, settings, shared),
+                              least_samples(world, settings)};
+    const int samples = std::visit([&](const auto& each) { return each.first(wanted); }, rule);
+    return RenderPlan{world, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples),
+                      rule};
+}
+
+}  // namespace candelabra

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/sample.h"
+
+#include "film/develop.h"
+#include "transport/camera_ray.h"
+
+#include <variant>
+
+namespace candelabra {
+
+namespace {
+
+std::vector<Integrator> integrators_of_moments(const RenderPlan& plan, const RenderHooks& hooks) {
+    const Tracing tracing{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, plan.sent,
+                          hooks.aovs.alpha};
+    std::vector<Integrator> integrators;
+    integrators.emplace_back(plan.world, tracing);
+    for (const World& moment : plan.world.shutter) {
+        Tracing there = tracing;
+        if (plan.sent)
+            there.sent = SentLight::of(moment, plan.settings.seed, plan.settings.threads);
+        integrators.emplace_back(moment, there);
+    }
+    return integrators;
+}
+
+/// Adds a colour to three sums.
+void add_colour(const Vec3& colour, std::span<ExactSum> sums, std::size_t first) {
+    for (int c = 0; c < 3; ++c) sums[first + static_cast<std::size_t>(c)].add(colour[c]);
+}
+
+}  // namespace
+
+SampleTracer::SampleTracer(const RenderPlan& plan, const RenderHooks& hooks, const Film& film)
+    : plan_(&plan),
+      hooks_(&hooks),
+      film_(&film),
+      filter_(make_handle<PixelFilter>(plan.world.view.film.filter())),
+      exposure_(plan.world.view.film.exposure_factor()),
+      integrators_(integrators_of_moments(plan, hooks)) {}
+
+void SampleTracer::prepare(std::uint32_t sample) const {
+    for (const Integrator& each : integrators_) each.prepare(sample);
+}
+
+PicturePoint SampleTracer::point(int x, int y) const {
+    return {x, y, film_->width(), film_->height()};
+}
+
+void SampleTracer::gather_middle(int x, int y, std::span<ExactSum> extra) const {
+    candelabra::gather_middle(hooks_->aovs, plan_->world, point(x, y), extra);
+}
+
+void SampleTracer::add_rays(LightLedger& rays) const {
+    for (const Integrator& each : integrators_) rays += each.ledger();
+}
+
+FilteredPlace SampleTracer::place(const Key& key) const {
+    const auto by_rule = std::visit([&](const auto& rule) { return rule.place(key); }, plan_->rule);
+    if (by_rule) return {*by_rule};
+    // A blurred picture's rays are always spread over the pixel, as in POV-Ray.
+    if (!plan_->settings.antialias && plan_->world.view.camera.lens_radius == 0) return {Vec2(0.5)};
+    return filter_->place(key);
+}
+
+SeenSample SampleTracer::look(int x, int y, std::uint32_t sample, std::span<ExactSum> extra) {
+    Key key;
+    key.pixel = mix(static_cast<std::uint64_t>(plan_->settings.seed)) + film_->index(x, y);
+    key.sample = sample;
+    const std::size_t moment = sample % integrators_.size();
+    const World& world = moment == 0 ? plan_->world : plan_->world.shutter[moment - 1];
+    const FilteredPlace in_pixel = place(key);
+    const Ray ray = ray_through(world, point(x, y), in_pixel.place, key);
+    Integrator& integrator = integrators_[moment];
+    const std::uint64_t before_rays = integrator.ledger().shadow;
+    const Vec3 colour = integrator.radiance(ray, key);
+    const auto rays = static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays);
+    if (integrator.cut() && hooks_->cut) hooks_->cut(x, y);
+    if (!extra.empty() && !in_pixel.negative) {
+        gather(colour, world, ray, integrator, extra);
+    } else if (!extra.empty()) {
+        apart_.assign(extra.size(), ExactSum());
+        gather(colour, world, ray, integrator, apart_);
+        for (std::size_t i = 0; i < extra.size(); ++i) extra[i].subtract(apart_[i]);
+    }
+    return {colour, rays, in_pixel.negative};
+}
+
+/// Adds a sample's values besides its colour.
+void SampleTracer::gather(const Vec3& colour, const World& world, const Ray& ray,
+                          Integrator& integrator, std::span<ExactSum> sums) const {
+    const Aovs& aovs = hooks_->aovs;
+    gather_sample(aovs, world, ray, integrator, sums);
+    if (aovs.smooth) add_colour(compressed(colour, exposure_), sums, aovs.first_smooth());
+    if (aovs.squares) add_colour(colour * colour, sums, aovs.first_square());
+}
+
+}  // namespace candelabra

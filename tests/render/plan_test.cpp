@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/plan.h"
+
+#include "support/four_lamps.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+TEST_CASE("samples are as many as asked for", "[render]") {
+    const World world = world_of(four_lamps);
+    RenderSettings settings = small(0);
+    settings.samples = 3;
+    CHECK(render(world, settings).rays.camera == 3u * 45 * 37);
+    const World dark = world_of("sphere { <0, 0, 5>, 1 }");
+    settings.samples = 0;
+    settings.antialias = false;
+    CHECK(render(dark, settings).rays.camera == 45u * 37);
+}
+
+TEST_CASE("a bound for noise is for light as the film shows it", "[render][film]") {
+    const auto samples = [](const std::string& film) {
+        const World world = world_of(R"(
+            #version 3.7;
+            camera { location <0, 2, -5> look_at 0 film { )" +
+                                     film + R"( } }
+            sphere { <0, 3, 0>, 0.5 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }
+            plane { y, -1 pigment { rgb 0.5 } finish { ambient 0 } }
+        )");
+        RenderSettings settings = of_samples(0);
+        settings.width = settings.height = 16;
+        settings.noise = 0.002;
+        RenderState state = begin_picture(settings);
+        LightLedger rays;
+        REQUIRE(advance(plan_of(world, settings), state, rays));
+        std::uint64_t sum = 0;
+        for (const PixelSum& pixel : state.film.pixels()) sum += pixel.samples;
+        return sum;
+    };
+    CHECK(samples("exposure 3") > 2 * samples("exposure 0"));
+    CHECK(samples("exposure -4") <= samples("exposure 0"));
+}
+
+}  // namespace candelabra

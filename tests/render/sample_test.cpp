@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/sample.h"
+
+#include "support/four_lamps.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+namespace {
+
+/// A lamp whose edge must not be moved by any pixel filter, on an evenly lit ground.
+World filmed(const std::string& film) {
+    return world_of(R"(
+        #version 3.7;
+        camera { location -5*z right x up y film { )" +
+                    film + R"( } }
+        sphere { 0, 1.2 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 0.8 } }
+        plane { z, 2 pigment { rgb 1 } finish { ambient 0.3 diffuse 0 } }
+    )");
+}
+
+double mean_grey(const Image& image) {
+    double sum = 0;
+    for (const Vec3& pixel : image.pixels) sum += pixel.x;
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+}  // namespace
+
+TEST_CASE("another seed gives other noise around the same mean", "[render]") {
+    const World world = world_of(four_lamps);
+    RenderSettings settings = small(0);
+    settings.samples = 64;
+    const Image first = render(world, settings).image;
+    settings.seed = 1;
+    const Image second = render(world, settings).image;
+    CHECK(first.pixels != second.pixels);
+    double sum1 = 0, sum2 = 0;
+    for (std::size_t i = 0; i < first.pixels.size(); ++i) {
+        sum1 += grey(first.pixels[i]);
+        sum2 += grey(second.pixels[i]);
+    }
+    CHECK(sum1 == Approx(sum2).epsilon(0.01));
+}
+
+TEST_CASE("pixel filters keep even light as it is, and the mean of a picture", "[render][film]") {
+    const Image box = render(filmed("pixel_filter box"), of_samples(64)).image;
+    for (const std::string name : {"triangle", "mitchell", "blackman_harris"}) {
+        INFO(name);
+        const Image made = render(filmed("pixel_filter " + name), of_samples(64)).image;
+        CHECK(mean_grey(made) == Approx(mean_grey(box)).epsilon(0.005));
+        CHECK(made.at(16, 16).x == Approx(0.8).epsilon(1e-9));
+        CHECK(made.at(1, 1).x == Approx(box.at(1, 1).x).epsilon(1e-9));
+        CHECK(made.pixels != box.pixels);
+    }
+    // Negative lobes beside the edge: the ground is darker there, and the lamp brighter.
+    const Image sharp = render(filmed("pixel_filter mitchell"), of_samples(256)).image;
+    double least = 1, greatest = 0;
+    for (const Vec3& pixel : sharp.pixels) {
+        least = std::min(least, pixel.x);
+        greatest = std::max(greatest, pixel.x);
+    }
+    CHECK(least < 0.295);
+    CHECK(greatest > 0.805);
+}
+
+}  // namespace candelabra
