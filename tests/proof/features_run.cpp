@@ -63,7 +63,8 @@ Factor cameras() {
     };
     part("blur", "aperture 0.3 blur_samples 16 focal_point <0, 0.7, 0>");
     part("tilted", "sky <0.3, 1, 0> right 1.2*x");
-    part("bent", "normal { bumps 0.2 scale 0.3 }");
+    // As in POV-Ray, such bumps turn directions of space.
+    part("bent", "normal { bumps 0.2 scale 0.3 }", directions);
     factor.levels.push_back(
         {"mesh_camera", hides, [](Draft& draft) {
              draft.lens =
