@@ -90,8 +90,7 @@ void LightPaths::follow(const Key& key, double share,
                 radiance_seen(world_, {luminaire, way.ray, way.tolerance, way.distance});
             if (seen == Vec3(0)) return;
             const Vec3 by_lamp = left_by_lamp(world_, luminaire, way, path.key);
-            go_on({path, vertex, power_of_one * left * by_lamp * seen, 0,
-                   Lamp::luminaire(light)},
+            go_on({path, vertex, power_of_one * left * by_lamp * seen, 0, Lamp::luminaire(light)},
                   found);
         }
         if (world_.passed(hit, path.ray) == Vec3(0)) return;

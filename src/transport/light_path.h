@@ -14,8 +14,8 @@ namespace candelabra {
 /// many sampled points is an unbiased estimate of the light that all diffuse surfaces reflect.
 struct ReflectedLuminaire {
     Vec3 position;
-    Vec3 normal;                  ///< unit geometric normal, on the side that reflects
-    Vec3 power;                   ///< radiance, equal in all directions of that side, times area
+    Vec3 normal;              ///< unit geometric normal, on the side that reflects
+    Vec3 power;               ///< radiance, equal in all directions of that side, times area
     double tolerance = 0;     ///< of the hit
     int reflections = 1;      ///< diffuse ones on the light's way, including this one
     Lamp lamp = Lamp::sky();  ///< that sent the light

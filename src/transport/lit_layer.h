@@ -19,7 +19,11 @@ struct LitLayer {
     /// Settings of the radiosity that gathers the luminaires' light; null: nothing gathers it.
     const Radiosity* radiosity = nullptr;
 
-    double grain(const Key&) const;  ///< the random number of the finish's `crand`
+    /// The random number of the finish's `crand`.
+    double grain(const Key& key) const {
+        const bool grainy = !scatterer.in_air() && scatterer.bsdf().shading().finish->crand > 0;
+        return grainy ? uniform(key, Purpose::grain) : 0;
+    }
     /// The terms of the BSDF by which it responds. Brilliance does not apply to light that
     /// radiosity gathers.
     BsdfTerms terms() const { return {highlights, !radiosity, FacetLobes::wide}; }

@@ -126,11 +126,10 @@ Vec3 LuminaireLight::by_answer(const Answer& answer, const Asked& asked) {
     answer.sample(asked.key, samples_);
     Vec3 sum(0);
     if (samples_.direction)
-        sum += by_direction(*samples_.direction, answer.meetings(), asked,
-                            [&](LightIndex light, double of_point) {
-                                return answer.pdf(*samples_.direction,
-                                                  answer.expected(asked.key, light), of_point);
-                            });
+        sum += by_direction(
+            *samples_.direction, answer.meetings(), asked, [&](LightIndex light, double of_point) {
+                return answer.pdf(*samples_.direction, answer.expected(asked.key, light), of_point);
+            });
     // The conventional strategy picks every luminaire once; further shadow rays add points on each.
     const bool several = samples_.picks.size() > 1;
     for (const LightPick& pick : samples_.picks) {
@@ -172,9 +171,8 @@ Vec3 LuminaireLight::by_pick(const LightPick& pick, const Asked& asked, const Ke
     const ShadowRay ray(asked.at, direction, asked.key);
     if (searched) walk_along(ray, asked.at);
     const Vec3 weight = response / (pi * density(direction, of_point) * asked.number);
-    return seen(ray, asked.at, [&](const OnRay& there) {
-        return there.light == pick.light ? weight : Vec3(0);
-    });
+    return seen(ray, asked.at,
+                [&](const OnRay& there) { return there.light == pick.light ? weight : Vec3(0); });
 }
 
 /// Light of all luminaires that are visible in the direction. Density: returns the pdf of a point,
@@ -225,14 +223,16 @@ Vec3 LuminaireLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight 
 void LuminaireLight::walk_along(const ShadowRay& ray, const ArrivingLight& at) {
     on_ray_.clear();
     bool unobstructed = !(world_.has_media() || world_.has_air());
-    world_.along(ray.ray(), at.layer.vertex.tolerance(), RayKind::light, [&](const Hit& hit, double distance) {
-        const bool first = std::exchange(unobstructed, false);
-        const LightIndex light = world_.lights.luminaire_of[hit.primitive];
-        // The walk is one ray, whatever it meets.
-        if (light != no_primitive)
-            on_ray_.push_back({light, distance, 0, hit, first, on_ray_.empty() ? 1U : 0U});
-        return !world_.material(hit.primitive).stops_light();
-    });
+    world_.along(
+        ray.ray(), at.layer.vertex.tolerance(), RayKind::light,
+        [&](const Hit& hit, double distance) {
+            const bool first = std::exchange(unobstructed, false);
+            const LightIndex light = world_.lights.luminaire_of[hit.primitive];
+            // The walk is one ray, whatever it meets.
+            if (light != no_primitive)
+                on_ray_.push_back({light, distance, 0, hit, first, on_ray_.empty() ? 1U : 0U});
+            return !world_.material(hit.primitive).stops_light();
+        });
     if (!on_ray_.empty()) return;
     ++at.ledger.shadow;
     at.ledger.add_miss();

@@ -106,11 +106,11 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
                            std::ranges::any_of(path.media, [&](PrimitiveIndex solid) {
                                return glows_within(world_, world_.material(solid));
                            });
-    march(view_of(media_),
-          {path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
-           scatters ? &expected : nullptr, path.taken.lamps(),
-           somewhere ? &where : nullptr, light_},
-          world_.pattern_scene(), path.key, march_);
+    march(
+        view_of(media_),
+        {path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
+         scatters ? &expected : nullptr, path.taken.lamps(), somewhere ? &where : nullptr, light_},
+        world_.pattern_scene(), path.key, march_);
     Veil veil = march_.veil;
     if (march_.of_luminaires != Vec3(0))
         record_volume(ledger, world_, {path.media.data(), path.media.size()},

@@ -101,8 +101,7 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
 
 /// Adds the layers' emission and reflected direct light, and continues the path. Returns false if it
 /// ends.
-bool PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
-                                     const Layers& layers) {
+bool PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex, const Layers& layers) {
     if (world_.rules.quality < quality_light) {
         sum_ += path.throughput * layers.back().colour.rgb;
         return false;
@@ -159,9 +158,9 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
     } else if (!scatters_inside(world_, s)) {
         light += direct_light_({vertex, whole, all_light, path.throughput}, path.key, ledger_);
         if (by_reflected && path.bounces < max_bounces_)
-            light += reflected_(
-                {world_, {vertex, whole, all_light, path.throughput}, false, ledger_},
-                max_bounces_ - path.bounces, path.key);
+            light +=
+                reflected_({world_, {vertex, whole, all_light, path.throughput}, false, ledger_},
+                           max_bounces_ - path.bounces, path.key);
     } else {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
         light += direct_light_({vertex, highlights, all_light, path.throughput}, path.key, ledger_);

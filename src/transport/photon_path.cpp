@@ -157,8 +157,7 @@ bool PhotonPaths::scatter(Journey& journey, const Vertex& vertex, const Key& key
     return texture && go_on(journey, vertex, texture->layers);
 }
 
-bool PhotonPaths::go_on(Journey& journey, const Vertex& vertex,
-                        const Layers& layers) const {
+bool PhotonPaths::go_on(Journey& journey, const Vertex& vertex, const Layers& layers) const {
     PathState& path = journey.path;
     const PhotonSurface& surface = vertex.material->photons;
     const LayerStack stack(world_, path, vertex, layers);

@@ -20,7 +20,7 @@ struct PhotonShot {
     double tolerance = 0;      ///< of its start
     std::uint32_t target = 0;  ///< in World::photon_targets, counted from 1
     Lamp lamp = Lamp::sky();
-    PhotonWays ways = {};  ///< the lamp's photon settings
+    PhotonWays ways = {};           ///< the lamp's photon settings
     std::uint32_t light_group = 0;  ///< of a light source
     Vec3 power = Vec3(0);           ///< of a luminaire's photon: colour of light times area
     /// Of a light source's photon: solid angle in steradians, or area if all of its light is

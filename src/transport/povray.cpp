@@ -66,8 +66,7 @@ Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
 
 /// Radiance of a stack of layers: each layer through those above it, the reflections of all, and
 /// light from behind.
-Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
-                               const Layers& layers) {
+Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex, const Layers& layers) {
     if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
     const LayerStack stack(world_, path, vertex, layers);
     const bool emission = shows_emission(world_, path, vertex.hit.primitive);

@@ -22,8 +22,7 @@ public:
     double share(double cosine, double other_cosine, double distance) const;
 
 private:
-    Vec3 from(const LightPick&, const ReflectedLuminaire&, const ArrivingLight&,
-              const Key&) const;
+    Vec3 from(const LightPick&, const ReflectedLuminaire&, const ArrivingLight&, const Key&) const;
 
     LightSamples samples_;  ///< kept as a member to reuse its memory
 };

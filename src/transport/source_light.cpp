@@ -138,7 +138,8 @@ private:
             place2 += uniform(key, Purpose::jitter_v) - 0.5;
         }
         const Vec3 from = grid_point(light_, place1, place2, direction_);
-        if (light_.along_axis()) return known = passed(incidence(light_, from, vertex().position()));
+        if (light_.along_axis())
+            return known = passed(incidence(light_, from, vertex().position()));
         const Vec3 offset = from - vertex().position();
         const double distance = length(offset);
         return known = distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});

@@ -241,9 +241,9 @@ private:
         const double bent = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const double way = length(way_in->position - point) * cosine / bent;
         const Vec3 left = math::exp(-dipole_.extinction() * way);
-        return left * lights_.from_source(
-                          light, 1, {vertex, bsdf, {LightKind::sources}, throughput * left}, key,
-                          ledger_);
+        return left * lights_.from_source(light, 1,
+                                          {vertex, bsdf, {LightKind::sources}, throughput * left},
+                                          key, ledger_);
     }
 
     static constexpr auto chances = std::to_array<double>({0.75, 0.125, 0.125});

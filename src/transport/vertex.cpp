@@ -70,15 +70,15 @@ VisibleTextures visible_textures(const World& world, const Vertex& vertex, doubl
     PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
     scene.view = &view;
     VisibleTextures found;
-    world.for_textures(hit.primitive, hit.part, hit.position, hit.side_towards(s.view),
-                       [&](double share, const Texture& texture) {
-                           if (share < least) return;
-                           for_layers(texture, s.position, s.normal, scene,
-                                      [&](double weight, std::span<const Layer> layers) {
-                                          found.push_back({share * weight,
-                                                           {layers.begin(), layers.end()}});
-                                      });
+    world.for_textures(
+        hit.primitive, hit.part, hit.position, hit.side_towards(s.view),
+        [&](double share, const Texture& texture) {
+            if (share < least) return;
+            for_layers(texture, s.position, s.normal, scene,
+                       [&](double weight, std::span<const Layer> layers) {
+                           found.push_back({share * weight, {layers.begin(), layers.end()}});
                        });
+        });
     return found;
 }
 

@@ -218,7 +218,8 @@ double view_size(const Projection& camera) {
 void light_the_sky(World& world) {
     if (!world.sky.sphere || !world.sky.sphere->luminaire) return;
     if (world.rules.quality < quality_shadows) return;
-    world.sky.light = SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
+    world.sky.light =
+        SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
     if (world.sky.light.empty()) return;
     Provenance& provenance = world.provenance;
     provenance.statement_of_sky = static_cast<std::uint32_t>(provenance.light_statements.size());

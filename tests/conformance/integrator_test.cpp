@@ -118,8 +118,9 @@ TEST_CASE("integrators agree without bounces", "[transport]") {
             const std::uint32_t pixel = 32 * block + i;
             if (pixel % 16 < 8) continue;
             for (std::uint32_t sample = 0; sample < 400; ++sample, ++count) {
-                const double apart = grey(pov.radiance(ray_of(pixel), key_of(pixel, sample)) -
-                                          path.radiance(ray_of(pixel), key_of(pixel, sample + 1000)));
+                const double apart =
+                    grey(pov.radiance(ray_of(pixel), key_of(pixel, sample)) -
+                         path.radiance(ray_of(pixel), key_of(pixel, sample + 1000)));
                 sum += apart;
                 squares += apart * apart;
             }

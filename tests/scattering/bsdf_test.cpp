@@ -257,8 +257,8 @@ TEST_CASE("light takes the same way back", "[scattering]") {
     // POV-Ray's highlights and brilliance do not, nor its crand and thin films.
     Draw draw(6);
     for (const auto& [name, finish] : kinds()) {
-        if (finish.phong > 0 || finish.specular > 0 || finish.brilliance != 1 ||
-            finish.crand > 0 || finish.irid.amount > 0)
+        if (finish.phong > 0 || finish.specular > 0 || finish.brilliance != 1 || finish.crand > 0 ||
+            finish.irid.amount > 0)
             continue;
         for (int i = 0; i < 200; ++i) {
             Vec3 there = draw.direction(), back = draw.direction();

@@ -80,7 +80,8 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
          "sky_sphere { pigment { rgb <0.1, 0.15, 0.3> } }"},
         {"fog", bare_room + "fog { distance 4 rgb <0.1, 0.2, 0.3> }"},
         {"smoke",
-         bare_room + "media { scattering { 1, 0.08 } absorption <0.02, 0.05, 0.1> density { bozo } }"},
+         bare_room +
+             "media { scattering { 1, 0.08 } absorption <0.02, 0.05, 0.1> density { bozo } }"},
         {"a flame and a cloud in a box",
          bare_room +
              "sphere { <1.4, 0.7, 0>, 0.6 hollow pigment { rgbt 1 } interior { media { emission "

@@ -65,8 +65,7 @@ TEST_CASE("normals decide which side of a smooth face is the outer one", "[trans
                     const bool outer = form == "flat" ? wound == (side > 0) : up == (side > 0);
                     for (const auto& [weight, layers] :
                          visible_textures(world, vertex_at(world, ray, hit)))
-                        CHECK(layers.front().colour.rgb ==
-                              (outer ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
+                        CHECK(layers.front().colour.rgb == (outer ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
                 }
             }
 }

@@ -174,7 +174,12 @@ TEST_CASE("numbers of photons and of reflected luminaires without effect are war
     const std::string settings =
         "global_settings { integrator { path_traced reflected_luminaires 9 } } ";
     CHECK(said_about(seen + settings, false).empty());
-    CHECK(said_about(seen + settings + "fog { distance 9 }", false) == "no-effect ");
+    CHECK(said_about(seen + settings + "fog { distance 9 }", false).empty());
+    CHECK(
+        said_about(seen + settings +
+                       "global_settings { photons { count 10 } } sphere { 4, 1 pigment { rgbt 1 } "
+                       "photons { target refraction on } }",
+                   false) == "no-effect ");
 }
 
 }  // namespace candelabra
