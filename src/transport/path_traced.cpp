@@ -99,8 +99,8 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     return false;
 }
 
-/// Adds the layers' emission and reflected direct light, and continues the path. Returns false if it
-/// ends.
+/// Adds the layers' emission and reflected direct light, and continues the path. Returns false if
+/// it ends.
 bool PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex, const Layers& layers) {
     if (world_.rules.quality < quality_light) {
         sum_ += path.throughput * layers.back().colour.rgb;
