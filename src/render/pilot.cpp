@@ -112,7 +112,7 @@ bool is_quiet(const PilotNoise& noise) {
 Pilot pilot(const World& world, const RenderSettings& settings,
             const std::optional<SentLight>& sent, const std::function<bool()>& cancelled) {
     if (settings.shadow_rays > 0) return {settings.shadow_rays};
-    if (!world.light_is_drawn() || world.view.camera.mesh) return {1};
+    if (!world.facts.light_is_drawn || world.view.camera.mesh) return {1};
     const PilotNoise noise = pilot_noise(world, settings, sent, cancelled);
     const HitNoise& hits = noise.of_hits;
     return {{best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0}, is_quiet(noise)};

@@ -26,8 +26,8 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
     // With more shadow rays per sample, fewer samples suffice.
     constexpr int least = 4, to_middle = 16, min_in_media = 2;
     if (!settings.antialias) {
-        if (!world.left_to_chance()) return 1;
-        if (world.differs_by_light()) return std::max(least, to_middle / rays);
+        if (!world.facts.left_to_chance) return 1;
+        if (world.facts.differs_by_light) return std::max(least, to_middle / rays);
         return world.photon_targets.empty() ? min_in_media : least;
     }
     const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
@@ -55,7 +55,7 @@ std::optional<RenderPlan> plan_of(const World& world, const RenderSettings& sett
     const bool quiet = tried.quiet && !world.lights.sources.empty() && world.sky.light.empty();
     const SampleRule rule =
         choose_rule({settings, world.view.camera, world.view.film,
-                     world.rules.settings.assumed_gamma, world.left_to_chance(), quiet});
+                     world.rules.settings.assumed_gamma, world.facts.left_to_chance, quiet});
     const FirstSamples wanted{usual_samples(world, settings, shared),
                               least_samples(world, settings)};
     const int samples = std::visit([&](const auto& each) { return each.first(wanted); }, rule);

@@ -56,7 +56,7 @@ LayerStack::LayerStack(const World& world, const PathState& path, const Vertex& 
     if (!transparent) return;
     // Where energy is kept, mirrors and total reflection share the light: the latter takes the
     // place of what would pass, and the mirror has what it has from outside.
-    if (world.keeps_energy() && candelabra::reflects_totally(top_, interface_.plain))
+    if (world.facts.keeps_energy && candelabra::reflects_totally(top_, interface_.plain))
         interface_.plain = 1 / interface_.plain;
     behind_ = Vec3(1);
     for (const Layer& layer : layers)
@@ -76,7 +76,7 @@ void LayerStack::visit(FunctionRef<void(const Seen&)> use) const {
                   first ? 1 : grey(through), Vec3(0)};
         if (seen.weight <= world_.rules.settings.adc_bailout) return;
         const Finish& finish = *seen.shading.finish;
-        const bool conserves = world_.keeps_energy() && finish.conserve_energy;
+        const bool conserves = world_.facts.keeps_energy && finish.conserve_energy;
         // Total reflection replaces that of all layers with the normal at which it happens, unless
         // these leave light for it.
         const bool replaced = total_ && !conserves && seen.shading.normal == top_.normal;
@@ -98,7 +98,7 @@ StraightWay::StraightWay(const World& world, const Ray& ray, bool bent)
 Vec3 StraightWay::passed(const Hit& hit, std::span<const PrimitiveIndex> solids) {
     const Material& material = world_.material(hit.primitive);
     const bool focuses = material.interior && material.interior->caustics != 0;
-    if (!world_.keeps_energy() || !material.keeps_energy || material.no_shadow || focuses)
+    if (!world_.facts.keeps_energy || !material.keeps_energy || material.no_shadow || focuses)
         return world_.passed(hit, ray_);
     return seen(hit, solids);
 }

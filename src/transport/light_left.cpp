@@ -49,7 +49,7 @@ bool dims(const World& world, AirOnWay air) {
         case AirOnWay::throughout:
             break;
     }
-    return world.has_media() || world.has_air();
+    return world.facts.has_media || world.facts.has_air;
 }
 
 /// Transmittance of media and fog outside of solids on the whole way.
@@ -81,7 +81,7 @@ Vec3 light_left(const World& world, const WayOfLight& way, const Key& key) {
         return straight.passed(hit, solids);
     };
     const World::UseSurface surfaces(at_surface);
-    const bool reflect = world.appearance.any_keeps_energy && world.keeps_energy();
+    const bool reflect = world.appearance.any_keeps_energy && world.facts.keeps_energy;
     World::Shade shade{way.around, way.apart, nullptr, reflect ? &surfaces : nullptr};
     if (!dims(world, way.air))
         return world.transmittance(way.ray, way.tolerance, way.distance, shade);

@@ -136,7 +136,7 @@ void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
         const Vec3 from = lit.path.ray.origin;
         lit.vertex =
             vertex_at(world_, lit.path.ray, hit, {lit.path.media.data(), lit.path.media.size()});
-        if (!(world_.has_air() || world_.has_media())) continue;
+        if (!(world_.facts.has_air || world_.facts.has_media)) continue;
         const WayOfLight way{.ray = {lit.vertex.position(), -lit.path.ray.direction},
                              .tolerance = lit.vertex.tolerance(),
                              .distance = length(lit.vertex.position() - from),

@@ -46,8 +46,8 @@ double brightness_of(const MediaPlace& place) {
 }  // namespace
 
 ParticipatingMedia::ParticipatingMedia(const World& world) : world_(world) {
-    if (!world.has_media()) return;
-    lights_all_ = !world.differs_by_light();
+    if (!world.facts.has_media) return;
+    lights_all_ = !world.facts.differs_by_light;
     for (const SourceSet& set : world.lights.source_sets)
         if (!set.drawn()) sources_.insert(sources_.end(), set.lights.begin(), set.lights.end());
     if (sources_.size() > max_telling) sources_.clear();
@@ -82,7 +82,7 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
                                LightLedger& ledger) {
     march_.veil = {};
     march_.places.clear();
-    if (!world_.has_media()) return {};
+    if (!world_.facts.has_media) return {};
     fill(path, distance);
     if (media_.empty()) return {};
     places_ = path.depth + path.bounces > 0 ? min_places : effort(media_);

@@ -33,7 +33,7 @@ PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wa
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)),
       max_bounces_(std::get<PathTraced>(world.rules.settings.integrator).bounces),
-      chance_of_covered_(world.is_lit_by_luminaires_only() ? chance_of_shine : 1) {}
+      chance_of_covered_(world.facts.is_lit_by_luminaires_only ? chance_of_shine : 1) {}
 
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     sum_ = Vec3(0);
@@ -76,7 +76,7 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     const Veil fog = veil_along(world_, path, distance);
     sum_ += path.throughput * fog.added;
     path.dim(fog.transmittance);
-    if (!world_.has_media()) return false;
+    if (!world_.facts.has_media) return false;
     const Veil veil = media_.along(path, distance, direct_light_, ledger_);
     sum_ += path.throughput * veil.added;
     const double scattered = path.bounces < max_bounces_ ? media_.scattering() : 0;
@@ -126,7 +126,7 @@ bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double 
         path.taken.by_reflected = uniform(path.key, Purpose::near_reflection) < share;
         path.taken.cosine = 0;
     }
-    if (!path.taken.by_reflected || !world_.has_other_light()) return path.taken.by_reflected;
+    if (!path.taken.by_reflected || !world_.facts.has_other_light) return path.taken.by_reflected;
     if (world_.material(hit.primitive).other_light) return false;
     if (uniform(path.key, Purpose::other_light) >= chance_of_covered_) return true;
     path.dim(Vec3(1 / chance_of_covered_));

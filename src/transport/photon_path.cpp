@@ -34,7 +34,7 @@ PhotonPaths::PhotonPaths(const World& world) : world_(world), rules_(shading_rul
     max_surfaces_ =
         static_cast<int>(settings.photons.max_trace_level.value_or(settings.max_trace_level));
     min_weight_ = settings.photons.adc_bailout.value_or(settings.adc_bailout);
-    if (world.has_media())
+    if (world.facts.has_media)
         places_in_air_ =
             static_cast<int>(std::clamp(std::ceil(settings.photons.media), 0.0, max_air_places));
 }

@@ -43,7 +43,7 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
     const bool airless = path.kind == RayKind::gathering && !radiosity_.media;
-    if (!(world_.has_air() || world_.has_media()) || airless)
+    if (!(world_.facts.has_air || world_.facts.has_media) || airless)
         return met ? surface(path, hit) : ends_.background(path, ledger_);
     const double distance =
         met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();
@@ -110,10 +110,11 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
     // Gathered light shows no highlights. The last gathering includes light sources; light of
     // luminaires was counted before.
     const bool highlights = path.bounces == 0,
-               luminaires = !world_.gathers_light() || path.bounces < radiosity_.recursion_limit;
+               luminaires =
+                   !world_.facts.gathers_light || path.bounces < radiosity_.recursion_limit;
     if (!scatters_inside(world_, s)) {
         const Bsdf bsdf(s, rules_);
-        if (!world_.gathers_light())
+        if (!world_.facts.gathers_light)
             return own +
                    direct_light_({vertex, bsdf, all_light, path.throughput}, path.key, ledger_);
         return own +

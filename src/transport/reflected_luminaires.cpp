@@ -3,6 +3,7 @@
 
 #include "base/order.h"
 #include "base/parallel.h"
+#include "surface/quality.h"
 
 #include <algorithm>
 

@@ -31,7 +31,7 @@ Shading with_layer(const World& world, const Vertex& vertex, const Layer& layer)
 ShadingRules shading_rules(const World& world) {
     const GlobalSettings& settings = world.rules.settings;
     // The ambient term stands for light between surfaces. Old scenes keep both, as in POV-Ray.
-    const bool ambient = !world.has_indirect_light() || world.rules.language_version < 3.7;
+    const bool ambient = !world.facts.has_indirect_light || world.rules.language_version < 3.7;
     return {settings.irid_wavelength, ambient ? settings.ambient_light : Vec3(0),
             world.pattern_scene().noise_generator};
 }

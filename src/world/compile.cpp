@@ -14,6 +14,7 @@
 #include "world/flatten.h"
 #include "world/radiance.h"
 #include "world/shutter.h"
+#include "world/volumes.h"
 
 #include <algorithm>
 
@@ -117,7 +118,7 @@ FilmSettings film_of(const Scene& scene, const Projection& camera) {
 /// Box around the camera and all luminaires, or around all finite items if nothing glows.
 Box near_camera_and_lamps(const World& world) {
     Box box;
-    if (!world.has_media()) return box;
+    if (!world.facts.has_media) return box;
     for (const Luminaire& each : world.lights.luminaires) box = join(box, bounds(each).box);
     if (box.empty())
         for (std::uint32_t item = 0; item < world.geometry.item_count(); ++item)
@@ -144,11 +145,14 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
         world.sky.fogs = scene.fogs;
         world.sky.rainbows = scene.rainbows;
         world.sky.media = scene.media;
-        for (Media& media : world.sky.media)
-            media.scattering.physical = media.scattering.multiple && world.keeps_energy();
     }
+    world.facts = facts_of(world);  // flatten() asks about the settings
+    for (Media& media : world.sky.media)
+        media.scattering.physical = media.scattering.multiple && world.facts.keeps_energy;
     flatten(scene, world, diagnostics, what, options.remembers_objects);
     simplify_lights(world);
+    world.facts = facts_of(world);
+    find_openings(world);
     return world;
 }
 
@@ -231,7 +235,7 @@ void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.rules.settings.light_sampler = *options.light_sampler;
     divide(world.geometry, world.geometry.infinite);
     build_index(world.geometry, world.rules.settings.index, options.threads);
-    if (world.notes_solids() && world.indexes_solids())
+    if (world.facts.notes_solids && world.facts.indexes_solids)
         world.geometry.clear_solids = find_clear_solids(world);
     note_luminaires(world);
     map_brightness(world);
@@ -254,10 +258,12 @@ void build_indices(World& world, const CompileOptions& options) {
     world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
-    world.lights.source_sets = source_sets(
-        world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
-        {world.differs_by_light() ? max_asked_among_samples : max_asked_sources, options.threads});
+    world.lights.source_sets =
+        source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
+                    {facts_of(world).differs_by_light ? max_asked_among_samples : max_asked_sources,
+                     options.threads});
     world.sky.near = near_camera_and_lamps(world);
+    world.facts = facts_of(world);  // light sources may be drawn
 }
 
 /// Compiles the scene, and discards its objects on the way.
@@ -276,6 +282,7 @@ void add_shutter_samples(World& world, const View& view, const CompileOptions& o
         Diagnostics said_of_the_first;
         world.shutter.push_back(compiled(*scene, options, said_of_the_first));
     }
+    world.facts = facts_of(world);
     share_light_statements(world, scenes.sources);
 }
 

@@ -152,7 +152,6 @@ public:
             add_luminaires(world_, glowing_, all_, diagnostics_);
             add_volumes(world_, filled_, all_, diagnostics_);
         }
-        find_openings(world_);
         if (all_) place_photon_targets(world_, diagnostics_);
     }
 

@@ -177,7 +177,7 @@ struct Geometry {
     std::vector<std::uint32_t> uvs_of;
     InfiniteItems infinite;
     WideTree tree;             ///< of the bounded items
-    ClearSolids clear_solids;  ///< empty unless World::indexes_solids()
+    ClearSolids clear_solids;  ///< empty unless WorldFacts::indexes_solids
 };
 
 }  // namespace candelabra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/light_groups.h"
 
+#include "world/world.h"
+
 namespace candelabra {
 
 // As in POV-Ray, the outermost group determines whether global lights light its objects. A nested
@@ -14,6 +16,11 @@ bool opens_group(std::vector<LightGroup>& groups, const Union& group, Inherited&
     groups.push_back(
         {named ? outer : 0, outer == 0 ? group.global_lights : groups[outer].global_lights});
     return true;
+}
+
+bool World::reaches(std::uint32_t light_group, const Material& lit) const {
+    if (light_group == 0) return lights.groups[lit.light_group].global_lights;
+    return light_group == lit.light_group || light_group == lights.groups[lit.light_group].outer;
 }
 
 }  // namespace candelabra

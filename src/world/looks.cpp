@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The appearance of a world's surfaces at points: textures, u and v, and transmitted light.
+// The appearance of a world's surfaces at points: textures, u and v, emitted and transmitted light.
 #include "shape/triangle.h"
 #include "shape/uv.h"
+#include "world/passage.h"
 #include "world/world.h"
 
 namespace candelabra {
@@ -119,16 +120,15 @@ Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) 
     return found.value_or(Vec2(point.x, point.y));
 }
 
-/// Fraction of light that one surface transmits.
-Vec3 World::passed(const Passage& passage, const Ray& ray) const {
-    const Material& m = material(passage.primitive);
+Vec3 passed(const World& world, const Passage& passage, const Ray& ray) {
+    const Material& m = world.material(passage.primitive);
     const double power = m.interior ? caustics_power * m.interior->caustics : 0;
     const Vec3 normal = unit(passage.normal);
     const FocusedLight light{ray.direction, dot(normal, ray.direction) > 0 ? -normal : normal,
                              power};
     const Vec3 point = ray.at(passage.t);
     const SurfaceView view{point, light.normal, ray.direction};
-    PatternScene scene = pattern_scene(passage.primitive, passage.part, point);
+    PatternScene scene = world.pattern_scene(passage.primitive, passage.part, point);
     scene.view = &view;
     Vec3 sum(0);
     const auto pass = [&](double share, const Texture& texture) {
@@ -136,8 +136,8 @@ Vec3 World::passed(const Passage& passage, const Ray& ray) const {
                                    : passing(texture, point, scene));
     };
     // The ray leads towards the light: it sees a surface that it leaves from inside.
-    for_textures(passage.primitive, passage.part, point,
-                 light.normal != normal ? Side::inner : Side::outer, pass);
+    world.for_textures(passage.primitive, passage.part, point,
+                       light.normal != normal ? Side::inner : Side::outer, pass);
     return sum;
 }
 
@@ -146,7 +146,24 @@ Vec3 World::passed(const Hit& hit, const Ray& ray) const {
     if (m.no_shadow) return Vec3(1);
     if (!m.transparent) return Vec3(0);
     const double t = dot(hit.position - ray.origin, ray.direction);
-    return passed(Passage{t, hit.primitive, hit.normal, hit.part}, ray);
+    return candelabra::passed(*this, {t, hit.primitive, hit.normal, hit.part}, ray);
+}
+
+Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point, Side side) const {
+    const PatternScene scene = pattern_scene(primitive, any_part, point);
+    Vec3 sum(0);
+    for_textures(primitive, any_part, point, side, [&](double weight, const Texture& texture) {
+        sum += weight * candelabra::emission(texture, point, scene,
+                                             [&](const Colour& colour) { return opacity(colour); });
+    });
+    return sum;
+}
+
+double World::opacity(const Colour& colour) const {
+    // Before version 3.7, filter counted by the brightest channel of the colour.
+    if (rules.language_version < 3.7)
+        return 1 - colour.filter * max_component(colour.rgb) - colour.transmit;
+    return colour.opacity();
 }
 
 }  // namespace candelabra

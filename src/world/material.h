@@ -57,7 +57,7 @@ struct Appearance {
     bool any_scattering = false;   ///< a finish has facets
     bool any_media = false;        ///< some solid contains media
     bool any_drawn_media = false;  ///< and samples of these differ
-    bool any_other_light = false;  ///< see World::has_other_light()
+    bool any_other_light = false;  ///< see WorldFacts
     bool any_clear = false;        ///< shadow rays may pass through some surface
     bool any_keeps_energy = false;
 };

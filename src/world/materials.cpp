@@ -109,7 +109,7 @@ void Materials::add(const Inherited& look) {
             for (Media& media : material.interior.edit().media)
                 media.luminaire = media.emission != Vec3(0);
         const auto repeats = [](const Media& media) { return media.scattering.multiple; };
-        if (world_.keeps_energy() && std::ranges::any_of(material.interior->media, repeats))
+        if (world_.facts.keeps_energy && std::ranges::any_of(material.interior->media, repeats))
             for (Media& media : material.interior.edit().media)
                 media.scattering.physical = repeats(media);
         world_.appearance.any_media |= !material.interior->media.empty();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/photon_targets.h"
 
+#include "surface/quality.h"
 #include "text/diagnostic.h"
 #include "text/message.h"
 #include "world/world.h"

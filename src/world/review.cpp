@@ -53,7 +53,7 @@ public:
         const Vec3 camera = world_.view.camera.location;
         for (const ObjectHandle& object : scene_.objects)
             if (!object->hollow && !object->no_image && surrounds(object, camera) &&
-                (world_.has_air() || world_.has_media() || keeps_light_out(object)))
+                (world_.facts.has_air || world_.facts.has_media || keeps_light_out(object)))
                 return object.get();
         return nullptr;
     }
@@ -138,9 +138,9 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
         diagnostics.add(
             warning(
                 Fault::camera_inside, object->span,
-                world.has_air()
+                world.facts.has_air
                     ? "the camera is inside of this object, and fog is outside: it is not hollow"
-                : world.has_media()
+                : world.facts.has_media
                     ? "the camera is inside of this object, which hides media: it is not hollow"
                     : "the camera is inside of this object, and all light is outside")
                 .with_help("the word `hollow` in the object says that this is meant"));
@@ -177,7 +177,7 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                                 "`photons` has no effect without a number of them above 0")
                             .with_help("global_settings { photons { count 20000 } }"));
     const auto* bvh = std::get_if<LightBvh>(&world.rules.settings.light_sampler);
-    if (bvh && bvh->exponential && !world.has_media())
+    if (bvh && bvh->exponential && !world.facts.has_media)
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`exponential` of light_bvh has no effect in a scene without "
                                 "media"));

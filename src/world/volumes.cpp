@@ -193,7 +193,7 @@ bool lights_from_inside(const Material& material) {
 bool glows_within(const World& world, const Material& material) {
     return material.interior &&
            std::ranges::any_of(material.interior->media, [&](const Media& media) {
-               return media.luminaire || (world.keeps_energy() && media.emission != Vec3(0));
+               return media.luminaire || (world.facts.keeps_energy && media.emission != Vec3(0));
            });
 }
 

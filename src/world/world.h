@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A compiled scene, for ray queries. Immutable once compile() has made it, so any number of threads
-// may use it.
+// A compiled scene, for ray queries. compile() makes it; any number of threads may then use it.
 #pragma once
 
 #include "camera/camera.h"
 #include "scene/scene.h"
-#include "surface/quality.h"
+#include "world/facts.h"
 #include "world/hit.h"
 #include "world/lights.h"
 #include "world/material.h"
@@ -18,8 +17,6 @@
 #include <vector>
 
 namespace candelabra {
-
-class RayConstants;
 
 /// The camera, and the settings of its film.
 struct WorldView {
@@ -45,6 +42,8 @@ public:
     World(World&&) = default;  ///< not copied: the sampler refers to the luminaires
     World& operator=(World&&) = default;
 
+    // Ray queries: ray_queries.cpp
+
     /// Finds the nearest surface farther than `tolerance` along the ray, whose direction has length
     /// 1.
     bool first_hit(const Ray&, double tolerance, RayKind, Hit&) const;
@@ -63,6 +62,8 @@ public:
         }
         return true;
     }
+
+    // Shadow rays: shadow.cpp
 
     /// Transmittance from a hit to a point at that distance along the ray, per channel: 0 if
     /// something opaque is in between. Surfaces within the tolerance of either end do not count,
@@ -94,27 +95,11 @@ public:
     /// no shadow are ignored.
     Vec3 transmittance(const Ray&, double tolerance, double distance, const Shade&) const;
 
-    /// Fraction of the light from behind that the surface at a hit transmits, per channel.
-    Vec3 passed(const Hit&, const Ray&) const;
+    // Solids: solids.cpp
 
     /// Whether rays must track that they are inside of an item, because it is transparent, has an
     /// interior, or keeps out fog or media.
     bool is_noted_solid(std::uint32_t item) const;
-    /// Whether there may be noted solids.
-    bool notes_solids() const {
-        return appearance.any_transparent || appearance.any_media || has_air();
-    }
-    /// Whether rays may begin anywhere, so that the solids around their origin must be found fast.
-    bool indexes_solids() const {
-        return view.camera.parallel || !photon_targets.empty() || !lights.volumes.empty();
-    }
-    /// Whether there is fog, a rainbow or a medium outside of solids.
-    bool has_air() const {
-        return !sky.fogs.empty() || !sky.rainbows.empty() || !sky.media.empty();
-    }
-    /// Whether there are participating media anywhere.
-    bool has_media() const { return appearance.any_media || !sky.media.empty(); }
-
     /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
     bool contains_point(PrimitiveIndex, const Vec3&) const;
     /// Returns the noted solids that contain the point, one primitive of each.
@@ -122,6 +107,12 @@ public:
     /// Updates the solids of a ray that passes a surface of the primitive: the ray leaves the
     /// primitive's solid if it is inside, and enters it otherwise.
     Passing pass(PrimitiveIndex, EnteredSolids&) const;
+
+    /// Number that identifies a solid for rays: all faces of a mesh are one solid, and so are all
+    /// leaves of a composite, and all parts of a union that share its interior.
+    std::uint32_t solid(PrimitiveIndex) const;
+
+    // Appearance: looks.cpp
 
     const Material& material(PrimitiveIndex primitive) const {
         return appearance.materials[appearance.material_of[primitive]];
@@ -139,22 +130,8 @@ public:
     /// Returns the point's coordinates on a picture that is wrapped around the surface.
     Vec2 uv(PrimitiveIndex, std::uint32_t part, const Vec3& point) const;
 
-    /// Radiance from a direction without surfaces.
-    Vec3 sky_radiance(const Vec3& direction) const {
-        return sky_radiance(direction, sky.background.radiance());
-    }
-    /// The same with that radiance of the background.
-    Vec3 sky_radiance(const Vec3& direction, const Vec3& behind) const;
-
-    /// Transparency of the sky in that direction, 0 to 1, for a picture with alpha: POV-Ray 3.7's
-    /// rules.
-    double sky_clear(const Vec3& direction) const;
-
-    /// Whether the lights of a group may light an object of the material.
-    bool reaches(std::uint32_t light_group, const Material&) const;
-
-    /// Whether some lights are sampled at random.
-    bool light_is_drawn() const;
+    /// Fraction of the light from behind that the surface at a hit transmits, per channel.
+    Vec3 passed(const Hit&, const Ray&) const;
 
     /// Opacity of a surface of this colour, by the rules of the scene's language version.
     double opacity(const Colour&) const;
@@ -173,51 +150,23 @@ public:
         return scene;
     }
 
-    /// Number that identifies a solid for rays: all faces of a mesh are one solid, and so are all
-    /// leaves of a composite, and all parts of a union that share its interior.
-    std::uint32_t solid(PrimitiveIndex primitive) const {
-        constexpr std::uint32_t above_all = 0x80000000;
-        if (const std::uint32_t number = material(primitive).shared_interior)
-            return above_all - number;
-        if (geometry.is_leaf(primitive)) return geometry.item_of(primitive);
-        return geometry.is_triangle(primitive) ? ~material(primitive).solid : primitive;
-    }
+    // The sky: sky.cpp
 
-    /// Whether diffuse surfaces light each other, by `radiosity`.
-    bool gathers_light() const {
-        return rules.settings.radiosity.on && rules.quality >= quality_full;
+    /// Radiance from a direction without surfaces.
+    Vec3 sky_radiance(const Vec3& direction) const {
+        return sky_radiance(direction, sky.background.radiance());
     }
-    /// Whether reflected light of surfaces lights other surfaces.
-    bool has_indirect_light() const {
-        return gathers_light() || std::holds_alternative<PathTraced>(rules.settings.integrator);
-    }
+    /// The same with that radiance of the background.
+    Vec3 sky_radiance(const Vec3& direction, const Vec3& behind) const;
 
-    /// Whether surfaces with `conserve_energy` take what they reflect from all other light: only
-    /// from what is seen behind them otherwise, as in POV-Ray.
-    bool keeps_energy() const {
-        return std::holds_alternative<PathTraced>(rules.settings.integrator);
-    }
+    /// Transparency of the sky in that direction, 0 to 1, for a picture with alpha: POV-Ray 3.7's
+    /// rules.
+    double sky_clear(const Vec3& direction) const;
 
-    /// Whether surfaces receive other light than that of luminaires by way of diffuse surfaces.
-    bool has_other_light() const {
-        return appearance.any_other_light || !is_lit_by_luminaires_only();
-    }
-    /// Whether there are no light sources, no sky that may shine, and no air or media.
-    bool is_lit_by_luminaires_only() const {
-        return lights.sources.empty() && !sky.sphere && sky.background.radiance() == Vec3(0) &&
-               !has_air() && !has_media();
-    }
+    // Light groups: light_groups.cpp
 
-    /// Whether two samples of one point of the picture may differ.
-    bool left_to_chance() const {
-        return differs_by_light() || !photon_targets.empty() || appearance.any_drawn_media ||
-               std::ranges::any_of(sky.media, &Media::drawn);
-    }
-    /// The same without media and photons, by which samples differ less.
-    bool differs_by_light() const {
-        return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
-               !shutter.empty() || has_indirect_light();
-    }
+    /// Whether the lights of a group may light an object of the material.
+    bool reaches(std::uint32_t light_group, const Material&) const;
 
     Geometry geometry;
     Appearance appearance;
@@ -227,43 +176,8 @@ public:
     Rules rules;
     std::vector<PhotonTarget> photon_targets;  ///< empty: no photons
     Provenance provenance;
+    WorldFacts facts;
     std::vector<World> shutter;  ///< the scene at later times while the camera's shutter is open
-
-private:
-    struct Candidate {
-        double t;
-        PrimitiveIndex primitive = no_primitive;
-        Vec3 normal = Vec3(0);            ///< of shapes and leaves only
-        std::uint32_t part = 0;           ///< of shapes and leaves only: see Crossing
-        double weight2 = 0, weight3 = 0;  ///< of triangles only
-    };
-    /// A point where light passes through a transparent surface.
-    struct Passage {
-        double t;
-        PrimitiveIndex primitive;
-        Vec3 normal;  ///< of any length
-        std::uint32_t part = 0;
-    };
-    using Passages = ShortList<Passage, 8>;  ///< sorted by distance once complete
-    /// Adds a noted solid if it contains the point; a composite by the leaf whose interior applies.
-    void add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids&) const;
-    /// Finds the nearest surface of the item within the range that is nearer than the candidate. In
-    /// a composite only leaves for which wanted(PrimitiveIndex) is true count.
-    template <class Wanted>
-    void intersect(std::uint32_t item, RayConstants&, const Interval&, Candidate&, Wanted) const;
-    bool left_out(PrimitiveIndex, RayKind) const;
-    Hit complete(const Ray&, const Candidate&) const;
-    void collect(std::uint32_t item, const Ray&, const Interval&, Passages&) const;
-    Vec3 passed(const Passage&, const Ray&) const;
-    Vec3 passed(const Passages&, const Ray&, std::span<const PrimitiveIndex> around,
-                const UseSurface&) const;
-    Hit hit_at(const Passage&, const Ray&) const;
-    void keep_apart(Passages&, const Ray&, double distance, double apart) const;
-    Vec3 dimmed(const Passages&, std::span<const PrimitiveIndex> around) const;
-    void for_stretches(const Passages&, std::span<const PrimitiveIndex> around, double distance,
-                       const UseStretch&) const;
-    bool opaque_between(std::uint32_t item, RayConstants&, const Interval&) const;
-    bool may_pass(std::uint32_t item) const;
 };
 
 }  // namespace candelabra

@@ -104,8 +104,8 @@ TEST_CASE("media are not there for low quality, nor beyond what the scene has", 
     const World world = world_of(
         "#version 3.7; sphere { 0, 1 pigment { rgbt 1 } hollow interior { media { emission 1 } } "
         "}");
-    CHECK(world.has_media());
-    CHECK_FALSE(world.left_to_chance());
+    CHECK(world.facts.has_media);
+    CHECK_FALSE(world.facts.left_to_chance);
     ParticipatingMedia media(world);
     DirectLight light(world, 1);
     LightLedger ledger;

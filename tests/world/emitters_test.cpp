@@ -75,7 +75,7 @@ TEST_CASE("nothing is a luminaire where no surface and no medium shows its light
         box { -0.2, 0.2 translate 2*y pigment { rgb 1 } finish { reflection 0.5 emission 1 } } )";
     const World dark = world_of(lamps);
     CHECK(dark.lights.luminaires.empty());
-    CHECK_FALSE(dark.differs_by_light());
+    CHECK_FALSE(dark.facts.differs_by_light);
     CHECK(glows_without_light(dark) == 11);
     for (const char* const receiver :
          {"plane { y, -1 pigment { rgb 1 } finish { diffuse 0.1 } }",

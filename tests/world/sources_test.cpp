@@ -70,7 +70,7 @@ TEST_CASE("light of one direction is chosen by direction", "[world]") {
 
 TEST_CASE("fewer light sources are all asked where pixels have many samples anyway", "[world]") {
     const std::string some = "#for (I, 1, 50) light_source { I*x, 1 } #end plane { y, 0 } ";
-    CHECK_FALSE(world_of(some).left_to_chance());
+    CHECK_FALSE(world_of(some).facts.left_to_chance);
     const World world = world_of(some + "sphere { y, 1 pigment { rgb 1 } finish { emission 1 } }");
     CHECK(world.lights.source_sets[0].drawn());
 }
@@ -86,7 +86,7 @@ TEST_CASE("each light group has its own set", "[world]") {
         CHECK(world.lights.source_sets[i].lights.size() == 150);
         CHECK(world.lights.source_sets[i].drawn());
     }
-    CHECK(world.light_is_drawn());
+    CHECK(world.facts.light_is_drawn);
 }
 
 }  // namespace candelabra

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The nearest surface on a ray.
+#include "base/work_watch.h"
+#include "index/asked.h"
+#include "shape/leaf_pack.h"
+#include "world/corners.h"
+#include "world/item_hits.h"
+#include "world/precedence.h"
+#include "world/world.h"
+
+#include <bit>
+#include <limits>
+
+namespace candelabra {
+
+namespace {
+
+/// How far along the ray two surfaces in one plane seem to be apart, at most.
+double rounding_in(const Ray& ray, double t, const Vec3& normal) {
+    constexpr double rounding = 0x1p-48;
+    const double size = rounding * (max_abs_component(ray.origin) + t);
+    return size * length(normal) / std::abs(dot(ray.direction, normal));
+}
+
+/// The next larger number after a positive one.
+double next_up(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
+
+/// The outer normal of the flat face that a crossing of a smooth shape belongs to; 0 for crossings
+/// that have the normal of the surface itself.
+struct FaceNormal {
+    std::uint32_t part;
+
+    template <class T>
+    Vec3 operator()(const T&) const {
+        return Vec3(0);
+    }
+    Vec3 operator()(const SmoothTriangle& t) const {
+        return outer_normal({t.corner1, t.corner2, t.corner3},
+                            {unit(t.normal1), unit(t.normal2), unit(t.normal3)});
+    }
+    Vec3 operator()(const BuiltMesh& built) const {
+        const MeshTriangle met = face(*built.mesh, part);
+        return outer_normal(met.corners, met.normals);
+    }
+    Vec3 operator()(const BuiltBicubicPatch& patch) const {
+        return outer_normal(patch.facets[part].corners, patch.facets[part].normals);
+    }
+};
+
+/// Whether a ray of this kind does not see an object.
+bool left_out(const Material& m, RayKind kind) {
+    if (kind == RayKind::light) return false;
+    if (kind == RayKind::gathering) return m.no_radiosity;
+    return kind == RayKind::camera ? m.no_image : m.no_reflection;
+}
+
+Hit complete(const Geometry& geometry, const Ray& ray, const MetSurface& found) {
+    Hit hit;
+    hit.primitive = found.primitive;
+    hit.part = found.part;
+    hit.position = ray.at(found.t);
+    hit.tolerance = tolerance_at(ray, found.t);
+    const CornerNormals* smooth = nullptr;
+    const Vec3 shown = unit(found.normal);
+    const auto real = [&](const BuiltShape& shape, const Handle<Transform>& place, bool turned) {
+        const Vec3 face = visit_shape(FaceNormal{found.part}, shape);
+        const Vec3 there = unit(place ? place->normal(face) : face);
+        return there == Vec3(0) ? shown : turned ? -there : there;
+    };
+    hit.normal = geometry.visit(
+        geometry.item_of(found.primitive),
+        [&](const SpherePrimitive& s) { return (hit.position - s.centre) / s.radius; },
+        [&](const TrianglePrimitive& f) {
+            smooth = geometry.normals_of_triangle(found.primitive);
+            return unit(cross(f.corner1 - f.corner2, f.corner3 - f.corner2));
+        },
+        [&](const PlacedShape& placed) { return real(placed.shape, placed.transform, false); },
+        [&](const PlacedComposite& placed) {
+            const CompositeLeaf& leaf = placed.composite->leaf(found.primitive - placed.first_leaf);
+            return real(leaf.shape, leaf.transform, leaf.inverse != leaf.turned);
+        });
+    hit.smooth_normal =
+        smooth             ? unit((1 - found.weight2 - found.weight3) * smooth->normal1 +
+                                  found.weight2 * smooth->normal2 + found.weight3 * smooth->normal3)
+        : shown == Vec3(0) ? hit.normal
+                           : shown;
+    return hit;
+}
+
+}  // namespace
+
+bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) const {
+    count_work(work_of_ray);
+    RayConstants constants(ray);
+    MetSurface best{std::numeric_limits<double>::infinity()};
+    const Interval range{tolerance, best.t};
+    const auto there = [&](PrimitiveIndex primitive) {
+        return !appearance.any_left_out || !left_out(material(primitive), kind);
+    };
+    const std::uint32_t first_shape = geometry.shapes_begin();
+    std::uint32_t met = 0;  // the item of `best`
+    // One of several coincident surfaces counts, in any order of tests: an infinite one, also where
+    // rounding puts a finite one in front of it; of two
+    // spheres or triangles, as are frequent in meshes, the one with the lower number; else see
+    // precedence.h.
+    bool finite = false;
+    const auto ask = [&](std::uint32_t item) {
+        const MetSurface before = best;
+        const bool by_boxes = finite && (item >= first_shape || met >= first_shape);
+        if (item < met || by_boxes) best.t = next_up(best.t);
+        meet_item(geometry, item, constants, range, best, there);
+        if (best.primitive == before.primitive)
+            best.t = before.t;
+        else if (by_boxes && best.t == before.t && !precedes(geometry, item, met, ray))
+            best = before;
+        else
+            met = item;
+    };
+    for (const InfinitePlane& plane : geometry.infinite.planes) {
+        const double t = plane.intersect(ray);
+        if (!(t > tolerance && t <= best.t) || !there(plane.primitive)) continue;
+        if (t == best.t && met < plane.primitive) continue;
+        best = {t, plane.primitive, plane.normal};
+        met = plane.primitive;
+    }
+    for (const std::uint32_t item : geometry.infinite.others) ask(item);
+    const MetSurface infinite = best;
+    if (best.primitive != no_primitive) best.t -= rounding_in(ray, best.t, best.normal);
+    met = 0;
+    Asked asked;
+    const auto ask_in_tree = [&](std::uint32_t item) {
+        if (item >= first_shape && asked.before(item)) return false;
+        const double before = best.t;
+        ask(item);
+        finite = finite || best.t < before;
+        return false;
+    };
+    PackRay packed(ray);
+    geometry.tree.traverse(ray, {tolerance, best.t}, [&](const TreeLeaf& leaf, Interval& left) {
+        packed.candidates(leaf, left, ask_in_tree);
+        left.max = best.t;
+        return false;
+    });
+    if (best.primitive == no_primitive) return false;
+    if (best.primitive == infinite.primitive) best.t = infinite.t;
+    hit = complete(geometry, ray, best);
+    return true;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fraction of light that arrives along a straight way.
+#include "base/order.h"
+#include "base/short_list.h"
+#include "base/work_watch.h"
+#include "index/asked.h"
+#include "shape/leaf_pack.h"
+#include "shape/triangle.h"
+#include "world/corners.h"
+#include "world/item_hits.h"
+#include "world/passage.h"
+#include "world/world.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace candelabra {
+
+namespace {
+
+/// The transparent surfaces on the way of light, and what they do to it.
+class Passages {
+public:
+    using Solids = std::span<const PrimitiveIndex>;
+
+    Passages(const World& world, const Ray& ray) : world_(world), ray_(ray) {}
+
+    /// Adds the surfaces of an item within the range.
+    void collect(std::uint32_t item, const Interval& range);
+    /// Sorts the surfaces by distance. This makes the product independent of the tree.
+    void sort();
+    /// Drops clear surfaces that follow another one, or an end of the way, too closely.
+    void keep_apart(double distance, double apart);
+
+    /// Fraction of light that passes all surfaces.
+    Vec3 passed() const;
+    /// The same, asking `use` about those that keep energy.
+    Vec3 passed(Solids around, const World::UseSurface& use) const;
+    /// Attenuation by the interiors of solids along the way.
+    Vec3 dimmed(Solids around) const;
+    /// Passes on the parts of the way between the surfaces.
+    void for_stretches(Solids around, double distance, const World::UseStretch& use) const;
+
+private:
+    Hit hit_at(const Passage&) const;
+
+    const World& world_;
+    const Ray& ray_;
+    ShortList<Passage, 8> met_;
+};
+
+void Passages::collect(std::uint32_t item, const Interval& range) {
+    const Geometry& geometry = world_.geometry;
+    const Ray& ray = ray_;
+    if (!geometry.is_composite(item) && world_.material(item).no_shadow) return;
+    geometry.visit(
+        item,
+        [&](const SpherePrimitive& s) {
+            const double near = first_crossing(s, ray, range);
+            if (near >= range.max) return;
+            met_.push_back({near, item, ray.at(near) - s.centre});
+            const double far = first_crossing(s, ray, {near + tolerance_at(ray, near), range.max});
+            if (far < range.max) met_.push_back({far, item, ray.at(far) - s.centre});
+        },
+        [&](const TrianglePrimitive& face) {
+            const TriangleHit hit =
+                ShearedRay(ray).meet(face.corner1, face.corner2, face.corner3, range);
+            if (hit.t >= range.max || begins_on(ray, hit.t, face)) return;
+            met_.push_back(
+                {hit.t, item, cross(face.corner1 - face.corner2, face.corner3 - face.corner2)});
+        },
+        [&](const PlacedShape& placed) {
+            Crossings all;
+            all_crossings_in(placed.shape, in_shape(placed, ray), range, all);
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                if (!range.contains(all[i].t)) continue;
+                const Crossing met = in_world(placed, all[i]);
+                if (begins_on(ray, met.t, met.normal, size_of(placed, ray))) continue;
+                met_.push_back({met.t, item, met.normal, met.part});
+            }
+        },
+        [&](const PlacedComposite& placed) {
+            const auto passed = [&](std::uint32_t leaf) {
+                const Material& m = world_.material(placed.first_leaf + leaf);
+                return m.transparent && !m.no_shadow;
+            };
+            placed.composite->all(ray, range, passed, [&](const Composite::Meeting& each) {
+                met_.push_back({each.t, placed.first_leaf + each.leaf, each.normal, each.part});
+            });
+        });
+}
+
+void Passages::sort() {
+    sort_stably(met_, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
+}
+
+void Passages::keep_apart(double distance, double apart) {
+    ShortList<Passage, 8> kept;
+    double before = 0;
+    for (const Passage& each : met_) {
+        const bool close = each.t - before <= apart || distance - each.t <= apart;
+        if (close && candelabra::passed(world_, each, ray_) != Vec3(0)) continue;
+        before = each.t;
+        kept.push_back(each);
+    }
+    met_ = kept;
+}
+
+Vec3 Passages::passed() const {
+    Vec3 left(1);
+    for (const Passage& each : met_) left *= candelabra::passed(world_, each, ray_);
+    return left;
+}
+
+EnteredSolids entered(std::span<const PrimitiveIndex> solids) {
+    EnteredSolids inside;
+    for (const PrimitiveIndex each : solids) inside.push_back(each);
+    return inside;
+}
+
+Vec3 Passages::passed(Solids around, const World::UseSurface& use) const {
+    EnteredSolids inside = entered(around);
+    Vec3 left(1);
+    for (const Passage& each : met_) {
+        left *= world_.material(each.primitive).keeps_energy
+                    ? use(hit_at(each), {inside.data(), inside.size()})
+                    : candelabra::passed(world_, each, ray_);
+        world_.pass(each.primitive, inside);
+    }
+    return left;
+}
+
+// As in POV-Ray, light that leaves a solid is attenuated by the distance since the last surface,
+// whichever that is.
+Vec3 Passages::dimmed(Solids around) const {
+    const bool fades = std::ranges::any_of(met_, [&](const Passage& each) {
+        const auto& interior = world_.material(each.primitive).interior;
+        return interior && interior->fade_distance != 0 && interior->fade_power > 0;
+    });
+    if (!fades) return Vec3(1);
+    EnteredSolids inside = entered(around);
+    Vec3 left(1);
+    double before = 0;
+    for (const Passage& each : met_) {
+        const auto& interior = world_.material(each.primitive).interior;
+        const bool leaves = world_.pass(each.primitive, inside) != Passing::enters;
+        if (leaves && interior && interior->fade_power > 0)
+            left *= attenuation(*interior, each.t - before);
+        before = each.t;
+    }
+    return left;
+}
+
+Hit Passages::hit_at(const Passage& passage) const {
+    const Geometry& geometry = world_.geometry;
+    Hit hit{passage.primitive, passage.part, ray_.at(passage.t), unit(passage.normal)};
+    hit.tolerance = tolerance_at(ray_, passage.t);
+    hit.smooth_normal = hit.normal;
+    if (!geometry.is_triangle(passage.primitive)) return hit;
+    const CornerNormals* smooth = geometry.normals_of_triangle(passage.primitive);
+    if (!smooth) return hit;
+    const TrianglePrimitive& face = geometry.triangle(passage.primitive);
+    const Vec3 w = corner_weights({face.corner1, face.corner2, face.corner3}, hit.position);
+    hit.smooth_normal = unit(w.x * smooth->normal1 + w.y * smooth->normal2 + w.z * smooth->normal3);
+    return hit;
+}
+
+void Passages::for_stretches(Solids around, double distance, const World::UseStretch& use) const {
+    EnteredSolids inside;
+    for (const PrimitiveIndex each : around)
+        if (!world_.material(each).no_shadow) inside.push_back(each);
+    double before = 0;
+    for (const Passage& each : met_) {
+        use(Interval{before, each.t}, {inside.data(), inside.size()});
+        before = each.t;
+        world_.pass(each.primitive, inside);
+    }
+    use(Interval{before, distance}, {inside.data(), inside.size()});
+}
+
+bool may_pass(const World& world, std::uint32_t item) {
+    const PlacedComposite* composite = world.geometry.composite(item);
+    return composite ? composite->transparent : world.material(item).transparent;
+}
+
+bool opaque_between(const World& world, std::uint32_t item, RayConstants& constants,
+                    const Interval& range) {
+    MetSurface nearest{range.max};
+    meet_item(world.geometry, item, constants, range, nearest,
+              [&](PrimitiveIndex primitive) { return world.material(primitive).stops_light(); });
+    return nearest.primitive != no_primitive;
+}
+
+}  // namespace
+
+Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
+                          std::span<const PrimitiveIndex> around, double apart) const {
+    return transmittance(ray, tolerance, distance, Shade{around, apart});
+}
+
+Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
+                          const Shade& shade) const {
+    count_work(work_of_ray);
+    // The far end lies on the luminaire itself, whose own surface must not count.
+    const Interval range{tolerance, end_of_way(tolerance, distance).min};
+    RayConstants constants(ray);
+    ShortList<std::uint32_t, 16> clear;
+    const auto blocks = [&](std::uint32_t item) {
+        if (appearance.any_transparent && may_pass(*this, item)) clear.push_back(item);
+        return opaque_between(*this, item, constants, range);
+    };
+    for (const InfinitePlane& plane : geometry.infinite.planes) {
+        if (!range.contains(plane.intersect(ray))) continue;
+        if (material(plane.primitive).stops_light()) return Vec3(0);
+        clear.push_back(plane.primitive);
+    }
+    if (std::ranges::any_of(geometry.infinite.others, blocks)) return Vec3(0);
+    PackRay packed(ray);
+    Asked asked;
+    const auto blocks_in_tree = [&](std::uint32_t item) {
+        return !(item >= geometry.shapes_begin() && asked.before(item)) && blocks(item);
+    };
+    const bool blocked =
+        geometry.tree.traverse_likely(ray, range, [&](const TreeLeaf& leaf, const Interval& whole) {
+            return appearance.any_clear ? packed.candidates(leaf, whole, blocks_in_tree)
+                                        : packed.blocked(leaf, whole, blocks_in_tree);
+        });
+    if (blocked) return Vec3(0);
+
+    // An item may be tested twice, but counts once.
+    std::ranges::sort(clear);
+    clear.erase(std::unique(clear.begin(), clear.end()), clear.end());
+    Passages found(*this, ray);
+    for (const std::uint32_t item : clear) found.collect(item, range);
+    found.sort();
+    const Passages all = shade.stretches ? found : Passages(*this, ray);
+    if (shade.apart > 0) found.keep_apart(distance, shade.apart);
+    Vec3 left = shade.surfaces ? found.passed(shade.around, *shade.surfaces) : found.passed();
+    left *= found.dimmed(shade.around);
+    if (shade.stretches && left != Vec3(0))
+        all.for_stretches(shade.around, distance, *shade.stretches);
+    return left;
+}
+
+}  // namespace candelabra
