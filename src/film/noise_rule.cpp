@@ -43,8 +43,8 @@ DecidedBy NoiseRule::decided_by(const RenderSettings& settings) {
 
 int NoiseRule::first(const FirstSamples& wanted) const {
     constexpr int first_of_quiet = 4;
-    return at_most > 0 ? std::min(wanted.usual, first_of_quiet)
-                       : std::max(wanted.usual, wanted.least);
+    const int usual = at_most > 0 ? std::min(wanted.usual, first_of_quiet) : wanted.usual;
+    return std::max(usual, wanted.least);
 }
 
 std::uint32_t NoiseRule::most(const RenderSettings& settings, std::uint32_t first) const {

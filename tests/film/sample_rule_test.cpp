@@ -60,6 +60,7 @@ TEST_CASE("the first round sees what it must", "[film]") {
     CHECK(NoiseRule().first({8, 3}) == 8);
     CHECK(NoiseRule().first({2, 3}) == 3);
     CHECK(NoiseRule{10}.first({8, 0}) == 4);
+    CHECK(NoiseRule{10}.first({2, 7}) == 7);
     CHECK(BlurRule{{5, 9}}.first({1, 3}) == 5);
     CHECK(BlurRule{{1, 9}}.first({1, 1}) == 2);
     CHECK(contrast_rule({}, 1).first({8, 3}) == 2);

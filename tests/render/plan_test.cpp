@@ -41,4 +41,19 @@ TEST_CASE("a bound for noise is for light as the film shows it", "[render][film]
     CHECK(samples("exposure -4") <= samples("exposure 0"));
 }
 
+TEST_CASE("each pixel sees all moments of the shutter, also in light without noise", "[render]") {
+    // The lamp is so dim that the pilot finds no noise: pixels get few samples.
+    const std::string scene = R"(
+        #version 3.7;
+        camera { location <0, 2, -5> look_at 0 }
+        light_source { <3, 5, -5>, 1 }
+        plane { y, -1 pigment { rgb 0.5 } }
+        sphere { <0, 9, 0>, 0.1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1e-3 } })";
+    const RenderSettings settings = small(1);
+    World world = world_of(scene);
+    CHECK(plan_of(world, settings).samples == 4);
+    for (int later = 0; later < 6; ++later) world.shutter.push_back(world_of(scene));
+    CHECK(plan_of(world, settings).samples == 7);
+}
+
 }  // namespace candelabra
