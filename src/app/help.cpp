@@ -292,6 +292,7 @@ std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
 
 std::string short_usage() {
     return "usage: candelabra [option ...] scene.pov\n"
+           "       candelabra new [--template name] scene.pov\n"
            "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
            "       candelabra develop [-o file] [+Fx] [--exposure stops] ... picture.exr ...\n"
            "       candelabra fmt [--check] [file ...]\n"
