@@ -20,8 +20,8 @@ struct BackgroundColour {
 const ItemInfo BackgroundColour::vocabulary = described<BackgroundColour>([] {
     return schema<BackgroundColour>(
         "background", "What rays see that meet nothing.",
-        Field<BackgroundColour>{"colour", &BackgroundColour::colour, positional,
-                                "the colour in all directions"});
+        maybe(Field<BackgroundColour>{"colour", &BackgroundColour::colour, positional,
+                                      "the colour in all directions; without it black"}));
 });
 
 /// Reads the pigments of a sky, each over the preceding one.
@@ -70,9 +70,11 @@ public:
         return true;
     }
     void finish() {
-        if (!block_.broken && map_.empty())
-            block_.report(error(Fault::missing, block_.span, "`rainbow` needs a `color_map`")
-                              .with_help(block_.help()));
+        if (block_.broken || !map_.empty()) return;
+        map_.push_back({0, {Vec3(0), 0, 1}});
+        block_.report(warning(Fault::missing, block_.span,
+                              "this rainbow is not seen: `rainbow` needs a `color_map`")
+                          .with_help(block_.help()));
     }
     void add_words(WordList& words) const { words.push_back("color_map"); }
 
@@ -106,9 +108,12 @@ bool read_fog(Binder& binder, const Element& element, Fog& fog) {
     const auto apply = [&](const Transform& transform) { fog.up = transform.direction(fog.up); };
     TransformReader moves(block, apply);
     block.read(element.body, declared, fields, moves);
-    const std::string wrong = problem(fog);
-    if (!block.broken && !wrong.empty())
-        block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    if (!block.broken && fog.up == Vec3(0)) {
+        fog.up = Fog().up;
+        block.report(warning(Fault::degenerate, element.word_span,
+                             "`up` of `fog` should not be 0: y counts")
+                         .with_help(block.help()));
+    }
     return !block.broken;
 }
 

@@ -221,6 +221,11 @@ bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
     const std::string wrong = problem(camera);
     if (!wrong.empty())
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    else if (is_flattened(camera))
+        block.report(warning(Fault::degenerate, element.word_span,
+                             "`direction`, `right` and `up` lie in one plane: this camera sees "
+                             "stripes, or nothing")
+                         .with_help(block.help()));
     return !block.broken;
 }
 

@@ -5,6 +5,7 @@
 
 #include "bind/binder.h"
 #include "bind/block.h"
+#include "surface/texture.h"
 
 namespace candelabra {
 
@@ -59,24 +60,31 @@ bool read_map(Binder& binder, const Element& element, std::string_view name, std
     return !block.broken;
 }
 
-/// Gives the entries of `average` without a number the weight 1. Reports missing numbers in other
-/// patterns, and weights that are negative or sum to 0.
+/// Gives the entries of `average` without a number the weight 1, as well as all entries if their
+/// weights sum to 0; a texture's weight is at least 0. Reports missing numbers in other patterns.
 template <class Entry>
 void settle_values(OpenBlock& block, Span span, std::vector<Entry>& map, bool average) {
-    double total = 0, least = 0;
-    bool missing = false;
+    constexpr bool any_sign = !std::is_same_v<Entry, TextureStop>;
+    double total = 0;
+    bool missing = false, negative = false;
     for (Entry& entry : map) {
         missing |= std::isnan(entry.value);
         if (std::isnan(entry.value)) entry.value = 1;
+        negative |= average && entry.value < 0;
+        if (average && !any_sign) entry.value = std::fmax(entry.value, 0);
         total += entry.value;
-        least = std::fmin(least, entry.value);
     }
     if (missing && !average)
         block.report(error(Fault::missing, span, "the entries of a map begin with a number")
                          .with_help("[0 ...] [0.5 ...] [1 ...]"));
-    if (average && (least < 0 || !(total > 0)))
-        block.report(error(Fault::out_of_range, span,
-                           "the weights of `average` must be at least 0, and not all be 0"));
+    const bool nothing = average && !map.empty() && total == 0;
+    if (nothing)
+        for (Entry& entry : map) entry.value = 1;
+    if (nothing || (negative && !any_sign))
+        block.report(warning(Fault::no_effect, span,
+                             nothing ? "the weights of `average` sum to 0: all are 1 instead"
+                                     : "the weights of textures in `average` should be at least 0: "
+                                       "0 counts"));
 }
 
 }  // namespace candelabra

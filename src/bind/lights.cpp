@@ -117,9 +117,12 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     }
     const bool modern = binder.evaluator.version() >= modern_version;
     std::visit([&](auto& light) { light.fades_from_source = modern; }, placed.light);
-    const std::string wrong = std::visit([](const auto& l) { return problem(l); }, placed.light);
-    if (!wrong.empty())
-        block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    if (std::visit([](const auto& l) { return is_aimless(l); }, placed.light)) {
+        std::visit([](auto& light) { light.colour = Vec3(0); }, placed.light);
+        block.report(warning(Fault::degenerate, element.word_span,
+                             "this light lights nothing: `point_at` is its own location")
+                         .with_help(block.help()));
+    }
     const std::string idle = std::visit([](const auto& l) { return ignored(l); }, placed.light);
     if (!idle.empty()) block.report(warning(Fault::no_effect, element.word_span, idle));
     return block.broken ? std::nullopt : std::optional(std::move(placed));

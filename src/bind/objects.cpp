@@ -304,8 +304,7 @@ private:
     static bool is_passed_over(const Shape& shape) {
         const auto* polygon = std::get_if<Shared<Polygon>>(&shape);
         const auto* disc = std::get_if<Disc>(&shape);
-        return (polygon && (*polygon)->points.size() > 2) || (disc && disc->normal == Vec3(0)) ||
-               std::holds_alternative<Shared<Quadric>>(shape);
+        return (polygon && (*polygon)->points.size() > 2) || (disc && disc->normal == Vec3(0));
     }
 
     /// Leaves out a shape that has no extent, as in POV-Ray: loops and animations begin with a

@@ -311,7 +311,7 @@ public:
     }
     void finish() {
         if (std::exchange(waiting_, false))
-            block_.report(error(Fault::missing, span_, "`quick_color` needs a colour")
+            block_.report(warning(Fault::missing, span_, "`quick_color` should have a colour")
                               .with_help("quick_color rgb <1, 0.5, 0>"));
     }
     void add_words(WordList& words) const { words.push_back("quick_color"); }

@@ -56,6 +56,7 @@ constexpr auto rendered_ranges = std::to_array<RenderedRange>({
     {"scattering", "eccentricity", -1},
     {"bicubic_patch", "u_steps", 0},
     {"bicubic_patch", "v_steps", 0},
+    {"subsurface", "samples", 0},
     {"subsurface", "single_samples", 0},
     {"photons", "max_trace_level", 5},
     {"global_settings", "assumed_gamma", 0.1},

@@ -160,8 +160,9 @@ Projection untransformed(const View& view, Lens lens, bool sizes = true) {
         }
     }
     if (sizes && parallel && ((!view.up && !view.right) || view.angle)) {
+        const double ahead = length(f.direction);
         const double size =
-            length(view.look_at.value_or(Vec3(0, 0, 1)) - view.location) / length(f.direction);
+            ahead > 0 ? length(view.look_at.value_or(Vec3(0, 0, 1)) - view.location) / ahead : 1;
         f.right *= size;
         f.up *= size;
     }
@@ -207,12 +208,14 @@ std::string problem(const Camera& camera) {
     const Lens lens = std::visit([](const auto& c) { return lens_of(c); }, camera);
     if (view.angle && *view.angle >= 180 && (lens == Lens::flat || lens == Lens::parallel))
         return "`angle` of a flat picture must be below 180 degrees";
-    for (const auto& vector : {view.direction, view.right, view.up})
-        if (vector && *vector == Vec3(0)) return "`direction`, `right` and `up` must not be zero";
-    const Projection f = untransformed(view, lens);
-    if (lens != Lens::spherical && dot(cross(f.right, f.up), f.direction) == 0)
-        return "`direction`, `right` and `up` must not lie in one plane";
     return {};
+}
+
+bool is_flattened(const Camera& camera) {
+    const Lens lens = std::visit([](const auto& c) { return lens_of(c); }, camera);
+    const Projection f = untransformed(view_of(camera), lens);
+    if (lens != Lens::spherical) return dot(cross(f.right, f.up), f.direction) == 0;
+    return f.right == Vec3(0) || f.up == Vec3(0) || f.direction == Vec3(0);
 }
 
 Projection projection(const Camera& camera) {
@@ -229,7 +232,8 @@ Projection projection(const Camera& camera) {
                   view.variance, view.confidence};
         // As in POV-Ray, scaling the camera changes neither its lens nor its focal distance.
         f.lens_radius = 0.25 * view.aperture;
-        f.focal_distance = length(view.focal_point ? *view.focal_point - f.location : f.direction);
+        f.focal_distance = length(view.focal_point ? *view.focal_point - f.location : Vec3(0));
+        if (f.focal_distance == 0) f.focal_distance = length(f.direction);
     }
     f.location = view.transform.point(f.location);
     f.direction = view.transform.direction(f.direction);
@@ -295,6 +299,7 @@ Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
 
 /// As in POV-Ray the vectors need not be perpendicular: they are axes of rotation.
 Vec3 spherical(const Projection& f, double u, double v) {
+    if (f.right == Vec3(0) || f.up == Vec3(0)) return Vec3(0);
     const Vec3 lifted = turned(unit(f.direction), unit(f.right), -v * f.vertical_angle);
     return turned(lifted, unit(f.up), u * f.angle);
 }
@@ -322,7 +327,8 @@ Ray Projection::through_lens(const Ray& ray, Vec2 place) const {
 Ray Projection::ray(double u, double v) const {
     if (lens == Lens::flat || lens == Lens::mesh)
         return {location, unit(direction + u * right + v * up)};
-    const double a = u * angle, b = v * angle * length(up) / length(right);
+    const double width = length(right);
+    const double a = u * angle, b = width > 0 ? v * angle * length(up) / width : 0;
     const Vec3 side = unit(right), above = unit(up), ahead = unit(direction);
     const auto from_here = [&](const Vec3& towards) { return Ray{location, unit(towards)}; };
     switch (lens) {
@@ -334,6 +340,7 @@ Ray Projection::ray(double u, double v) const {
         case Lens::fisheye:
             return from_here(fisheye(*this, u, v));
         case Lens::ultra_wide:
+            if (width == 0) return from_here(Vec3(0));
             return from_here(math::sin(a) * side + math::sin(b) * above +
                              math::cos(a) * math::cos(b) * ahead);
         case Lens::omnimax:

@@ -144,6 +144,10 @@ void settle(Camera&);
 /// Error in the camera as a whole, as a sentence; empty when there is none.
 std::string problem(const Camera&);
 
+/// Whether `direction`, `right` and `up` lie in one plane, or one of them is zero: all that is seen
+/// lies in a plane or on a line, or nothing is seen.
+bool is_flattened(const Camera&);
+
 /// Precondition: problem() is empty.
 Projection projection(const Camera&);
 

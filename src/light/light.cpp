@@ -99,10 +99,8 @@ double in_beam(const PointLight& light, double away) {
 
 }  // namespace
 
-std::string problem(const PointLight& light) {
-    if ((light.beam == cone || light.along_axis()) && light.point_at == light.location)
-        return "`point_at` must not be the light's own location";
-    return {};
+bool is_aimless(const PointLight& light) {
+    return (light.beam == cone || light.along_axis()) && light.point_at == light.location;
 }
 
 std::string ignored(const PointLight& light) {

@@ -76,8 +76,8 @@ void settle(PointLight&);
 /// Every kind of light source.
 using Light = std::variant<PointLight>;
 
-/// Returns a sentence about an error in the light as a whole; empty if there is none.
-std::string problem(const PointLight&);
+/// Whether the light has an axis, but no direction of it. Such a light lights nothing.
+bool is_aimless(const PointLight&);
 /// Returns a sentence about parameters without effect; empty if there are none.
 std::string ignored(const PointLight&);
 

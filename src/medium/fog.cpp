@@ -74,10 +74,6 @@ Vec3 tinted(const Fog& fog, double share) {
 
 }  // namespace
 
-std::string problem(const Fog& fog) {
-    return fog.up == Vec3(0) ? "`up` of `fog` must not be zero" : "";
-}
-
 Vec3 left_by(std::span<const Fog> fogs, const Ray& ray, double distance, NoiseGenerator generator) {
     Vec3 all(1);
     for (const Fog& fog : fogs)

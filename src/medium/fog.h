@@ -29,15 +29,12 @@ struct Fog {
     static const ItemInfo vocabulary;
 };
 
-/// Returns a sentence about an error in the fog as a whole; empty if there is none.
-std::string problem(const Fog&);
-
 /// Transmittance of all fogs along the ray up to a distance, without the light they add.
-/// Precondition: no fog has a problem.
+/// Precondition: `up` of no fog is 0.
 Vec3 left_by(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
 
 /// Transmittance and added radiance of all fogs along the ray, from its origin to a distance, which
-/// may be infinite. Precondition: no fog has a problem.
+/// may be infinite. Precondition: `up` of no fog is 0.
 Veil veil_of(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
 
 }  // namespace candelabra

@@ -253,10 +253,12 @@ std::vector<HeightBlocks> levels_of(const HeightGrid& grid) {
 }  // namespace
 
 std::string problem(const HeightField& field) {
-    if (!field.grid) return "a `height_field` needs a picture or a function";
-    return field.grid->width >= 2 && field.grid->height >= 2
-               ? ""
-               : "a `height_field` needs at least 2 by 2 heights";
+    return field.grid ? "" : "a `height_field` needs a picture or a function";
+}
+
+std::string vanishes(const HeightField& field) {
+    const bool some = field.grid->width >= 2 && field.grid->height >= 2;
+    return some ? "" : "it has fewer than 2 by 2 heights";
 }
 
 BuiltHeightField build(const HeightField& field) {

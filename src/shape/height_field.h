@@ -67,6 +67,7 @@ struct BuiltHeightField {
 /// Error that the ranges of single fields do not exclude (no heights), as a sentence; empty when
 /// there is none.
 std::string problem(const HeightField&);
+std::string vanishes(const HeightField&);
 BuiltHeightField build(const HeightField&);
 
 /// The surface is the landscape only; everything below it is inside.

@@ -144,9 +144,12 @@ std::string problem(const Parametric& surface) {
         if (function->parameters() != 2 && function->parameters() != 3)
             return "the functions of a `parametric` have the parameters u, v";
     }
-    return surface.first.x != surface.last.x && surface.first.y != surface.last.y
-               ? ""
-               : "a `parametric` needs a range of u and of v";
+    return {};
+}
+
+std::string vanishes(const Parametric& surface) {
+    if (surface.first.x == surface.last.x) return "its range of u is empty";
+    return surface.first.y == surface.last.y ? "its range of v is empty" : "";
 }
 
 BuiltParametric build(const Parametric& surface, const RayIndex& index) {

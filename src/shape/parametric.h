@@ -45,6 +45,7 @@ struct BuiltParametric {
 /// Error that the ranges of single fields do not exclude (functions of other arguments), as a
 /// sentence; empty when there is none.
 std::string problem(const Parametric&);
+std::string vanishes(const Parametric&);
 BuiltParametric build(const Parametric&, const RayIndex& = {});
 
 Box bounds(const BuiltParametric&);

@@ -142,8 +142,13 @@ std::string wrong_count(const std::string& name, int degree, const std::vector<d
     if (factors.size() != needed)
         return "a `" + name + "` needs " + std::to_string(needed) + " factors, and this has " +
                std::to_string(factors.size());
-    if (std::any_of(factors.begin(), factors.end() - 1, [](double f) { return f != 0; })) return {};
-    return "a `" + name + "` needs a factor that is not 0 besides the constant";
+    return {};
+}
+
+std::string without_surface(const std::vector<double>& factors) {
+    const bool some =
+        std::any_of(factors.begin(), factors.end() - 1, [](double f) { return f != 0; });
+    return some ? "" : "all its factors besides the constant are 0";
 }
 
 /// Index of a term in the coefficients, which are ordered by falling powers of x, then y, then z.
@@ -179,6 +184,13 @@ std::string problem(const Polynomial& polynomial) {
     return "xyz(" + std::to_string(term->x) + ", " + std::to_string(term->y) + ", " +
            std::to_string(term->z) + ") is of a higher degree than the " +
            std::to_string(polynomial.degree) + " of its `polynomial`";
+}
+
+std::string vanishes(const Cubic& cubic) { return without_surface(cubic.factors); }
+std::string vanishes(const Quartic& quartic) { return without_surface(quartic.factors); }
+std::string vanishes(const Poly& poly) { return without_surface(poly.factors); }
+std::string vanishes(const Polynomial& polynomial) {
+    return without_surface(build(polynomial).factors);
 }
 
 Box bounds(const AlgebraicSurface&) { return everywhere(); }

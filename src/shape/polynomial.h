@@ -71,6 +71,10 @@ std::string problem(const Cubic&);
 std::string problem(const Quartic&);
 std::string problem(const Poly&);
 std::string problem(const Polynomial&);
+std::string vanishes(const Cubic&);
+std::string vanishes(const Quartic&);
+std::string vanishes(const Poly&);
+std::string vanishes(const Polynomial&);
 
 /// Infinite, because the extent of the surface is not known.
 Box bounds(const AlgebraicSurface&);

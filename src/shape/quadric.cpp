@@ -172,9 +172,9 @@ void crossings_between(const Quadric& q, const Ray& ray, const Interval& range, 
 
 bool inside(const Quadric& q, const Vec3& point) { return value(q, point) <= 0; }
 
-std::string problem(const Quadric& q) {
+std::string vanishes(const Quadric& q) {
     const bool some = q.squares != Vec3(0) || q.products != Vec3(0) || q.linear != Vec3(0);
-    return some ? "" : "a `quadric` needs a factor that is not 0 besides the constant";
+    return some ? "" : "all its factors besides the constant are 0";
 }
 
 }  // namespace candelabra

@@ -26,8 +26,6 @@ void crossings_between(const Quadric&, const Ray&, const Interval& range, Crossi
 bool inside(const Quadric&, const Vec3&);
 /// Bounds of the part of the solid in a box, as far as known. The box may be infinite.
 Box bounds_within(const Quadric&, const Box&);
-/// Error that the ranges of single fields do not exclude (no coefficient but the constant), as a
-/// sentence; empty when there is none.
-std::string problem(const Quadric&);
+std::string vanishes(const Quadric&);
 
 }  // namespace candelabra

@@ -23,7 +23,7 @@ const ItemInfo SubsurfaceSettings::vocabulary = described<SubsurfaceSettings>([]
         "subsurface", "Has finishes with subsurface scatter light inside of their objects.",
         F{"samples", &SubsurfaceSettings::samples, item,
           "points of the surface where light may go in, for each point that is seen",
-          between(1, 1e6)},
+          between(0, 1e6)},
         maybe(F{"single_samples", &SubsurfaceSettings::single_samples, following,
                 "places below that point where light may be scattered once", between(0, 1e6)}));
 });

@@ -32,7 +32,7 @@ TEST_CASE("fogs add up", "[bind]") {
     CHECK(complaint("fog { fog_type 3 }") ==
           "warning no-effect: `fog_type` of `fog` should be from 1 to 2, but it is 3: 2 counts");
     CHECK(complaint("fog { up 0 distance 1 }") ==
-          "error degenerate: `up` of `fog` must not be zero");
+          "warning degenerate: `up` of `fog` should not be 0: y counts");
     CHECK(complaint("sky_sphere { }") == "error missing: `sky_sphere` needs a pigment");
 }
 

@@ -103,8 +103,8 @@ TEST_CASE("each wrong value is told of once, with place and rule", "[bind]") {
          "warning degenerate: this `disc` is left out: a `disc` needs a normal "
          "with a length above 0 and below 1e150"},
         {"quadric { 0, 0, 0, -1 }",
-         "warning degenerate: this `quadric` is left out: a `quadric` needs a "
-         "factor that is not 0 besides the constant"},
+         "warning degenerate: this `quadric` is left out: all its factors besides the constant "
+         "are 0"},
 
         {"global_settings { max_trace_level 2.5 }",
          "warning no-effect: `max_trace_level` of `global_settings` is a whole number, and 2.5 "

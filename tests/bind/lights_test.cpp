@@ -76,8 +76,16 @@ TEST_CASE("wrong lights are told of once", "[bind]") {
           "error misplaced: `no_shadow` has no place in `light_source`");
     CHECK(complaint("light_source { 0, 1 area_light x, y, 2 }") ==
           "error missing: the fourth value of `area_light` is missing, a whole number");
-    CHECK(complaint("light_source { 0, 1 spotlight point_at 0 }") ==
-          "error degenerate: `point_at` must not be the light's own location");
+}
+
+TEST_CASE("a light that points at its own place lights nothing, as in POV-Ray", "[bind]") {
+    const std::string kind = GENERATE("spotlight", "cylinder", "parallel", "spotlight parallel");
+    const std::string text = "light_source { x, 1 " + kind + " point_at x }";
+    CHECK(complaint(text) ==
+          "warning degenerate: this light lights nothing: `point_at` is its own location");
+    const Script done = run("#version 3.7; " + text);
+    REQUIRE(done.scene.lights.size() == 1);
+    CHECK(std::get<PointLight>(done.scene.lights[0].light).colour == Vec3(0));
 }
 
 TEST_CASE("a light may look like an object, which moves with it", "[bind]") {

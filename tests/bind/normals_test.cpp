@@ -101,7 +101,7 @@ TEST_CASE("wrong normals are told of once", "[bind]") {
         {"bumps slope_map { }", "error missing: `slope_map` has no entries"},
         {"average", "error missing: `average` needs a `normal_map`"},
         {"average normal_map { [0 bumps] }",
-         "error out-of-range: the weights of `average` must be at least 0, and not all be 0"},
+         "warning no-effect: the weights of `average` sum to 0: all are 1 instead"},
         {"checker normal { bumps } normal { bumps } normal { bumps }",
          "error misplaced: this pattern takes 2 normals, but here is one more"},
     }));

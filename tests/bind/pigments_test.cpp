@@ -122,7 +122,8 @@ TEST_CASE("wrong pigments are told of once", "[bind]") {
           "error misplaced: `average` takes a `pigment_map`, not a `color_map`");
     CHECK(pigment_complaint("average") == "error missing: `average` needs a `pigment_map`");
     CHECK(pigment_complaint("average pigment_map { [0 rgb 1] }") ==
-          "error out-of-range: the weights of `average` must be at least 0, and not all be 0");
+          "warning no-effect: the weights of `average` sum to 0: all are 1 instead");
+    CHECK(pigment_complaint("average pigment_map { [-1 rgb 1] [2 rgb 0] }") == "nothing");
     CHECK(pigment_complaint("pigment_map { [0 rgb 1] }") ==
           "error misplaced: `pigment_map` needs a pattern before it");
     CHECK(pigment_complaint("bozo pigment_map { [rgb 1] }") ==
@@ -140,7 +141,8 @@ TEST_CASE("wrong pigments are told of once", "[bind]") {
           "error wrong-count: an entry of `color_map` has one colour for each number");
     CHECK(pigment_complaint("gradient x color_map { [0 <1, 2, 3>] }") ==
           "error wrong-type: a colour must be said to be one, but this is a vector of 3");
-    CHECK(pigment_complaint("quick_color") == "error missing: `quick_color` needs a colour");
+    CHECK(pigment_complaint("quick_color") ==
+          "warning missing: `quick_color` should have a colour");
 }
 
 TEST_CASE("pigments within pigments without end are refused", "[bind]") {

@@ -52,7 +52,19 @@ TEST_CASE("what POV-Ray renders outside of a range is a warning", "[bind]") {
         "rainbow { direction z angle 10 width 5 distance 0 color_map { [0 rgb x] [1 rgb y] } }",
         "global_settings { assumed_gamma 20 }", "global_settings { subsurface { samples 10, -1 } }",
         "global_settings { photons { count 9 gather 5, 0 } }",
-        "global_settings { photons { count 9 max_trace_level 400 } }");
+        "global_settings { photons { count 9 max_trace_level 400 } }",
+        "global_settings { subsurface { samples -1, 3 } }", "camera { location -z right 0 }",
+        "camera { location -z up 0 look_at x }", "camera { orthographic direction 0 }",
+        "camera { spherical location -z up 0 }", "camera { right x up x direction x }",
+        "light_source { 9, 1 spotlight point_at 9 }",
+        "fog { fog_type 2 distance 3 fog_alt 1 up 0 }",
+        "rainbow { direction z angle 10 width 5 distance 9 }",
+        "height_field { function 1, 1 { x } }",
+        "cubic { <0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, "
+        "0, 0, 0, 0, 0, 0, 1> }",
+        "parametric { function { u } function { v } function { u } <0, 0>, <0, 1> }",
+        "plane { y, 0 texture { average texture_map { [-1 pigment { rgb 1 }] [3 finish { }] } } }",
+        "plane { y, 0 pigment { rgb 1 quick_color } }");
     INFO(text);
     const Script done = run("#version 3.7; " + text);
     INFO(done.text);

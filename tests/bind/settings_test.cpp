@@ -161,7 +161,7 @@ TEST_CASE("wrong settings are told of once", "[bind]") {
           "error missing: `index` needs the name of a structure");
     CHECK(complaint("global_settings { index { kd_tree bounding_boxes } }") ==
           "error duplicate: `index` has one structure, and this is a second");
-    CHECK(complaint("background { }") == "error missing: `background` needs `colour`");
+    CHECK(complaint("background { }") == "nothing");
 }
 
 TEST_CASE("assumed_gamma may be the curve of sRGB", "[bind]") {

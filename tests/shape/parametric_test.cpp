@@ -24,10 +24,13 @@ TEST_CASE("rays meet a parametric surface itself, not its facets", "[shape]") {
     bowl.x = function([](double u, double) { return u; });
     bowl.y = function([](double u, double v) { return u * u + v * v; });
     bowl.z = function([](double, double v) { return v; });
-    CHECK(problem(bowl) == "a `parametric` needs a range of u and of v");
-    bowl.first = Vec2(-1);
-    bowl.last = Vec2(1);
     CHECK(problem(bowl).empty());
+    bowl.first = bowl.last = Vec2(-1);
+    CHECK(vanishes(bowl) == "its range of u is empty");
+    bowl.last.x = 1;
+    CHECK(vanishes(bowl) == "its range of v is empty");
+    bowl.last.y = 1;
+    CHECK(vanishes(bowl).empty());
     const BuiltParametric built = build(bowl);
     const auto found = hits(built, {Vec3(0.123, 5, 0.321), Vec3(0, -1, 0)});
     REQUIRE(found.size() == 1);

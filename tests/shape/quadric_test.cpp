@@ -72,9 +72,8 @@ TEST_CASE("bounds of a quadric are those of an ellipsoid, or of an elliptic cyli
 }
 
 TEST_CASE("a quadric needs a factor besides its constant", "[shape]") {
-    CHECK(problem(Quadric{}).empty());
-    CHECK(problem(Quadric{o, o, o, -1}) ==
-          "a `quadric` needs a factor that is not 0 besides the constant");
+    CHECK(vanishes(Quadric{}).empty());
+    CHECK(vanishes(Quadric{o, o, o, -1}) == "all its factors besides the constant are 0");
 }
 
 TEST_CASE("between planes, a quadric has bounds", "[shape]") {
