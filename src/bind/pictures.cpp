@@ -123,6 +123,7 @@ bool PictureReader::take(const Element& element) {
     if (element.kind == Element::Kind::word && !fields_.waiting() &&
         std::ranges::find(file_kinds, element.word) != file_kinds.end()) {
         block_.file_kind = block_.spelling(element.word);
+        map_.kind = std::string(block_.file_kind);
         return true;
     }
     const auto curve = element.kind == Element::Kind::word && fields_.expected() == "gamma"
@@ -191,7 +192,7 @@ void PictureReader::take_number(double number, Span span) {
 
 void PictureReader::finish() {
     fields_.finish();
-    const bool odd_map = map_.map_type == 3 || map_.map_type == 4;
+    const bool odd_map = map_.map_type == 3 || map_.map_type == 4 || map_.map_type == 6;
     if (stage_ != Stage::none && !block_.broken)
         block_.report(
             error(Fault::missing, block_.span, "`filter` and `transmit` of a picture need a number")
@@ -200,7 +201,7 @@ void PictureReader::finish() {
         block_.report(error(Fault::out_of_range, block_.span,
                             odd_map ? message("there is no `map_type` ", map_.map_type)
                                     : "there is no `interpolate` 1")
-                          .with_help(odd_map ? "map_type 0, 1, 2 or 5" : "interpolate 2"));
+                          .with_help(odd_map ? "map_type 0, 1, 2, 5 or 7" : "interpolate 2"));
     if (!block_.broken) load();
 }
 

@@ -20,7 +20,10 @@ const ItemInfo Crackle::vocabulary = described<Crackle>([] {
         F{"metric", &Crackle::metric, item,
           "what distance is: 1 along the axes, 2 straight, more: nearly by the longest axis"},
         F{"offset", &Crackle::offset, item, "is added to the distances, by the metric's power"},
-        F{"solid", &Crackle::solid, flag, "one random value for each cell"});
+        F{"solid", &Crackle::solid, flag, "one random value for each cell"},
+        F{"repeat", &Crackle::repeat, item,
+          "whole numbers: along each axis the cells repeat after so many; 0: never",
+          between(0, 1e6)});
 });
 
 const ItemInfo Facets::vocabulary = described<Facets>([] {
@@ -96,11 +99,32 @@ struct Gaps {
     std::array<double, 5> raised;
 };
 
+/// Cells after which the nuclei repeat along each axis; 0: they do not.
+struct Period {
+    std::int64_t x = 0, y = 0, z = 0;
+
+    static std::int64_t wrapped(std::int64_t cell, std::int64_t period) {
+        return period > 0 ? (cell % period + period) % period : cell;
+    }
+    std::size_t hash(const Cell& cell) const {
+        return cell_hash(wrapped(cell.x, x), wrapped(cell.y, y), wrapped(cell.z, z));
+    }
+    /// The place of the first period that is as this one.
+    Vec3 first(const Vec3& place) const {
+        const auto in_first = [](double at, std::int64_t period) {
+            const auto size = static_cast<double>(period);
+            return period > 0 ? at - size * std::floor(at / size) : at;
+        };
+        return {in_first(place.x, x), in_first(place.y, y), in_first(place.z, z)};
+    }
+};
+
 /// Calls use(offset of the nucleus from the point, distance raised to the power of the metric) for
 /// the nuclei of the cells around the point. Skips cells that are surely farther away than
 /// `farthest`, which `use` may reduce.
 template <class Use>
-void for_nuclei(const Vec3& point, double metric, const double& farthest, Use use) {
+void for_nuclei(const Vec3& point, double metric, const Period& period, const double& farthest,
+                Use use) {
     static constexpr auto steps = make_steps();
     const Cell home = cell_of(point - Vec3(cell_margin));
     const std::span<const double> random = random_table();
@@ -110,7 +134,7 @@ void for_nuclei(const Vec3& point, double metric, const double& farthest, Use us
     const Gaps x(corner.x, metric), y(corner.y, metric), z(corner.z, metric);
     for (const CellStep& step : steps) {
         if (x.at(step.x) + y.at(step.y) + z.at(step.z) > farthest) continue;
-        const std::size_t hash = cell_hash(home.x + step.x, home.y + step.y, home.z + step.z);
+        const std::size_t hash = period.hash({home.x + step.x, home.y + step.y, home.z + step.z});
         const Vec3 offset = corner + Vec3(step.x + random[hash], step.y + random[hash + 1],
                                           step.z + random[hash + 2]);
         use(offset, raised_distance(offset, metric));
@@ -133,7 +157,9 @@ double evaluate(const Crackle& crackle, const PatternPoint& at) {
                              : crackle.form.y != 0 ? 1
                                                    : 0;
     Vec3 to_nucleus(0);
-    for_nuclei(at.position, metric, nearest[last], [&](const Vec3& offset, double distance) {
+    const auto cells = [](double size) { return static_cast<std::int64_t>(size); };
+    const Period period{cells(crackle.repeat.x), cells(crackle.repeat.y), cells(crackle.repeat.z)};
+    const auto take = [&](const Vec3& offset, double distance) {
         if (!(distance < nearest[2])) return;
         if (distance < nearest[0]) {
             to_nucleus = offset;
@@ -143,8 +169,9 @@ double evaluate(const Crackle& crackle, const PatternPoint& at) {
         } else {
             nearest[2] = distance;
         }
-    });
-    if (crackle.solid) return noise(at.position + to_nucleus, at.noise_generator());
+    };
+    for_nuclei(at.position, metric, period, nearest[last], take);
+    if (crackle.solid) return noise(period.first(at.position + to_nucleus), at.noise_generator());
     const double more = crackle.offset == 0 ? 0 : power(crackle.offset, metric);
     double value = 0;
     for (std::size_t i = 0; i < nearest.size(); ++i)
@@ -160,7 +187,7 @@ Vec3 nearest_nucleus(const Vec3& point, double metric) {
     Vec3 result(0);
     // With metric 1, a nucleus behind the point counts as near, as in POV-Ray.
     const bool signed_sum = metric == 1;
-    for_nuclei(point, metric, signed_sum ? infinite : least,
+    for_nuclei(point, metric, Period{}, signed_sum ? infinite : least,
                [&](const Vec3& offset, double raised) {
                    const double distance = signed_sum ? offset.x + offset.y + offset.z : raised;
                    if (!(distance < least)) return;

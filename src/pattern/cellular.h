@@ -16,6 +16,7 @@ struct Crackle {
     Vec3 metric = Vec3(2);  ///< POV-Ray reads a vector and uses its x component
     double offset = 0;
     bool solid = false;
+    Vec3 repeat = Vec3(0);  ///< period along each axis, its fraction cut off; below 1: none
 
     static const ItemInfo vocabulary;
 };

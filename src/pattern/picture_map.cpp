@@ -25,8 +25,9 @@ consteval auto picture_schema(std::string_view name, std::string_view help, Own.
           "of the file's values, instead of what it says; or `srgb`, `bt709`, `bt2020`"},
         F{"premultiplied", &T::premultiplied, flag, "the file's colours are stored times alpha"},
         F{"map_type", &T::map_type, item,
-          "0: on the plane of x and y, 1: around a sphere, 2: around a cylinder, 5: around a ring",
-          between(0, 5)},
+          "0: on the plane of x and y, 1: around a sphere, 2: around a cylinder, 5: around a ring, "
+          "7: an angular probe",
+          between(0, 7)},
         F{"interpolate", &T::interpolate, item,
           "0: pixels are squares, 2: bilinear, 3: bicubic, 4: by distance", between(0, 4)},
         F{"once", &T::once, flag, "the picture is not repeated"},
@@ -105,6 +106,15 @@ double floor_mod(double x, double m) {
     return rest >= m || !(rest >= 0) ? 0 : rest;
 }
 
+/// The place of a direction in a picture of a mirrored ball, in which equal angles to z are equal
+/// lengths from its middle.
+Vec2 probed(const Vec3& towards, const Vec2& size) {
+    const double aside = math::hypot(towards.x, towards.y);
+    const double scale =
+        aside > 0 ? math::acos(std::clamp(towards.z, -1.0, 1.0)) / (pi * aside) : 0;
+    return {size.x * (0.5 + 0.5 * scale * towards.x), size.y * (0.5 + 0.5 * scale * towards.y)};
+}
+
 /// Maps a point to the picture, in pixels, before offset and repetition; y points up.
 std::optional<Vec2> unrolled(const PictureMap& map, const Vec3& p, const Vec2& size) {
     const bool off_plane = map.once && (p.x < 0 || p.x > 1),
@@ -122,6 +132,9 @@ std::optional<Vec2> unrolled(const PictureMap& map, const Vec3& p, const Vec2& s
         case 2:
             if (off_height || from_axis == 0) return std::nullopt;
             return Vec2(size.x * around, flat.y);
+        case 7:
+            if (distance == 0) return std::nullopt;
+            return probed(p / distance, size);
         default:
             if (from_axis == 0) return std::nullopt;
             return Vec2(size.x * around, size.y * turn_of_tube(from_axis - 1, p.y));

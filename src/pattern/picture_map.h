@@ -17,6 +17,7 @@ struct PictureMap {
     double gamma = 0;          ///< 0: as the file says, below 0: sRGB
     bool premultiplied = false;
     int map_type = 0;
+    std::string kind;  ///< the word before the file's name, such as `png`; empty: none
     int interpolate = 0;
     bool once = false;
     Vec2 repeat = Vec2(1), offset = Vec2(0);

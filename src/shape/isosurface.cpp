@@ -20,6 +20,7 @@ const ItemInfo Isosurface::vocabulary = described<Isosurface>([] {
         F{"function", &Isosurface::function, positional, "the function; inside it is lower"},
         parts<&Isosurface::containers>("contained_by", "box or sphere that closes the surface"),
         F{"threshold", &Isosurface::threshold, item, "value on the surface"},
+        F{"polarity", &Isosurface::polarity, item, "above 0: inside it is higher"},
         F{"accuracy", &Isosurface::accuracy, item,
           "size of the smallest detail; not above 0: the usual one"},
         F{"max_gradient", &Isosurface::max_gradient, item,
@@ -35,8 +36,10 @@ const ItemInfo Isosurface::vocabulary = described<Isosurface>([] {
 
 namespace {
 
+/// Below 0 inside, or not a number.
 double value_at(const BuiltIsosurface& surface, const Vec3& p) {
-    return surface.function->value(std::span(&p.x, 3)) - surface.threshold;
+    const double above = surface.function->value(std::span(&p.x, 3)) - surface.threshold;
+    return surface.inside_is_higher ? -above : above;
 }
 
 /// Bounds of values and slopes along a ray whose direction has length 1.
@@ -52,6 +55,10 @@ Enclosure within(const BuiltIsosurface& surface, const Ray& ray, const Interval&
     Enclosure result;
     if (!surface.function->enclose(arguments.data(), &result)) return {all_numbers, promised};
     result.value = result.value - Bounds{surface.threshold, surface.threshold};
+    if (surface.inside_is_higher) {
+        const Bounds zero{0, 0};
+        result = {zero - result.value, zero - result.slope};
+    }
     // Near a pole, or where the function has no value, the scene's bounds are better.
     if (result == Enclosure::unknown()) result.slope = promised;
     return result;
@@ -145,7 +152,8 @@ BuiltIsosurface build(const Isosurface& surface) {
             surface.threshold,
             positive(surface.accuracy, usual.accuracy),
             positive(surface.max_gradient, usual.max_gradient),
-            surface.open};
+            surface.open,
+            surface.polarity > 0};
 }
 
 Box bounds(const BuiltIsosurface& surface) {

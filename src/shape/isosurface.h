@@ -26,6 +26,7 @@ struct Isosurface {
     Handle<Formula> function;
     std::vector<Container> containers;
     double threshold = 0;
+    double polarity = -1;  ///< above 0: inside it is higher
     double accuracy = 0.001;
     double max_gradient = 1.1;
     double evaluate1 = 0, evaluate2 = 0, evaluate3 = 0;
@@ -41,6 +42,7 @@ struct BuiltIsosurface {
     ContainerShape container;
     double threshold = 0, accuracy = 0, max_gradient = 0;
     bool open = false;
+    bool inside_is_higher = false;
 };
 
 /// Error that the ranges of single fields do not exclude (no function, or one with other

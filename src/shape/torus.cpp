@@ -14,23 +14,39 @@ const ItemInfo Torus::vocabulary = described<Torus>([] {
     return schema<Torus>(
         "torus", "A ring around the y axis.",
         F{"major", &Torus::major, positional, "radius of the ring's centre line", at_least(0)},
-        F{"minor", &Torus::minor, positional, "radius of the tube", at_least(0)});
+        F{"minor", &Torus::minor, positional, "radius of the tube", at_least(0)},
+        F{"union", &Torus::whole, flag, "a tube wider than the ring: all of its surface"},
+        F{"merge", &Torus::merged, flag, "such a tube without its surface inside"},
+        F{"difference", &Torus::hollow, flag, "such a tube without the part it covers twice"},
+        F{"intersection", &Torus::spindle, flag, "of such a tube only the part it covers twice"});
 });
 
 namespace {
 
 double from_axis(const Vec3& p) { return math::hypot(p.x, p.z); }
 
-/// Outward unit normal. The inner sheet of a torus that intersects itself is the one whose tube
-/// lies on the other side of the axis.
-Vec3 normal_at(const Torus& torus, const Vec3& p) {
+/// Whether a point of the surface is on the spindle: the inner sheet of a torus that intersects
+/// itself, whose tube lies on the other side of the axis.
+bool on_spindle(const Torus& torus, const Vec3& p) {
     const double ring = from_axis(p);
     const double minor2 = torus.minor * torus.minor;
     const double outer = (ring - torus.major) * (ring - torus.major) + p.y * p.y - minor2;
     const double inner = (ring + torus.major) * (ring + torus.major) + p.y * p.y - minor2;
-    const double to_tube = std::abs(inner) < std::abs(outer) ? -torus.major : torus.major;
+    return std::abs(inner) < std::abs(outer);
+}
+
+/// Unit normal away from the middle of the tube.
+Vec3 normal_at(const Torus& torus, const Vec3& p, bool spindle) {
+    const double ring = from_axis(p);
+    const double to_tube = spindle ? -torus.major : torus.major;
     const double scale = ring > 0 ? 1 - to_tube / ring : 1;
     return unit(Vec3(p.x * scale, p.y, p.z * scale));
+}
+
+/// Whether a sheet of the surface is there.
+bool is_shown(const Torus& torus, bool spindle) {
+    if (torus.spindle) return spindle;
+    return !(spindle && torus.merged && !torus.hollow);
 }
 
 /// The part of the range where the ray is between the planes tangent to the tube from above and
@@ -54,7 +70,9 @@ void crossings(const Torus& torus, const Ray& ray, Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
     // A sphere covered twice has only double roots.
-    if (torus.major == 0) return crossings(Sphere{Vec3(0), torus.minor}, ray, found);
+    if (torus.major == 0 && !(torus.hollow && !torus.spindle))
+        return crossings(Sphere{Vec3(0), torus.minor}, ray, found);
+    if (torus.major == 0) return;
     // Starting from the point nearest to the centre, the quartic has no cubic term, and distant
     // origins lose no digits.
     const Vec3 u = ray.direction / speed;
@@ -75,18 +93,27 @@ void crossings(const Torus& torus, const Ray& ray, Crossings& found) {
                                            -8 * R * R * (near.x * u.x + near.z * u.z),
                                            2 * k - 4 * R * R * (u.x * u.x + u.z * u.z), 0, 1};
     for (const double s : sign_changes(quartic, range)) {
-        const Vec3 normal = normal_at(torus, near + s * u);
+        const Vec3 place = near + s * u;
+        const bool spindle = on_spindle(torus, place);
+        if (!is_shown(torus, spindle)) continue;
+        const bool turned = spindle && torus.hollow && !torus.spindle;
+        const Vec3 normal = (turned ? -1.0 : 1.0) * normal_at(torus, place, spindle);
         found.add({(start + s) / speed, normal, dot(u, normal) < 0});
     }
 }
 
 bool inside(const Torus& torus, const Vec3& point) {
-    const double off = from_axis(point) - torus.major;
-    return off * off + point.y * point.y <= torus.minor * torus.minor;
+    const auto within = [&](double off) {
+        return off * off + point.y * point.y <= torus.minor * torus.minor;
+    };
+    const double ring = from_axis(point);
+    if (torus.spindle) return within(ring + torus.major);
+    return within(ring - torus.major) && !(torus.hollow && within(ring + torus.major));
 }
 
 std::string vanishes(const Torus& torus) {
-    return torus.minor == 0 ? "the radius of its tube is 0" : "";
+    if (torus.minor == 0) return "the radius of its tube is 0";
+    return torus.spindle && torus.minor <= torus.major ? "its tube covers nothing twice" : "";
 }
 
 }  // namespace candelabra

@@ -20,6 +20,22 @@ TEST_CASE("patterns of cells have POV-Ray's values", "[pattern]") {
     });
 }
 
+TEST_CASE("crackle repeats after whole numbers of cells along each axis", "[pattern]") {
+    Crackle crackle;
+    crackle.repeat = Vec3(2, 3.9, 0);
+    const auto at = [&](const Vec3& place) {
+        return evaluate(crackle, PatternPoint{place, PatternModifiers(), PatternScene()});
+    };
+    for (const bool solid : {false, true})
+        for (const Vec3& place : {Vec3(0.3, 1.2, -4.1), Vec3(-7.7, 2.9, 0.4)}) {
+            crackle.solid = solid;
+            CHECK(at(place + Vec3(2, 0, 0)) == Approx(at(place)).epsilon(1e-9));
+            CHECK(at(place + Vec3(-6, 3, 0)) == Approx(at(place)).epsilon(1e-9));
+            CHECK(at(place + Vec3(0, 0, 2)) != Approx(at(place)));
+            CHECK(at(place + Vec3(1, 0, 0)) != Approx(at(place)));
+        }
+}
+
 TEST_CASE("cells count points just below a border as on it", "[pattern]") {
     CHECK(evaluate(Cells{}, {1 - 1e-12, 0.5, 0.5}) == evaluate(Cells{}, {1.5, 0.5, 0.5}));
     CHECK(evaluate(Cells{}, {1 - 1e-9, 0.5, 0.5}) == evaluate(Cells{}, {0.5, 0.5, 0.5}));

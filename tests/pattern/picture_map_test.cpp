@@ -91,11 +91,22 @@ TEST_CASE("colours of pictures agree with POV-Ray's", "[pattern]") {
         }
 }
 
+TEST_CASE("an angular probe has equal angles to z as equal lengths", "[pattern]") {
+    const ImageMap flat = with<ImageMap>(picture(), 0), probe = with<ImageMap>(picture(), 7);
+    const auto same = [&](const Vec3& towards, double u, double v) {
+        CHECK(colour_at(probe, 3.0 * towards)->rgb == colour_at(flat, Vec3(u, v, 0))->rgb);
+    };
+    same(Vec3(0, 0, 1), 0.5, 0.5);
+    same(Vec3(1, 0, 0), 0.75, 0.5);
+    same(Vec3(0, -1, 0), 0.5, 0.25);
+    same(Vec3(0.6, 0, -0.8), 0.5 + 0.5 * std::acos(-0.8) / 3.14159265358979, 0.5);
+}
+
 TEST_CASE("a picture without texels shows nothing, and no point breaks one", "[pattern]") {
     CHECK_FALSE(colour_at(ImageMap{}, Vec3(0)));
     CHECK(evaluate(ImagePattern{}, Vec3(0)) == 0);
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    for (const int map_type : {0, 1, 2, 5})
+    for (const int map_type : {0, 1, 2, 5, 7})
         for (const int interpolate : {0, 2, 3, 4})
             for (const Vec3& point : {Vec3(0), Vec3(0, 1, 0), Vec3(-1e17), Vec3(1, 0, 0),
                                       Vec3(1e17, 1, 1e-17), Vec3(infinity), Vec3(NAN)})

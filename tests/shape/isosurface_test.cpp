@@ -59,6 +59,16 @@ TEST_CASE("parts of rays meet of an isosurface what they do as wholes", "[shape]
     CHECK(met > 300);
 }
 
+TEST_CASE("with a polarity above 0 an isosurface is inside where its function is higher",
+          "[shape]") {
+    Isosurface surface = ground();
+    surface.polarity = 1;
+    CHECK(answers(build(surface), {{Vec3(0, 0.5, -5), z}, {{4, -z, true}, {6, z, false}}}));
+    CHECK(answers(build(surface), {{Vec3(0.1, -5, 0), y}, {{5, -y, true}, {6, y, false}}}));
+    CHECK(inside(build(surface), Vec3(0, 0.5, 0)));
+    CHECK_FALSE(inside(build(surface), Vec3(0, -0.5, 0)));
+}
+
 TEST_CASE("what is wrong with an isosurface", "[shape]") {
     CHECK(problem(Isosurface()) == "an `isosurface` needs a function");
     Isosurface surface = ground();

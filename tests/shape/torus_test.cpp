@@ -54,6 +54,30 @@ TEST_CASE("a torus wider than its ring is met inside as well", "[shape]") {
     CHECK(hits(spindle, {-5.0 * x, x}).front().t == Approx(3.5));
 }
 
+TEST_CASE("words say what becomes of a torus's spindle", "[shape]") {
+    Torus whole{0.5, 1}, merged = whole, hollow = whole, spindle = whole;
+    whole.whole = merged.merged = hollow.hollow = spindle.spindle = true;
+    const std::array all = {whole, merged, hollow, spindle};
+    const std::array at_middle = {true, true, false, true}, beside = {true, true, true, false};
+    const std::array counts = {4, 2, 4, 2};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        CHECK(inside(all[i], o) == at_middle[i]);
+        CHECK(inside(all[i], Vec3(0.7, 0, 0)) == beside[i]);
+        // A solid is where rays are between its surfaces.
+        const Ray ray{Vec3(0.05, 5, 0.02), unit(Vec3(0, -1, 0.01))};
+        const auto found = hits(all[i], ray);
+        CHECK(found.size() == static_cast<std::size_t>(counts[i]));
+        if (i == 0) continue;
+        for (const Crossing& c : found) {
+            CHECK(inside(all[i], ray.at(c.t + 1e-6)) == c.entering);
+            CHECK(inside(all[i], ray.at(c.t - 1e-6)) != c.entering);
+            CHECK((dot(c.normal, ray.direction) < 0) == c.entering);
+        }
+    }
+    spindle.minor = 0.4;
+    CHECK(vanishes(spindle) == "its tube covers nothing twice");
+}
+
 TEST_CASE("the inside of a torus is its tube", "[shape]") {
     const Torus torus{2, 0.5};
     CHECK(inside(torus, Vec3(2, 0.4, 0)));
