@@ -114,13 +114,14 @@ double interior(const FractalColouring& colouring, double least, Complex z) {
     }
 }
 
-/// Follows an orbit until it escapes. `least` is the smallest squared modulus so far.
+/// Follows an orbit until it escapes. `least` is the smallest squared modulus so far, and a step
+/// takes so many products.
 template <class Step, class Left>
-double orbit(const FractalColouring& colouring, int steps, Complex z, double least, Step next,
-             Left left) {
+double orbit(const FractalColouring& colouring, int steps, Complex z, double least, int products,
+             Step next, Left left) {
     constexpr int steps_of_count = 8;
     for (int step = 0; step < steps; ++step) {
-        if (step % steps_of_count == 0) count_work(1);
+        if (step % steps_of_count == 0) count_work(static_cast<std::uint32_t>(products));
         z = next(z);
         if (left(z)) return exterior(colouring, step, steps, z);
         least = std::min(least, z.squared_size());
@@ -131,7 +132,7 @@ double orbit(const FractalColouring& colouring, int steps, Complex z, double lea
 template <class T>
 double power_orbit(const T& kind, Complex start, Complex constant) {
     return orbit(
-        kind, kind.iterations, start, start.squared_size(),
+        kind, kind.iterations, start, start.squared_size(), kind.exponent - 1,
         [&](Complex z) { return power(z, kind.exponent) + constant; },
         [](Complex z) { return z.squared_size() > 4; });
 }
@@ -167,7 +168,7 @@ double evaluate(const Magnet& magnet, const Vec3& point) {
     const Complex start = magnet.julia ? at : Complex{};
     return orbit(
         magnet, magnet.julia ? magnet.julia_iterations : magnet.mandel, start,
-        magnet.julia ? start.squared_size() : 10000,
+        magnet.julia ? start.squared_size() : 10000, 4,
         [&](Complex z) { return magnet_step(magnet.type, z, constant); },
         [](Complex z) {
             return z.squared_size() > 10000 || (z + -1).squared_size() < 1.0 / 10000;

@@ -12,8 +12,14 @@ namespace candelabra {
 
 namespace {
 
-/// See count_work(); orbits that escape do so early.
+/// See count_work(): iterations of a polynomial. One of a formula counts by itself.
 constexpr int steps_of_count = 8;
+
+/// Counts one orbit of so many iterations.
+void count_orbit(const JuliaFractal& julia, int iterations) {
+    const int steps = is_by_formula(julia) ? 2 * iterations : iterations / steps_of_count;
+    count_work(static_cast<std::uint32_t>(1 + steps));
+}
 
 double size2(const Vec4& q) { return glm::dot(q, q); }
 
@@ -158,12 +164,14 @@ JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
         Vec4 q = set.place(point);
         DistanceBound bound(julia.algebra == hypercomplex_numbers, cubic);
         for (int n = 0; n < julia.max_iteration; ++n) {
-            if (const double distance2 = size2(q); distance2 > set.limit2)
+            if (const double distance2 = size2(q); distance2 > set.limit2) {
+                count_orbit(julia, n);
                 return {false, distance2, set.by_formula ? 0 : bound.at(q)};
+            }
             bound.follow(q);
             q = image(q) + julia.parameter;
         }
-        count_work(static_cast<std::uint32_t>(julia.max_iteration / steps_of_count));
+        count_orbit(julia, julia.max_iteration);
         return {true, size2(q), 0};
     });
 }
@@ -174,7 +182,7 @@ bool julia_contains(const JuliaSet& set, const Vec3& point) {
 
 int julia_stays(const JuliaSet& set, const Ray& ray, const std::array<double, 4>& places) {
     if (set.by_formula) return 0;
-    count_work(static_cast<std::uint32_t>(set.julia.max_iteration / steps_of_count));
+    count_orbit(set.julia, set.julia.max_iteration);
     if (set.julia.algebra == hypercomplex_numbers)
         return hypercomplex_squares_stay(set, ray, places);
     return function_of(set.julia) == julia_sqr ? squares_stay(set, ray, places)
@@ -185,8 +193,9 @@ double julia_size(const JuliaSet& set, const Vec3& point) {
     const JuliaFractal& julia = set.julia;
     return with_function(julia, [&](const auto& image) {
         Vec4 q = set.place(point);
-        for (int n = 0; n < julia.max_iteration && size2(q) < 1e100; ++n)
-            q = image(q) + julia.parameter;
+        int n = 0;
+        for (; n < julia.max_iteration && size2(q) < 1e100; ++n) q = image(q) + julia.parameter;
+        count_orbit(julia, n);
         return size2(q);
     });
 }
