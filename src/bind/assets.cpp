@@ -117,6 +117,7 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
         return;
     }
     if (field->file.empty()) return;
+    field.edit().kind = std::string(block.file_kind);
     const auto file = block.binder.evaluator.find_data(field->file, block.file_place(),
                                                        picture_endings(block.file_kind));
     std::optional<Heights> heights;

@@ -2,6 +2,7 @@
 #include "bind/object_draft.h"
 
 #include "shape/double_cone.h"
+#include "shape/text_turn.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
 
@@ -86,9 +87,8 @@ ObjectHandle ObjectDraft::finished(Span span) {
         object.depth = declared->depth;
     } else if (const auto* shape = std::get_if<Shape>(&object.form);
                shape && std::holds_alternative<Shared<Text>>(*shape) && !object.transform) {
-        // As in POV-Ray, a tiny rotation keeps rays along the axes off the edges of letters. A text
-        // in `object { }` has been rotated already.
-        object.transform = make_handle<Transform>(Transform::rotation(Vec3(0.001)));
+        // A text in `object { }` has been rotated already.
+        object.transform = make_handle<Transform>(text_turn());
     }
     if (movement)
         object.transform = object.transform

@@ -4,6 +4,7 @@
 #include "formula/function_texts.h"
 #include "scene/dump_function.h"
 #include "scene/dump_texture.h"
+#include "shape/text_turn.h"
 #include "text/message.h"
 #include "vocabulary/written.h"
 
@@ -195,7 +196,8 @@ std::string list_text(const std::vector<Handle<Texture>>& list) {
 /// word.
 std::string heights_text(HeightField field) {
     const std::string source = field.function ? written(field.function, FieldType::function)
-                                              : written(field.file, FieldType::text);
+                                              : message(field.kind, field.kind.empty() ? "" : " ",
+                                                        written(field.file, FieldType::text));
     field.function = nullptr;
     field.file.clear();
     const std::string fields = written_fields(HeightField::vocabulary, &field);
@@ -207,20 +209,28 @@ bool is_mesh(const Object& object) {
     return shape && std::holds_alternative<Shared<Mesh>>(*shape);
 }
 
+/// The transformation that is written: `text { }` has its turn without saying so.
+Transform said_transform(const Object& object) {
+    const Transform all = object.transform ? *object.transform : Transform();
+    const auto* shape = std::get_if<Shape>(&object.form);
+    if (!shape || !std::holds_alternative<Shared<Text>>(*shape)) return all;
+    return all == text_turn() ? Transform() : text_turn().inverse().then(all);
+}
+
 /// Writes the texture of a part. The object's transformation follows it and will be applied to it,
 /// so its inverse is applied here.
 std::string part_look(const Object& object, int number) {
     const Texture& texture = *object.part_textures->list[static_cast<std::size_t>(number)];
-    return " " +
-           dump(object.transform ? transformed(texture, object.transform->inverse()) : texture);
+    return " " + dump(object.transform ? transformed(texture, said_transform(object).inverse())
+                                       : texture);
 }
 
 /// The modifiers that follow an object's own content. The texture comes last, because a
 /// transformation before it does not move it.
 std::vector<std::string> modifiers_of(const Object& object) {
     std::vector<std::string> result;
-    if (object.transform && !(*object.transform == Transform()))
-        result.push_back(matrix_text(*object.transform).substr(1));
+    if (const Transform moved = said_transform(object); !(moved == Transform()))
+        result.push_back(matrix_text(moved).substr(1));
     if (object.clipping && !object.clipping->clips.empty())
         result.push_back(clipping_text("clipped_by", object.clipping->clips));
     if (object.clipping && !object.clipping->bounds.empty())

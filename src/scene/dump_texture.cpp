@@ -16,7 +16,8 @@ namespace {
 std::string picture_text(Pattern pattern) {
     PictureMap& picture = *picture_of(pattern);
     std::string text = picture.function ? " " + written(picture.function, FieldType::function)
-                                        : " " + written(picture.file, FieldType::text);
+                                        : message(picture.kind.empty() ? "" : " ", picture.kind,
+                                                  " ", written(picture.file, FieldType::text));
     const ItemInfo& info = *Kinds<Pattern>::infos[pattern.index()];
     // Otherwise the fields would contain the function in the place of the file.
     picture.function = nullptr;

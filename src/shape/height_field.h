@@ -25,6 +25,7 @@ struct HeightGrid {
 
 struct HeightField {
     std::string file;
+    std::string kind;  ///< the word before the file's name, such as `png`; empty: none
     Handle<Formula> function;
     double water_level = 0;
     bool smooth = false;

@@ -4,15 +4,21 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace candelabra {
 
 namespace {
 
+/// The number that reads back as the same one, also as the same zero: axes that are perpendicular
+/// to a direction depend on the signs of its zeros.
+std::string exact(double x) { return x == 0 && std::signbit(x) ? "-0" : message(x); }
+
 std::string numbers(const double* at, std::size_t count) {
-    if (std::all_of(at, at + count, [&](double x) { return x == at[0]; })) return message(at[0]);
-    std::string text = "<";
-    for (std::size_t i = 0; i < count; ++i) text += message(i > 0 ? ", " : "", at[i]);
+    const std::string first = exact(at[0]);
+    if (std::all_of(at, at + count, [&](double x) { return exact(x) == first; })) return first;
+    std::string text = "<" + first;
+    for (std::size_t i = 1; i < count; ++i) text += ", " + exact(at[i]);
     return text + ">";
 }
 
@@ -21,7 +27,7 @@ struct Writer {
 
     std::string operator()(std::monostate) const { return {}; }
     std::string operator()(double x) const {
-        return type == FieldType::boolean ? (x > 0 ? "on" : "off") : message(x);
+        return type == FieldType::boolean ? (x > 0 ? "on" : "off") : exact(x);
     }
     std::string operator()(const Vec2& v) const { return numbers(&v.x, 2); }
     std::string operator()(const Vec3& v) const {
@@ -44,7 +50,7 @@ struct Writer {
     }
     std::string operator()(const std::vector<double>& list) const {
         std::string text = "<";
-        for (const double x : list) text += message(text.size() > 1 ? ", " : "", x);
+        for (const double x : list) text += (text.size() > 1 ? ", " : "") + exact(x);
         return text + ">";
     }
     std::string operator()(const Handle<Formula>& function) const {
@@ -59,9 +65,15 @@ struct Writer {
         return text;
     }
 
-    static std::string entry(const Vec2& v) { return message("<", v.x, ", ", v.y, ">"); }
-    static std::string entry(const Vec3& v) { return message("<", v.x, ", ", v.y, ", ", v.z, ">"); }
-    static std::string entry(const Ball& b) { return message(entry(b.centre), ", ", b.radius); }
+    static std::string entry(const Vec2& v) {
+        return message("<", exact(v.x), ", ", exact(v.y), ">");
+    }
+    static std::string entry(const Vec3& v) {
+        return message("<", exact(v.x), ", ", exact(v.y), ", ", exact(v.z), ">");
+    }
+    static std::string entry(const Ball& b) {
+        return message(entry(b.centre), ", ", exact(b.radius));
+    }
     static std::string entry(const Face& f) {
         return message("<", f[0], ", ", f[1], ", ", f[2], ">");
     }
@@ -79,8 +91,10 @@ std::string moved_text(const Transform& transform) {
     if (transform == Transform()) return {};
     const Affine& map = transform.forward();
     std::string text = " matrix <";
-    for (const Vec3& row : map.rows) text += message(row.x, ", ", row.y, ", ", row.z, ", ");
-    return message(text, map.translation.x, ", ", map.translation.y, ", ", map.translation.z, ">");
+    for (const Vec3& row : {map.rows[0], map.rows[1], map.rows[2], map.translation})
+        for (const double x : {row.x, row.y, row.z})
+            text += (text.back() == '<' ? "" : ", ") + exact(x);
+    return text + ">";
 }
 
 /// Writes faces, each followed by its texture numbers.

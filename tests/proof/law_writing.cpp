@@ -52,8 +52,10 @@ std::vector<std::size_t> objects_of(const Script& script) {
     return result;
 }
 
-/// Whether a dump has all of the scene: the meshes of cameras are not in it.
-bool is_whole(const std::string& dump) { return dump.find("mesh_camera") == dump.npos; }
+/// Whether a dump has all of the scene: the meshes of cameras and motion are not in it.
+bool is_whole(const std::string& dump) {
+    return dump.find("mesh_camera") == dump.npos && dump.find(" shutter ") == dump.npos;
+}
 
 Term text_of_scene(std::string text, const Script& script) {
     return {std::move(text), 1, script.options};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/dump.h"
 
+#include "shape/text_turn.h"
 #include "support/objects.h"
 #include "surface/normal_map.h"
 
@@ -44,11 +45,27 @@ TEST_CASE("every shape is written with its places in their order") {
         {Sphere{Vec3(1, 2, 3), 0.1}, "sphere { <1, 2, 3>, 0.1 }\n"},
         {Sphere{Vec3(0), 1.0 / 3}, "sphere { 0, 0.3333333333333333 }\n"},
         {Cuboid{Vec3(-1), Vec3(1)}, "box { -1, 1 }\n"},
+        {Plane{Vec3(0, -1, -0.0), 3}, "plane { <0, -1, -0>, 3 }\n"},
+        {Shared<HeightField>(HeightField{"a.gif", "pot"}), "height_field { pot \"a.gif\" }\n"},
+        {Shared<HeightField>(HeightField{"a.gif"}), "height_field { \"a.gif\" }\n"},
         {Shared<Mesh>(mesh),
          "mesh2 { vertex_vectors { 3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } face_indices { 1, <0, 1, "
          "2> } }\n"},
     };
     for (const Case& each : cases) CHECK(body({object(each.shape)}) == each.expected);
+}
+
+TEST_CASE("letters are written without the turn that each text has", "[dump]") {
+    Object letters;
+    Text text;
+    text.text = "A";
+    text.font = "a.ttf";
+    letters.form = Shape(Shared<Text>(text));
+    letters.transform = make_handle<Transform>(text_turn());
+    CHECK(body({make_handle<Object>(letters)}).find("matrix") == std::string::npos);
+    letters.transform =
+        make_handle<Transform>(text_turn().then(Transform::translation(Vec3(1, 2, 3))));
+    CHECK(body({make_handle<Object>(letters)}).find(", 1, 2, 3>") != std::string::npos);
 }
 
 TEST_CASE("modifiers follow: transformation, switches, interior, texture") {

@@ -14,7 +14,8 @@ TEST_CASE("values are written as a scene would give them") {
     const Case cases[] = {
         {FieldValue(), FieldType::number, ""},
         {0.1, FieldType::number, "0.1"},
-        {-0.0, FieldType::number, "0"},
+        {-0.0, FieldType::number, "-0"},
+        {Vec3(0, -0.0, 0), FieldType::vector3, "<0, -0, 0>"},
         {3.0, FieldType::integer, "3"},
         {1.0, FieldType::boolean, "on"},
         {0.0, FieldType::boolean, "off"},
