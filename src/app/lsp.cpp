@@ -68,15 +68,23 @@ int run_lsp(int descriptor, const Console& console) {
         console.out(message("Content-Length: ", text.size(), "\r\n\r\n", text));
     });
     MessageReader reader(descriptor);
-    while (!server.ended() && !reader.ended()) {
-        const auto message = reader.next(server.behind() ? pause_milliseconds : -1);
+    /// Handles the next message. Returns whether one came within the time.
+    const auto handle = [&](int milliseconds) {
+        const auto message = reader.next(milliseconds);
         if (message && message->skipped)
             server.receive_too_long();
         else if (message)
             server.receive(message->text);
-        else if (server.behind())
-            server.catch_up();
-    }
+        return message.has_value();
+    };
+    const Meanwhile serve{descriptor, [&] {
+                              while (!server.ended() && handle(0)) {
+                              }
+                              return !reader.ended();
+                          }};
+    while (!server.ended() && !reader.ended())
+        if (!handle(server.behind() ? pause_milliseconds : -1) && server.behind())
+            server.catch_up(serve);
     if (server.ended()) return server.ended_well() ? exit_status::done : exit_status::usage;
     if (reader.problem().empty()) return exit_status::usage;
     console.err(message("error: the editor cannot be understood any more: ", reader.problem(),

@@ -78,17 +78,24 @@ private:
     ::_exit(status);
 }
 
-/// Returns everything that is sent; nothing if it takes too long or is too much.
-std::optional<std::string> received(int input, Clock::time_point end) {
+/// Returns everything that is sent; nothing if it takes too long or is too much, or `stopped` is
+/// set because other work goes before.
+std::optional<std::string> received(int input, Clock::time_point end, const Meanwhile& meanwhile,
+                                    bool& stopped) {
     std::string text;
     std::array<char, 65536> part;
     while (text.size() <= longest_report) {
         const auto left =
             std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-        pollfd waits{input, POLLIN, 0};
-        const int ready = left > 0 ? ::poll(&waits, 1, static_cast<int>(left)) : 0;
+        std::array<pollfd, 2> waits = {{{input, POLLIN, 0}, {meanwhile.descriptor, POLLIN, 0}}};
+        const int ready = left > 0 ? ::poll(waits.data(), waits.size(), static_cast<int>(left)) : 0;
         if (ready < 0 && errno == EINTR) continue;
         if (ready <= 0) break;
+        if (waits[1].revents != 0 && !meanwhile.serve()) {
+            stopped = true;
+            break;
+        }
+        if (waits[0].revents == 0) continue;
         const ssize_t count = ::read(input, part.data(), part.size());
         if (count == 0) return text;
         if (count > 0) text.append(part.data(), static_cast<std::size_t>(count));
@@ -116,16 +123,19 @@ ByPath unchecked(const std::string& path, const std::string& why) {
 
 std::map<std::string, std::vector<Json>> check(const Workspace& workspace, const std::string& path,
                                                const std::string& folder_for_writing,
-                                               const CheckLimits& limits) {
+                                               const CheckLimits& limits,
+                                               const Meanwhile& meanwhile) {
     const auto end = Clock::now() + std::chrono::milliseconds(limits.milliseconds);
     Ends ends;
     const pid_t process = ends.made() ? ::fork() : -1;
     if (process < 0) return unchecked(path, "the system starts no other process");
     if (process == 0) check_here(workspace, path, folder_for_writing, limits.bytes, ends[1]);
     ends.close(1);
-    const auto text = received(ends[0], end);
+    bool stopped = false;
+    const auto text = received(ends[0], end, meanwhile, stopped);
     if (!text) ::kill(process, SIGKILL);
     const int status = status_of(process);
+    if (stopped) return {};
     if (!text)
         return unchecked(path,
                          message("that takes more than ", limits.milliseconds / 1000.0,

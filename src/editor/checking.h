@@ -6,6 +6,7 @@
 #include "editor/problems.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace candelabra {
 
@@ -14,10 +15,17 @@ struct CheckLimits {
     std::uint64_t bytes = std::uint64_t{1} << 31;  ///< besides the stack
 };
 
+/// What is done while a check runs: serve() is called when the file descriptor (below 0: none) can
+/// be read. The check ends without a result if it returns false.
+struct Meanwhile {
+    int descriptor = -1;
+    std::function<bool()> serve;
+};
+
 /// Returns the problems of an open file in the form of problems(). An exceeded limit is a problem
 /// at the top of the file.
 std::map<std::string, std::vector<Json>> check(const Workspace&, const std::string& path,
                                                const std::string& folder_for_writing,
-                                               const CheckLimits&);
+                                               const CheckLimits&, const Meanwhile& = {});
 
 }  // namespace candelabra

@@ -163,13 +163,20 @@ void LanguageServer::publish(const std::string& path, const std::vector<Json>& p
           {"params", {{"uri", uri_of(path)}, {"diagnostics", problems}}}});
 }
 
-void LanguageServer::catch_up() {
+void LanguageServer::catch_up(const Meanwhile& serve) {
     // A scene's problems may be in any file, and a file's problems may come from any scene: check
     // all.
     changed_.clear();
+    bool goes_on = true;
+    const Meanwhile meanwhile{serve.descriptor, [&] {
+                                  goes_on = serve.serve() && changed_.empty() && !ended_;
+                                  return goes_on;
+                              }};
     std::map<std::string, std::vector<Json>> all;
     for (const std::string& path : workspace_.open_files()) {
-        for (auto& [shown_in, list] : check(workspace_, path, scratch_, limits_)) {
+        auto found = check(workspace_, path, scratch_, limits_, meanwhile);
+        if (!goes_on) return;
+        for (auto& [shown_in, list] : found) {
             std::vector<Json>& there = all[shown_in];
             for (Json& each : list)
                 if (std::ranges::find(there, each) == there.end()) there.push_back(each);

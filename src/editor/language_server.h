@@ -36,9 +36,11 @@ public:
     void receive_too_long();
 
     /// Whether documents have changed since they were last checked. catch_up() checks them, and is
-    /// called while the editor is idle. An exceeded limit is reported as a problem.
+    /// called while the editor is idle. An exceeded limit is reported as a problem. Meanwhile the
+    /// editor's messages are served. Once they change a document or end the server, or serve()
+    /// returns false, the check ends without a report.
     bool behind() const { return !changed_.empty(); }
-    void catch_up();
+    void catch_up(const Meanwhile& serve = {});
 
     /// Whether the editor has sent `exit`.
     bool ended() const { return ended_; }

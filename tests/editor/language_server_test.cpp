@@ -3,6 +3,11 @@
 
 #include "support/client.h"
 
+#include <array>
+#include <chrono>
+
+#include <unistd.h>
+
 namespace candelabra {
 
 TEST_CASE("an editor's requests are answered") {
@@ -43,6 +48,37 @@ TEST_CASE("mistakes are published when the editor is silent, and gone when they 
     client.answers.clear();
     client.server.catch_up();
     CHECK(client.answers.at(0)["params"]["diagnostics"].empty());
+}
+
+TEST_CASE("an editor is answered while its scene is evaluated, and a change ends the check") {
+    Client client;
+    client.open(
+        "#declare S = \"aaaaaaaaaaaaaaaa\";\n"
+        "#for (I, 1, 21) #declare S = concat(S, S); #end\n"
+        "#for (I, 1, 1e6) #declare T = concat(S, \"a\"); #end");
+    std::array<int, 2> ends;
+    REQUIRE(::pipe(ends.data()) == 0);
+    REQUIRE(::write(ends[1], "?!", 2) == 2);
+    int served = 0;
+    const auto serve = [&] {
+        char asked;
+        REQUIRE(::read(ends[0], &asked, 1) == 1);
+        CHECK(client.ask_at("documentSymbol", 0, 0)[0]["name"] == "S");
+        if (++served == 2)
+            client.tell("textDocument/didChange", {{"textDocument", {{"uri", client.uri}}},
+                                                   {"contentChanges", {{{"text", client_scene}}}}});
+        client.answers.clear();
+        return true;
+    };
+    const auto begin = std::chrono::steady_clock::now();
+    client.server.catch_up({ends[0], serve});
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
+    CHECK(served == 2);
+    CHECK(client.answers.empty());
+    CHECK(client.server.behind());
+    client.server.catch_up();
+    CHECK(client.answers.at(0)["params"]["diagnostics"].empty());
+    for (const int end : ends) ::close(end);
 }
 
 TEST_CASE("a misspelt word can be changed to what it was taken to be") {
