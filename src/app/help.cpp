@@ -286,6 +286,31 @@ std::string words(ManualForm form) {
     return manual(list, form);
 }
 
+/// Help on the files that say what each run does; empty if there is none of this name.
+std::string settings_help(std::string_view topic) {
+    constexpr std::string_view own = "candelabra.ini";
+    if (same_letters(topic, "povray.conf"))
+        return message(
+            "povray.conf\n  ",
+            wrapped("POV-Ray's file of the folders that scenes may read and write, which is not "
+                    "read. A scene reads below its own folder and the library: --allow-read FOLDER "
+                    "adds one. It writes data to a folder beside its picture: --allow-write FOLDER "
+                    "adds one.",
+                    2),
+            "\n");
+    if (!same_letters(topic, "povray.ini") && !same_letters(topic, own)) return {};
+    return message(topic, "\n  ",
+                   wrapped(message(same_letters(topic, own)
+                                       ? ""
+                                       : "POV-Ray's file of the options of each run, which is read "
+                                         "where it is named: candelabra povray.ini scene.pov. ",
+                                   "Options of each run stand in the file that CANDELABRA_INI "
+                                   "names, in ~/.config/candelabra/candelabra.ini or in "
+                                   "/etc/candelabra/candelabra.ini: the first that exists."),
+                           2),
+                   "\n");
+}
+
 }  // namespace
 
 std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
@@ -313,7 +338,7 @@ std::string help_text(std::string_view topic, const std::string& library,
             text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n");
     const LibraryGuide guide = library_guide(library);
     for (const std::string& more : {glossary_help(topic), field_help(topic), option_help(topic),
-                                    library_help(topic, guide)}) {
+                                    library_help(topic, guide), settings_help(topic)}) {
         if (!text.empty() && !more.empty()) text += "\n";
         text += more;
     }

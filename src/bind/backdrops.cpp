@@ -110,9 +110,9 @@ bool read_fog(Binder& binder, const Element& element, Fog& fog) {
     block.read(element.body, declared, fields, moves);
     if (!block.broken && fog.up == Vec3(0)) {
         fog.up = Fog().up;
-        block.report(warning(Fault::degenerate, element.word_span,
-                             "`up` of `fog` should not be 0: y counts")
-                         .with_help(block.help()));
+        block.report(
+            warning(Fault::degenerate, element.word_span, "`up` of `fog` should not be 0: y counts")
+                .with_help(block.help()));
     }
     return !block.broken;
 }

@@ -7,9 +7,33 @@
 #include "text/nearest.h"
 #include "text/printable.h"
 
+#include <cmath>
+
 namespace candelabra {
 
 namespace {
+
+/// While it exists, `auto` is a vector of 0 and 1, to which expressions such as `auto + 0.5` add,
+/// unless the scene has declared this name.
+class AutoName {
+public:
+    explicit AutoName(Evaluator& evaluator)
+        : evaluator_(evaluator), name_(evaluator.names().intern("auto")) {
+        if (evaluator.find(name_)) return;
+        declared_ = true;
+        evaluator.declare("auto", Numbers{{0, 1}, 2});
+    }
+    AutoName(const AutoName&) = delete;
+    AutoName& operator=(const AutoName&) = delete;
+    ~AutoName() {
+        if (declared_) evaluator_.undeclare(name_);
+    }
+
+private:
+    Evaluator& evaluator_;
+    NameId name_;
+    bool declared_ = false;
+};
 
 /// Reads the fields, some of which take a word as their value: `response agx`, `pixel_filter box`,
 /// `exposure auto`.
@@ -22,12 +46,10 @@ public:
     bool wants() const { return fields_.wants(); }
     bool take(const Element& element) {
         const std::string_view expected = fields_.expected();
+        const Numbers* numbers = element.value.numbers();
+        if (expected == "exposure" && numbers && numbers->count == 2)
+            return take_automatic(element, *numbers);
         if (element.kind != Element::Kind::word) return fields_.take(element);
-        const std::string_view word = block_.spelling(element.word);
-        if (expected == "exposure" && word == "auto") {
-            film_.auto_exposure = true;
-            return fields_.take(with_value(element, Numbers::scalar(film_.exposure)));
-        }
         if (expected == "response")
             return take_name(element, response_names(), "response of a film");
         if (expected == "pixel_filter") return take_name(element, filter_names(), "pixel filter");
@@ -42,6 +64,14 @@ private:
         element.word = no_name;
         element.value = std::move(value);
         return element;
+    }
+
+    /// A number is added to both numbers of AutoName: their difference stays.
+    bool take_automatic(const Element& element, const Numbers& numbers) {
+        const double stops = numbers.at[0], apart = numbers.at[1] - stops;
+        if (std::abs(apart - 1) > 1e-9) return fields_.take(element);
+        film_.auto_exposure = true;
+        return fields_.take(with_value(element, Numbers::scalar(stops)));
     }
 
     bool take_name(const Element& element, std::span<const std::string_view> names,
@@ -79,7 +109,10 @@ bool FilmReader::take(const Element& element) {
     film_.on = true;
     FilmFields fields(block, film_);
     ItemBlock glare(block, Glare::vocabulary, &film_.glare, &film_.glares);
-    block.read(element.body, glare, fields);
+    {
+        const AutoName automatic(camera_.binder.evaluator);
+        block.read(element.body, glare, fields);
+    }
     if (!block.broken)
         if (const std::string wrong = problem(film_); !wrong.empty())
             block.report(

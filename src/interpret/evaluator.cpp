@@ -44,6 +44,7 @@ const Limits& Evaluator::limits() const { return state_->limits; }
 void Evaluator::declare(std::string_view name, Value value) {
     state_->scope.declare(state_->names.intern(name), std::move(value));
 }
+void Evaluator::undeclare(NameId name) { state_->scope.undefine(name); }
 void Evaluator::walk(Body body, Take take) { state_->walk_whole(*body.tree, body.first, take); }
 bool Evaluator::compute(Body body, Numbers& result) {
     return !state_->stopped_ && state_->compute(*body.tree, body.first, result);

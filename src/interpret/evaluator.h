@@ -119,6 +119,8 @@ public:
 
     /// Declares a global name from outside the scene: `Declare=Depth=5`.
     void declare(std::string_view name, Value);
+    /// Makes a declared name undeclared.
+    void undeclare(NameId);
 
     /// Parses and walks the main file, on a stack of its own that is deep enough for any recursion
     /// within the limits.

@@ -110,13 +110,16 @@ Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, 
     const NodeId ahead = previous(tree, id);
     const auto* word = ahead == no_node ? nullptr : tree.get_if<node::Word>(ahead);
     if (word && reported.tree == &tree && reported.first == ahead) return Absence::broken;
-    Diagnostic problem = error(Fault::wrong_count, tree.span(id), "one value is wanted here");
+    Diagnostic problem = error(
+        Fault::wrong_count, tree.span(id),
+        elements ? "values in parentheses are no elements" : "values in parentheses are no vector");
     if (elements)
         problem.with_help("the elements of an array stand in braces: { 1, 2, 3 }");
     else if (word && handlers.takes_braces(word->word))
-        problem.with_help(message("a vector is written between `<` and `>`, and what belongs to "
-                                  "an object in braces: <1, 2, 3>, ",
-                                  names.spelling(word->word), " { ... }"));
+        problem.with_help(
+            message("a vector is written between `<` and `>`, and what belongs to "
+                    "an object in braces: <1, 2, 3>, ",
+                    names.spelling(word->word), " { ... }"));
     else
         problem.with_help("a vector is written between `<` and `>`: <1, 2, 3>");
     report(std::move(problem));

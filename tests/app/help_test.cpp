@@ -75,6 +75,9 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("sunpos"), "SunPos(Year"));
     CHECK(has(help("luminaires"), "luminaires ambient"));
     CHECK(has(help("light_sampler"), "global_settings { light_sampler"));
+    CHECK(has(help("povray.conf"), "--allow-read FOLDER"));
+    CHECK(has(help("povray.ini"), "candelabra povray.ini scene.pov"));
+    CHECK(has(help("candelabra.ini"), "CANDELABRA_INI"));
     CHECK(has(help("Light_Rnig"), "did you mean `Light_Ring`?"));
     CHECK(has(help("shpere"), "did you mean `sphere`?"));
     CHECK(help("shpere") == "! there is no help on `shpere` | did you mean `sphere`?");

@@ -41,6 +41,13 @@ TEST_CASE("a camera has a film", "[bind][film]") {
     CHECK(film_of("exposure auto").auto_exposure);
     CHECK(film_of("exposure auto vignette 0.1").auto_exposure);
     CHECK(film_of("exposure -2 auto_exposure").exposure == -2);
+    for (const char* const text : {"exposure auto+0.5", "exposure auto + 1/2", "exposure 0.5+auto",
+                                   "exposure auto-(1 - 1.5) grain 0.1"}) {
+        CHECK(film_of(text).auto_exposure);
+        CHECK(film_of(text).exposure == 0.5);
+    }
+    CHECK(complaint("camera { film { exposure 2*auto } }").starts_with("error wrong-type"));
+    CHECK(complaint("camera { location auto film { exposure auto } }").starts_with("error"));
     CHECK(film_of("response \"filmic\"").curve() == ResponseCurve::filmic);
     CHECK(film_of("pixel_filter blackman_harris").filter() == FilterShape::blackman_harris);
     CHECK(film_of("glare { }").glares);

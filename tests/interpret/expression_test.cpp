@@ -51,7 +51,7 @@ TEST_CASE("a wrong expression gets one message", "[interpret]") {
         {"#declare a = <1, 2, 3, 4, 5, 6>;",
          "error: a vector has 2 to 5 components, but this has 6\n"},
         {"#declare a = 1 / 0; P(a)", "warning: division by zero; the result is infinite\n"},
-        {"#declare a = (1, 2);", "error: one value is wanted here\n"},
+        {"#declare a = (1, 2);", "error: values in parentheses are no vector\n"},
     }));
     INFO(script);
     CHECK(printed(script) == result);
