@@ -107,7 +107,7 @@ bool PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex, cons
         return false;
     }
     const LayerStack stack(world_, path, vertex, layers);
-    SurfaceLobes lobes(world_, path, vertex, stack);
+    SurfaceLobes lobes(world_, rules_, path, vertex, stack);
     const LobeKinds wanted = wanted_lobes(path);
     stack.visit([&](const LayerStack::Seen& layer) {
         gather(path.dimmed(layer.through), vertex, layer);
@@ -196,9 +196,8 @@ bool PathTracedIntegrator::go_on(const SurfaceLobes& lobes, const Vertex& vertex
     path.dim(lobe.through / (chance * survival));
     // As in POV-Ray, also a ray that continues straight on requires one more level.
     const bool deeper = path.depth + 1 < world_.rules.settings.max_trace_level;
-    const auto next = lobes.follow(lobe, path);
-    if (!next || !(diffuse || deeper) || next->passed > max_surfaces_along) return false;
-    path = *next;
+    if (!lobes.follow(lobe, path) || !(diffuse || deeper) || path.passed > max_surfaces_along)
+        return false;
     if (reflected_ && lambertian && !path.taken.by_reflected)
         path.taken.cosine = dot(path.ray.direction, lobe.shading.normal);
     return true;

@@ -163,7 +163,7 @@ bool PhotonPaths::go_on(Journey& journey, const Vertex& vertex, const Layers& la
     const LayerStack stack(world_, path, vertex, layers);
     // At the first surface light continues only where photons are refracted; at later ones, always.
     const bool bent = is_refracted(journey, surface);
-    SurfaceLobes lobes(world_, path, vertex, stack);
+    SurfaceLobes lobes(world_, rules_, path, vertex, stack);
     if (is_reflected(journey, surface))
         stack.visit([&](const LayerStack::Seen& layer) {
             lobes.add(layer, {.mirror = true, .facets = false, .diffuse = false});
@@ -183,9 +183,7 @@ bool PhotonPaths::go_on(Journey& journey, const Vertex& vertex, const Layers& la
         path.go_on({vertex.position(), path.ray.direction}, vertex.tolerance(), Branch::refraction);
         return true;
     }
-    const auto next = lobes.follow(lobe, path);
-    if (next) path = *next;
-    return next.has_value();
+    return lobes.follow(lobe, path);
 }
 
 /// Whether the light group of the photon's lamp lights objects of the material.

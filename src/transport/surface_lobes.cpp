@@ -25,26 +25,27 @@ double weight_of(const Lobe& lobe) { return max_component(glm::abs(lobe.share));
 
 }  // namespace
 
-SurfaceLobes::SurfaceLobes(const World& world, const PathState& path, const Vertex& vertex,
-                           const LayerStack& stack)
-    : world_(world), path_(path), vertex_(vertex), stack_(stack), rules_(shading_rules(world)) {}
+SurfaceLobes::SurfaceLobes(const World& world, const ShadingRules& rules, const PathState& path,
+                           const Vertex& vertex, const LayerStack& stack)
+    : world_(world), rules_(rules), path_(path), vertex_(vertex), stack_(stack) {}
 
 void SurfaceLobes::add(const LayerStack::Seen& layer, const LobeKinds& wanted) {
-    const Shading scattering = layer.scattering();
     adds_no_light_ &= adds_no_light(layer.shading);
-    const auto add = [&](LobeKind kind, const Vec3& through, const Vec3& share) {
-        if (share != Vec3(0)) lobes_.push_back({kind, scattering, through, share});
-    };
-    const Vec3 through = layer.through * layer.below_mirror;
-    if (wanted.mirror) {
+    if (wanted.mirror && layer.reflected != Vec3(0)) {
         const Vec3 direction = reflected_direction(layer.shading);
-        add(LobeKind::mirror, layer.reflected,
-            layer.reflected * iridescence(layer.shading, rules_, direction));
+        const Vec3 film = iridescence(layer.shading, rules_, direction);
+        lobes_.push_back(
+            {LobeKind::mirror, layer.scattering(), layer.reflected, layer.reflected * film});
     }
     if (!wanted.facets && !wanted.diffuse) return;
-    const Bsdf bsdf(scattering, rules_);
-    if (wanted.facets) add(LobeKind::facets, through, through * bsdf.facets_albedo());
-    if (wanted.diffuse) add(LobeKind::diffuse, through, through * bsdf.diffuse_albedo());
+    const Bsdf bsdf(layer.scattering(), rules_);
+    const Vec3 through = layer.through * layer.below_mirror;
+    const auto add = [&](LobeKind kind, const Vec3& albedo) {
+        const Vec3 share = through * albedo;
+        if (share != Vec3(0)) lobes_.push_back({kind, bsdf.shading(), through, share});
+    };
+    if (wanted.facets) add(LobeKind::facets, bsdf.facets_albedo());
+    if (wanted.diffuse) add(LobeKind::diffuse, bsdf.diffuse_albedo());
 }
 
 void SurfaceLobes::add_behind() {
@@ -72,53 +73,57 @@ std::optional<SurfaceLobes::Choice> SurfaceLobes::choose(double u) const {
     return std::nullopt;
 }
 
-std::optional<PathState> SurfaceLobes::follow(const Lobe& lobe, PathState path) const {
+bool SurfaceLobes::follow(const Lobe& lobe, PathState& path) const {
     switch (lobe.kind) {
         case LobeKind::mirror:
             path = mirrored_path(path, vertex_, lobe.shading);
             path.dim(iridescence(lobe.shading, rules_, path.ray.direction));
-            return path;
+            return true;
         case LobeKind::facets:
-            if (const auto scattered = facet_path(path, vertex_, lobe.shading))
-                return scattered->next;
-            return std::nullopt;
+            if (auto scattered = facet_path(path, vertex_, lobe.shading)) {
+                path = std::move(scattered->next);
+                return true;
+            }
+            return false;
         case LobeKind::diffuse:
-            return follow_diffuse(lobe.shading, std::move(path));
+            return follow_diffuse(lobe.shading, path);
         case LobeKind::behind:
-            return follow_behind(lobe.shading, std::move(path));
+            follow_behind(lobe.shading, path);
+            return true;
         case LobeKind::total:
-            return follow_total(lobe.shading, path);
+            follow_total(lobe.shading, path);
+            return true;
     }
-    return std::nullopt;
+    return false;
 }
 
 /// Samples a direction in front of the surface, behind it, or on both sides.
-std::optional<PathState> SurfaceLobes::follow_diffuse(const Shading& s, PathState path) const {
+bool SurfaceLobes::follow_diffuse(const Shading& s, PathState& path) const {
     const Bsdf bsdf(s, rules_);
     const auto direction = bsdf.sample_diffuse(
         {uniform(path.key, Purpose::bounce_u), uniform(path.key, Purpose::bounce_v)});
     const double density = direction ? bsdf.diffuse_pdf(*direction) : 0;
-    if (!(density > 0)) return std::nullopt;
+    if (!(density > 0)) return false;
     path.dim(bsdf.evaluate(*direction, diffuse_terms, 0) / (std::numbers::pi * density));
     path = gathering_path(path, vertex_, *direction);
     const bool from_behind = dot(*direction, s.geometric_normal) < 0;
     if (from_behind && vertex_.material->transparent) path.media = stack_.interface().behind;
-    return path;
+    return true;
 }
 
 /// Where white light is split, the path has one of its colours from here on.
-PathState SurfaceLobes::follow_behind(const Shading& s, PathState path) const {
+void SurfaceLobes::follow_behind(const Shading& s, PathState& path) const {
     const Interface& surface = stack_.interface();
     const double ratio = refraction_ratio(path, surface);
     if (surface.bands > 0 && reflects_totally(s, ratio)) return follow_total(s, path);
-    return path_behind(path, vertex_, s, surface, ratio);
+    path = path_behind(path, vertex_, s, surface, ratio);
 }
 
 /// Light that shadow rays have taken goes straight on instead of being reflected.
-PathState SurfaceLobes::follow_total(const Shading& s, const PathState& path) const {
-    PathState next = mirrored_path(path, vertex_, s);
-    next.taken.by_shadow_rays = path.taken.by_shadow_rays;
-    return next;
+void SurfaceLobes::follow_total(const Shading& s, PathState& path) const {
+    const bool taken = path.taken.by_shadow_rays;
+    path = mirrored_path(path, vertex_, s);
+    path.taken.by_shadow_rays = taken;
 }
 
 }  // namespace candelabra

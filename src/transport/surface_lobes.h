@@ -36,7 +36,8 @@ struct Lobe {
 class SurfaceLobes {
 public:
     /// The arguments must outlive this.
-    SurfaceLobes(const World&, const PathState&, const Vertex&, const LayerStack&);
+    SurfaceLobes(const World&, const ShadingRules&, const PathState&, const Vertex&,
+                 const LayerStack&);
 
     /// Adds lobes of a layer.
     void add(const LayerStack::Seen&, const LobeKinds&);
@@ -52,20 +53,20 @@ public:
     /// `u` is in [0, 1). Nothing if there are no lobes.
     std::optional<Choice> choose(double u) const;
 
-    /// Continues the path in a direction of the lobe, which is sampled. The throughput has the
-    /// factor of the direction, but not Lobe::through. Nothing if no light comes from there.
-    std::optional<PathState> follow(const Lobe&, PathState) const;
+    /// Continues the path in a direction of the lobe, which is sampled. The throughput gets the
+    /// factor of the direction, but not Lobe::through. Returns false if no light comes from there.
+    bool follow(const Lobe&, PathState&) const;
 
 private:
-    std::optional<PathState> follow_diffuse(const Shading&, PathState) const;
-    PathState follow_behind(const Shading&, PathState) const;
-    PathState follow_total(const Shading&, const PathState&) const;
+    bool follow_diffuse(const Shading&, PathState&) const;
+    void follow_behind(const Shading&, PathState&) const;
+    void follow_total(const Shading&, PathState&) const;
 
     const World& world_;
+    const ShadingRules& rules_;
     const PathState& path_;
     const Vertex& vertex_;
     const LayerStack& stack_;
-    ShadingRules rules_;
     ShortList<Lobe, 4> lobes_;
     bool adds_no_light_ = true;  ///< by what the finishes say; a debug build checks it
 };
