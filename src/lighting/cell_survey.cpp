@@ -5,35 +5,12 @@
 #include "lighting/cut_choice.h"
 #include "lighting/refined_cut.h"
 #include "lighting/survey_draw.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace candelabra {
-
-namespace {
-
-/// Near luminaires look different from different points of a cell, and so count more than the
-/// survey says. Together they are raised by at most this multiple of the survey's total of all
-/// entries, and each alone by at most this multiple. So occluded luminaires cause little noise,
-/// however bright, and those that are visible against the survey are not too rare.
-constexpr double max_raised = 1, max_raised_alone = 0.1;
-/// Number of shadow rays that measure the noise of choosing luminaires in a cell.
-constexpr std::uint32_t trials = 48;
-/// Minimum variance over squared mean of both ways of sampling, because surfaces differ.
-constexpr double min_noise = 0.02;
-/// Factor on the noise of the choice against that of the outlook: the rays that measured the choice
-/// had also trained it.
-constexpr double doubt = 3;
-/// Minimum fraction of the shadow rays that are sampled from the outlook, which finds luminaires
-/// that nearly touch the point. The fraction decreases with the noise of the choice below
-/// little_noise, and is 0 if there is none at all.
-constexpr double min_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
-/// Maximum ratio of the brightest luminaire to the mean visible luminance at which surfaces may
-/// sample directions from their BSDF alone: no ray can then bring much more than others.
-constexpr double max_glare = 16;
-
-}  // namespace
 
 CellSurveyor::CellSurveyor(std::span<const Luminaire> luminaires, const LightTree& tree,
                            const Viewer& viewer, double max_by_direction)
@@ -51,36 +28,38 @@ CellSurveyor::CellSurveyor(std::span<const Luminaire> luminaires, const LightTre
 
 CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
                                     const LightProbe& probe) const {
-    const std::vector<SurveyPlace> receivers = in_air ? air_places_in(cell, viewer_, probe)
-                                                      : survey_places_in(cell, viewer_, probe);
+    const std::vector<SurveyPlace> receivers =
+        in_air ? air_places_in(cell, viewer_, probe) : survey_places_in(cell, viewer_, probe);
     cut.scale(counted(arriving_shares(cut, tree_, luminaires_, receivers, probe), cut, cell));
     CellSurvey result;
     // Directions cannot hit light sources.
     if (tree_.falloff(tree_.root())) return result;
     const Found by_choice = found_by_choice(cut, receivers, probe);
-    const double found = by_choice.noise, choice = doubt * found + min_noise;
+    const double found = by_choice.noise, choice = tuning::doubt * found + tuning::min_noise;
     if ((any_volume_ || in_air) && by_choice.irradiance > 0) {
         result.irradiance = by_choice.irradiance;
-        result.noise = by_choice.irradiance * std::sqrt(found + min_noise);
+        result.noise = by_choice.irradiance * std::sqrt(found + tuning::min_noise);
     }
     // Luminaires look small from points in the air.
     if (only_volumes_ || in_air) return result;
     result.outlook.emplace(cell, ball_, receivers, probe);
-    const double outlook = result.outlook->noise() + min_noise;
+    const double outlook = result.outlook->noise() + tuning::min_noise;
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
-    if (found > no_noise)
-        result.by_direction = std::clamp(
-            share, min_by_direction * std::fmin(found / little_noise, 1), max_by_direction_);
+    if (found > tuning::no_noise)
+        result.by_direction =
+            std::clamp(share, tuning::min_by_direction * std::fmin(found / tuning::little_noise, 1),
+                       max_by_direction_);
     // The outlook knows surfaces only, which are not all luminaires here.
     if (any_volume_) return result;
     const double scattering = result.outlook->noise_of_scattering();
-    result.as_scattered = scattering <= std::fmin(outlook, found + min_noise) &&
-                          brightest_ <= max_glare * result.outlook->mean_luminance();
+    result.as_scattered = scattering <= std::fmin(outlook, found + tuning::min_noise) &&
+                          brightest_ <= tuning::max_glare * result.outlook->mean_luminance();
     const double variance =
-        result.as_scattered ? scattering + min_noise
-                            : (std::isinf(outlook) ? found + min_noise
-                                                   : 1 / (1 / (found + min_noise) + 1 / outlook));
+        result.as_scattered
+            ? scattering + tuning::min_noise
+            : (std::isinf(outlook) ? found + tuning::min_noise
+                                   : 1 / (1 / (found + tuning::min_noise) + 1 / outlook));
     const double weight = mean_total(cut, receivers);
     const double seen = weight > 0 ? result.outlook->irradiance() / weight : 0;
     if (std::isfinite(variance)) {
@@ -104,11 +83,12 @@ std::vector<float> CellSurveyor::counted(std::span<const float> shares, const Li
     for (std::size_t i = 0; i < count; ++i) {
         const double share = shares[i];
         raise[i] = cautious_share(shares[i], cell, tree_.light_proxy(cut.cluster(i))) - share;
-        if (raise[i] * given[i] > max_raised_alone * learned)
-            raise[i] = max_raised_alone * learned / given[i];
+        if (raise[i] * given[i] > tuning::max_raised_alone * learned)
+            raise[i] = tuning::max_raised_alone * learned / given[i];
         raised += given[i] * raise[i];
     }
-    const double kept = raised > max_raised * learned ? max_raised * learned / raised : 1;
+    const double kept =
+        raised > tuning::max_raised * learned ? tuning::max_raised * learned / raised : 1;
     std::vector<float> result(count);
     for (std::size_t i = 0; i < count; ++i)
         result[i] = static_cast<float>(shares[i] + kept * raise[i]);
@@ -119,15 +99,14 @@ CellSurveyor::Found CellSurveyor::found_by_choice(const LightCut& cut,
                                                   std::span<const SurveyPlace> receivers,
                                                   const LightProbe& probe) const {
     CutWeights weights;
-    std::vector<double> found(trials, 0), at_place(receivers.size(), 0);
-    for (std::uint32_t i = 0; i < trials; ++i) {
-        const auto number = [&](ShadowRayDraw draw) {
-            return survey_number(i, draw);
-        };
+    std::vector<double> found(tuning::trials, 0), at_place(receivers.size(), 0);
+    for (std::uint32_t i = 0; i < tuning::trials; ++i) {
+        const auto number = [&](ShadowRayDraw draw) { return survey_number(i, draw); };
         const SurveyPlace& from = receivers[i % receivers.size()];
         cut.weigh(from.point, weights);
-        const auto pick = pick_from(cut, weights, tree_, from.point,
-                                    survey_key(i, ShadowRayDraw::choice), number(ShadowRayDraw::choice));
+        const auto pick =
+            pick_from(cut, weights, tree_, from.point, survey_key(i, ShadowRayDraw::choice),
+                      number(ShadowRayDraw::choice));
         if (!pick) continue;
         const double light =
             arriving(luminaires_, pick->light, from,
@@ -138,13 +117,14 @@ CellSurveyor::Found CellSurveyor::found_by_choice(const LightCut& cut,
     }
     const std::vector<double> counts = balanced(at_place);
     double sum = 0, squares = 0, light = 0;
-    for (std::size_t i = 0; i < trials; ++i) {
+    for (std::size_t i = 0; i < tuning::trials; ++i) {
         const double given = counts[i % receivers.size()] * found[i];
         sum += given;
         squares += given * given;
         light += found[i];
     }
-    return {sum > 0 ? trials * squares / (sum * sum) - 1 : INFINITY, light / trials};
+    return {sum > 0 ? tuning::trials * squares / (sum * sum) - 1 : INFINITY,
+            light / tuning::trials};
 }
 
 }  // namespace candelabra

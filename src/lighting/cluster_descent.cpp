@@ -2,6 +2,7 @@
 #include "lighting/cluster_descent.h"
 
 #include "lighting/draw.h"
+#include "lighting/tuning.h"
 
 #include <cmath>
 
@@ -9,15 +10,13 @@ namespace candelabra {
 
 namespace {
 
-/// Clusters nearer than this multiple of their radius are divided at the point itself.
-constexpr double near_radii = 6;
 /// Probability below which the random number that is reused level by level is replaced by a new
 /// one.
 constexpr double worn_out = 1e-7;
 
 bool near(const Box& box, const Vec3& position) {
     const Vec3 v = box.centre() - position, half = 0.5 * box.size();
-    return dot(v, v) < near_radii * near_radii * dot(half, half);
+    return dot(v, v) < tuning::near_radii * tuning::near_radii * dot(half, half);
 }
 
 double estimate(const LightTree& tree, const LightCluster& c, const Receiver& point) {

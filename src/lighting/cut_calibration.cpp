@@ -4,6 +4,7 @@
 #include "base/elementary.h"
 #include "lighting/cluster_descent.h"
 #include "lighting/survey_draw.h"
+#include "lighting/tuning.h"
 #include "luminaire/volume.h"
 
 #include <algorithm>
@@ -11,16 +12,6 @@
 namespace candelabra {
 
 namespace {
-
-/// Number of shadow rays for each entry.
-constexpr std::uint32_t rays = 6;
-/// Maximum number of places from which these rays start.
-constexpr std::size_t max_places = 8;
-/// Minimum and maximum share of an entry, as multiples of the mean; the minimum is for far entries.
-constexpr double least = 0.1, greatest = 4;
-/// Fraction of the arriving light that all entries with the minimum share may count together: a sun
-/// behind shutters must not take all rays.
-constexpr double max_unseen = 0.1;
 
 /// Survey of an entry: the fraction of its weight that arrives, and its mean weight.
 struct Trial {
@@ -38,17 +29,18 @@ std::vector<float> judged(std::span<const Trial> trials) {
     const double mean = squares / sum;
     // Each entry from which little light arrives is limited by itself first, so that one of them
     // does not take the chance from the others.
-    const double most = max_unseen * sum / mean;
+    const double most = tuning::max_unseen * sum / mean;
     const auto dark = [&](const Trial& t) {
-        return t.weight * least > most ? most / t.weight : least;
+        return t.weight * tuning::min_share > most ? most / t.weight : tuning::min_share;
     };
     double faint = 0;
     for (const Trial& t : trials)
-        if (t.share < least * mean) faint += dark(t) * t.weight;
+        if (t.share < tuning::min_share * mean) faint += dark(t) * t.weight;
     const double kept = faint > most ? most / faint : 1;
     std::vector<float> shares;
     for (const Trial& t : trials)
-        shares.push_back(static_cast<float>(std::clamp(t.share / mean, kept * dark(t), greatest)));
+        shares.push_back(
+            static_cast<float>(std::clamp(t.share / mean, kept * dark(t), tuning::max_share)));
     return shares;
 }
 
@@ -104,23 +96,22 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
                                    std::span<const Luminaire> luminaires,
                                    std::span<const SurveyPlace> receivers,
                                    const LightProbe& probe) {
-    const std::size_t places = std::min(receivers.size(), max_places);
+    const std::size_t places = std::min(receivers.size(), tuning::max_entry_places);
     std::vector<CutWeights> weights(places);
     for (std::size_t i = 0; i < places; ++i) cut.weigh(receivers[i].point, weights[i]);
     const auto place_of = [&](std::size_t entry, std::size_t i) { return (i + entry) % places; };
-    std::vector<std::array<double, rays>> given(cut.entries());
+    std::vector<std::array<double, tuning::entry_rays>> given(cut.entries());
     std::vector<double> at_place(places, 0);
     for (std::size_t entry = 0; entry < cut.entries(); ++entry)
-        for (std::uint32_t i = 0; i < rays; ++i) {
+        for (std::uint32_t i = 0; i < tuning::entry_rays; ++i) {
             const auto n = static_cast<std::uint32_t>(entry);
             const LightCluster& cluster = cut.cluster(entry);
             const std::size_t place = place_of(entry, i);
             const double weight = weights[place].weight[entry];
             if (!(weight > 0)) continue;
-            const DrawnMember member =
-                member_of(tree, cluster, receivers[place].point,
-                          survey_key(n, i, EntryDraw::further_members),
-                          survey_number(n, i, EntryDraw::member));
+            const DrawnMember member = member_of(tree, cluster, receivers[place].point,
+                                                 survey_key(n, i, EntryDraw::further_members),
+                                                 survey_number(n, i, EntryDraw::member));
             if (!(member.probability > 0)) continue;
             const double light = arriving(luminaires, tree.light(member.place), receivers[place],
                                           {survey_number(n, i, EntryDraw::point_u),
@@ -135,7 +126,7 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
     for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
         double squares = 0, weight_sum = 0;
         int tried = 0;
-        for (std::size_t i = 0; i < rays; ++i) {
+        for (std::size_t i = 0; i < tuning::entry_rays; ++i) {
             const std::size_t place = place_of(entry, i);
             const double weight = weights[place].weight[entry];
             if (!(weight > 0)) continue;

@@ -5,6 +5,7 @@
 #include "lighting/cut_choice.h"
 #include "lighting/draw.h"
 #include "lighting/light_cells.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 
@@ -12,28 +13,9 @@ namespace candelabra {
 
 namespace {
 
-/// Factor by which the noise of a cell without a survey exceeds the bound before the cell is
-/// divided: weighing the entries at each point compensates for less.
-constexpr double divided_above = 20;
-/// Size in pixels, as seen by the eye, above which cells are divided: they contain many hits, whose
-/// views differ. Smaller cells stay whole if they are surveyed, so that the survey's rays are a
-/// small part of all rays.
-constexpr double coarse_pixels = 32;
-/// Factor on this size for cells between surfaces, where light varies less.
-constexpr double coarser_in_air = 2;
-/// Bounds on this size as an angle (size over distance), for large and for small pictures.
-constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
-/// Maximum size of cells where all rays of the camera are parallel, in widths of the view.
-constexpr double most_views = 4;
 /// Number of levels beyond the deepest one by which cells that are too large may still be divided:
 /// enough for every ratio of lengths in single precision.
 constexpr int more_levels = 160;
-/// Number of levels below cells that are too large by which noise may divide cells without a survey
-/// in any case: one lamp that is far makes the whole cube large, and its first levels say nothing.
-constexpr int finer_levels = 5;
-/// Fraction of the shadow rays that surfaces without a diffuse part sample from their BSDF.
-constexpr double max_by_surface = 0.5;
-
 /// Adds entries for luminaires that face away from a cell: twice as many if all shine one way.
 int entries_for(int cut, std::span<const Luminaire> luminaires) {
     double one_way = 0;  // number of luminaires that shine one way only
@@ -84,7 +66,8 @@ struct BuiltCutOctree::State {
           tree(luminaires),
           survey(luminaires, tree, {scene.eye, scene.axis}, settings.outlook),
           eye(scene.eye),
-          coarse(std::clamp(coarse_pixels * scene.pixel, min_coarse, greatest_coarse)),
+          coarse(std::clamp(tuning::coarse_pixels * scene.pixel, tuning::min_coarse,
+                            tuning::greatest_coarse)),
           view(scene.view) {
         above_air.in_air = true;
         if (luminaires.empty()) return;
@@ -117,12 +100,12 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     cell->depth = parent.depth + 1;
     cell->in_air = parent.in_air;
     cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule);
-    const double coarse = state_->coarse * (cell->in_air ? coarser_in_air : 1);
+    const double coarse = state_->coarse * (cell->in_air ? tuning::coarser_in_air : 1);
     const double away = state_->eye ? length(box.centre() - *state_->eye) : 0;
     const double size = length(box.size());
     // However large the scene is, a cell is no larger than what is seen in it.
-    const double widest = state_->eye        ? std::fmax(coarse, greatest_coarse) * away
-                          : state_->view > 0 ? most_views * state_->view
+    const double widest = state_->eye        ? std::fmax(coarse, tuning::greatest_coarse) * away
+                          : state_->view > 0 ? tuning::most_views * state_->view
                                              : INFINITY;
     const bool too_large = size > widest;
     const bool small = size <= coarse * away, large = too_large || (state_->eye && !small),
@@ -130,10 +113,10 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     const double noise = cell->cut->noise(), bound = state_->rule.noise;
     const bool several = cell->cut->entries() > 1;
     const bool uneven = large ? noise > bound || ((learns || too_large) && several)
-                              : !(learns && small) && noise > divided_above * bound;
+                              : !(learns && small) && noise > tuning::divided_above * bound;
     cell->too_large = parent.too_large + (too_large ? 1 : 0);
     const int deepest = state_->settings.max_depth,
-              finer = learns ? 0 : std::min(finer_levels, deepest);
+              finer = learns ? 0 : std::min(tuning::finer_levels, deepest);
     const int depth_limit =
         too_large ? deepest + more_levels : std::max(deepest, cell->too_large + finer);
     if (uneven && cell->depth < depth_limit)
@@ -244,7 +227,7 @@ BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
         octree.weigh_choice(receiver_, query.lobes, weights_);
     if (!bsdf_) return;
     by_surface_ =
-        weights_.as_scattered ? 1 : max_by_surface * std::sqrt(bsdf_->specular_probability);
+        weights_.as_scattered ? 1 : tuning::max_by_surface * std::sqrt(bsdf_->specular_probability);
     by_outlook_ = (1 - by_surface_) * weights_.by_direction;
     by_choice_ = 1 - (by_surface_ + by_outlook_);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The luminaires that are not in a list, sampled uniformly or by their strength. Used by the paper's
-// octree, whose cells list the bright luminaires.
+// The luminaires that are not in a list, sampled uniformly or by their strength. Used by the
+// paper's octree, whose cells list the bright luminaires.
 #pragma once
 
 #include "base/weighted_places.h"

@@ -21,27 +21,26 @@ namespace candelabra {
 /// The cost of the parts into which a node may be cut. Number is that of places; an Item is one
 /// luminaire, and a Sum are those of one part.
 template <class T>
-concept HierarchyCost =
-    requires(const T& cost, const typename T::Item& item, typename T::Sum& sum, int axis,
-             typename T::Number number) {
-        { T::bins } -> std::convertible_to<int>;
-        /// Nodes with more luminaires are only cut across their longest side: the axis matters
-        /// little there, but time does.
-        { T::many } -> std::convertible_to<std::size_t>;
-        { cost.place(item, axis) } -> std::same_as<typename T::Number>;
-        { cost.light(item) } -> std::same_as<LightIndex>;
-        /// The bin of an item that is `number` from the low end of the node's places, whose size is
-        /// the other number; rounding may put it beyond the last one.
-        { cost.bin(number, number) } -> std::same_as<int>;
-        cost.add(sum, item);
-        cost.add(sum, std::as_const(sum));
-        { cost.of(std::as_const(sum)) } -> std::same_as<double>;
-        /// Whether a later side is taken for longer than the one before.
-        { T::longer(number, number) } -> std::same_as<bool>;
-        /// Factor on the cost of cuts across a side of the second size, where the longest one has
-        /// the first.
-        { cost.of_side(number, number) } -> std::same_as<double>;
-    };
+concept HierarchyCost = requires(const T& cost, const typename T::Item& item, typename T::Sum& sum,
+                                 int axis, typename T::Number number) {
+    { T::bins } -> std::convertible_to<int>;
+    /// Nodes with more luminaires are only cut across their longest side: the axis matters
+    /// little there, but time does.
+    { T::many } -> std::convertible_to<std::size_t>;
+    { cost.place(item, axis) } -> std::same_as<typename T::Number>;
+    { cost.light(item) } -> std::same_as<LightIndex>;
+    /// The bin of an item that is `number` from the low end of the node's places, whose size is
+    /// the other number; rounding may put it beyond the last one.
+    { cost.bin(number, number) } -> std::same_as<int>;
+    cost.add(sum, item);
+    cost.add(sum, std::as_const(sum));
+    { cost.of(std::as_const(sum)) } -> std::same_as<double>;
+    /// Whether a later side is taken for longer than the one before.
+    { T::longer(number, number) } -> std::same_as<bool>;
+    /// Factor on the cost of cuts across a side of the second size, where the longest one has
+    /// the first.
+    { cost.of_side(number, number) } -> std::same_as<double>;
+};
 
 template <HierarchyCost Cost>
 class HierarchyBuilder {

@@ -2,6 +2,7 @@
 #include "lighting/light_bvh.h"
 
 #include "lighting/draw.h"
+#include "lighting/tuning.h"
 #include "luminaire/light_proxy.h"
 
 #include <algorithm>
@@ -10,9 +11,6 @@ namespace candelabra {
 
 namespace {
 
-/// Minimum fractions of the full brightness for a node at the edge of the horizon, and for one seen
-/// from the side.
-constexpr double min_height = 1e-4, min_facing = 1e-2;
 /// Probability below which the random number that is reused level by level is replaced by a new
 /// one.
 constexpr double worn_out_walk = 1e-7;
@@ -34,7 +32,8 @@ double importance(const LightNode& node, const Receiver& point) {
                  cosine = std::sqrt((1 - sine) * (1 + sine));
     const double height = point.cosine(v / distance);
     if (height <= -(sine + ProxyMargins<double>::horizon_slack)) return 0;
-    const double lifted = std::fmax(cosine_beyond(std::fmin(height, 1), cosine, sine), min_height);
+    const double lifted =
+        std::fmax(cosine_beyond(std::fmin(height, 1), cosine, sine), tuning::min_height);
     const Vec3 axis(node.axis);
     double turned = 1;
     if (axis != Vec3(0)) {
@@ -43,7 +42,8 @@ double importance(const LightNode& node, const Receiver& point) {
         const double cos_both = node.cos_spread * cosine - node.sin_spread * sine;
         const double sin_both = node.sin_spread * cosine + node.cos_spread * sine;
         const double seen = std::fmin(std::abs(dot(axis, v)) / distance, 1);
-        if (cos_both > 0) turned = std::fmax(cosine_beyond(seen, cos_both, sin_both), min_facing);
+        if (cos_both > 0)
+            turned = std::fmax(cosine_beyond(seen, cos_both, sin_both), tuning::min_facing);
     }
     return node.intensity * lifted * turned / d2;
 }

@@ -3,6 +3,7 @@
 
 #include "base/order.h"
 #include "base/parallel.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 #include <numbers>
@@ -19,14 +20,6 @@ using std::numbers::pi;
 double max_entries(std::size_t luminaires) {
     return std::fmin(1e6, 1e5 + 128 * static_cast<double>(luminaires));
 }
-/// Maximum list length; of more luminaires the brightest are taken, and the others count as dim.
-constexpr std::size_t longest_list = 2048;
-/// A cut helps if the lists of the parts are at most this fraction of the whole's, on average.
-/// After this number of cuts in a row that did not help, cells stay whole: smaller ones would not
-/// help either.
-constexpr double helpful = 0.9;
-constexpr int patience = 3;
-
 /// A cell that may still be cut.
 struct Region {
     Box box;
@@ -81,7 +74,7 @@ public:
     /// Returns the eight parts of a region, where parts without surfaces have an empty box; nothing
     /// if the region is to stay whole.
     std::vector<Region> cut(const Region& region) const {
-        if (region.depth >= settings_.max_depth || region.useless_cuts >= patience ||
+        if (region.depth >= settings_.max_depth || region.useless_cuts >= tuning::patience ||
             region.lights.size() <= static_cast<std::size_t>(settings_.max_bright) ||
             bright_everywhere(region))
             return {};
@@ -96,7 +89,7 @@ public:
         if (entries > region.entries) return {};
         for (Region& p : parts) {
             p.entries = entries > 0 ? region.entries * length_of_list(p) / entries : 0;
-            p.useless_cuts = lights > helpful * unchanged ? region.useless_cuts + 1 : 0;
+            p.useless_cuts = lights > tuning::helpful * unchanged ? region.useless_cuts + 1 : 0;
         }
         return parts;
     }
@@ -105,18 +98,18 @@ public:
 
 private:
     static double length_of_list(const Region& region) {
-        return static_cast<double>(std::min(region.lights.size(), longest_list));
+        return static_cast<double>(std::min(region.lights.size(), tuning::longest_list));
     }
 
     /// Returns the list of a cell that is not cut.
     std::vector<LightIndex> brightest(Region& region) const {
         std::vector<LightIndex>& lights = region.lights;
-        if (lights.size() > longest_list) {
+        if (lights.size() > tuning::longest_list) {
             // The distance relative to the reach tells how far above the threshold each may be.
             const auto farness = [&](LightIndex light) {
                 return nearest_distance2(region.box, centres_[light]) / reach2_[light];
             };
-            const auto last = lights.begin() + static_cast<std::ptrdiff_t>(longest_list);
+            const auto last = lights.begin() + static_cast<std::ptrdiff_t>(tuning::longest_list);
             put_nth(lights.begin(), last, lights.end(), [&](LightIndex a, LightIndex b) {
                 return std::pair(farness(a), a) < std::pair(farness(b), b);
             });

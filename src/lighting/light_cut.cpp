@@ -3,6 +3,7 @@
 
 #include "base/running_sums.h"
 #include "base/target_clones.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,12 +20,6 @@ constexpr double min_strength = 1e-24;
 /// direction and with the same light: products of their distances stay in the range of single
 /// precision.
 constexpr double farthest = 0x1p36;
-/// Minimum reflectance of surfaces without a diffuse part: highlights differ a little from the
-/// formula.
-constexpr double min_diffuse = 0.02;
-/// Minimum height of entries over the horizon, as a cosine, by which weights are divided.
-constexpr float min_cosine = 0.05f;
-
 struct EntryColumns {
     const float *x, *y, *z, *radius, *strength;
     const float *axis_x, *axis_y, *axis_z, *evenness;
@@ -157,7 +152,7 @@ struct Peak {
         const float off = 1 - dot(peak.axis, v) * inverse;
         const float height = std::abs(dot(p.normal, v)) * inverse;
         const float size = c.radius[row] * inverse;
-        const float lowest = size > min_cosine ? size : min_cosine;
+        const float lowest = size > tuning::min_cosine ? size : tuning::min_cosine;
         const float cosine = height > lowest ? height : lowest;
         const float spread = 1 + 0.5f * peak.sharpness * size * size;
         const float fallen = 1 + 0.5f * peak.sharpness * (off > 0 ? off : 0) / spread;
@@ -305,7 +300,7 @@ void LightCut::weigh_answers(const Receiver& point, const BsdfLobes& lobes,
     }
     const Rough all = rough(point);
     weigh_answers_of_rows(all.columns, rows_, all.place,
-                          static_cast<float>(std::fmax(lobes.diffuse, min_diffuse)),
+                          static_cast<float>(std::fmax(lobes.diffuse, tuning::min_diffuse)),
                           std::span(peaks).first(lobes.count), result);
     result.total = total(result, rows_);
 }

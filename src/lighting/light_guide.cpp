@@ -6,6 +6,7 @@
 #include "base/running_sums.h"
 #include "base/target_clones.h"
 #include "lighting/survey_draw.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 #include <numbers>
@@ -17,16 +18,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t rings = LightGuide::rings, sectors = LightGuide::sectors;
-/// Rays traced for each bin: results of some are compared with those of the others.
-constexpr std::size_t tries = 2;
-/// Distance, in its radii, from which the luminaires' ball is treated as a ball.
-constexpr double well_outside = 1.15;
-/// Fraction of a bin's estimate that is taken from its neighbours.
-constexpr double neighbours = 0.3;
-/// Weights of the mean of all bins, in rays per bin; with the last one the picture is nearly
-/// uniform.
-constexpr std::array<double, 5> caution = {1, 2, 6, 20, 1e6};
-
 /// Cosine and sine at the centres of the sectors.
 struct Compass {
     std::array<float, sectors> cosine, sine;
@@ -105,7 +96,8 @@ Picture guess(const Picture& seen, double care) {
             };
             const double beside = at(r, s + 1) + at(r, s + sectors - 1) + at(r > 0 ? r - 1 : r, s) +
                                   at(r + 1 < rings ? r + 1 : r, s);
-            const double here = (1 - neighbours) * at(r, s) + neighbours / 4 * beside;
+            const double here =
+                (1 - tuning::from_neighbours) * at(r, s) + tuning::from_neighbours / 4 * beside;
             result[r * sectors + s] = (here + care * mean) / (1 + care);
         }
     return result;
@@ -136,7 +128,7 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
                        std::span<const SurveyPlace> receivers, const LightProbe& probe)
     : ball_(ball) {
     const Vec3 nearest = glm::clamp(ball.centre, cell.low, cell.high);
-    around_ = !(length(nearest - ball.centre) > well_outside * ball.radius);
+    around_ = !(length(nearest - ball.centre) > tuning::well_outside * ball.radius);
     // A pole far from the ball's direction, so that all points of the cell orient the picture
     // alike.
     const Vec3 away = glm::abs(cell.centre() - ball.centre);
@@ -146,13 +138,13 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
     // Steps that have no divisor in common with the number of places reach all of them.
     const std::size_t step = receivers.size() % 5 == 0 ? 7 : 5;
     const auto place_of = [&](std::size_t bin, std::size_t i) {
-        return (tries * bin + i) * step % receivers.size();
+        return (tuning::guide_tries * bin + i) * step % receivers.size();
     };
-    std::array<Picture, tries> seen{};
+    std::array<Picture, tuning::guide_tries> seen{};
     std::vector<double> arriving(receivers.size(), 0);
     double cosines = 0, sum = 0, squares = 0;
     for (std::uint32_t bin = 0; bin < bins; ++bin)
-        for (std::uint32_t i = 0; i < tries; ++i) {
+        for (std::uint32_t i = 0; i < tuning::guide_tries; ++i) {
             const std::size_t place = place_of(bin, i);
             const SurveyPlace& from = receivers[place];
             const Cone cone = cone_at(from.point.position);
@@ -171,7 +163,7 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
             seen[i][bin] = luminance;
             arriving[place] += cosine * luminance;
             sum += cosine * luminance;
-            irradiance_ += cosine * luminance / (tries * cone.bin_density());
+            irradiance_ += cosine * luminance / (tuning::guide_tries * cone.bin_density());
             squares += cosine * luminance * luminance;
         }
     if (around_ && sum > 0) {
@@ -180,10 +172,11 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
     }
     const std::vector<double> counts = balanced(arriving);
     for (std::size_t bin = 0; bin < bins; ++bin)
-        for (std::size_t i = 0; i < tries; ++i) seen[i][bin] *= counts[place_of(bin, i)];
+        for (std::size_t i = 0; i < tuning::guide_tries; ++i)
+            seen[i][bin] *= counts[place_of(bin, i)];
     noise_ = INFINITY;
-    double best = caution[0];
-    for (const double care : caution) {
+    double best = tuning::caution[0];
+    for (const double care : tuning::caution) {
         // Each half of the rays measures the quality of the picture by the other half.
         const double noise = 0.5 * (noise_of(guess(seen[0], care), seen[1]) +
                                     noise_of(guess(seen[1], care), seen[0]));
@@ -194,7 +187,7 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
     if (std::isinf(noise_)) return;
     Picture all{};
     for (std::size_t bin = 0; bin < bins; ++bin) all[bin] = 0.5 * (seen[0][bin] + seen[1][bin]);
-    const Picture picture = guess(all, best / tries);
+    const Picture picture = guess(all, best / tuning::guide_tries);
     light_.assign(picture.begin(), picture.end());
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/elementary.h"
 #include "lighting/hierarchy_builder.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 #include <numbers>
@@ -61,8 +62,8 @@ struct OrientationCost {
     using Item = LightIndex;
     using Number = double;
     using Sum = Cluster;
-    static constexpr int bins = 12;
-    static constexpr std::size_t many = std::size_t{1} << 14;
+    static constexpr int bins = tuning::light_bvh.bins;
+    static constexpr std::size_t many = tuning::light_bvh.many;
 
     std::span<const LightBounds> lights;
     std::span<const Cluster> leaves;

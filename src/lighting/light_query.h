@@ -6,9 +6,9 @@
 
 #include "base/random.h"
 #include "lighting/bsdf_lobes.h"
-#include "lighting/probe.h"
 #include "lighting/light_tree.h"
 #include "lighting/pick.h"
+#include "lighting/probe.h"
 
 #include <concepts>
 

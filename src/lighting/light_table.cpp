@@ -3,15 +3,13 @@
 
 #include "base/running_sums.h"
 #include "base/target_clones.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 
 namespace candelabra {
 
 namespace {
-
-/// Distance, in radii, within which triangles are evaluated exactly.
-constexpr double exact_radii = 4;
 
 struct ProxyColumns {
     const double *x, *y, *z, *radius, *strength;
@@ -72,7 +70,7 @@ LightTable::LightTable(std::span<const Luminaire> luminaires)
     for (std::size_t i = 0; i < luminaires.size(); ++i) {
         records_[i].proxy = candelabra::light_proxy(bounds(luminaires[i]));
         records_[i].proxy.half = LightProxy().half;  // the rows know spheres only
-        const double reach = exact_radii * records_[i].proxy.radius;
+        const double reach = tuning::exact_radii * records_[i].proxy.radius;
         if (std::holds_alternative<TriangleEmitter>(luminaires[i].emitter))
             records_[i].exact_within2 = reach * reach;
         flat_ = flat_ || records_[i].proxy.axis != Vec3(0);

@@ -2,6 +2,7 @@
 #include "lighting/light_tree.h"
 
 #include "lighting/hierarchy_builder.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,8 +28,8 @@ struct TreeItem {
 struct TreeCost {
     using Item = TreeItem;
     using Number = float;
-    static constexpr int bins = 16;
-    static constexpr std::size_t many = std::size_t{1} << 12;
+    static constexpr int bins = tuning::light_tree.bins;
+    static constexpr std::size_t many = tuning::light_tree.many;
 
     struct Sum {
         Float3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};

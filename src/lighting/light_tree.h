@@ -81,7 +81,7 @@ private:
     std::vector<LightIndex> order_;
     std::vector<std::uint32_t> place_of_;
     WeightedPlaces strengths_;  ///< in the tree's order
-    double unit_ = 0;        ///< intensity of one place of strengths_
+    double unit_ = 0;           ///< intensity of one place of strengths_
     Vec3 origin_ = Vec3(0);
     double size_ = 0;  ///< greatest coordinate of a luminaire relative to the origin
 

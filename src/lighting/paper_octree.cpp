@@ -2,22 +2,13 @@
 #include "lighting/paper_octree.h"
 
 #include "lighting/draw.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 
 namespace candelabra {
 
 namespace {
-
-/// Fraction of the dim luminaires' probability that is shared evenly; the rest is by intensity.
-/// (The paper shares all of it evenly, but luminaires are rarely that alike: on a sphereflake,
-/// whose luminaires come in four sizes with equal sums, the variance is then 15 times greater.)
-constexpr double even_share = 0.1;
-/// Minimum estimate of the dim luminaires, as a fraction of their light if they were all straight
-/// above the point. So a few unlucky representatives do not turn the rest into rare fireflies, and
-/// the search ends if all are below the horizon. (The paper draws until one is above, which may
-/// never happen.)
-constexpr double min_dim_height = 0.05;
 
 /// Approximate light of a luminaire on a surface that faces it.
 double straight_on_bound(const LightProxy& g, const Vec3& position) {
@@ -61,8 +52,8 @@ DimSet BuiltPaperOctree::dim_set(const LightList& list) const {
 }
 
 double BuiltPaperOctree::share(const DimSet& dim, LightIndex light) const {
-    return even_share / static_cast<double>(dim.lights()) +
-           (1 - even_share) *
+    return tuning::even_share / static_cast<double>(dim.lights()) +
+           (1 - tuning::even_share) *
                (static_cast<double>(places_.of(light)) / static_cast<double>(dim.places()));
 }
 
@@ -78,8 +69,8 @@ double BuiltPaperOctree::guess_dim(const Receiver& point, const Key& key, const 
         given += table_.estimate(light, point) / places;
         straight_on += straight_on_bound(table_.light_proxy(light), point.position) / places;
     }
-    return std::fmax(given, min_dim_height * straight_on) * static_cast<double>(dim.places()) /
-           representatives_;
+    return std::fmax(given, tuning::min_dim_height * straight_on) *
+           static_cast<double>(dim.places()) / representatives_;
 }
 
 void BuiltPaperOctree::weigh(const Receiver& point, const Key& key, Odds& odds) const {
@@ -101,7 +92,7 @@ void BuiltPaperOctree::choose(const Receiver& point, const Key& key, LightPicks&
     // Uses new random numbers, since the remainder of the target may be too coarse for millions of
     // luminaires.
     const DimSet dim = dim_set(odds.list);
-    const bool evenly = draw(key, Purpose::light_choice, 1) < even_share;
+    const bool evenly = draw(key, Purpose::light_choice, 1) < tuning::even_share;
     const std::uint64_t drawn =
         draw_integer(key, Purpose::light_choice, 2, evenly ? dim.lights() : dim.places());
     const LightIndex light = evenly ? dim.nth(drawn) : dim.at(drawn);

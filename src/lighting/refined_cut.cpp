@@ -4,16 +4,13 @@
 #include "base/box.h"
 #include "base/order.h"
 #include "lighting/light_cut.h"
+#include "lighting/tuning.h"
 
 #include <algorithm>
 
 namespace candelabra {
 
 namespace {
-
-/// Single luminaires brighter than this multiple of all clusters are left out when the clusters'
-/// noise is judged: they may turn out to be occluded.
-constexpr double outshining = 20;
 
 /// A cluster with its approximate contribution to the points of the cell.
 struct Entry {
@@ -53,7 +50,8 @@ public:
             excess += e.excess;
         }
         for (const Entry& e : heap_)
-            if (e.cluster.count == 1 && e.weight < outshining * clusters) singles += e.weight;
+            if (e.cluster.count == 1 && e.weight < tuning::outshining * clusters)
+                singles += e.weight;
         return excess > 0 ? excess / (clusters + singles) : 0;
     }
 

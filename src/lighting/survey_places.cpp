@@ -3,6 +3,7 @@
 
 #include "base/circle.h"
 #include "lighting/survey_draw.h"
+#include "lighting/tuning.h"
 
 #include <array>
 #include <cmath>
@@ -12,11 +13,6 @@
 namespace candelabra {
 
 namespace {
-
-/// Number of lines that look for surfaces in a cell, and number of places that suffice.
-constexpr std::uint32_t lines = 48, enough = 12;
-/// Maximum light of a place, as a multiple of that of the place with the least light.
-constexpr double max_counted = 4;
 
 /// A place in the cell for a trial, by numbers of its own for each way of searching.
 Vec3 place_in(const Box& cell, std::uint32_t trial, std::uint32_t way) {
@@ -33,7 +29,8 @@ using Found = std::array<std::vector<SurveyPlace>, 3>;
 template <class Line>
 Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
     Found found;
-    for (std::uint32_t i = 0; i < lines && found[0].size() < enough; ++i) {
+    for (std::uint32_t i = 0; i < tuning::place_lines && found[0].size() < tuning::enough_places;
+         ++i) {
         const Ray ray = line(i, place_in(cell, i, on_lines));
         const auto sight = probe(ray, 0);
         if (!sight) continue;
@@ -66,7 +63,8 @@ std::vector<double> balanced(std::span<const double> arriving) {
         if (light > 0) least = std::fmin(least, light);
     std::vector<double> result;
     for (const double light : arriving)
-        result.push_back(light > max_counted * least ? max_counted * least / light : 1);
+        result.push_back(light > tuning::max_counted * least ? tuning::max_counted * least / light
+                                                             : 1);
     return result;
 }
 
@@ -80,14 +78,14 @@ std::optional<Ray> Viewer::ray_to(const Vec3& place) const {
 std::vector<SurveyPlace> air_places_in(const Box& cell, const Viewer& viewer,
                                        const LightProbe& probe) {
     std::vector<SurveyPlace> seen, hidden;
-    for (std::uint32_t i = 0; i < lines && seen.size() < enough; ++i) {
+    for (std::uint32_t i = 0; i < tuning::place_lines && seen.size() < tuning::enough_places; ++i) {
         const Vec3 position = place_in(cell, i, anywhere);
         const auto ray = viewer.ray_to(position);
         (ray && is_hidden(position, *ray, probe) ? hidden : seen)
             .push_back({{position, Vec3(0), Horizon::none}, 0});
     }
     if (!seen.empty()) return seen;
-    hidden.resize(enough);
+    hidden.resize(tuning::enough_places);
     return hidden;
 }
 
@@ -107,7 +105,7 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const Viewer& viewer,
     for (auto& kind : found)
         if (!kind.empty()) return std::move(kind);
     std::vector<SurveyPlace> all;
-    for (std::uint32_t i = 0; i < enough; ++i)
+    for (std::uint32_t i = 0; i < tuning::enough_places; ++i)
         all.push_back({{place_in(cell, i, anywhere), Vec3(0, 1, 0), Horizon::both_sides}, 0});
     return all;
 }

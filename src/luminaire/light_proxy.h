@@ -133,8 +133,7 @@ template <class T>
 [[gnu::always_inline]] inline T turned(const glm::vec<3, T>& v, T radius,
                                        const glm::vec<3, T>& axis, T evenness,
                                        const glm::vec<3, T>& bent, T bent_length) {
-    const T seen =
-        facing(v, radius, axis, evenness, bent.x * v.x + bent.y * v.y + bent.z * v.z);
+    const T seen = facing(v, radius, axis, evenness, bent.x * v.x + bent.y * v.y + bent.z * v.z);
     const T inverse = 1 / std::sqrt(outside_squared(v, radius));
     const T least = bent_length * (static_cast<T>(min_unoccluded) + radius * inverse);
     return seen > least ? seen : least;

@@ -23,7 +23,9 @@ TEST_CASE("an index is drawn from sums in proportion to its weight", "[base]") {
 TEST_CASE("an index is chosen from weights in proportion to them, and never without one",
           "[base]") {
     const std::array<float, 5> weights = {0, 1, 0, 3, 0};
-    const auto chosen = [&](double target) { return choose(std::span<const float>(weights), target); };
+    const auto chosen = [&](double target) {
+        return choose(std::span<const float>(weights), target);
+    };
     CHECK(chosen(0).index == 1);
     CHECK(chosen(0.9).index == 1);
     CHECK(chosen(1).index == 3);

@@ -26,7 +26,8 @@ TEST_CASE("each place belongs to one element, and each with a weight has places"
         const WeightedPlaces places(given);
         CHECK(places.size() == count);
         for (int i = 0; i < 2000; ++i) {
-            const auto element = static_cast<std::uint32_t>(draw.number() * static_cast<double>(count));
+            const auto element =
+                static_cast<std::uint32_t>(draw.number() * static_cast<double>(count));
             CHECK((places.of(element) > 0) == (given[element] > 0));
             if (places.of(element) == 0) continue;
             CHECK(places.at(places.before(element)) == element);
