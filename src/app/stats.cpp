@@ -57,8 +57,7 @@ void complete(RunStatistics& run, const World& world, const RenderSettings& sett
         std::visit([](const auto& built) { return built.memory_bytes(); }, world.lights.sampler);
     const LightSampler& sampler = world.rules.settings.light_sampler;
     run.light_sampler = Kinds<LightSampler>::infos[sampler.index()]->name;
-    if (std::holds_alternative<LightOctree>(sampler))
-        run.light_octree_bytes = run.light_sampler_bytes;
+    if (traits(sampler).has_cells) run.light_octree_bytes = run.light_sampler_bytes;
     run.seed = settings.seed;
     run.threads = settings.threads > 0 ? settings.threads : core_count();
     run.width = settings.width;

@@ -21,26 +21,15 @@ std::string sampler_form() {
     return message("{ light_octree [threshold n] ... }, or one of: ", names);
 }
 
-/// Parameters of light_octree that only the paper's version uses, and those that it does not use.
-constexpr auto words_of_paper =
-    std::to_array<std::string_view>({"threshold", "white", "max_bright", "representatives"});
-constexpr auto words_of_cuts = std::to_array<std::string_view>({"eta", "cut", "outlook", "alone"});
-
 /// Warns of parameters that have no effect in combination with others.
 void warn_of_idle(OpenBlock& block, const LightSampler& sampler, const ItemReader& fields,
                   Span span) {
-    const auto* octree = std::get_if<LightOctree>(&sampler);
-    if (!octree) return;
-    const auto check = [&](std::string_view word, std::string_view why) {
-        if (fields.given(word))
-            block.report(warning(Fault::no_effect, span,
-                                 message('`', word, "` of `light_octree` has no effect ", why)));
-    };
-    for (const std::string_view word : words_of_paper)
-        if (!octree->paper) check(word, "without `paper`");
-    for (const std::string_view word : words_of_cuts)
-        if (octree->paper) check(word, "with `paper`");
-    if (octree->alone && !octree->paper) check("outlook", "with `alone`");
+    const std::string_view strategy = Kinds<LightSampler>::infos[sampler.index()]->name;
+    for (const IdleField& idle : idle_fields(sampler))
+        if (fields.given(idle.name))
+            block.report(
+                warning(Fault::no_effect, span,
+                        message('`', idle.name, "` of `", strategy, "` has no effect ", idle.why)));
 }
 
 /// Parameters of radiosity that control POV-Ray's cache.

@@ -161,56 +161,6 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Receiver& receiver,
     return *cell;
 }
 
-void BuiltCutOctree::weigh(const LightQuery& query, Weights& weights) const {
-    const Receiver& point = query.receiver;
-    const BsdfLobes& lobes = query.lobes;
-    if (state_->luminaires.empty()) return;
-    const Cell& cell = cell_at(point, query.scene);
-    weights.cut = &*cell.cut;
-    weights.cut->weigh(point, weights);
-    weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
-    weights.as_scattered = cell.survey && cell.survey->as_scattered;
-    weights.noise = cell.survey ? cell.survey->noise * weights.total : -1;
-    weights.irradiance = cell.survey ? cell.survey->irradiance * weights.total : 0;
-    if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
-    if (!query.bsdf) weights.by_direction = 0;  // directions are not wanted
-    if (weights.as_scattered || !(weights.by_direction > 0)) return;
-    cell.survey->outlook->weigh(point, weights.outlook);
-    if (!(weights.outlook.total > 0)) weights.by_direction = 0;
-}
-
-void BuiltCutOctree::weigh_choice(const Receiver& point, const BsdfLobes& lobes,
-                                  Weights& weights) const {
-    if (state_->luminaires.empty()) return;
-    weights.cut = &*cell_at(point, nullptr).cut;
-    weights.cut->weigh(point, weights);
-    if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
-}
-
-void BuiltCutOctree::choose(const Receiver& point, const Weights& weights, const Key& key, double u,
-                            LightPicks& picks) const {
-    if (!weights.cut) return;
-    if (const auto pick = pick_from(*weights.cut, weights, state_->tree, point, key, u))
-        picks.push_back(*pick);
-}
-
-double BuiltCutOctree::expected(const Receiver& point, const Weights& weights,
-                                LightIndex light) const {
-    return weights.cut ? expected_from(*weights.cut, weights, state_->tree, point, light) : 0;
-}
-
-void BuiltCutOctree::choose(const Receiver& point, const Key& key, LightPicks& picks) const {
-    Weights weights;
-    weigh_choice(point, {}, weights);
-    choose(point, weights, key, uniform(key, Purpose::light_choice), picks);
-}
-
-double BuiltCutOctree::expected(const Receiver& point, const Key&, LightIndex light) const {
-    Weights weights;
-    weigh_choice(point, {}, weights);
-    return expected(point, weights, light);
-}
-
 std::size_t BuiltCutOctree::memory_bytes() const {
     return state_->tree.memory_bytes() + state_->bytes;
 }
@@ -218,34 +168,60 @@ std::size_t BuiltCutOctree::memory_bytes() const {
 std::size_t BuiltCutOctree::cells() const { return state_->cells; }
 
 BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
-    : octree_(octree),
+    : tree_(octree.state_->tree),
       receiver_(query.receiver),
       bsdf_(octree.state_->survey.only_volumes() ? nullptr : query.bsdf) {
-    if (query.scene)
-        octree.weigh(query, weights_);
-    else
-        octree.weigh_choice(receiver_, query.lobes, weights_);
-    if (!bsdf_) return;
+    if (!octree.state_->luminaires.empty())
+        take_weights(query, octree.cell_at(receiver_, query.scene));
+}
+
+void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell) {
+    const CellSurvey* survey = query.scene && cell.survey ? &*cell.survey : nullptr;
+    cut_ = &*cell.cut;
+    cut_->weigh(receiver_, weights_);
+    double by_direction = weights_.total > 0 && survey ? survey->by_direction : 0;
+    const double noise = survey ? survey->noise * weights_.total : -1;
+    if (noise >= 0) ray_ = {survey->irradiance * weights_.total, noise};
+    if (query.lobes.count > 0) cut_->weigh_answers(receiver_, query.lobes, weights_);
+    if (!bsdf_) return;  // directions are not wanted
+    const bool as_scattered = survey && survey->as_scattered;
+    if (!as_scattered && by_direction > 0) {
+        survey->outlook->weigh(receiver_, outlook_);
+        if (!(outlook_.total > 0)) by_direction = 0;
+    }
     by_surface_ =
-        weights_.as_scattered ? 1 : tuning::max_by_surface * std::sqrt(bsdf_->specular_probability);
-    by_outlook_ = (1 - by_surface_) * weights_.by_direction;
+        as_scattered ? 1 : tuning::max_by_surface * std::sqrt(bsdf_->specular_probability);
+    by_outlook_ = (1 - by_surface_) * by_direction;
     by_choice_ = 1 - (by_surface_ + by_outlook_);
+}
+
+double BuiltCutOctree::At::expected(const Key&, LightIndex light) const {
+    if (!cut_ || !(by_choice_ > 0)) return 0;
+    return by_choice_ * expected_from(*cut_, weights_, tree_, receiver_, light);
 }
 
 double BuiltCutOctree::At::pdf(const Vec3& direction, double expected, double of_point) const {
     return (by_surface_ > 0 ? by_surface_ * bsdf_->pdf(direction) : 0) +
-           (by_outlook_ > 0 ? by_outlook_ * LightGuide::density(weights_.outlook, direction) : 0) +
-           (by_choice_ > 0 ? by_choice_ * expected * of_point : 0);
+           (by_outlook_ > 0 ? by_outlook_ * LightGuide::density(outlook_, direction) : 0) +
+           (expected > 0 ? expected * of_point : 0);
+}
+
+std::optional<LightEstimate> BuiltCutOctree::At::estimate() const {
+    return cut_ ? std::optional(LightEstimate{weights_.total, ray_}) : std::nullopt;
 }
 
 void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {
     const double u = uniform(key, Purpose::light_choice), by_direction = by_surface_ + by_outlook_;
-    if (u >= by_direction) {
-        octree_.choose(receiver_, weights_, key, (u - by_direction) / by_choice_, samples.picks);
-    } else if (u < by_surface_) {
+    if (u < by_surface_) {
         samples.direction = bsdf_->sample(place_on_light(key));
-    } else {
-        samples.direction = LightGuide::draw(weights_.outlook, place_on_light(key)).direction;
+    } else if (u < by_direction) {
+        samples.direction = LightGuide::draw(outlook_, place_on_light(key)).direction;
+    } else if (cut_) {
+        const double rest = (u - by_direction) / by_choice_;
+        auto pick = pick_from(*cut_, weights_, tree_, receiver_, key, rest);
+        if (!pick) return;
+        pick->expected *= by_choice_;
+        samples.picks.push_back(*pick);
     }
 }
 

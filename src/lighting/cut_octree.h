@@ -18,17 +18,6 @@ namespace candelabra {
 
 class BuiltCutOctree {
 public:
-    /// Weights of luminaires and directions at one point, for several choices and queries there.
-    struct Weights : CutWeights {
-        const LightCut* cut = nullptr;
-        LightGuide::Weights outlook;  ///< if the scene was available
-        double by_direction = 0;      ///< fraction of shadow rays to be sampled from the outlook
-        bool as_scattered = false;    ///< all shadow rays should be sampled from the BSDF
-        /// Expected standard deviation of one shadow ray's irradiance; below 0: not known.
-        double noise = -1;
-        double irradiance = 0;  ///< expected irradiance; known if the noise is
-    };
-
     class At;
 
     BuiltCutOctree(const LightOctree&, const LightScene&);
@@ -37,17 +26,6 @@ public:
     ~BuiltCutOctree();
 
     At at(const LightQuery&) const;
-
-    /// Precondition: the query has a scene.
-    void weigh(const LightQuery&, Weights&) const;
-    /// The same without a scene: sets the weights of luminaires, but not those of directions.
-    void weigh_choice(const Receiver&, const BsdfLobes&, Weights&) const;
-    /// Appends the luminaire for u in [0, 1), if there is one above the horizon.
-    void choose(const Receiver&, const Weights&, const Key&, double u, LightPicks&) const;
-    double expected(const Receiver&, const Weights&, LightIndex) const;
-
-    void choose(const Receiver&, const Key&, LightPicks&) const;
-    double expected(const Receiver&, const Key&, LightIndex) const;
 
     /// Includes the cells made so far.
     std::size_t memory_bytes() const;
@@ -76,21 +54,20 @@ public:
     At(const BuiltCutOctree&, const LightQuery&);
 
     void sample(const Key&, LightSamples&) const;
-    double expected(const Key&, LightIndex light) const {
-        return by_choice_ > 0 ? octree_.expected(receiver_, weights_, light) : 0;
-    }
+    double expected(const Key&, LightIndex) const;
     double pdf(const Vec3& direction, double expected, double of_point) const;
-    double picked() const { return by_choice_; }
-    double noise() const { return weights_.noise; }
-    double irradiance() const { return weights_.irradiance; }
-    double expected_light() const { return weights_.total; }
-    const LightTree* meetings() const { return nullptr; }
+    std::optional<LightEstimate> estimate() const;
 
 private:
-    const BuiltCutOctree& octree_;
+    void take_weights(const LightQuery&, const Cell&);
+
+    const LightTree& tree_;
     const Receiver& receiver_;
     const BsdfSampler* bsdf_;
-    Weights weights_;
+    const LightCut* cut_ = nullptr;  ///< null: there are no luminaires
+    CutWeights weights_;
+    LightGuide::Weights outlook_;  ///< if directions are sampled from it
+    std::optional<LightEstimate::ShadowRay> ray_ = {};
     /// Fractions of the shadow rays.
     double by_surface_ = 0, by_outlook_ = 0, by_choice_ = 1;
 };

@@ -51,9 +51,7 @@ double importance(const LightNode& node, const Receiver& point) {
 }  // namespace
 
 BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires, const LightBvh& settings)
-    : exponential_(settings.exponential),
-      nodes_(build_light_hierarchy(luminaires)),
-      leaf_of_(luminaires.size()) {
+    : nodes_(build_light_hierarchy(luminaires)), leaf_of_(luminaires.size()) {
     if (settings.mis) tree_ = LightTree(luminaires);
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         if (nodes_[i].leaf) leaf_of_[nodes_[i].second] = i;
@@ -100,7 +98,10 @@ double BuiltLightBvh::expected(const Receiver& point, const Key&, LightIndex lig
 }
 
 void BuiltLightBvh::At::sample(const Key& key, LightSamples& samples) const {
-    if (bsdf_) samples.direction = bsdf_->sample(place_on_light(key.with_branch(1)));
+    if (bsdf_) {
+        samples.direction = bsdf_->sample(place_on_light(key.with_branch(1)));
+        samples.tree = &bvh_.tree();
+    }
     bvh_.choose(receiver_, key, samples.picks);
 }
 

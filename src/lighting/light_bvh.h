@@ -30,11 +30,7 @@ public:
         double pdf(const Vec3& direction, double expected, double of_point) const {
             return expected * of_point + (bsdf_ ? bsdf_->pdf(direction) : 0);
         }
-        double picked() const { return 1; }
-        double noise() const { return -1; }
-        double irradiance() const { return 0; }
-        double expected_light() const { return bvh_.exponential() ? 1 : -1; }
-        const LightTree* meetings() const { return bsdf_ ? &bvh_.tree() : nullptr; }
+        std::optional<LightEstimate> estimate() const { return {}; }
 
     private:
         const BuiltLightBvh& bvh_;
@@ -50,12 +46,9 @@ public:
     /// Whether each shadow ray has a partner sampled from the BSDF; there is then a tree to find
     /// the luminaires that the partner hits.
     bool paired() const { return tree_.lights() > 0; }
-    /// Whether light in media is taken for the same everywhere.
-    bool exponential() const { return exponential_; }
     const LightTree& tree() const { return tree_; }
 
 private:
-    bool exponential_;
     LightTree tree_;
     std::vector<LightNode> nodes_;        ///< depth first; parents before children
     std::vector<std::uint32_t> leaf_of_;  ///< per luminaire

@@ -11,6 +11,7 @@
 #include "lighting/probe.h"
 
 #include <concepts>
+#include <optional>
 
 namespace candelabra {
 
@@ -23,13 +24,25 @@ struct LightQuery {
 
 /// Samples for one shadow ray: the estimate is the sum over all of them.
 struct LightSamples {
-    LightPicks picks;               ///< luminaires, on each of which a point is to be sampled
-    std::optional<Vec3> direction;  ///< unit; all luminaires that are visible in it count
+    LightPicks picks;                 ///< luminaires, on each of which a point is to be sampled
+    std::optional<Vec3> direction;    ///< unit; all luminaires that are visible in it count
+    const LightTree* tree = nullptr;  ///< finds the luminaires in the direction; null: rays do
 
     void clear() {
         picks.clear();
         direction.reset();
+        tree = nullptr;
     }
+};
+
+/// The light that a strategy expects at a receiver, if it knows it.
+struct LightEstimate {
+    struct ShadowRay {
+        double irradiance;  ///< mean
+        double noise;       ///< standard deviation of the irradiance by one shadow ray
+    };
+    double light;  ///< of all luminaires, up to a constant factor
+    std::optional<ShadowRay> ray = {};
 };
 
 /// A strategy's answer at a receiver.
@@ -37,22 +50,13 @@ template <class T>
 concept LightAnswer = requires(const T& at, const Key& key, LightSamples& samples,
                                const Vec3& direction) {
     at.sample(key, samples);  // appends
-    {
-        at.expected(key, LightIndex{})
-        } -> std::same_as<double>;  // number of times the luminaire is picked, for sample()'s key
+    // Expected number of times that sample() picks the luminaire with the key.
+    { at.expected(key, LightIndex{}) } -> std::same_as<double>;
     // Pdf per steradian of a point of a luminaire by all ways together. Arguments: its direction,
     // the expected number of times that the luminaire is picked, and the pdf of the point if it is
-    // picked.
+    // picked. No direction hits volumes: theirs is the product of the last two.
     { at.pdf(direction, double{}, double{}) } -> std::same_as<double>;
-    // Fraction of the samples that are picks, for luminaires that no direction can hit: volumes.
-    { at.picked() } -> std::same_as<double>;
-    // Expected standard deviation of one shadow ray's irradiance; below 0: not known.
-    { at.noise() } -> std::same_as<double>;
-    { at.irradiance() } -> std::same_as<double>;  // expected; known if the noise is
-    // Expected light of all luminaires, up to a constant factor; below 0: not known.
-    { at.expected_light() } -> std::same_as<double>;
-    // Finds the luminaires in a direction; null: rays in the scene do.
-    { at.meetings() } -> std::convertible_to<const LightTree*>;
+    { at.estimate() } -> std::same_as<std::optional<LightEstimate>>;
 };
 
 /// The answer of strategies that only pick luminaires.
@@ -68,11 +72,7 @@ public:
         return built_.expected(receiver_, key, light);
     }
     double pdf(const Vec3&, double expected, double of_point) const { return expected * of_point; }
-    double picked() const { return 1; }
-    double noise() const { return -1; }
-    double irradiance() const { return 0; }
-    double expected_light() const { return -1; }
-    const LightTree* meetings() const { return nullptr; }
+    std::optional<LightEstimate> estimate() const { return {}; }
 
 private:
     const Built& built_;

@@ -21,11 +21,8 @@ namespace candelabra {
 /// The interface of every strategy once it is built for a set of luminaires. Deterministic for a
 /// given key.
 template <class T>
-concept LightStrategy = requires(const T& built, const LightQuery& query, const Receiver& point,
-                                 const Key& key, LightPicks& picks) {
+concept LightStrategy = requires(const T& built, const LightQuery& query) {
     { built.at(query) } -> LightAnswer;
-    built.choose(point, key, picks);  // appends the picks, without directions
-    { built.expected(point, key, LightIndex{}) } -> std::convertible_to<double>;
     { built.memory_bytes() } -> std::convertible_to<std::size_t>;
 };
 

@@ -60,4 +60,23 @@ const ItemInfo LightOctree::vocabulary = described<LightOctree>([] {
           "paper: dim luminaires that are asked at each hit", between(1, 64)});
 });
 
+std::vector<IdleField> LightOctree::idle_fields() const {
+    std::vector<IdleField> result;
+    for (const char* name : {"threshold", "white", "max_bright", "representatives"})
+        if (!paper) result.push_back({name, "without `paper`"});
+    for (const char* name : {"eta", "cut", "outlook", "alone"})
+        if (paper) result.push_back({name, "with `paper`"});
+    if (alone && !paper) result.push_back({"outlook", "with `alone`"});
+    return result;
+}
+
+std::vector<IdleField> idle_fields(const LightSampler& settings) {
+    return std::visit(
+        [](const auto& s) {
+            if constexpr (requires { s.idle_fields(); }) return s.idle_fields();
+            return std::vector<IdleField>();
+        },
+        settings);
+}
+
 }  // namespace candelabra

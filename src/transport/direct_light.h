@@ -27,9 +27,9 @@ public:
     Vec3 from_source(std::uint32_t number, double weight, const LitLayer&, const Key&,
                      LightLedger&) const;
 
-    /// Expected light of luminaires at a point between surfaces, up to a constant factor; below 0
-    /// where it is not known. Precondition: there are luminaires.
-    double expected_luminaires(const Vec3& position) const {
+    /// Expected light of luminaires at a point between surfaces, up to a constant factor, where it
+    /// is known. Precondition: there are luminaires.
+    std::optional<double> expected_luminaires(const Vec3& position) const {
         return luminaires_.expected(position);
     }
     /// Selects the sample that is followed from now on.

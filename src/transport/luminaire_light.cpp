@@ -45,13 +45,12 @@ double visible_step(double radiance) {
 /// Probability of sampling luminaires (Russian roulette), which is low where their light, by the
 /// estimate of the cell, is small against the light from before. The resulting noise is too small
 /// to be seen.
-template <LightAnswer Answer>
-double chance_of_asking(const Answer& answer, const LitLayer& layer, const Vec3& straight,
-                        const Vec3& before) {
+double chance_of_asking(const LightEstimate::ShadowRay& expected, const LitLayer& layer,
+                        const Vec3& straight, const Vec3& before) {
     const double share = std::abs(grey(layer.throughput)), there = share * grey(before);
     if (!(there > 0)) return 1;
     const double response = share * std::abs(grey(straight)) / pi;
-    const double mean = response * answer.irradiance(), deviation = response * answer.noise();
+    const double mean = response * expected.irradiance, deviation = response * expected.noise;
     const double squares = mean * mean + deviation * deviation;
     const double visible = visible_step(there);
     return std::clamp(squares / (mean * mean + visible * visible), min_chance, 1.0);
@@ -61,10 +60,9 @@ double chance_of_asking(const Answer& answer, const LitLayer& layer, const Vec3&
 
 /// Number of shadow rays in proportion to the expected noise; a power of two, which suits Sobol
 /// points.
-template <LightAnswer Answer>
-int LuminaireLight::rays_at(const Answer& answer, const ArrivingLight& at,
+int LuminaireLight::rays_at(double noise_of_ray, const ArrivingLight& at,
                             const Vec3& straight) const {
-    const double noise = answer.noise() * std::abs(grey(at.layer.throughput * straight));
+    const double noise = noise_of_ray * std::abs(grey(at.layer.throughput * straight));
     at.ledger.noise.add(noise);
     if (rays_.usual_noise == 0) return rays_.usual;
     const double wanted = rays_.usual * noise / rays_.usual_noise;
@@ -89,13 +87,15 @@ Vec3 LuminaireLight::operator()(const ArrivingLight& at, const Key& key, const V
             const auto answer = strategy.at({point, lobes, &sampler, &scene});
             int count = rays_.usual;
             double chance = 1;
-            if (answer.noise() >= 0 && scatterer.in_air()) {
-                count = rays_at(answer, at, scatterer.phase().mean());
-            } else if (answer.noise() >= 0) {
+            const std::optional<LightEstimate> estimate = answer.estimate();
+            const auto expected = estimate ? estimate->ray : std::nullopt;
+            if (expected && scatterer.in_air()) {
+                count = rays_at(expected->noise, at, scatterer.phase().mean());
+            } else if (expected) {
                 const Vec3 straight = straight_response(layer, key);
-                chance = chance_of_asking(answer, layer, straight, before);
+                chance = chance_of_asking(*expected, layer, straight, before);
                 if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return Vec3(0);
-                count = rays_at(answer, at, straight);
+                count = rays_at(expected->noise, at, straight);
             }
             Vec3 sum(0);
             for (int i = 0; i < count; ++i)
@@ -105,18 +105,19 @@ Vec3 LuminaireLight::operator()(const ArrivingLight& at, const Key& key, const V
         world_.lights.sampler);
 }
 
-double LuminaireLight::expected(const Vec3& position) const {
+std::optional<double> LuminaireLight::expected(const Vec3& position) const {
     const Receiver point{position, Vec3(0), Horizon::none};
     const auto look = [&](const Ray& ray, double tolerance) {
         return first_sight(world_, ray, tolerance);
     };
     const LightProbe scene(look);
     const BsdfLobes lobes;
-    return std::visit(
+    const auto estimate = std::visit(
         [&](const auto& strategy) {
-            return strategy.at({point, lobes, nullptr, &scene}).expected_light();
+            return strategy.at({point, lobes, nullptr, &scene}).estimate();
         },
         world_.lights.sampler);
+    return estimate ? std::optional(estimate->light) : std::nullopt;
 }
 
 /// Light by one shadow ray.
@@ -126,17 +127,16 @@ Vec3 LuminaireLight::by_answer(const Answer& answer, const Asked& asked) {
     answer.sample(asked.key, samples_);
     Vec3 sum(0);
     if (samples_.direction)
-        sum += by_direction(
-            *samples_.direction, answer.meetings(), asked, [&](LightIndex light, double of_point) {
-                return answer.pdf(*samples_.direction, answer.expected(asked.key, light), of_point);
-            });
+        sum += by_direction(*samples_.direction, asked, [&](LightIndex light, double of_point) {
+            return answer.pdf(*samples_.direction, answer.expected(asked.key, light), of_point);
+        });
     // The conventional strategy picks every luminaire once; further shadow rays add points on each.
     const bool several = samples_.picks.size() > 1;
     for (const LightPick& pick : samples_.picks) {
         const bool volume = world_.lights.luminaires[pick.light].is_volume();
         const Key place = several ? asked.key.with_branch(pick.light) : asked.key;
         sum += by_pick(pick, asked, place, [&](const Vec3& direction, double of_point) {
-            return volume ? answer.picked() * pick.expected * of_point
+            return volume ? pick.expected * of_point
                           : answer.pdf(direction, pick.expected, of_point);
         });
     }
@@ -178,8 +178,8 @@ Vec3 LuminaireLight::by_pick(const LightPick& pick, const Asked& asked, const Ke
 /// Light of all luminaires that are visible in the direction. Density: returns the pdf of a point,
 /// given its luminaire and the luminaire's own pdf.
 template <class Density>
-Vec3 LuminaireLight::by_direction(const Vec3& direction, const LightTree* meetings,
-                                  const Asked& asked, const Density& density) {
+Vec3 LuminaireLight::by_direction(const Vec3& direction, const Asked& asked,
+                                  const Density& density) {
     const LitLayer& layer = asked.at.layer;
     const Vec3 response = layer.response(direction, asked.key);
     if (response == Vec3(0)) return Vec3(0);
@@ -187,8 +187,8 @@ Vec3 LuminaireLight::by_direction(const Vec3& direction, const LightTree* meetin
         return response / (pi * density(light, of_point) * asked.number);
     };
     const ShadowRay ray(asked.at, direction, asked.key);
-    if (meetings) {
-        meet_along(*meetings, asked.at, direction);
+    if (samples_.tree) {
+        meet_along(*samples_.tree, asked.at, direction);
         return seen(ray, asked.at,
                     [&](const OnRay& there) { return weight(there.light, there.density); });
     }

@@ -34,9 +34,9 @@ public:
     /// by other light, in which noise is hidden. Precondition: there are luminaires.
     Vec3 operator()(const ArrivingLight&, const Key&, const Vec3& before);
 
-    /// Expected light at a point between surfaces, up to a constant factor; below 0 where it is not
-    /// known. Precondition: there are luminaires.
-    double expected(const Vec3& position) const;
+    /// Expected light at a point between surfaces, up to a constant factor, where it is known.
+    /// Precondition: there are luminaires.
+    std::optional<double> expected(const Vec3& position) const;
 
 private:
     /// A luminaire on a shadow ray.
@@ -61,7 +61,7 @@ private:
     template <class Density>
     Vec3 by_pick(const LightPick&, const Asked&, const Key& place, const Density&);
     template <class Density>
-    Vec3 by_direction(const Vec3&, const LightTree* meetings, const Asked&, const Density&);
+    Vec3 by_direction(const Vec3&, const Asked&, const Density&);
     Vec3 seen(const ShadowRay&, const ArrivingLight&, Weight) const;
 
     void walk_along(const ShadowRay&, const ArrivingLight&);
@@ -70,8 +70,7 @@ private:
     template <class Visit>
     void for_densities(const OnRay&, const LitLayer&, const Vec3& direction, const Visit&);
 
-    template <LightAnswer Answer>
-    int rays_at(const Answer&, const ArrivingLight&, const Vec3& straight) const;
+    int rays_at(double noise_of_ray, const ArrivingLight&, const Vec3& straight) const;
 
     const World& world_;
     ShadowRays rays_;

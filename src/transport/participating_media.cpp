@@ -154,9 +154,10 @@ double ParticipatingMedia::unshadowed(const Vec3& position) const {
 /// Expected light of luminaires at a point, up to a constant factor.
 double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
                                          const Vec3& position) const {
-    if (world_.lights.luminaires.empty()) return 1;
-    const double known = direct_light.expected_luminaires(position);
-    if (known >= 0) return known;
+    if (world_.lights.luminaires.empty() ||
+        traits(world_.rules.settings.light_sampler).by_transmittance)
+        return 1;
+    if (const auto known = direct_light.expected_luminaires(position)) return *known;
     const Box& box = world_.sky.near;
     const Vec3 away = position - box.centre(), half = 0.5 * box.size();
     return 1 / (dot(away, away) + dot(half, half));

@@ -253,8 +253,8 @@ void build_indices(World& world, const CompileOptions& options) {
     else
         lit.eye = camera.location;
     if (camera.lens == Lens::parallel && !camera.mesh) lit.axis = camera.ray(0, 0);
-    const auto* octree = std::get_if<LightOctree>(&world.rules.settings.light_sampler);
-    if (octree && !octree->paper) find_bent_normals(world, lit.eye, options.threads);
+    if (traits(world.rules.settings.light_sampler).wants_bent_normals)
+        find_bent_normals(world, lit.eye, options.threads);
     world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);

@@ -176,8 +176,7 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`photons` has no effect without a number of them above 0")
                             .with_help("global_settings { photons { count 20000 } }"));
-    const auto* bvh = std::get_if<LightBvh>(&world.rules.settings.light_sampler);
-    if (bvh && bvh->exponential && !world.facts.has_media)
+    if (traits(world.rules.settings.light_sampler).by_transmittance && !world.facts.has_media)
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`exponential` of light_bvh has no effect in a scene without "
                                 "media"));

@@ -69,7 +69,7 @@ public:
         : lights_(lights), settings_(sampler), scene_(scene), limits_(limits) {}
 
     void add(std::uint32_t group, std::vector<std::uint32_t> members) {
-        if (members.size() <= limits_.max_asked || std::holds_alternative<EveryLight>(settings_)) {
+        if (members.size() <= limits_.max_asked || !traits(settings_).draws) {
             result.push_back({group, std::move(members)});
             return;
         }

@@ -60,20 +60,15 @@ void choices() {
             // So many points as a picture has cells, asked again and again.
             constexpr int places = 1000;
             const int tries = linear ? 2000000 / count : 100 * places;
-            LightPicks picks;
+            LightSamples samples;
             double seconds = 0;
             for (const bool again : {false, true}) {
                 Draw where(2);
                 const double start = cpu_seconds();
                 for (int i = 0; i < (again ? tries : std::min(tries, places)); ++i) {
                     if (i % places == 0) where = Draw(2);
-                    picks.clear();
-                    const Receiver point{where.point(30), where.direction()};
-                    std::visit(
-                        [&](const auto& b) {
-                            b.choose(point, Key{1, 2, 3, 4}, picks);
-                        },
-                        built);
+                    samples.clear();
+                    add_picks(built, {where.point(30), where.direction()}, {1, 2, 3, 4}, samples);
                 }
                 if (again) seconds = cpu_seconds() - start;
             }
@@ -89,23 +84,19 @@ void choices() {
     // [claim-21]
     const World world = world_of_file(city, {{"Blocks", 36.0}}, octree());
     const std::vector<Seen> points = seen_points(world, 100);
-    LightPicks picks;
+    LightSamples samples;
     double choosing = 0, tracing = 0;
     for (int round = 0; round < 2; ++round) {
-        picks.clear();
+        samples.clear();
         const double start = cpu_seconds();
         for (std::uint32_t i = 0; i < points.size(); ++i)
-            std::visit(
-                [&](const auto& b) {
-                    b.choose(points[i].point, Key{i, 1, 0, 0}, picks);
-                },
-                world.lights.sampler);
+            add_picks(world.lights.sampler, points[i].point, {i, 1, 0, 0}, samples);
         choosing = cpu_seconds() - start;
     }
     const double start = cpu_seconds();
-    for (std::size_t i = 0; i < std::min(picks.size(), points.size()); ++i)
+    for (std::size_t i = 0; i < std::min(samples.picks.size(), points.size()); ++i)
         if (const auto to =
-                sample(world.lights.luminaires[picks[i].light], points[i].point, {0.3, 0.7}))
+                sample(world.lights.luminaires[samples.picks[i].light], points[i].point, {0.3, 0.7}))
             world.transmittance({points[i].point.position, to->direction}, points[i].tolerance,
                                 to->distance);
     tracing = cpu_seconds() - start;
@@ -184,7 +175,7 @@ void threshold() {
 void split() {
     const World world = world_of_file(flakes, {}, LightSampler{LinearAlpha{}});
     double choice = 0, cosine = 0, visibility = 0, all = 0;
-    LightPicks picks;
+    LightSamples samples;
     const std::vector<Seen> points = seen_points(world, 24);
     constexpr std::uint32_t tries = 64;
     for (std::uint32_t n = 0; n < points.size(); ++n) {
@@ -192,17 +183,16 @@ void split() {
         double by_choice = 0, by_choice2 = 0, open = 0, open2 = 0, lit = 0, lit2 = 0;
         for (std::uint32_t i = 0; i < tries; ++i) {
             const Key key{n, i, 0, 0};
-            picks.clear();
-            std::visit([&](const auto& b) { b.choose(seen.point, key, picks); },
-                       world.lights.sampler);
-            if (picks.empty()) continue;
-            const Luminaire& luminaire = world.lights.luminaires[picks[0].light];
+            samples.clear();
+            add_picks(world.lights.sampler, seen.point, key, samples);
+            if (samples.picks.empty()) continue;
+            const Luminaire& luminaire = world.lights.luminaires[samples.picks[0].light];
             const Vec2 place{uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
             const auto to = sample(luminaire, seen.point, place);
-            const double whole = unoccluded(luminaire, seen.point) / picks[0].expected;
+            const double whole = unoccluded(luminaire, seen.point) / samples.picks[0].expected;
             const double height = to ? std::fmax(0, dot(to->direction, seen.point.normal)) : 0;
             const double here =
-                to ? luminance(luminaire.radiance) * height / (to->density * picks[0].expected) : 0;
+                to ? luminance(luminaire.radiance) * height / (to->density * samples.picks[0].expected) : 0;
             const bool clear =
                 here > 0 && world.transmittance({seen.point.position, to->direction},
                                                 seen.tolerance, to->distance) != Vec3(0);

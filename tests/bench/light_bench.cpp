@@ -204,7 +204,9 @@ void horizon() {
             point.normal = unit(unit(level) + std::pow(10, draw.between(-9, 0)) * s->direction);
             if (!(dot(s->direction, point.normal) > 1e-12)) continue;
             ++kind.lit;
-            kind.lost += !(built.expected(point, Key{}, light) > 0);
+            const BsdfLobes lobes;
+            const auto answer = built.at({point, lobes, nullptr, nullptr});
+            kind.lost += !(answer.expected(Key{}, light) > 0);
             kind.lost_by_centre += point.horizon == Horizon::one_side &&
                                    dot(b.centre - point.position, point.normal) < 0;
         }
@@ -299,14 +301,13 @@ void million() {
         std::printf("a million luminaires, %s: built in %.2f s, %.1f bytes each\n",
                     strategy.name.c_str(), end - start, static_cast<double>(bytes) / 1e6);
         constexpr int choices = 200000;
-        LightPicks picks;
+        LightSamples samples;
         for (const bool again : {false, true}) {
             Draw where(2);
             const double begin = cpu_seconds();
             for (int i = 0; i < choices; ++i) {
-                picks.clear();
-                const Receiver point{where.point(50), where.direction()};
-                std::visit([&](const auto& b) { b.choose(point, Key{1, 2, 3, 4}, picks); }, built);
+                samples.clear();
+                add_picks(built, {where.point(50), where.direction()}, {1, 2, 3, 4}, samples);
             }
             std::printf("  %.0f ns a choice, %s\n", 1e9 * (cpu_seconds() - begin) / choices,
                         again ? "again" : "first at random points");

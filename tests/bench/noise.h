@@ -62,6 +62,14 @@ inline Measured measure(const World& world, const Strategy& strategy, int size) 
     return result;
 }
 
+/// Appends what a strategy picks at a point of which nothing else is known.
+inline void add_picks(const BuiltLightSampler& built, const Receiver& point, const Key& key,
+                      LightSamples& samples) {
+    const BsdfLobes lobes;
+    std::visit([&](const auto& b) { b.at({point, lobes, nullptr, nullptr}).sample(key, samples); },
+               built);
+}
+
 inline LightOctree octree() { return {}; }
 inline LightOctree alone() {
     LightOctree result;

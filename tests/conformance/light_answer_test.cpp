@@ -259,7 +259,7 @@ TEMPLATE_LIST_TEST_CASE("luminaires that no direction hits are picked as often a
             samples.clear();
             answer.sample(key_of(pixel, trial), samples);
             for (const LightPick& pick : samples.picks) {
-                const double weight = 1 / (answer.picked() * pick.expected);
+                const double weight = 1 / pick.expected;
                 evened[pick.light] += weight / trials;
                 square[pick.light] += weight * weight / trials;
             }

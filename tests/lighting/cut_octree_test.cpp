@@ -2,7 +2,7 @@
 #include "lighting/cut_octree.h"
 
 #include "lighting/linear_alpha.h"
-#include "support/lights.h"
+#include "support/strategies.h"
 
 #include <catch2/catch.hpp>
 
@@ -34,13 +34,12 @@ struct Street {
 
 /// Variance over squared mean of the choice without occlusion.
 double noise(const Street& street, const BuiltCutOctree& built, const Receiver& point) {
-    BuiltCutOctree::Weights weights;
-    built.weigh_choice(point, {}, weights);
+    const Asked asked(built, point);
     double sum = 0, square = 0;
     for (LightIndex light = 0; light < street.luminaires.size(); ++light) {
         const double given = unoccluded(street.luminaires[light], point);
         sum += given;
-        if (given > 0) square += given * given / built.expected(point, weights, light);
+        if (given > 0) square += given * given / asked.expected(Key{}, light);
     }
     return square / (sum * sum) - 1;
 }
@@ -78,8 +77,9 @@ TEST_CASE("all chances add up to 1", "[lighting]") {
     Draw draw(3);
     for (int i = 0; i < 100; ++i) {
         const Receiver point = street.point(draw);
+        const Asked asked(built, point);
         double sum = 0;
-        for (LightIndex light = 0; light < 500; ++light) sum += built.expected(point, Key{}, light);
+        for (LightIndex light = 0; light < 500; ++light) sum += asked.expected(Key{}, light);
         CHECK(sum == Approx(1));
     }
 }
@@ -93,7 +93,7 @@ TEST_CASE("cells are made where they are asked for, whoever comes first", "[ligh
     for (int i = 0; i < 400; ++i) points.push_back(street.point(draw));
     std::vector<std::vector<double>> answers(2, std::vector<double>(points.size()));
     const auto ask = [&](const BuiltCutOctree& built, std::vector<double>& out, std::size_t i) {
-        out[i] = built.expected(points[i], Key{}, static_cast<LightIndex>(5 * i));
+        out[i] = Asked(built, points[i]).expected(Key{}, static_cast<LightIndex>(5 * i));
     };
     for (std::size_t i = 0; i < points.size(); ++i) ask(one, answers[0], i);
     std::vector<std::thread> threads;
@@ -117,11 +117,10 @@ TEST_CASE("a cell that several threads survey at a time counts once", "[lighting
         const auto ask_everywhere = [&] {
             Draw draw(5);
             for (int i = 0; i < 100; ++i) {
-                BuiltCutOctree::Weights weights;
                 const Receiver point = street.point(draw);
                 const LightProbe probe(dark);
                 const BsdfLobes lobes;
-                built.weigh({point, lobes, nullptr, &probe}, weights);
+                built.at({point, lobes, nullptr, &probe});
             }
         };
         std::vector<std::thread> asking;
@@ -162,8 +161,8 @@ TEST_CASE("the light of lamps that few directions meet is expected as well", "[l
     const BsdfLobes lobes;
     for (int i = 0; i < 20; ++i) {
         const Receiver point{Vec3(draw.between(-5, 5), 0, draw.between(-5, 5)), Vec3(0, 1, 0)};
-        BuiltCutOctree::Weights weights;
-        built.weigh({point, lobes, nullptr, &probe}, weights);
+        const auto estimate = built.at({point, lobes, nullptr, &probe}).estimate();
+        REQUIRE((estimate && estimate->ray));
         double irradiance = 0;
         for (const Luminaire& luminaire : luminaires) {
             const auto& ball = std::get<SphereEmitter>(luminaire.emitter);
@@ -171,7 +170,7 @@ TEST_CASE("the light of lamps that few directions meet is expected as well", "[l
             irradiance += std::numbers::pi * ball.radius * ball.radius / dot(to, to) *
                           dot(unit(to), point.normal) * luminance(luminaire.radiance);
         }
-        CHECK(weights.irradiance > 0.5 * irradiance);
+        CHECK(estimate->ray->irradiance > 0.5 * irradiance);
     }
 }
 
@@ -181,7 +180,8 @@ TEST_CASE("points far outside of the cells are answered as well", "[lighting]") 
     for (const Vec3& position : {Vec3(1e6, 0, 0), Vec3(0, -1e4, 0), Vec3(-60, 0.2, 70)}) {
         double sum = 0;
         const Receiver point{position, unit(-position)};
-        for (LightIndex light = 0; light < 100; ++light) sum += built.expected(point, Key{}, light);
+        const Asked asked(built, point);
+        for (LightIndex light = 0; light < 100; ++light) sum += asked.expected(Key{}, light);
         CHECK(sum == Approx(1));
     }
 }
