@@ -356,9 +356,8 @@ std::optional<EmittedRay> emit(const CompositeEmitter& e, double inner, const Em
     if (dot(normal, along) < 0) normal = -normal;
     // Lines have a uniform density per area perpendicular to them.
     const double per_crossed_area = 1 / (pi * ball.radius * ball.radius);
-    return EmittedRay{{line.at(drawn->t), along},
-                      normal,
-                      weight(*drawn) / sum * per_crossed_area * dot(normal, along) / (4 * pi)};
+    const double of_point = weight(*drawn) / sum * per_crossed_area * dot(normal, along);
+    return EmittedRay{{line.at(drawn->t), along}, normal, of_point / (4 * pi), of_point};
 }
 
 double emitting_area(const CompositeEmitter& e) { return 4 * e.seen_area; }

@@ -19,7 +19,10 @@ EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area
     const Vec3 side = from_inside ? -normal : normal;
     const Vec3 towards = cosine_direction(side, u.direction);
     const double share = from_inside ? inner : 1 - inner;
-    return {{position, towards}, side, per_area * share * dot(towards, side) / std::numbers::pi};
+    return {{position, towards},
+            side,
+            per_area * share * dot(towards, side) / std::numbers::pi,
+            per_area};
 }
 
 std::optional<EmittedRay> emit(const Luminaire& luminaire, const EmissionDraw& u) {

@@ -5,6 +5,7 @@
 #include "luminaire/area.h"
 #include "luminaire/brightness.h"
 #include "luminaire/composite.h"
+#include "luminaire/emitter_kind.h"
 #include "luminaire/source.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
@@ -13,6 +14,8 @@
 #include <algorithm>
 
 namespace candelabra {
+
+static_assert(are_emitters<Emitter>);
 
 namespace {
 

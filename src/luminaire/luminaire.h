@@ -201,12 +201,12 @@ void intersect(const Luminaire&, const Receiver&, const Vec3& direction, LightHi
 
 /// A ray that leaves a luminaire.
 struct EmittedRay {
-    Ray ray;      ///< from the surface; its direction is a unit vector
-    Vec3 normal;  ///< unit normal of the surface, on the side of the ray; 0 for sources, and the
-                  ///< direction itself for volumes
-    /// Joint density of point and direction, per area (for volumes, per volume) and steradian; for
-    /// sources, which have no area, per steradian.
-    double density;
+    Ray ray;         ///< from the surface; its direction is a unit vector
+    Vec3 normal;     ///< unit normal of the surface, on the side of the ray; 0 for sources, and the
+                     ///< direction itself for volumes
+    double density;  ///< joint density of point and direction: the product of these two
+    double of_point;  ///< density per area; for volumes, per volume; for sources, 1
+    double of_direction() const { return density / of_point; }  ///< per steradian
 };
 
 /// Random numbers in [0, 1) for a ray that leaves a luminaire.

@@ -37,7 +37,7 @@ std::optional<EmittedRay> emit(const SourceEmitter& source, double, const Emissi
                  across = std::sqrt(std::fmax(1 - height * height, 0)),
                  angle = 2 * std::numbers::pi * u.direction.y;
     const Vec3 towards(across * on_circle(angle), height);
-    return EmittedRay{{source.centre, towards}, Vec3(0), 1 / (4 * std::numbers::pi)};
+    return EmittedRay{{source.centre, towards}, Vec3(0), 1 / (4 * std::numbers::pi), 1};
 }
 
 double emitting_area(const SourceEmitter&) { return 0; }

@@ -183,7 +183,7 @@ std::optional<EmittedRay> emit(const VolumeEmitter& e, double, const EmissionDra
                  across = std::sqrt(std::fmax(1 - height * height, 0)),
                  angle = 2 * pi * u.direction.y;
     const Vec3 towards(across * on_circle(angle), height);
-    return EmittedRay{{place.position, towards}, towards, place.density / (4 * pi)};
+    return EmittedRay{{place.position, towards}, towards, place.density / (4 * pi), place.density};
 }
 
 double emitting_area(const VolumeEmitter& e) {

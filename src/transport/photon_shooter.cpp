@@ -317,13 +317,14 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
         density *= drawn->density;
         // Of several points on the ray, as of a clear lamp, one is drawn.
         double met = 0;
-        world_.along({entry.position, direction}, 0, RayKind::light, [&](const Hit& hit, double) {
+        const Ray ray{entry.position, direction};
+        world_.along(ray, 0, RayKind::light, [&](const Hit& hit, double) {
             if (world_.lights.luminaire_of[hit.primitive] != pick.light) return true;
             ++met;
             const Key own = key.with_branch(static_cast<std::uint32_t>(met));
             if (uniform(own, Purpose::roulette) * met < 1) {
                 start = hit.position;
-                radiance = radiance_of(world_, luminaire, start, hit.side_towards(direction));
+                radiance = radiance_of(world_, luminaire, emitting_point(hit, ray));
             }
             return !world_.material(hit.primitive).stops_light();
         });

@@ -98,7 +98,7 @@ Vec3 ShadowRay::emitted(LightIndex light, double distance) const {
 Vec3 ShadowRay::emitted(LightIndex light, const Hit& hit, double distance) const {
     const Luminaire& luminaire = at_.world.lights.luminaires[light];
     return left_by_lamp(luminaire, distance) *
-           radiance_of(at_.world, luminaire, hit.position, hit.side_towards(ray_.direction));
+           radiance_of(at_.world, luminaire, emitting_point(hit, ray_));
 }
 
 /// Fraction of a luminaire's light that its own solid lets through, if other light passes it.

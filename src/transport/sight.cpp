@@ -12,8 +12,7 @@ std::optional<ProbeHit> first_sight(const World& world, const Ray& ray, double t
     if (light != no_primitive) {
         const Luminaire& luminaire = world.lights.luminaires[light];
         result.light = light;
-        result.luminance =
-            luminance(radiance_of(world, luminaire, hit.position, hit.side_towards(ray.direction)));
+        result.luminance = luminance(radiance_of(world, luminaire, emitting_point(hit, ray)));
     }
     result.passes = luminance(world.passed(hit, ray));
     return result;

@@ -13,11 +13,11 @@ Vec3 greatest_emission(const Material& material) {
     return material.inner ? glm::max(outer, greatest_emission(*material.inner)) : outer;
 }
 
-Vec3 radiance_of(const World& world, const Luminaire& luminaire, const Vec3& position, Side side) {
-    if (luminaire.is_volume()) return volume_emission(world, luminaire.primitive, position);
+Vec3 radiance_of(const World& world, const Luminaire& luminaire, const EmittingPoint& point) {
+    if (luminaire.is_volume()) return volume_emission(world, luminaire.primitive, point.position);
     const bool same_everywhere = !luminaire.varying && !luminaire.two_faced;
     return same_everywhere ? luminaire.radiance
-                           : world.emission(luminaire.primitive, position, side);
+                           : world.emission(luminaire.primitive, point.position, point.side);
 }
 
 double luminance_at(const World& world, PrimitiveIndex primitive, const Vec3& point) {
@@ -43,8 +43,7 @@ Vec3 radiance_seen(const World& world, const PointOnRay& point) {
         // A luminaire may be met more than once.
         if (hit.primitive == luminaire.primitive &&
             std::abs(distance - point.distance) <= same_point * point.distance + hit.tolerance) {
-            seen = left * radiance_of(world, luminaire, hit.position,
-                                      hit.side_towards(point.ray.direction));
+            seen = left * radiance_of(world, luminaire, emitting_point(hit, point.ray));
             return false;
         }
         left *= world.passed(hit, point.ray);

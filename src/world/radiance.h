@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The light that luminaires emit. Their radiance is a function of point and side, and a luminaire
-// lights by those points that are seen.
+// The light that luminaires emit. Their radiance is a function of point, side and direction, and a
+// luminaire lights by those points that are seen.
 #pragma once
 
 #include "world/world.h"
@@ -10,8 +10,20 @@ namespace candelabra {
 /// Maximum emission anywhere on the outer or the inner side of a material, per channel.
 Vec3 greatest_emission(const Material&);
 
-/// Radiance of one side of a luminaire at one of its points; for volumes, per unit of length.
-Vec3 radiance_of(const World&, const Luminaire&, const Vec3& position, Side);
+/// A point of a luminaire, and how its light leaves it.
+struct EmittingPoint {
+    Vec3 position;
+    Side side;
+    Vec3 direction;  ///< unit, away from the luminaire; finishes emit alike in all directions
+};
+
+/// The point where a ray meets a luminaire.
+inline EmittingPoint emitting_point(const Hit& hit, const Ray& ray) {
+    return {hit.position, hit.side_towards(ray.direction), -ray.direction};
+}
+
+/// Radiance of a luminaire at one of its points; for volumes, per unit of length.
+Vec3 radiance_of(const World&, const Luminaire&, const EmittingPoint&);
 
 /// Luminance of the brighter side of a primitive at a point.
 double luminance_at(const World&, PrimitiveIndex, const Vec3& point);
