@@ -38,9 +38,7 @@ public:
     }
 
 private:
-    Vec3 location() const {
-        return std::visit([](const auto& light) { return light.location; }, placed_.light);
-    }
+    Vec3 location() const { return placed_.light.location; }
 
     OpenBlock& block_;
     PlacedLight& placed_;
@@ -88,14 +86,13 @@ bool is_lamp(const Binder& binder, const Element& element) {
 
 std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     OpenBlock block(binder, "light_source", element.word_span);
-    PlacedLight placed{Kinds<Light>::make(0), element.span};
-    block.item = Kinds<Light>::infos[0];
-    ItemReader fields(block, *block.item, Kinds<Light>::address(placed.light));
+    PlacedLight placed{PointLight(), element.span};
+    block.item = &PointLight::vocabulary;
+    ItemReader fields(block, *block.item, &placed.light);
     auto declared = named<PlacedLight>(block, [&](const Handle<PlacedLight>& other) {
         placed = *other;
         placed.span = element.span;
-        fields.rebind(*Kinds<Light>::infos[placed.light.index()],
-                      Kinds<Light>::address(placed.light));
+        fields.rebind(*block.item, &placed.light);
         fields.complete();
         block.ignored = "color";
     });
@@ -109,21 +106,21 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     block.read(element.body, declared, last, fields, look, moves, photons);
     if (block.broken) return std::nullopt;
     if (last.has_shadows()) {
-        std::visit([](auto& light) { light.shadowless = false; }, placed.light);
+        placed.light.shadowless = false;
         if (last.undone())
             block.report(warning(Fault::no_effect, *last.undone(),
                                  "`shadowless` has no effect: the kind of light that follows it "
                                  "has shadows"));
     }
     const bool modern = binder.evaluator.version() >= modern_version;
-    std::visit([&](auto& light) { light.fades_from_source = modern; }, placed.light);
-    if (std::visit([](const auto& l) { return is_aimless(l); }, placed.light)) {
-        std::visit([](auto& light) { light.colour = Vec3(0); }, placed.light);
+    placed.light.fades_from_source = modern;
+    if (is_aimless(placed.light)) {
+        placed.light.colour = Vec3(0);
         block.report(warning(Fault::degenerate, element.word_span,
                              "this light lights nothing: `point_at` is its own location")
                          .with_help(block.help()));
     }
-    const std::string idle = std::visit([](const auto& l) { return ignored(l); }, placed.light);
+    const std::string idle = ignored(placed.light);
     if (!idle.empty()) block.report(warning(Fault::no_effect, element.word_span, idle));
     return block.broken ? std::nullopt : std::optional(std::move(placed));
 }

@@ -73,9 +73,6 @@ Vec3 axis_of(const PointLight&);
 /// Prepares a light that does not change any more, so that it is evaluated faster.
 void settle(PointLight&);
 
-/// Every kind of light source.
-using Light = std::variant<PointLight>;
-
 /// Whether the light has an axis, but no direction of it. Such a light lights nothing.
 bool is_aimless(const PointLight&);
 /// Returns a sentence about parameters without effect; empty if there are none.

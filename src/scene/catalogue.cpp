@@ -25,6 +25,8 @@ constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSet
 constexpr auto photons_of_objects = std::array{&ObjectPhotons::vocabulary};
 constexpr auto photons_of_lights = std::array{&LightPhotons::vocabulary};
 
+constexpr auto lights = std::array{&PointLight::vocabulary};
+
 constexpr auto groups = std::array{
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},
     ItemGroup{"Cameras",
@@ -36,7 +38,7 @@ constexpr auto groups = std::array{
     ItemGroup{"Lights",
               "Lights without size. Every object whose finish has emission is a luminaire and "
               "lights the scene as well.",
-              Kinds<Light>::infos},
+              lights},
     ItemGroup{
         "Patterns",
         "What varies over a surface: the first word in pigment { }, usually with a color_map.",

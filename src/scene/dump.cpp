@@ -124,9 +124,8 @@ std::string camera_text(const Scene& scene) {
 
 /// Writes the light without its `looks_like`, which is an object of its own.
 std::string light_text(PlacedLight placed) {
-    const ItemInfo& info = *Kinds<Light>::infos[placed.light.index()];
-    std::string text =
-        message(info.name, " { ", written_fields(info, Kinds<Light>::address(placed.light)));
+    const ItemInfo& info = PointLight::vocabulary;
+    std::string text = message(info.name, " { ", written_fields(info, &placed.light));
     if (placed.projected_through)
         text += message(" projected_through { ", in_one_line(*placed.projected_through), " }");
     const std::string photons = written_fields(LightPhotons::vocabulary, &placed.photons);

@@ -35,7 +35,7 @@ ObjectHandle transformed(ObjectHandle object, const Transform& transform) {
 }
 
 PlacedLight transformed(PlacedLight placed, const Transform& transform) {
-    std::visit([&](auto& light) { light = transformed(light, transform); }, placed.light);
+    placed.light = transformed(placed.light, transform);
     for (ObjectHandle* object : {&placed.looks_like, &placed.projected_through})
         if (*object) *object = transformed(std::move(*object), transform);
     return placed;

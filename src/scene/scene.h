@@ -36,7 +36,7 @@ using ObjectHandle = Handle<Object>;
 
 /// A light source as in POV-Ray.
 struct PlacedLight {
-    Light light;
+    PointLight light;
     Span span;
     ObjectHandle looks_like = {};  ///< placed at the light, casts no shadow; null: none
     /// The light reaches only points seen through this object, which is not drawn; null: all

@@ -142,12 +142,10 @@ void ParticipatingMedia::choose(const Key& key, int count, Expected expected, Us
 double ParticipatingMedia::unshadowed(const Vec3& position) const {
     if (sources_.empty()) return 1;
     double sum = 0;
-    for (const std::uint32_t number : sources_)
-        std::visit(
-            [&](const auto& light) {
-                sum += std::abs(grey(incidence(light, light.location, position).colour));
-            },
-            world_.lights.sources[number]);
+    for (const std::uint32_t number : sources_) {
+        const PointLight& light = world_.lights.sources[number];
+        sum += std::abs(grey(incidence(light, light.location, position).colour));
+    }
     return sum;
 }
 

@@ -155,8 +155,7 @@ void PhotonShooter::aim_sources(std::uint32_t number) {
     const PhotonTarget& target = world_.photon_targets[number];
     for (std::uint32_t i = 0; i < world_.lights.sources.size(); ++i) {
         if (!shoots_at(ways_of_source(world_, i), target)) continue;
-        const double light = std::visit([&](const auto& l) { return light_at(l, target); },
-                                        world_.lights.sources[i]);
+        const double light = light_at(world_.lights.sources[i], target);
         add({Aim::source, i, number, light * shadow_of(target)});
     }
 }
@@ -208,22 +207,19 @@ std::optional<PhotonShot> PhotonShooter::shoot(const Aim& aim, const Key& key) c
     shot.lamp = Lamp::source(aim.lamp);
     shot.ways = ways_of_source(world_, aim.lamp);
     shot.light_group = world_.lights.reach[aim.lamp].group;
-    return std::visit(
-        [&](const auto& light) {
-            shot.source = &light;
-            shot.place = light.location;
-            if (light.is_area() && world_.lights.reach[aim.lamp].photons_of_grid) {
-                const auto place = [&](double u, int size) {
-                    return std::floor(u * static_cast<double>(size));
-                };
-                shot.place = grid_point(light, place(uniform(key, Purpose::jitter_u), light.size1),
-                                        place(uniform(key, Purpose::jitter_v), light.size2),
-                                        unit(light.location - target.centre));
-            }
-            return light.along_axis() ? from_plane(light, target, shot, key)
-                                      : from_point(light, target, shot, key);
-        },
-        world_.lights.sources[aim.lamp]);
+    const PointLight& light = world_.lights.sources[aim.lamp];
+    shot.source = &light;
+    shot.place = light.location;
+    if (light.is_area() && world_.lights.reach[aim.lamp].photons_of_grid) {
+        const auto place = [&](double u, int size) {
+            return std::floor(u * static_cast<double>(size));
+        };
+        shot.place = grid_point(light, place(uniform(key, Purpose::jitter_u), light.size1),
+                                place(uniform(key, Purpose::jitter_v), light.size2),
+                                unit(light.location - target.centre));
+    }
+    return light.along_axis() ? from_plane(light, target, shot, key)
+                              : from_point(light, target, shot, key);
 }
 
 /// Samples a ray in the narrower one of two cones: that to the ball, and the light's own.

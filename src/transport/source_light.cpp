@@ -187,21 +187,18 @@ Vec3 SourceLight::from(std::uint32_t number, double weight, const ArrivingLight&
                        const Key& key) const {
     const bool in_air = at.layer.scatterer.in_air();
     const Vec3& position = at.layer.vertex.position();
-    return std::visit(
-        [&](const auto& light) {
-            if (in_air && (light.shadowless || !light.media_interaction)) return Vec3(0);
-            const bool by_grid = lit_by_grid(light, at.layer.scatterer);
-            if (!by_grid && is_beside_cone(light, position)) return Vec3(0);
-            const Incidence central = incidence(light, light.location, position);
-            if (!by_grid && central.colour == Vec3(0)) return Vec3(0);
-            SourceAtLayer source(light, number, at, key.branched(Branch::source, number));
-            const Vec3 response = source.response(central);
-            if (response == Vec3(0)) return Vec3(0);
-            const std::uint64_t before = at.ledger.shadow;
-            const Vec3 left = source.left(central);
-            return at({Lamp::source(number), weight * response, left, at.ledger.shadow - before});
-        },
-        at.world.lights.sources[number]);
+    const PointLight& light = at.world.lights.sources[number];
+    if (in_air && (light.shadowless || !light.media_interaction)) return Vec3(0);
+    const bool by_grid = lit_by_grid(light, at.layer.scatterer);
+    if (!by_grid && is_beside_cone(light, position)) return Vec3(0);
+    const Incidence central = incidence(light, light.location, position);
+    if (!by_grid && central.colour == Vec3(0)) return Vec3(0);
+    SourceAtLayer source(light, number, at, key.branched(Branch::source, number));
+    const Vec3 response = source.response(central);
+    if (response == Vec3(0)) return Vec3(0);
+    const std::uint64_t before = at.ledger.shadow;
+    const Vec3 left = source.left(central);
+    return at({Lamp::source(number), weight * response, left, at.ledger.shadow - before});
 }
 
 /// Samples some of many sources. Sources have no surface that a sampled direction could hit.

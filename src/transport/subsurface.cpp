@@ -228,9 +228,8 @@ private:
                     const Key& key) {
         if (!world_.reaches(world_.lights.reach[light].group, *layer_.vertex.material))
             return Vec3(0);
-        const Vec3 direction =
-            std::visit([&](const auto& l) { return incidence(l, l.location, point).direction; },
-                       world_.lights.sources[light]);
+        const PointLight& source = world_.lights.sources[light];
+        const Vec3 direction = incidence(source, source.location, point).direction;
         double from = layer_.vertex.tolerance();
         const auto way_in = next({point, direction}, from, 1e20);
         if (!way_in) return Vec3(0);

@@ -100,8 +100,7 @@ void simplify_lights(World& world) {
     if (world.rules.quality < quality_shadows)
         for (LightReach& reach : world.lights.reach) reach.window = nullptr;
     if (world.rules.quality >= quality_areas) return;
-    for (Light& light : world.lights.sources)
-        std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
+    for (PointLight& light : world.lights.sources) light.size1 = light.size2 = 0;
 }
 
 /// Glare is measured in degrees; the camera's field of view converts these into pixels.

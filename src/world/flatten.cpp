@@ -122,7 +122,7 @@ public:
         // Lights of a group belong to the group's statement.
         if (group == 0) statements_.begin(placed.span);
         world_.provenance.statement_of_light.push_back(statements_.number());
-        std::visit([](auto& light) { settle(light); }, placed.light);
+        settle(placed.light);
         world_.lights.sources.push_back(std::move(placed.light));
         reach.photons = placed.photons.ways();
         reach.photons_of_grid = placed.photons.area_light;

@@ -43,7 +43,7 @@ struct WorldLights {
     /// sees.
     bool glow_beside_openings = false;
     BuiltLightSampler sampler;  ///< chooses among the luminaires
-    std::vector<Light> sources;
+    std::vector<PointLight> sources;
     std::vector<LightReach> reach;       ///< for each source
     std::vector<SourceSet> source_sets;  ///< cover all sources
     std::vector<LightGroup> groups{1};   ///< the first one stands for objects in no group

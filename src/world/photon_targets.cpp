@@ -129,9 +129,7 @@ PhotonSurface photon_surface(World& world, const ObjectPhotons& said, Span span)
 
 PhotonWays ways_of_source(const World& world, std::uint32_t light) {
     const LightReach& reach = world.lights.reach[light];
-    const bool shadowless =
-        std::visit([](const auto& l) { return l.shadowless; }, world.lights.sources[light]);
-    return shadowless || reach.window ? without_photons : reach.photons;
+    return world.lights.sources[light].shadowless || reach.window ? without_photons : reach.photons;
 }
 
 void place_photon_targets(World& world, Diagnostics& diagnostics) {

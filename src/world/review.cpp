@@ -27,9 +27,7 @@ bool shows_itself(const Material& material) {
 }
 
 bool dark(const World& world) {
-    const auto black = [](const Light& light) {
-        return std::visit([](const auto& l) { return l.colour == Vec3(0); }, light);
-    };
+    const auto black = [](const PointLight& light) { return light.colour == Vec3(0); };
     return std::ranges::all_of(world.lights.sources, black) && world.lights.luminaires.empty() &&
            !world.sky.sphere && greatest(world.sky.background.radiance()) <= 0 &&
            std::ranges::none_of(world.appearance.materials,
@@ -68,7 +66,7 @@ private:
     bool keeps_light_out(const ObjectHandle& object) {
         if (object->no_shadow || (object->texture && transparent(*object->texture))) return false;
         const auto reaches = [&](const PlacedLight& placed) {
-            const auto& light = std::get<PointLight>(placed.light);
+            const auto& light = placed.light;
             return light.shadowless || (!light.along_axis() && surrounds(object, light.location));
         };
         const auto within = [&](const Luminaire& each) {

@@ -60,11 +60,9 @@ Luminaire emitter(const PointLight& light, std::uint32_t number) {
     return result;
 }
 
-const PointLight& point_light(const Light& light) { return std::get<PointLight>(light); }
-
 class Sets {
 public:
-    Sets(std::span<const Light> lights, const LightSampler& sampler, const LightScene& scene,
+    Sets(std::span<const PointLight> lights, const LightSampler& sampler, const LightScene& scene,
          const SourceLimits& limits)
         : lights_(lights), settings_(sampler), scene_(scene), limits_(limits) {}
 
@@ -75,7 +73,7 @@ public:
         }
         std::vector<std::uint32_t> asked, placed, directed;
         for (const std::uint32_t i : members) {
-            const PointLight& light = point_light(lights_[i]);
+            const PointLight& light = lights_[i];
             if (!can_be_chosen(light))
                 asked.push_back(i);
             else if (light.colour != Vec3(0))
@@ -94,8 +92,7 @@ private:
     void add_drawn(SourceSet set) {
         if (set.lights.empty()) return;
         if (set.lights.size() > limits_.max_asked) {
-            for (const std::uint32_t i : set.lights)
-                set.emitters.push_back(emitter(point_light(lights_[i]), i));
+            for (const std::uint32_t i : set.lights) set.emitters.push_back(emitter(lights_[i], i));
             give_size(set.emitters);
             LightScene scene = scene_;
             if (set.parallel) scene = {};
@@ -118,7 +115,7 @@ private:
         }
     }
 
-    std::span<const Light> lights_;
+    std::span<const PointLight> lights_;
     const LightSampler& settings_;
     const LightScene& scene_;
     const SourceLimits& limits_;
@@ -126,7 +123,7 @@ private:
 
 }  // namespace
 
-std::vector<SourceSet> source_sets(std::span<const Light> lights,
+std::vector<SourceSet> source_sets(std::span<const PointLight> lights,
                                    std::span<const std::uint32_t> group_of,
                                    const LightSampler& sampler, const LightScene& scene,
                                    const SourceLimits& limits) {

@@ -39,7 +39,7 @@ struct SourceLimits {
 
 /// `group_of` has the group of each light; if a group has more than `max_asked` lights, some are
 /// sampled. The boxes and planes of the scene are where points to be lit lie.
-std::vector<SourceSet> source_sets(std::span<const Light> lights,
+std::vector<SourceSet> source_sets(std::span<const PointLight> lights,
                                    std::span<const std::uint32_t> group_of, const LightSampler&,
                                    const LightScene&, const SourceLimits& = {});
 

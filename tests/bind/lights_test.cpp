@@ -12,7 +12,7 @@ namespace candelabra {
 namespace {
 
 const PointLight& light(const Script& done, std::size_t i = 0) {
-    return std::get<PointLight>(done.scene.lights.at(i).light);
+    return done.scene.lights.at(i).light;
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ TEST_CASE("a light that points at its own place lights nothing, as in POV-Ray", 
           "warning degenerate: this light lights nothing: `point_at` is its own location");
     const Script done = run("#version 3.7; " + text);
     REQUIRE(done.scene.lights.size() == 1);
-    CHECK(std::get<PointLight>(done.scene.lights[0].light).colour == Vec3(0));
+    CHECK(done.scene.lights[0].light.colour == Vec3(0));
 }
 
 TEST_CASE("a light may look like an object, which moves with it", "[bind]") {

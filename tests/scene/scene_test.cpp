@@ -11,7 +11,7 @@ TEST_CASE("a light takes with it what belongs to it", "[scene]") {
     placed.looks_like.edit().no_shadow = true;
     placed.projected_through = make_handle<Object>();
     const PlacedLight there = transformed(placed, Transform::translation(Vec3(1, 2, 3)));
-    CHECK(std::get<PointLight>(there.light).location == Vec3(1, 2, 3));
+    CHECK(there.light.location == Vec3(1, 2, 3));
     for (const ObjectHandle& object : {there.looks_like, there.projected_through})
         CHECK(object->transform->point(Vec3(0)) == Vec3(1, 2, 3));
     CHECK(there.looks_like->no_shadow);

@@ -9,8 +9,8 @@ namespace candelabra {
 
 namespace {
 
-std::vector<Light> lights(std::size_t count, const PointLight& like = {}) {
-    std::vector<Light> result;
+std::vector<PointLight> lights(std::size_t count, const PointLight& like = {}) {
+    std::vector<PointLight> result;
     for (std::size_t i = 0; i < count; ++i) {
         PointLight light = like;
         light.location = Vec3(static_cast<double>(i), 1, 0);
@@ -20,13 +20,11 @@ std::vector<Light> lights(std::size_t count, const PointLight& like = {}) {
     return result;
 }
 
-std::vector<SourceSet> sets(const std::vector<Light>& lights,
+std::vector<SourceSet> sets(const std::vector<PointLight>& lights,
                             const LightSampler& sampler = LightOctree{}) {
     const std::vector<std::uint32_t> groups(lights.size(), 0);
     return source_sets(lights, groups, sampler, {});
 }
-
-PointLight& light(std::vector<Light>& all, std::size_t i) { return std::get<PointLight>(all[i]); }
 
 }  // namespace
 
@@ -44,9 +42,9 @@ TEST_CASE("few light sources are all asked, some of many", "[world]") {
 }
 
 TEST_CASE("lights that take light away are all asked, those without light never", "[world]") {
-    std::vector<Light> all = lights(200);
-    light(all, 7).colour = Vec3(1, -0.1, 1);
-    light(all, 8).colour = Vec3(0);
+    std::vector<PointLight> all = lights(200);
+    all[7].colour = Vec3(1, -0.1, 1);
+    all[8].colour = Vec3(0);
     const auto found = sets(all);
     REQUIRE(found.size() == 2);
     CHECK(found[0].lights == std::vector<std::uint32_t>{7});
