@@ -49,7 +49,7 @@ bool touches(const Plane& plane, const Box& box) {
 
 class Grower {
 public:
-    Grower(const LightOctree& settings, const LightScene& scene, const std::vector<Vec3>& centres,
+    Grower(const PaperOctree& settings, const LightScene& scene, const std::vector<Vec3>& centres,
            const std::vector<double>& reach2)
         : settings_(settings), scene_(scene), centres_(centres), reach2_(reach2) {
         tree.cells.resize(1);
@@ -155,7 +155,7 @@ private:
                                 : touches(scene_.planes[surface - finite], box);
     }
 
-    const LightOctree& settings_;
+    const PaperOctree& settings_;
     const LightScene& scene_;
     const std::vector<Vec3>& centres_;
     /// Squared distances within which luminaires are bright.
@@ -224,7 +224,7 @@ std::uint32_t LightCells::list_at(const Vec3& point) const {
     return cells[here].list;
 }
 
-LightCells build_light_cells(const LightOctree& settings, const LightScene& scene,
+LightCells build_light_cells(const PaperOctree& settings, const LightScene& scene,
                              std::span<const LightBounds> lights, int threads) {
     std::vector<double> reach2;
     std::vector<Vec3> centres;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of the light octree: the subdivision of space, and the luminaires that are bright in
+// The cells of the paper's octree: the subdivision of space, and the luminaires that are bright in
 // each cell (the paper, section 4.3). Built top down, where surfaces are. A luminaire that is dim
 // in a cell is dim in all cells within it.
 #pragma once
@@ -34,7 +34,7 @@ struct LightCells {
     std::uint32_t list_at(const Vec3& point) const;
 };
 
-LightCells build_light_cells(const LightOctree&, const LightScene&, std::span<const LightBounds>,
+LightCells build_light_cells(const PaperOctree&, const LightScene&, std::span<const LightBounds>,
                              int threads);
 
 }  // namespace candelabra

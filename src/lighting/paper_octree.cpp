@@ -18,7 +18,7 @@ double straight_on_bound(const LightProxy& g, const Vec3& position) {
 
 }  // namespace
 
-BuiltPaperOctree::BuiltPaperOctree(const LightOctree& settings, const LightScene& scene,
+BuiltPaperOctree::BuiltPaperOctree(const PaperOctree& settings, const LightScene& scene,
                                    int threads)
     : representatives_(settings.representatives), table_(scene.luminaires) {
     std::vector<LightBounds> lights;

@@ -17,7 +17,7 @@ namespace candelabra {
 
 class BuiltPaperOctree {
 public:
-    BuiltPaperOctree(const LightOctree&, const LightScene&, int threads);
+    BuiltPaperOctree(const PaperOctree&, const LightScene&, int threads);
 
     PickAnswer<BuiltPaperOctree> at(const LightQuery& query) const {
         return {*this, query.receiver};

@@ -50,8 +50,17 @@ struct LightBvh {
     LightSamplerTraits traits() const { return {.by_transmittance = exponential}; }
     static const ItemInfo vocabulary;
 };
-/// An octree whose cells hold short partitions of all luminaires or, as in the paper (section 4.3),
-/// lists of the luminaires that are bright there.
+/// An octree whose cells list the luminaires that are bright there (the paper, section 4.3). It is
+/// asked for by `light_octree { paper }`.
+struct PaperOctree {
+    double threshold = 0.0007;
+    double white = 1;
+    int max_depth = 10;
+    int max_bright = 128;
+    int representatives = 1;
+};
+/// An octree whose cells hold short partitions of all luminaires or, if the settings say so, the
+/// paper's lists.
 struct LightOctree {
     double eta = 0.02;
     int cut = 64;
@@ -59,11 +68,15 @@ struct LightOctree {
     double outlook = 0.9;
     bool alone = false;
     bool paper = false;
-    double threshold = 0.0007;
-    double white = 1;
-    int max_bright = 128;
-    int representatives = 1;
+    /// With `paper` only: see PaperOctree.
+    double threshold = PaperOctree().threshold;
+    double white = PaperOctree().white;
+    int max_bright = PaperOctree().max_bright;
+    int representatives = PaperOctree().representatives;
 
+    PaperOctree as_in_paper() const {
+        return {threshold, white, max_depth, max_bright, representatives};
+    }
     LightSamplerTraits traits() const { return {.wants_bent_normals = !paper, .has_cells = true}; }
     std::vector<IdleField> idle_fields() const;
     static const ItemInfo vocabulary;

@@ -153,7 +153,7 @@ void threshold() {
         for (const Seen& seen : points)
             surfaces.push_back({seen.point.position - 0.1, seen.point.position + 0.1});
         const double start = cpu_seconds();
-        const BuiltPaperOctree built(settings, {world.lights.luminaires, surfaces}, 1);
+        const BuiltPaperOctree built(settings.as_in_paper(), {world.lights.luminaires, surfaces}, 1);
         const double built_in = cpu_seconds() - start;
         std::vector<std::size_t> lengths;
         for (const Seen& seen : points) lengths.push_back(built.bright(seen.point.position));

@@ -17,7 +17,7 @@ struct Setup {
     std::vector<Plane> planes;
     std::vector<LightBounds> lights;
 
-    LightCells build(const LightOctree& settings, int threads = 1) {
+    LightCells build(const PaperOctree& settings, int threads = 1) {
         lights.clear();
         for (const Luminaire& luminaire : luminaires) lights.push_back(bounds(luminaire));
         return build_light_cells(settings, {luminaires, surfaces, planes}, lights, threads);
@@ -56,7 +56,7 @@ double straight_on(const Luminaire& luminaire, const Vec3& position) {
 TEST_CASE("no luminaire is left out of a list where it may be brighter than the threshold",
           "[lighting][claim-11]") {
     Setup setup = room(600, 1);
-    LightOctree settings;
+    PaperOctree settings;
     settings.threshold = 0.004;
     settings.max_bright = 8;
     const LightCells cells = setup.build(settings);
@@ -104,13 +104,13 @@ TEST_CASE("cells are no deeper than allowed, and lists that are short enough are
           "[lighting][claim-12]") {
     for (const int deepest : {0, 1, 3}) {
         Setup setup = room(300, 4);
-        LightOctree settings;
+        PaperOctree settings;
         settings.max_depth = deepest;
         settings.max_bright = 1;
         CHECK(depth(setup.build(settings)) == deepest);
     }
     Setup setup = room(300, 4);
-    LightOctree settings;
+    PaperOctree settings;
     settings.max_bright = 300;
     CHECK(depth(setup.build(settings)) == 0);
 }
@@ -120,7 +120,7 @@ TEST_CASE("a cell in which everything is bright everywhere is not cut", "[lighti
     for (int i = 0; i < 50; ++i)
         setup.luminaires.push_back(glowing(SphereEmitter{Vec3(0.01 * i, 50, 0), 1}, 100));
     setup.surfaces = {Box{Vec3(-1), Vec3(1)}};
-    LightOctree settings;
+    PaperOctree settings;
     settings.max_bright = 10;
     const LightCells cells = setup.build(settings);
     CHECK(cells.cells.size() == 1);
@@ -129,7 +129,7 @@ TEST_CASE("a cell in which everything is bright everywhere is not cut", "[lighti
 
 TEST_CASE("cells without surfaces have no list", "[lighting]") {
     Setup setup = room(300, 5);
-    LightOctree settings;
+    PaperOctree settings;
     settings.max_bright = 4;
     CHECK(setup.build(settings).list_at(Vec3(8, 8, -8)) == LightCell::no_list);
     setup.planes = {Plane{Vec3(0, 2, 0), 8}};
@@ -140,7 +140,7 @@ TEST_CASE("cells without surfaces have no list", "[lighting]") {
 
 TEST_CASE("cells do not depend on the number of threads", "[lighting]") {
     Setup setup = room(500, 6);
-    LightOctree settings;
+    PaperOctree settings;
     settings.max_bright = 10;
     const LightCells one = setup.build(settings, 1), seven = setup.build(settings, 7);
     CHECK(one.lists == seven.lists);
@@ -169,7 +169,7 @@ TEST_CASE("cells get small where the luminaires are, however wide the scene", "[
     for (int i = 0; i < 400; ++i)
         setup.luminaires.push_back(glowing(SphereEmitter{Vec3(300) + draw.point(2), 0.02}));
     setup.surfaces = {Box{Vec3(-1000), Vec3(1000)}};
-    LightOctree settings;
+    PaperOctree settings;
     settings.threshold = 0.001;
     settings.max_depth = 14;
     CHECK(depth(setup.build(settings)) > 10);
@@ -185,7 +185,7 @@ TEST_CASE("cutting ends where it does not make lists shorter", "[lighting]") {
             glowing(SphereEmitter{0.5 * draw.point() + Vec3(0, 60, 0), 1}, 1000));
     setup.surfaces = {Box{Vec3(-40), Vec3(40)}};
     setup.luminaires.push_back(glowing(SphereEmitter{Vec3(0, -30, 0), 0.01}));
-    LightOctree settings;
+    PaperOctree settings;
     settings.threshold = 0.02;
     settings.max_bright = 8;
     CHECK(depth(setup.build(settings)) <= 4);

@@ -13,11 +13,7 @@
 
 namespace candelabra {
 
-/// The light octree as the paper has it.
-struct PaperOctree : LightOctree {
-    PaperOctree() { paper = true; }
-};
-/// Every alternative of LightSampler, and what one of them can be besides.
+/// Every alternative of LightSampler, and what one of them can ask for besides.
 using Strategies =
     std::variant<EveryLight, ConstantAlpha, LinearAlpha, LightBvh, LightOctree, PaperOctree>;
 static_assert(std::variant_size_v<Strategies> == std::variant_size_v<LightSampler> + 1);
@@ -75,10 +71,10 @@ auto built_with(const Settings& settings, const LightScene& scene, int threads) 
 template <class T>
 T settings() {
     T result;
-    if constexpr (std::is_base_of_v<LightOctree, T>) {
+    if constexpr (std::is_same_v<T, LightOctree>) result.cut = 6;
+    if constexpr (std::is_same_v<T, PaperOctree>) {
         result.threshold = 0.01;
         result.max_bright = 6;
-        result.cut = 6;
     }
     return result;
 }
