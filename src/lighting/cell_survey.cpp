@@ -12,36 +12,33 @@
 
 namespace candelabra {
 
-CellSurveyor::CellSurveyor(std::span<const Luminaire> luminaires, const LightTree& tree,
+CellSurveyor::CellSurveyor(const ChoosableLights& lights, const LightTree& tree,
                            const Viewer& viewer, double max_by_direction)
-    : luminaires_(luminaires),
-      tree_(tree),
-      viewer_(viewer),
-      max_by_direction_(max_by_direction),
-      any_volume_(std::ranges::any_of(luminaires, &Luminaire::is_volume)),
-      only_volumes_(std::ranges::all_of(luminaires, &Luminaire::is_volume)) {
-    if (luminaires.empty()) return;
-    ball_ = ball_around(tree.box(tree.root()), luminaires);
-    for (const Luminaire& luminaire : luminaires)
-        brightest_ = std::fmax(brightest_, luminance(luminaire.radiance));
+    : lights_(lights), tree_(tree), viewer_(viewer), max_by_direction_(max_by_direction) {
+    if (lights.size() == 0) return;
+    ball_ = ball_around(tree.box(tree.root()), lights);
+    for (LightIndex light = 0; light < lights.size(); ++light) {
+        brightest_ = std::fmax(brightest_, lights.bounds(light).luminance);
+        (lights.has_surface(light) ? no_surfaces_ : all_surfaces_) = false;
+    }
 }
 
 CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
                                     const LightProbe& probe) const {
     const std::vector<SurveyPlace> receivers =
         in_air ? air_places_in(cell, viewer_, probe) : survey_places_in(cell, viewer_, probe);
-    cut.scale(counted(arriving_shares(cut, tree_, luminaires_, receivers, probe), cut, cell));
+    cut.scale(counted(arriving_shares(cut, tree_, lights_, receivers, probe), cut, cell));
     CellSurvey result;
     // Directions cannot hit light sources.
-    if (tree_.falloff(tree_.root())) return result;
+    if (lights_.falls_off()) return result;
     const Found by_choice = found_by_choice(cut, receivers, probe);
     const double found = by_choice.noise, choice = tuning::doubt * found + tuning::min_noise;
-    if ((any_volume_ || in_air) && by_choice.irradiance > 0) {
+    if ((!all_surfaces_ || in_air) && by_choice.irradiance > 0) {
         result.irradiance = by_choice.irradiance;
         result.noise = by_choice.irradiance * std::sqrt(found + tuning::min_noise);
     }
     // Luminaires look small from points in the air.
-    if (only_volumes_ || in_air) return result;
+    if (no_surfaces_ || in_air) return result;
     result.outlook.emplace(cell, ball_, receivers, probe);
     const double outlook = result.outlook->noise() + tuning::min_noise;
     const double share =
@@ -51,7 +48,7 @@ CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
             std::clamp(share, tuning::min_by_direction * std::fmin(found / tuning::little_noise, 1),
                        max_by_direction_);
     // The outlook knows surfaces only, which are not all luminaires here.
-    if (any_volume_) return result;
+    if (!all_surfaces_) return result;
     const double scattering = result.outlook->noise_of_scattering();
     result.as_scattered = scattering <= std::fmin(outlook, found + tuning::min_noise) &&
                           brightest_ <= tuning::max_glare * result.outlook->mean_luminance();
@@ -108,9 +105,9 @@ CellSurveyor::Found CellSurveyor::found_by_choice(const LightCut& cut,
             pick_from(cut, weights, tree_, from.point, survey_key(i, ShadowRayDraw::choice),
                       number(ShadowRayDraw::choice));
         if (!pick) continue;
-        const double light =
-            arriving(luminaires_, pick->light, from,
-                     {number(ShadowRayDraw::point_u), number(ShadowRayDraw::point_v)}, probe);
+        const double light = lights_.arriving(
+            pick->light, from, {number(ShadowRayDraw::point_u), number(ShadowRayDraw::point_v)},
+            probe);
         if (!(light > 0)) continue;
         found[i] = light / (pick->expected * weights.total);
         at_place[i % receivers.size()] += found[i];

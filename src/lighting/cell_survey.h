@@ -21,15 +21,14 @@ struct CellSurvey {
     double irradiance = 0;
 };
 
-/// Surveys cells. Deterministic. Refers to the luminaires and to their tree.
+/// Surveys cells. Deterministic. Refers to the lights and to their tree.
 class CellSurveyor {
 public:
     /// `max_by_direction`: maximum fraction of the shadow rays to be sampled from the outlook.
-    CellSurveyor(std::span<const Luminaire>, const LightTree&, const Viewer&,
-                 double max_by_direction);
+    CellSurveyor(const ChoosableLights&, const LightTree&, const Viewer&, double max_by_direction);
 
-    /// Whether all luminaires are volumes, which no direction hits.
-    bool only_volumes() const { return only_volumes_; }
+    /// Whether no sampled direction hits any light.
+    bool no_surfaces() const { return no_surfaces_; }
 
     /// Surveys a cell, and scales its cut's entries by the arriving fraction of their light. In the
     /// air: for points between surfaces.
@@ -44,13 +43,13 @@ private:
     Found found_by_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
 
-    std::span<const Luminaire> luminaires_;
+    const ChoosableLights& lights_;
     const LightTree& tree_;
     Viewer viewer_;
     double max_by_direction_;
     LightBall ball_;
-    double brightest_ = 0;  ///< luminance
-    bool any_volume_, only_volumes_;
+    double brightest_ = 0;                           ///< luminance
+    bool all_surfaces_ = true, no_surfaces_ = true;  ///< lights have surfaces
 };
 
 }  // namespace candelabra

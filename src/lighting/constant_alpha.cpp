@@ -11,7 +11,7 @@ void BuiltConstantAlpha::choose(const Receiver& point, const Key& key, LightPick
 }
 
 BuiltConstantAlpha build(const ConstantAlpha&, const LightScene& scene, int) {
-    return BuiltConstantAlpha(scene.luminaires.size());
+    return BuiltConstantAlpha(scene.count());
 }
 
 }  // namespace candelabra

@@ -5,7 +5,6 @@
 #include "lighting/cluster_descent.h"
 #include "lighting/survey_draw.h"
 #include "lighting/tuning.h"
-#include "luminaire/volume.h"
 
 #include <algorithm>
 
@@ -46,45 +45,6 @@ std::vector<float> judged(std::span<const Trial> trials) {
 
 }  // namespace
 
-namespace {
-
-/// Fraction of light that surfaces transmit over that distance.
-double left_on_way(const Ray& ray, double tolerance, double distance, const LightProbe& probe) {
-    double left = 1;
-    look_along(ray, tolerance, probe, [&](const ProbeHit& sight, double share) {
-        left = sight.distance < distance ? share * sight.passes : share;
-        return sight.distance >= distance;
-    });
-    return left;
-}
-
-}  // namespace
-
-double arriving(std::span<const Luminaire> luminaires, LightIndex light, const SurveyPlace& from,
-                const Vec2& u, const LightProbe& probe) {
-    const auto drawn = sample(luminaires[light], from.point, u);
-    if (!drawn) return 0;
-    const double cosine = from.point.cosine(drawn->direction);
-    const bool source = std::holds_alternative<SourceEmitter>(luminaires[light].emitter);
-    if (!(cosine > 0) && !source) return 0;
-    const Ray ray{from.point.position, drawn->direction};
-    if (source) {
-        const auto sight = probe(ray, from.tolerance);
-        const bool hidden = sight && sight->distance < drawn->distance * (1 - 1e-9);
-        return hidden ? 0 : unoccluded(luminaires[light], from.point);
-    }
-    if (const auto* volume = std::get_if<VolumeEmitter>(&luminaires[light].emitter))
-        return left_on_way(ray, from.tolerance, drawn->distance, probe) *
-               emitted_about(*volume, drawn->position) * cosine / drawn->density;
-    double luminance = 0;
-    look_along(ray, from.tolerance, probe, [&](const ProbeHit& sight, double share) {
-        if (sight.light != light) return false;
-        luminance = share * sight.luminance;
-        return true;
-    });
-    return luminance * cosine / drawn->density;
-}
-
 float cautious_share(float share, const Box& cell, const LightProxy& g) {
     const double reach = 0.5 * length(cell.size()) + g.radius;
     const Vec3 offset = g.centre - cell.centre();
@@ -93,7 +53,7 @@ float cautious_share(float share, const Box& cell, const LightProxy& g) {
 }
 
 std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
-                                   std::span<const Luminaire> luminaires,
+                                   const ChoosableLights& lights,
                                    std::span<const SurveyPlace> receivers,
                                    const LightProbe& probe) {
     const std::size_t places = std::min(receivers.size(), tuning::max_entry_places);
@@ -113,10 +73,10 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
                                                  survey_key(n, i, EntryDraw::further_members),
                                                  survey_number(n, i, EntryDraw::member));
             if (!(member.probability > 0)) continue;
-            const double light = arriving(luminaires, tree.light(member.place), receivers[place],
-                                          {survey_number(n, i, EntryDraw::point_u),
-                                           survey_number(n, i, EntryDraw::point_v)},
-                                          probe) /
+            const double light = lights.arriving(tree.light(member.place), receivers[place],
+                                                 {survey_number(n, i, EntryDraw::point_u),
+                                                  survey_number(n, i, EntryDraw::point_v)},
+                                                 probe) /
                                  member.probability;
             given[entry][i] = light / weight;
             at_place[place] += light;

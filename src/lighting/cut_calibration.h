@@ -8,16 +8,11 @@
 
 namespace candelabra {
 
-/// Light that one shadow ray brings to a place: that of the luminaire's point for u in [0, 1)^2,
-/// divided by the pdf of that point per steradian. 0 where no light arrives.
-double arriving(std::span<const Luminaire>, LightIndex, const SurveyPlace&, const Vec2& u,
-                const LightProbe&);
-
 /// For each entry of the cut, returns the root mean square of arriving light over the entry's
 /// estimate, from a few of its luminaires at a few places. A share is never below a small fraction
 /// of the entries' mean, so that each luminaire keeps its chance. All shares are equal if no light
 /// arrives.
-std::vector<float> arriving_shares(const LightCut&, const LightTree&, std::span<const Luminaire>,
+std::vector<float> arriving_shares(const LightCut&, const LightTree&, const ChoosableLights&,
                                    std::span<const SurveyPlace>, const LightProbe&);
 
 /// The same for an entry of a cell, but at least the fraction that a few rays may miss: near

@@ -16,11 +16,12 @@ namespace {
 /// Number of levels beyond the deepest one by which cells that are too large may still be divided:
 /// enough for every ratio of lengths in single precision.
 constexpr int more_levels = 160;
-/// Adds entries for luminaires that face away from a cell: twice as many if all shine one way.
-int entries_for(int cut, std::span<const Luminaire> luminaires) {
-    double one_way = 0;  // number of luminaires that shine one way only
-    for (const Luminaire& luminaire : luminaires) one_way += 2 * length(luminaire.bent_normal);
-    const double share = luminaires.empty() ? 0 : one_way / static_cast<double>(luminaires.size());
+/// Adds entries for lights that face away from a cell: twice as many if all shine one way.
+int entries_for(int cut, const ChoosableLights& lights) {
+    double one_way = 0;  // number of lights that shine one way only
+    for (LightIndex light = 0; light < lights.size(); ++light)
+        one_way += 2 * length(lights.bounds(light).bent_normal);
+    const double share = lights.size() > 0 ? one_way / static_cast<double>(lights.size()) : 0;
     return static_cast<int>(std::lround(cut * (1 + share)));
 }
 
@@ -46,7 +47,7 @@ struct BuiltCutOctree::Cell {
 struct BuiltCutOctree::State {
     LightOctree settings;
     CutRule rule;
-    std::span<const Luminaire> luminaires;
+    std::shared_ptr<const ChoosableLights> lights;
     LightTree tree;
     CellSurveyor survey;
     std::optional<Vec3> eye;
@@ -61,20 +62,19 @@ struct BuiltCutOctree::State {
 
     State(const LightOctree& of_scene, const LightScene& scene)
         : settings(of_scene),
-          rule{settings.eta, entries_for(settings.cut, scene.luminaires)},
-          luminaires(scene.luminaires),
-          tree(luminaires),
-          survey(luminaires, tree, {scene.eye, scene.axis}, settings.outlook),
+          rule{settings.eta, entries_for(settings.cut, *scene.lights)},
+          lights(scene.lights),
+          tree(*lights),
+          survey(*lights, tree, {scene.eye, scene.axis}, settings.outlook),
           eye(scene.eye),
           coarse(std::clamp(tuning::coarse_pixels * scene.pixel, tuning::min_coarse,
                             tuning::greatest_coarse)),
           view(scene.view) {
         above_air.in_air = true;
-        if (luminaires.empty()) return;
-        LightBounds lights;
-        lights.box = tree.box(tree.root());
-        cube = cube_to_light(scene, {&lights, 1});
-        if (cube.empty()) cube = lights.box;
+        LightBounds all;
+        all.box = tree.box(tree.root());
+        cube = cube_to_light(scene, {&all, 1});
+        if (cube.empty()) cube = all.box;
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -89,7 +89,7 @@ BuiltCutOctree& BuiltCutOctree::operator=(BuiltCutOctree&&) noexcept = default;
 BuiltCutOctree::~BuiltCutOctree() = default;
 
 BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& scene)
-    : state_(std::make_unique<State>(settings, scene)) {}
+    : state_(scene.count() > 0 ? std::make_unique<State>(settings, scene) : nullptr) {}
 
 const LightTree& BuiltCutOctree::tree() const { return state_->tree; }
 
@@ -99,7 +99,7 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     cell->box = box;
     cell->depth = parent.depth + 1;
     cell->in_air = parent.in_air;
-    cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule);
+    cell->cut.emplace(state_->tree, *state_->lights, box, state_->rule);
     const double coarse = state_->coarse * (cell->in_air ? tuning::coarser_in_air : 1);
     const double away = state_->eye ? length(box.centre() - *state_->eye) : 0;
     const double size = length(box.size());
@@ -162,17 +162,16 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Receiver& receiver,
 }
 
 std::size_t BuiltCutOctree::memory_bytes() const {
-    return state_->tree.memory_bytes() + state_->bytes;
+    return state_ ? state_->tree.memory_bytes() + state_->bytes : 0;
 }
 
-std::size_t BuiltCutOctree::cells() const { return state_->cells; }
+std::size_t BuiltCutOctree::cells() const { return state_ ? state_->cells.load() : 0; }
 
 BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
-    : tree_(octree.state_->tree),
-      receiver_(query.receiver),
-      bsdf_(octree.state_->survey.only_volumes() ? nullptr : query.bsdf) {
-    if (!octree.state_->luminaires.empty())
-        take_weights(query, octree.cell_at(receiver_, query.scene));
+    : octree_(octree), receiver_(query.receiver) {
+    if (!octree.state_) return;
+    if (!octree.state_->survey.no_surfaces()) bsdf_ = query.bsdf;
+    take_weights(query, octree.cell_at(receiver_, query.scene));
 }
 
 void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell) {
@@ -197,7 +196,7 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
 
 double BuiltCutOctree::At::expected(const Key&, LightIndex light) const {
     if (!cut_ || !(by_choice_ > 0)) return 0;
-    return by_choice_ * expected_from(*cut_, weights_, tree_, receiver_, light);
+    return by_choice_ * expected_from(*cut_, weights_, octree_.tree(), receiver_, light);
 }
 
 double BuiltCutOctree::At::pdf(const Vec3& direction, double expected, double of_point) const {
@@ -218,7 +217,7 @@ void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {
         samples.direction = LightGuide::draw(outlook_, place_on_light(key)).direction;
     } else if (cut_) {
         const double rest = (u - by_direction) / by_choice_;
-        auto pick = pick_from(*cut_, weights_, tree_, receiver_, key, rest);
+        auto pick = pick_from(*cut_, weights_, octree_.tree(), receiver_, key, rest);
         if (!pick) return;
         pick->expected *= by_choice_;
         samples.picks.push_back(*pick);

@@ -9,6 +9,7 @@
 #include "lighting/light_cut.h"
 #include "lighting/light_guide.h"
 #include "lighting/light_query.h"
+#include "lighting/light_scene.h"
 #include "lighting/settings.h"
 
 #include <atomic>
@@ -30,6 +31,7 @@ public:
     /// Includes the cells made so far.
     std::size_t memory_bytes() const;
     std::size_t cells() const;
+    /// Precondition: there are lights.
     const LightTree& tree() const;
 
 private:
@@ -40,7 +42,7 @@ private:
     const Cell& cell_at(const Receiver&, const LightProbe*) const;
     std::unique_ptr<Cell> make(const Box&, const Cell& parent, const LightProbe*) const;
 
-    std::unique_ptr<State> state_;
+    std::unique_ptr<State> state_;  ///< null: there are no lights
 };
 
 /// The answer at one receiver. A shadow ray has either a direction, sampled from the cell's outlook
@@ -61,10 +63,10 @@ public:
 private:
     void take_weights(const LightQuery&, const Cell&);
 
-    const LightTree& tree_;
+    const BuiltCutOctree& octree_;
     const Receiver& receiver_;
-    const BsdfSampler* bsdf_;
-    const LightCut* cut_ = nullptr;  ///< null: there are no luminaires
+    const BsdfSampler* bsdf_ = nullptr;  ///< null: no directions are sampled
+    const LightCut* cut_ = nullptr;      ///< null: there are no lights
     CutWeights weights_;
     LightGuide::Weights outlook_;  ///< if directions are sampled from it
     std::optional<LightEstimate::ShadowRay> ray_ = {};

@@ -8,7 +8,7 @@ void BuiltEveryLight::choose(const Receiver&, const Key&, LightPicks& picks) con
 }
 
 BuiltEveryLight build(const EveryLight&, const LightScene& scene, int) {
-    return BuiltEveryLight(scene.luminaires.size());
+    return BuiltEveryLight(scene.count());
 }
 
 }  // namespace candelabra

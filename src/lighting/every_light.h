@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "lighting/light_query.h"
+#include "lighting/light_scene.h"
 #include "lighting/settings.h"
 
 namespace candelabra {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ball around all luminaires of a scene, for directions towards them.
+// A ball around all lights of a scene, for directions towards them.
 #pragma once
 
 #include "base/box.h"
-#include "luminaire/luminaire.h"
+#include "lighting/choosable_lights.h"
 
 #include <cmath>
-#include <span>
 
 namespace candelabra {
 
@@ -15,11 +14,11 @@ struct LightBall {
     double radius = 0;
 };
 
-/// Centred on the box, and as tight as spheres around the luminaires in it allow.
-inline LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
+/// Centred on the box, and as tight as spheres around the lights in it allow.
+inline LightBall ball_around(const Box& box, const ChoosableLights& lights) {
     LightBall ball{box.centre(), 0};
-    for (const Luminaire& luminaire : luminaires) {
-        const LightBounds b = bounds(luminaire);
+    for (LightIndex light = 0; light < lights.size(); ++light) {
+        const LightBounds b = lights.bounds(light);
         ball.radius = std::fmax(ball.radius, length(b.centre - ball.centre) + b.radius);
     }
     return ball;

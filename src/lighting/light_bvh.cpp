@@ -50,9 +50,9 @@ double importance(const LightNode& node, const Receiver& point) {
 
 }  // namespace
 
-BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires, const LightBvh& settings)
-    : nodes_(build_light_hierarchy(luminaires)), leaf_of_(luminaires.size()) {
-    if (settings.mis) tree_ = LightTree(luminaires);
+BuiltLightBvh::BuiltLightBvh(const ChoosableLights& lights, const LightBvh& settings)
+    : nodes_(build_light_hierarchy(lights)), leaf_of_(lights.size()) {
+    if (settings.mis) tree_ = LightTree(lights);
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         if (nodes_[i].leaf) leaf_of_[nodes_[i].second] = i;
 }
@@ -111,7 +111,7 @@ std::size_t BuiltLightBvh::memory_bytes() const {
 }
 
 BuiltLightBvh build(const LightBvh& settings, const LightScene& scene, int) {
-    return BuiltLightBvh(scene.luminaires, settings);
+    return scene.lights ? BuiltLightBvh(*scene.lights, settings) : BuiltLightBvh();
 }
 
 }  // namespace candelabra

@@ -8,13 +8,15 @@
 #include "base/random.h"
 #include "lighting/light_hierarchy.h"
 #include "lighting/light_query.h"
+#include "lighting/light_scene.h"
 #include "lighting/settings.h"
 
 namespace candelabra {
 
 class BuiltLightBvh {
 public:
-    explicit BuiltLightBvh(std::span<const Luminaire>, const LightBvh& = {});
+    explicit BuiltLightBvh(const ChoosableLights&, const LightBvh& = {});
+    BuiltLightBvh() = default;
 
     /// The answer at one receiver. If paired, directions are also sampled from the BSDF.
     class At {

@@ -4,7 +4,7 @@
 // in a cell is dim in all cells within it.
 #pragma once
 
-#include "lighting/pick.h"
+#include "lighting/light_scene.h"
 #include "lighting/settings.h"
 
 namespace candelabra {

@@ -181,14 +181,13 @@ double total(const CutWeights& weights, std::size_t rows) {
     return sum;
 }
 
-LightProxy exact_proxy(const Luminaire& luminaire) {
-    const LightBounds b = bounds(luminaire);
+LightProxy exact_proxy(const LightBounds& b) {
     return with_bent_normal(light_proxy(b), b.bent_normal);
 }
 
 }  // namespace
 
-LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires, const Box& cell,
+LightCut::LightCut(const LightTree& tree, const ChoosableLights& lights, const Box& cell,
                    const CutRule& rule)
     : middle_(cell.centre()), scale_(1 / std::fmax(max_component(cell.size()), 1e-100)) {
     RefinedCut refined = refined_cut(tree, cell, rule);
@@ -201,7 +200,7 @@ LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires,
     std::vector<LightProxy> proxies;
     double greatest = 0;
     for (const LightCluster& c : clusters_) {
-        proxies.push_back(c.count == 1 ? exact_proxy(luminaires[tree.light(c.first)])
+        proxies.push_back(c.count == 1 ? exact_proxy(lights.bounds(tree.light(c.first)))
                                        : tree.light_proxy(c));
         greatest = std::fmax(greatest, light_in_cell(proxies.back()));
     }

@@ -22,7 +22,7 @@ struct CutWeights {
 class LightCut {
 public:
     /// A pure function of its arguments.
-    LightCut(const LightTree&, std::span<const Luminaire>, const Box& cell, const CutRule&);
+    LightCut(const LightTree&, const ChoosableLights&, const Box& cell, const CutRule&);
 
     /// Expected variance of the choice over the squared mean, by a rough bound, without single
     /// luminaires that outshine all others.

@@ -109,13 +109,13 @@ void fill_in(std::vector<LightNode>& nodes, std::span<const LightBounds> lights,
 
 }  // namespace
 
-std::vector<LightNode> build_light_hierarchy(std::span<const Luminaire> luminaires) {
+std::vector<LightNode> build_light_hierarchy(const ChoosableLights& choosable) {
     std::vector<LightBounds> lights;
     std::vector<Cluster> leaves;
-    std::vector<LightIndex> order(luminaires.size());
+    std::vector<LightIndex> order(choosable.size());
     std::iota(order.begin(), order.end(), LightIndex{0});
-    for (const Luminaire& luminaire : luminaires) {
-        const LightBounds b = bounds(luminaire);
+    for (const LightIndex light : order) {
+        const LightBounds b = choosable.bounds(light);
         lights.push_back(b);
         leaves.push_back(
             {b.box, {b.axis, b.axis != Vec3(0) && b.evenness == 0 ? 0 : pi}, b.intensity});

@@ -3,9 +3,8 @@
 // area orientation heuristic of Conty Estevez and Kulla (2018).
 #pragma once
 
-#include "lighting/pick.h"
+#include "lighting/choosable_lights.h"
 
-#include <span>
 #include <vector>
 
 namespace candelabra {
@@ -25,6 +24,6 @@ struct LightNode {
 };
 
 /// Nodes depth first, parents before children; none if there are no luminaires.
-std::vector<LightNode> build_light_hierarchy(std::span<const Luminaire>);
+std::vector<LightNode> build_light_hierarchy(const ChoosableLights&);
 
 }  // namespace candelabra

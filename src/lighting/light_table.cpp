@@ -65,15 +65,15 @@ std::size_t padded(std::size_t count) {
 
 }  // namespace
 
-LightTable::LightTable(std::span<const Luminaire> luminaires)
-    : luminaires_(luminaires), records_(luminaires.size()) {
-    for (std::size_t i = 0; i < luminaires.size(); ++i) {
-        records_[i].proxy = candelabra::light_proxy(bounds(luminaires[i]));
-        records_[i].proxy.half = LightProxy().half;  // the rows know spheres only
-        const double reach = tuning::exact_radii * records_[i].proxy.radius;
-        if (std::holds_alternative<TriangleEmitter>(luminaires[i].emitter))
-            records_[i].exact_within2 = reach * reach;
-        flat_ = flat_ || records_[i].proxy.axis != Vec3(0);
+LightTable::LightTable(std::shared_ptr<const ChoosableLights> lights)
+    : choosable_(std::move(lights)), records_(choosable_ ? choosable_->size() : 0) {
+    for (LightIndex light = 0; light < records_.size(); ++light) {
+        Record& record = records_[light];
+        record.proxy = candelabra::light_proxy(choosable_->bounds(light));
+        record.proxy.half = LightProxy().half;  // the rows know spheres only
+        const double reach = tuning::exact_radii * record.proxy.radius;
+        if (choosable_->exact_nearby(light)) record.exact_within2 = reach * reach;
+        flat_ = flat_ || record.proxy.axis != Vec3(0);
     }
 }
 
@@ -82,7 +82,7 @@ double LightTable::estimate(LightIndex light, const Receiver& point) const {
     const double rough = irradiance(record.proxy, point);
     const Vec3 v = record.proxy.centre - point.position;
     const bool near = v.x * v.x + v.y * v.y + v.z * v.z < record.exact_within2;
-    return near && rough > 0 ? unoccluded(luminaires_[light], point) : rough;
+    return near && rough > 0 ? choosable_->unoccluded(light, point) : rough;
 }
 
 void LightTable::reserve(std::size_t lists, std::size_t lights) {
@@ -127,7 +127,7 @@ void LightTable::estimate_block(std::size_t first, std::size_t count, const Rece
                   count, point, out);
     if (!flat_) return;
     for (std::size_t i = 0; i < count; ++i)
-        if (out[i] < 0) out[i] = unoccluded(luminaires_[lights_[first + i]], point);
+        if (out[i] < 0) out[i] = choosable_->unoccluded(lights_[first + i], point);
 }
 
 std::size_t LightTable::part_length(const LightList& list) {

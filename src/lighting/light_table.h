@@ -4,10 +4,12 @@
 // the same for every instruction set.
 #pragma once
 
-#include "lighting/pick.h"
-#include "luminaire/light_proxy.h"
+#include "lighting/choosable_lights.h"
 
 #include <array>
+#include <memory>
+#include <span>
+#include <vector>
 
 namespace candelabra {
 
@@ -37,8 +39,8 @@ public:
     };
 
     LightTable() = default;
-    /// Makes a table without lists. The luminaires must outlive the table.
-    explicit LightTable(std::span<const Luminaire>);
+    /// Makes a table without lists. Null: there are no lights.
+    explicit LightTable(std::shared_ptr<const ChoosableLights>);
 
     /// Reserves memory for that number of lists, with that number of luminaires in all.
     void reserve(std::size_t lists, std::size_t lights);
@@ -73,7 +75,7 @@ private:
     void estimate_block(std::size_t first, std::size_t count, const Receiver&, double* out) const;
     static std::size_t part_length(const LightList&);
 
-    std::span<const Luminaire> luminaires_;
+    std::shared_ptr<const ChoosableLights> choosable_;
     std::vector<Record> records_;
     std::vector<LightIndex> lights_;
     std::vector<double> x_, y_, z_, radius_, strength_;

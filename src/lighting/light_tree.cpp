@@ -101,14 +101,14 @@ Vec3 middle_of(std::span<const LightBounds> lights) {
 
 class LightTreeBuilder {
 public:
-    LightTreeBuilder(LightTree& tree, std::span<const Luminaire> luminaires)
-        : tree_(tree), luminaires_(luminaires) {
+    LightTreeBuilder(LightTree& tree, const ChoosableLights& choosable)
+        : tree_(tree), choosable_(choosable) {
         std::vector<LightBounds> lights;
-        lights.reserve(luminaires.size());
+        lights.reserve(choosable.size());
         Box all;
         double sum = 0, least = INFINITY;
-        for (const Luminaire& luminaire : luminaires) {
-            lights.push_back(bounds(luminaire));
+        for (LightIndex light = 0; light < choosable.size(); ++light) {
+            lights.push_back(choosable.bounds(light));
             all = join(all, lights.back().box);
             sum += lights.back().intensity;
             if (lights.back().intensity > 0) least = std::fmin(least, lights.back().intensity);
@@ -164,30 +164,25 @@ private:
         std::vector<double> intensities;
         intensities.reserve(tree_.order_.size());
         for (const LightIndex light : tree_.order_)
-            intensities.push_back(bounds(luminaires_[light]).intensity);
+            intensities.push_back(choosable_.bounds(light).intensity);
         tree_.strengths_ = WeightedPlaces(intensities);
         if (tree_.strengths_.total() > 0)
             tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
         shine(tree_.root());
-        const auto is_source = [](const Luminaire& l) {
-            return std::holds_alternative<SourceEmitter>(l.emitter);
-        };
-        if (std::ranges::none_of(luminaires_, is_source)) return;
+        if (!choosable_.falls_off()) return;
         tree_.falloffs_.resize(tree_.nodes_.size());
         fall_off(tree_.root());
     }
 
-    /// Sets the falloff of the nodes, from the leaves up. A tree has either light sources or other
-    /// luminaires.
+    /// Sets the falloff of the nodes, from the leaves up.
     Falloff fall_off(const LightCluster& cluster) {
         Falloff result;
         if (cluster.count > 1) {
             const auto [first, second] = tree_.halves(cluster);
             const Falloff before = fall_off(first);
             result = join(before, fall_off(second));
-        } else if (const auto* source = std::get_if<SourceEmitter>(
-                       &luminaires_[tree_.order_[cluster.first]].emitter)) {
-            result = source->falloff;
+        } else {
+            result = choosable_.falloff(tree_.order_[cluster.first]);
         }
         return tree_.falloffs_[cluster.node] = result;
     }
@@ -197,7 +192,7 @@ private:
     Shine shine(const LightCluster& cluster) {
         Shine sum;
         if (cluster.count == 1) {
-            const LightBounds b = bounds(luminaires_[tree_.order_[cluster.first]]);
+            const LightBounds b = choosable_.bounds(tree_.order_[cluster.first]);
             const bool flat = b.axis != Vec3(0);
             const double rest = b.intensity * (1 - length(b.bent_normal));
             sum = {rest * b.axis, b.intensity * b.bent_normal, flat ? rest : 0,
@@ -220,13 +215,12 @@ private:
     }
 
     LightTree& tree_;
-    std::span<const Luminaire> luminaires_;
+    const ChoosableLights& choosable_;
     double total_ = 0;
 };
 
-LightTree::LightTree(std::span<const Luminaire> luminaires) {
-    if (luminaires.empty()) return;
-    LightTreeBuilder(*this, luminaires);
+LightTree::LightTree(const ChoosableLights& lights) {
+    if (lights.size() > 0) LightTreeBuilder(*this, lights);
 }
 
 Box LightTree::box(const LightCluster& c) const {

@@ -5,8 +5,7 @@
 #pragma once
 
 #include "base/weighted_places.h"
-#include "lighting/pick.h"
-#include "luminaire/light_proxy.h"
+#include "lighting/choosable_lights.h"
 
 #include <array>
 
@@ -36,8 +35,7 @@ struct LightCluster {
 class LightTree {
 public:
     LightTree() = default;
-    /// The luminaires must outlive the tree.
-    explicit LightTree(std::span<const Luminaire>);
+    explicit LightTree(const ChoosableLights&);
 
     std::uint32_t lights() const { return static_cast<std::uint32_t>(order_.size()); }
     LightCluster root() const { return {0, 0, lights()}; }

@@ -5,8 +5,8 @@
 
 namespace candelabra {
 
-BuiltLinearAlpha::BuiltLinearAlpha(const LightScene& scene) : table_(scene.luminaires) {
-    std::vector<LightIndex> lights(scene.luminaires.size());
+BuiltLinearAlpha::BuiltLinearAlpha(const LightScene& scene) : table_(scene.lights) {
+    std::vector<LightIndex> lights(scene.count());
     std::iota(lights.begin(), lights.end(), LightIndex{0});
     table_.reserve(1, lights.size());
     all_ = table_.append(lights);

@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "lighting/light_query.h"
+#include "lighting/light_scene.h"
 #include "lighting/light_table.h"
 #include "lighting/settings.h"
 

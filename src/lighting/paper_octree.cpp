@@ -20,11 +20,11 @@ double straight_on_bound(const LightProxy& g, const Vec3& position) {
 
 BuiltPaperOctree::BuiltPaperOctree(const PaperOctree& settings, const LightScene& scene,
                                    int threads)
-    : representatives_(settings.representatives), table_(scene.luminaires) {
+    : representatives_(settings.representatives), table_(scene.lights) {
     std::vector<LightBounds> lights;
     std::vector<double> intensities;
-    for (const Luminaire& luminaire : scene.luminaires) {
-        lights.push_back(bounds(luminaire));
+    for (LightIndex light = 0; light < scene.count(); ++light) {
+        lights.push_back(scene.lights->bounds(light));
         intensities.push_back(lights.back().intensity);
     }
     places_ = WeightedPlaces(intensities);

@@ -10,6 +10,7 @@
 #include "lighting/dim_set.h"
 #include "lighting/light_cells.h"
 #include "lighting/light_query.h"
+#include "lighting/light_scene.h"
 #include "lighting/light_table.h"
 #include "lighting/settings.h"
 

@@ -5,6 +5,7 @@
 
 #include "base/box.h"
 #include "lighting/probe.h"
+#include "luminaire/luminaire.h"
 
 #include <optional>
 #include <span>

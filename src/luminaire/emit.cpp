@@ -4,7 +4,6 @@
 #include "base/cosine_direction.h"
 #include "luminaire/area.h"
 #include "luminaire/composite.h"
-#include "luminaire/source.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
 #include "luminaire/volume.h"

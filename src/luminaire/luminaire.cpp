@@ -6,7 +6,6 @@
 #include "luminaire/brightness.h"
 #include "luminaire/composite.h"
 #include "luminaire/emitter_kind.h"
-#include "luminaire/source.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
 #include "luminaire/volume.h"

@@ -83,14 +83,6 @@ struct CompositeEmitter {
     bool closed = false;              ///< whether no inner side is visible from outside
 };
 
-/// A POV-Ray light source, which has no size. All its light passes through a ball, of which only
-/// the centre is ever sampled. The renderer asks the source itself for the light that arrives.
-struct SourceEmitter {
-    Vec3 centre;
-    double radius = 0;
-    Falloff falloff;
-};
-
 class EmissionGrid;
 
 /// A box, or part of one, filled with an emitting medium: see volume.h.
@@ -101,15 +93,15 @@ struct VolumeEmitter {
 
 class Brightness;
 
-using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter,
-                             SourceEmitter, VolumeEmitter>;
+using Emitter =
+    std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter, VolumeEmitter>;
 
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they do in POV-Ray, unless
 /// they have another texture on the inner side.
 struct Luminaire {
     Emitter emitter;
-    /// Maximum radiance anywhere on it, on either side, per channel; for sources, their colour; for
-    /// volumes, the maximum emitted along a line through them.
+    /// Maximum radiance anywhere on it, on either side, per channel; for volumes, the maximum
+    /// emitted along a line through them.
     Vec3 radiance;
     bool varying = false;    ///< whether the radiance changes over the surface
     bool two_faced = false;  ///< whether the two sides differ in radiance
@@ -118,8 +110,8 @@ struct Luminaire {
     /// their noise only.
     double inner_rays = 0.5;
     Handle<Brightness> brightness = nullptr;  ///< null: unknown
-    std::uint32_t primitive;  ///< index of its primitive in the world; for sources, of the light;
-                              ///< for volumes, of one primitive of the enclosing solid
+    std::uint32_t primitive;  ///< index of its primitive in the world; for volumes, of one
+                              ///< primitive of the enclosing solid
     /// Main direction in which light escapes from the luminaire's surroundings (a window does not
     /// light its own house). The luminaire has full strength in this direction, and in the opposite
     /// one a fraction smaller by twice the vector's length. Length 0: all directions alike; maximum
@@ -201,11 +193,11 @@ void intersect(const Luminaire&, const Receiver&, const Vec3& direction, LightHi
 
 /// A ray that leaves a luminaire.
 struct EmittedRay {
-    Ray ray;         ///< from the surface; its direction is a unit vector
-    Vec3 normal;     ///< unit normal of the surface, on the side of the ray; 0 for sources, and the
-                     ///< direction itself for volumes
-    double density;  ///< joint density of point and direction: the product of these two
-    double of_point;  ///< density per area; for volumes, per volume; for sources, 1
+    Ray ray;          ///< from the surface; its direction is a unit vector
+    Vec3 normal;      ///< unit normal of the surface, on the side of the ray; for volumes, the
+                      ///< direction itself
+    double density;   ///< joint density of point and direction: the product of these two
+    double of_point;  ///< density per area; for volumes, per volume
     double of_direction() const { return density / of_point; }  ///< per steradian
 };
 

@@ -3,9 +3,15 @@
 
 #include "base/order.h"
 #include "base/parallel.h"
+#include "luminaire/triangle.h"
 #include "surface/quality.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -21,24 +27,39 @@ constexpr std::size_t kept_generations =
 constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
 /// Maximum fraction of a uniformly lit surface's light that one reflected luminaire may contribute.
 constexpr double kappa = 1.0 / 16;
-/// Length of a proxy's bent normal: for the strategy, a proxy shines on both sides, and a little
-/// more on that of the luminaire.
-constexpr double lean_of_proxy = 0.25;
+/// Length of the bent normal: for the strategy, a reflected luminaire shines on both sides, and a
+/// little more on its own.
+constexpr double lean = 0.25;
 
-/// Returns a triangle around the luminaire. Its circumradius is the distance from which the
+/// Bounds as of a triangle around the luminaire. Its circumradius is the distance from which the
 /// luminaire lights with its full power.
-Luminaire proxy_of(const ReflectedLuminaire& luminaire, double radius) {
+LightBounds bounds_of(const ReflectedLuminaire& luminaire, double radius) {
     const std::pair<Vec3, Vec3> across = perpendiculars(luminaire.normal);
     const double height = std::sqrt(0.75), area = 1.5 * height * radius * radius;
     const auto corner = [&](double along_x, double along_y) {
         return luminaire.position + radius * (along_x * across.first + along_y * across.second);
     };
-    Luminaire proxy{};
-    proxy.emitter = TriangleEmitter{corner(1, 0), corner(-0.5, height), corner(-0.5, -height)};
-    proxy.radiance = luminaire.power / area;
-    proxy.bent_normal = lean_of_proxy * luminaire.normal;
-    return proxy;
+    LightBounds result =
+        bounds(TriangleEmitter{corner(1, 0), corner(-0.5, height), corner(-0.5, -height)},
+               luminance(luminaire.power / area));
+    result.bent_normal = lean * luminaire.normal;
+    return result;
 }
+
+/// Reflected luminaires as the strategy chooses among them. Their occlusion is not surveyed.
+class ReflectedChoices final : public ChoosableLights {
+public:
+    ReflectedChoices(std::span<const ReflectedLuminaire> luminaires, double radius) {
+        bounds_.reserve(luminaires.size());
+        for (const ReflectedLuminaire& each : luminaires)
+            bounds_.push_back(bounds_of(each, radius));
+    }
+    std::size_t size() const override { return bounds_.size(); }
+    LightBounds bounds(LightIndex light) const override { return bounds_[light]; }
+
+private:
+    std::vector<LightBounds> bounds_;
+};
 
 }  // namespace
 
@@ -104,13 +125,11 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     ReflectedSet set;
     set.list = sent(paths_, count_, mix(seed_ ^ mix(number + 1)));
     const double radius = 1 / std::sqrt(bound_);
-    set.proxies.reserve(set.list.size());
-    for (const ReflectedLuminaire& each : set.list) set.proxies.push_back(proxy_of(each, radius));
     // Occlusion is not surveyed, as a generation is soon over. The surfaces that they light are
     // those on which they lie.
     LightOctree octree;
     octree.alone = true;
-    LightScene scene{set.proxies, {}};
+    LightScene scene{std::make_shared<ReflectedChoices>(set.list, radius)};
     if (!world_.view.camera.parallel) scene.eye = world_.view.camera.location;
     set.sampler = build(LightSampler(octree), scene, threads_);
     return set;

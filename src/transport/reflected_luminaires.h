@@ -14,8 +14,7 @@ namespace candelabra {
 /// The reflected luminaires of one generation, and the strategy that chooses among them.
 struct ReflectedSet {
     std::vector<ReflectedLuminaire> list;
-    std::vector<Luminaire> proxies;  ///< stand-ins for the strategy, in the same order
-    BuiltLightSampler sampler;
+    BuiltLightSampler sampler;  ///< chooses among them
 };
 
 class ReflectedLuminaires {

@@ -12,11 +12,13 @@
 #include "surface/quality.h"
 #include "world/bent_normals.h"
 #include "world/flatten.h"
+#include "world/luminaire_choices.h"
 #include "world/radiance.h"
 #include "world/shutter.h"
 #include "world/volumes.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace candelabra {
 
@@ -244,7 +246,7 @@ void build_indices(World& world, const CompileOptions& options) {
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
         boxes[item] = bounds_in_tree(world.geometry, item);
     const std::vector<Plane> planes = world_planes(world.geometry);
-    LightScene lit{world.lights.luminaires, boxes, planes};
+    LightScene lit{std::make_shared<LuminaireChoices>(world.lights.luminaires), boxes, planes};
     lit.pixel = pixel_angle(world.view.camera, options);
     const Projection& camera = world.view.camera;
     if (camera.parallel)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/quick_lights.h"
 
+#include "world/luminaire_choices.h"
+
 #include <utility>
 
 namespace candelabra {
@@ -15,14 +17,14 @@ QuickLights::~QuickLights() {
 }
 
 void QuickLights::replace_all(World& world) {
-    replace(world.lights.sampler, world.lights.luminaires);
+    replace(world.lights.sampler, LuminaireChoices(world.lights.luminaires));
     for (SourceSet& set : world.lights.source_sets)
-        if (set.drawn()) replace(set.sampler, set.emitters);
+        if (set.drawn()) replace(set.sampler, *set.choices);
 }
 
-void QuickLights::replace(BuiltLightSampler& place, std::span<const Luminaire> luminaires) {
-    if (luminaires.empty()) return;
-    replaced_.push_back({&place, std::exchange(place, BuiltLightBvh(luminaires))});
+void QuickLights::replace(BuiltLightSampler& place, const ChoosableLights& lights) {
+    if (lights.size() == 0) return;
+    replaced_.push_back({&place, std::exchange(place, BuiltLightBvh(lights))});
 }
 
 }  // namespace candelabra

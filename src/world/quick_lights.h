@@ -21,7 +21,7 @@ private:
         BuiltLightSampler* place;
         BuiltLightSampler sampler;
     };
-    void replace(BuiltLightSampler&, std::span<const Luminaire>);
+    void replace(BuiltLightSampler&, const ChoosableLights&);
     void replace_all(World&);
 
     std::vector<Replaced> replaced_;

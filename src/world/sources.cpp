@@ -2,9 +2,11 @@
 #include "world/sources.h"
 
 #include "base/degrees.h"
+#include "world/source_choices.h"
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 namespace candelabra {
 
@@ -49,15 +51,11 @@ double radius(const PointLight& light) {
     return length(light.area1) + length(light.area2);
 }
 
-Luminaire emitter(const PointLight& light, std::uint32_t number) {
-    SourceEmitter source{light.location, radius(light), falloff(light)};
+ChoosableSource choosable(const PointLight& light) {
     // A light with one direction is a point of the sphere of directions.
-    if (same_direction_everywhere(light)) source = {unit(light.location - light.point_at), 0, {}};
-    Luminaire result;
-    result.emitter = source;
-    result.radiance = light.colour;
-    result.primitive = number;
-    return result;
+    if (same_direction_everywhere(light))
+        return {unit(light.location - light.point_at), 0, {}, luminance(light.colour)};
+    return {light.location, radius(light), falloff(light), luminance(light.colour)};
 }
 
 class Sets {
@@ -92,27 +90,26 @@ private:
     void add_drawn(SourceSet set) {
         if (set.lights.empty()) return;
         if (set.lights.size() > limits_.max_asked) {
-            for (const std::uint32_t i : set.lights) set.emitters.push_back(emitter(lights_[i], i));
-            give_size(set.emitters);
+            std::vector<ChoosableSource> sources;
+            for (const std::uint32_t i : set.lights) sources.push_back(choosable(lights_[i]));
+            give_size(sources);
+            set.choices = std::make_shared<SourceChoices>(std::move(sources));
             LightScene scene = scene_;
             if (set.parallel) scene = {};
-            scene.luminaires = set.emitters;
+            scene.lights = set.choices;
             set.sampler = build(settings_, scene, limits_.threads);
         }
         result.push_back(std::move(set));
     }
 
     /// Sets a minimum radius: without one, rounding would decide which sources are above a horizon.
-    static void give_size(std::vector<Luminaire>& emitters) {
+    static void give_size(std::vector<ChoosableSource>& sources) {
         Box all;
-        for (const Luminaire& e : emitters)
-            all = join(all, std::get<SourceEmitter>(e.emitter).centre);
+        for (const ChoosableSource& source : sources) all = join(all, source.centre);
         const double least =
             min_radius * max_component(all.size()) + 1e-12 * max_abs_component(all.centre());
-        for (Luminaire& e : emitters) {
-            double& radius = std::get<SourceEmitter>(e.emitter).radius;
-            radius = std::max({radius, least, 1e-100});
-        }
+        for (ChoosableSource& source : sources)
+            source.radius = std::max({source.radius, least, 1e-100});
     }
 
     std::span<const PointLight> lights_;

@@ -6,6 +6,7 @@
 #include "light/light.h"
 #include "lighting/sampler.h"
 
+#include <memory>
 #include <vector>
 
 namespace candelabra {
@@ -20,12 +21,12 @@ inline constexpr std::size_t max_asked_among_samples = 32;
 struct SourceSet {
     std::uint32_t group = 0;            ///< light group; 0: all objects
     std::vector<std::uint32_t> lights;  ///< in WorldLights::sources
-    /// One per source if sources are sampled; none if all are evaluated.
-    std::vector<Luminaire> emitters = {};
-    bool parallel = false;  ///< lights have one direction everywhere, where their emitters are
+    /// The sources, if some are sampled; null if all are evaluated.
+    std::shared_ptr<const ChoosableLights> choices = nullptr;
+    bool parallel = false;  ///< lights have one direction everywhere, where the choices are
     BuiltLightSampler sampler = {};
 
-    bool drawn() const { return !emitters.empty(); }
+    bool drawn() const { return choices != nullptr; }
     /// Returns the receiver for which to query the sampler.
     Receiver asked(const Receiver& point) const {
         return parallel ? Receiver{Vec3(0), point.normal, point.horizon} : point;

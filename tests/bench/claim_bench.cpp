@@ -4,6 +4,7 @@
 //   claim_bench [choices] [contributors] [threshold] [split] [samples] [rays] [bulb] [few] [scale]
 #include "lighting/paper_octree.h"
 #include "noise.h"
+#include "support/choices.h"
 #include "support/draw.h"
 #include "support/scripts.h"
 #include "transport/integrator.h"
@@ -56,7 +57,7 @@ void choices() {
                 luminaire.primitive = 0;
             }
             const Box surface{Vec3(-100), Vec3(100)};
-            const auto built = build(strategy.sampler, LightScene{luminaires, {&surface, 1}}, 1);
+            const auto built = build(strategy.sampler, LightScene{choices(luminaires), {&surface, 1}}, 1);
             // So many points as a picture has cells, asked again and again.
             constexpr int places = 1000;
             const int tries = linear ? 2000000 / count : 100 * places;
@@ -153,7 +154,7 @@ void threshold() {
         for (const Seen& seen : points)
             surfaces.push_back({seen.point.position - 0.1, seen.point.position + 0.1});
         const double start = cpu_seconds();
-        const BuiltPaperOctree built(settings.as_in_paper(), {world.lights.luminaires, surfaces}, 1);
+        const BuiltPaperOctree built(settings.as_in_paper(), {choices(world.lights.luminaires), surfaces}, 1);
         const double built_in = cpu_seconds() - start;
         std::vector<std::size_t> lengths;
         for (const Seen& seen : points) lengths.push_back(built.bright(seen.point.position));

@@ -8,6 +8,7 @@
 // comparable with each other; times are CPU seconds of rendering in one thread.
 #include "luminaire/composite.h"
 #include "noise.h"
+#include "support/choices.h"
 #include "support/lights.h"
 #include "support/scripts.h"
 
@@ -189,7 +190,7 @@ void horizon() {
         const Box surface{Vec3(-4), Vec3(4)};
         LightOctree settings;
         settings.cut = 6;
-        const BuiltCutOctree built(settings, LightScene{luminaires, {&surface, 1}});
+        const BuiltCutOctree built(settings, LightScene{choices(luminaires), {&surface, 1}});
         for (int i = 0; i < 300000; ++i) {
             const auto light = static_cast<LightIndex>(draw.number() * luminaires.size());
             Cases& kind = cases[light % horizon_kinds];
@@ -291,7 +292,7 @@ void million() {
         luminaire.primitive = 0;
     }
     const std::vector<Box> surfaces = {{Vec3(-100), Vec3(100)}};
-    const LightScene scene{luminaires, surfaces};
+    const LightScene scene{choices(luminaires), surfaces};
     for (const Strategy& strategy :
          {Strategy{"light_bvh", LightBvh{}}, Strategy{"light_octree", octree()}}) {
         const double start = cpu_seconds();

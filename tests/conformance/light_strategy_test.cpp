@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How every light sampling strategy picks luminaires, run for each alternative of LightSampler:
 // light_answer_test.cpp has directions and points.
+#include "support/choices.h"
 #include "support/strategies.h"
 
 #include <catch2/catch.hpp>
@@ -165,7 +166,8 @@ TEMPLATE_LIST_TEST_CASE(
     }
 
     const std::vector<Luminaire> below(20, glowing(SphereEmitter{Vec3(0, -5, 0), 1}));
-    const auto built = built_with(settings<TestType>(), LightScene{below, {&surface, 1}}, 1);
+    const auto built =
+        built_with(settings<TestType>(), LightScene{choices(below), {&surface, 1}}, 1);
     for (int i = 0; i < 100; ++i)
         for (const LightPick& pick : Asked(built, point).picks(key_of(1, i)))
             CHECK(pick.expected > 0);
@@ -177,7 +179,8 @@ TEMPLATE_LIST_TEST_CASE("coincident, dark, faint and glaring luminaires are all 
     for (const double radiance : {1.0, 1.0, 0.0, -3.0, 1e-300, 1e-12, 1e12, 1e300})
         luminaires.push_back(glowing(SphereEmitter{Vec3(0, 3, 0), 1}, radiance));
     const Box surface{Vec3(-1), Vec3(1)};
-    const auto built = built_with(settings<TestType>(), LightScene{luminaires, {&surface, 1}}, 1);
+    const auto built =
+        built_with(settings<TestType>(), LightScene{choices(luminaires), {&surface, 1}}, 1);
     const Receiver point{Vec3(0), Vec3(0, 1, 0)};
     const Asked asked(built, point);
     std::size_t picked = 0;

@@ -2,6 +2,7 @@
 #include "lighting/cell_survey.h"
 
 #include "support/ball_over_floor.h"
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -17,9 +18,10 @@ const Box cell_at_floor{Vec3(2, -2, 2), Vec3(4, 0, 4)};
 /// Surveys a cell that one glowing ball lights.
 CellSurvey surveyed(const LightProbe& probe, bool in_air) {
     const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0), 1}, 2.5)};
-    const LightTree tree(luminaires);
-    const CellSurveyor survey(luminaires, tree, {}, 0.9);
-    LightCut cut(tree, luminaires, cell_at_floor, {});
+    const LightTree tree(*choices(luminaires));
+    const auto lights = choices(luminaires);
+    const CellSurveyor survey(*lights, tree, {}, 0.9);
+    LightCut cut(tree, *choices(luminaires), cell_at_floor, {});
     return survey(cell_at_floor, in_air, cut, probe);
 }
 
@@ -50,13 +52,13 @@ TEST_CASE("a survey scales the entries of a cut by the light that arrives", "[li
     // Of two balls of the same light the second one is hidden: rays towards it meet nothing.
     const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0), 1}, 2.5),
                                                glowing(SphereEmitter{Vec3(6, 0, 6), 1}, 2.5)};
-    const LightTree tree(luminaires);
-    LightCut cut(tree, luminaires, cell_at_floor, {});
+    const LightTree tree(*choices(luminaires));
+    LightCut cut(tree, *choices(luminaires), cell_at_floor, {});
     REQUIRE(cut.entries() == 2);
     const Receiver point{Vec3(3, -1.5, 3), Vec3(0, 1, 0)};
     CutWeights before, after;
     cut.weigh(point, before);
-    CellSurveyor(luminaires, tree, {}, 0.9)(cell_at_floor, false, cut, ball_over_floor);
+    CellSurveyor(*choices(luminaires), tree, {}, 0.9)(cell_at_floor, false, cut, ball_over_floor);
     cut.weigh(point, after);
     const auto entry_of = [&](LightIndex light) { return cut.entry_of(tree.place_of(light)); };
     const auto share = [&](const CutWeights& weights) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cluster_descent.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +22,7 @@ const Receiver below_row{Vec3(0), Vec3(0, 1, 0)};
 }  // namespace
 
 TEST_CASE("members of a cluster are drawn with their probabilities", "[lighting]") {
-    const LightTree tree(row_of_lamps());
+    const LightTree tree(*choices(row_of_lamps()));
     const Key key = Key::of(Survey::cell, 1, 2, 3);
     double sum = 0;
     for (std::uint32_t place = 0; place < 300; ++place)
@@ -37,7 +38,7 @@ TEST_CASE("members of a cluster are drawn with their probabilities", "[lighting]
 
 TEST_CASE("members that are near are drawn most", "[lighting]") {
     const std::vector<Luminaire> luminaires = row_of_lamps();
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     double light = 0, nearest = 0;
     for (const Luminaire& each : luminaires) light += unoccluded(each, below_row);
     for (LightIndex i = 0; i < 3; ++i)

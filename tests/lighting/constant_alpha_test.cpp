@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/constant_alpha.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -9,7 +10,7 @@ namespace candelabra {
 
 TEST_CASE("constant alpha picks one of all luminaires, each as often", "[lighting][claim-5]") {
     const std::vector<Luminaire> luminaires(5, glowing(SphereEmitter{Vec3(0, 3, 0), 1}));
-    const BuiltConstantAlpha built = build(ConstantAlpha{}, {luminaires, {}}, 1);
+    const BuiltConstantAlpha built = build(ConstantAlpha{}, {choices(luminaires), {}}, 1);
     std::array<int, 5> counts{};
     for (std::uint32_t sample = 0; sample < 5000; ++sample) {
         LightPicks picks;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cut_calibration.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -12,9 +13,9 @@ TEST_CASE("entries of which nothing arrives count little, but not nothing", "[li
     std::vector<Luminaire> luminaires;
     for (int i = 0; i < 20; ++i)
         luminaires.push_back(glowing(SphereEmitter{Vec3(i % 2 ? 30 : -30, 20, i - 10), 0.3}, 5));
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     const Box cell{Vec3(-1, -0.1, -1), Vec3(1, 0.1, 1)};
-    const LightCut cut(tree, luminaires, cell, {1e-9, 64});
+    const LightCut cut(tree, *choices(luminaires), cell, {1e-9, 64});
     double wall_passes = 0;
     const auto probe = [&](const Ray& ray, double tolerance) -> std::optional<ProbeHit> {
         if (ray.direction.x < 0 && tolerance < 5)
@@ -29,7 +30,8 @@ TEST_CASE("entries of which nothing arrives count little, but not nothing", "[li
     std::vector<SurveyPlace> receivers;
     for (int i = 0; i < 6; ++i)
         receivers.push_back({{Vec3(0.3 * i - 0.8, 0, 0.1), Vec3(0, 1, 0)}, 1e-9});
-    const std::vector<float> shares = arriving_shares(cut, tree, luminaires, receivers, probe);
+    const std::vector<float> shares =
+        arriving_shares(cut, tree, *choices(luminaires), receivers, probe);
     REQUIRE(shares.size() == cut.entries());
     for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
         const LightIndex light = tree.light(cut.cluster(entry).first);
@@ -41,12 +43,12 @@ TEST_CASE("entries of which nothing arrives count little, but not nothing", "[li
         CHECK(cautious_share(shares[entry], cell, {Vec3(0, 1, 0), 0.5}) >= 0.99f);
     }
     const auto dark = [](const Ray&, double) -> std::optional<ProbeHit> { return {}; };
-    for (const float share : arriving_shares(cut, tree, luminaires, receivers, dark))
+    for (const float share : arriving_shares(cut, tree, *choices(luminaires), receivers, dark))
         CHECK(share == 1);
     // Lamps behind glass count by the light that passes the glass.
     wall_passes = 0.5;
     const std::vector<float> behind_glass =
-        arriving_shares(cut, tree, luminaires, receivers, probe);
+        arriving_shares(cut, tree, *choices(luminaires), receivers, probe);
     for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
         const bool before = tree.light(cut.cluster(entry).first) % 2 == 1;
         CHECK(behind_glass[entry] > (before ? 0.9f : 0.4f));

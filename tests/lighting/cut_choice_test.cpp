@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cut_choice.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -14,8 +15,8 @@ TEST_CASE("luminaires are picked from a cut as often as is expected", "[lighting
     std::vector<Luminaire> luminaires;
     for (int i = 0; i < 60; ++i)
         luminaires.push_back(glowing(SphereEmitter{3.0 * draw.point(), 0.05}));
-    const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, {Vec3(-0.5), Vec3(0.5)}, {0.01, 8});
+    const LightTree tree(*choices(luminaires));
+    const LightCut cut(tree, *choices(luminaires), {Vec3(-0.5), Vec3(0.5)}, {0.01, 8});
     const Receiver point{Vec3(0.1), Vec3(0, 1, 0)};
     CutWeights weights;
     cut.weigh(point, weights);

@@ -2,6 +2,7 @@
 #include "lighting/cut_octree.h"
 
 #include "lighting/linear_alpha.h"
+#include "support/choices.h"
 #include "support/strategies.h"
 
 #include <catch2/catch.hpp>
@@ -26,7 +27,7 @@ struct Street {
                         std::pow(10, draw.between(0, 1))));
         }
     }
-    LightScene scene() const { return {luminaires, ground}; }
+    LightScene scene() const { return {choices(luminaires), ground}; }
     Receiver point(Draw& draw) const {
         return {Vec3(draw.between(-50, 50), 0, draw.between(-50, 50)), Vec3(0, 1, 0)};
     }
@@ -157,7 +158,7 @@ TEST_CASE("the light of lamps that few directions meet is expected as well", "[l
         return nearest;
     };
     const LightProbe probe(look);
-    const BuiltCutOctree built(LightOctree{}, {luminaires, ground});
+    const BuiltCutOctree built(LightOctree{}, {choices(luminaires), ground});
     const BsdfLobes lobes;
     for (int i = 0; i < 20; ++i) {
         const Receiver point{Vec3(draw.between(-5, 5), 0, draw.between(-5, 5)), Vec3(0, 1, 0)};

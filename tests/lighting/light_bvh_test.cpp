@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_bvh.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -15,7 +16,7 @@ TEST_CASE("the hierarchy's probabilities add up to 1 where everything is above t
         luminaires.push_back(glowing(emitter(i % emitter_kinds, draw.point(3) + Vec3(0, 6, 0),
                                              draw.between(0.01, 0.3), draw),
                                      draw.between(1, 9)));
-    const BuiltLightBvh built = build(LightBvh{}, {luminaires, {}}, 1);
+    const BuiltLightBvh built = build(LightBvh{}, {choices(luminaires), {}}, 1);
     for (int i = 0; i < 50; ++i) {
         const Receiver point{draw.point(1), Vec3(0, 1, 0)};
         double sum = 0;
@@ -32,7 +33,7 @@ TEST_CASE("a deep hierarchy is walked without losing luminaires", "[lighting]") 
         const double d = std::pow(0.25, i);
         luminaires.push_back(glowing(SphereEmitter{Vec3(0.1 * d, d, 0), d / 8}));
     }
-    const BuiltLightBvh built = build(LightBvh{}, {luminaires, {}}, 1);
+    const BuiltLightBvh built = build(LightBvh{}, {choices(luminaires), {}}, 1);
     const Receiver point{Vec3(0), Vec3(0, 1, 0)};
     double sum = 0;
     for (LightIndex light = 0; light < 150; ++light) {
@@ -63,13 +64,13 @@ TEST_CASE("a deep hierarchy is walked without losing luminaires", "[lighting]") 
 TEST_CASE("of equal lamps, the nearer one is picked more often", "[lighting]") {
     const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0, 10, 0), 0.1}),
                                                glowing(SphereEmitter{Vec3(0, 2, 0), 0.1})};
-    const BuiltLightBvh built = build(LightBvh{}, {luminaires, {}}, 1);
+    const BuiltLightBvh built = build(LightBvh{}, {choices(luminaires), {}}, 1);
     CHECK(built.expected({Vec3(0), Vec3(0, 1, 0)}, {}, 1) == Approx(25.0 / 26).epsilon(0.01));
 }
 
 TEST_CASE("the tree that finds what paired rays meet counts as memory", "[lighting]") {
     const std::vector<Luminaire> luminaires(100, glowing(SphereEmitter{Vec3(0, 2, 0), 0.1}));
-    const BuiltLightBvh alone(luminaires), paired(luminaires, LightBvh{true});
+    const BuiltLightBvh alone(*choices(luminaires)), paired(*choices(luminaires), LightBvh{true});
     CHECK(paired.paired());
     CHECK(paired.memory_bytes() == alone.memory_bytes() + paired.tree().memory_bytes());
 }

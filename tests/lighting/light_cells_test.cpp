@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cells.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -20,7 +21,8 @@ struct Setup {
     LightCells build(const PaperOctree& settings, int threads = 1) {
         lights.clear();
         for (const Luminaire& luminaire : luminaires) lights.push_back(bounds(luminaire));
-        return build_light_cells(settings, {luminaires, surfaces, planes}, lights, threads);
+        return build_light_cells(settings, {choices(luminaires), surfaces, planes}, lights,
+                                 threads);
     }
 };
 

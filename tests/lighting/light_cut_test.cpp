@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cut.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
+#include "world/source_choices.h"
 
 #include <catch2/catch.hpp>
 
@@ -27,8 +29,8 @@ TEST_CASE("a cut holds every luminaire once", "[lighting]") {
     for (const int count : {1, 2, 15, 16, 17, 500})
         for (const int most : {1, 7, 64, 256}) {
             const std::vector<Luminaire> luminaires = lamps(count);
-            const LightTree tree(luminaires);
-            const LightCut cut(tree, luminaires, cell, {1e-9, most});
+            const LightTree tree(*choices(luminaires));
+            const LightCut cut(tree, *choices(luminaires), cell, {1e-9, most});
             CHECK(cut.entries() <= static_cast<std::size_t>(most));
             std::uint32_t next = 0;
             for (std::size_t i = 0; i < cut.entries(); ++i) {
@@ -43,15 +45,15 @@ TEST_CASE("a cut holds every luminaire once", "[lighting]") {
 
 TEST_CASE("more entries make less noise, and the bound is kept where they suffice", "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(200);
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     double last = std::numeric_limits<double>::infinity();
     for (const int most : {1, 16, 64, 256}) {
-        const LightCut cut(tree, luminaires, cell, {1e-9, most});
+        const LightCut cut(tree, *choices(luminaires), cell, {1e-9, most});
         CHECK(cut.noise() < last);
         last = cut.noise();
     }
     CHECK(last == Approx(0).margin(1e-12));
-    const LightCut loose(tree, luminaires, cell, {0.5, 256});
+    const LightCut loose(tree, *choices(luminaires), cell, {0.5, 256});
     CHECK(loose.noise() <= 0.5);
     CHECK(loose.entries() < 150);
 }
@@ -62,8 +64,8 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
     for (int i = 0; i < 40; ++i)
         luminaires.push_back(
             glowing(SphereEmitter{draw.point(5), 0.1}, std::pow(10, draw.between(-2, 2))));
-    const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, cell, {1e-9, 64});
+    const LightTree tree(*choices(luminaires));
+    const LightCut cut(tree, *choices(luminaires), cell, {1e-9, 64});
     REQUIRE(cut.entries() == 40);
     for (int i = 0; i < 100; ++i) {
         const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};
@@ -86,8 +88,8 @@ TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
     Draw draw(6);
     for (int i = 0; i < 60; ++i)
         luminaires.push_back(glowing(SphereEmitter{draw.point(5), 0.01}, 1));
-    const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, cell, {1e-9, 64});
+    const LightTree tree(*choices(luminaires));
+    const LightCut cut(tree, *choices(luminaires), cell, {1e-9, 64});
     REQUIRE(cut.entries() == 60);
     for (int i = 0; i < 100; ++i) {
         const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};
@@ -128,9 +130,9 @@ TEST_CASE("an entry with a bent normal weighs less behind itself, but something 
             luminaires.back().bent_normal = Vec3(0, 0, -0.48);
         }
         luminaires.push_back(glowing(SphereEmitter{Vec3(500, 0, 10), 1}));
-        const LightTree tree(luminaires);
+        const LightTree tree(*choices(luminaires));
         for (const int most : {2, 64}) {
-            const LightCut cut(tree, luminaires, cell, {1e-9, most});
+            const LightCut cut(tree, *choices(luminaires), cell, {1e-9, most});
             const auto seen_from = [&](double z) {
                 CutWeights weights;
                 cut.weigh({Vec3(0, 0, z), Vec3(0, 0, z < 10 ? 1 : -1)}, weights);
@@ -148,7 +150,7 @@ TEST_CASE("an entry with a bent normal weighs less behind itself, but something 
 }
 
 TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim-28]") {
-    std::vector<Luminaire> luminaires;
+    std::vector<ChoosableSource> sources;
     Draw draw(3);
     for (int i = 0; i < 40; ++i) {
         Falloff falloff;
@@ -159,11 +161,11 @@ TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim
             falloff.dark = draw.between(0.3, 1.5);
             falloff.bright = draw.between(0, falloff.dark);
         }
-        luminaires.push_back(glowing(SourceEmitter{draw.point(5), 1e-5, falloff},
-                                     std::pow(10, draw.between(-2, 2))));
+        sources.push_back({draw.point(5), 1e-5, falloff, std::pow(10, draw.between(-2, 2))});
     }
-    const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, cell, {1e-9, 64});
+    const SourceChoices lights(sources);
+    const LightTree tree(lights);
+    const LightCut cut(tree, lights, cell, {1e-9, 64});
     // Cones that miss the cell need not be distinguished.
     REQUIRE(cut.entries() > 30);
     for (int i = 0; i < 100; ++i) {
@@ -171,12 +173,12 @@ TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim
         CutWeights weights;
         cut.weigh(point, weights);
         double sum = 0;
-        for (const Luminaire& luminaire : luminaires) sum += unoccluded(luminaire, point);
+        for (LightIndex light = 0; light < 40; ++light) sum += lights.unoccluded(light, point);
         for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
             double given = 0;
             const LightCluster& c = cut.cluster(entry);
             for (std::uint32_t place = c.first; place < c.first + c.count; ++place)
-                given += unoccluded(luminaires[tree.light(place)], point) / sum;
+                given += lights.unoccluded(tree.light(place), point) / sum;
             if (c.count > 1) CHECK(given == 0);
             CHECK(weights.weight[entry] / weights.total == Approx(given).epsilon(0.1).margin(1e-3));
             if (given > 0) CHECK(weights.weight[entry] > 0);
@@ -186,8 +188,8 @@ TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim
 
 TEST_CASE("entries are found in proportion to their weights", "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(100);
-    const LightTree tree(luminaires);
-    const LightCut cut(tree, luminaires, cell, {1e-9, 50});
+    const LightTree tree(*choices(luminaires));
+    const LightCut cut(tree, *choices(luminaires), cell, {1e-9, 50});
     CutWeights weights;
     cut.weigh({Vec3(0.3), Vec3(0, 1, 0)}, weights);
     std::vector<double> counted(cut.entries());

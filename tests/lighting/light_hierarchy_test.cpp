@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_hierarchy.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -12,7 +13,7 @@ namespace {
 /// Returns the depth of the tree, after checking that each luminaire is in one leaf and each node's
 /// sphere contains everything below it.
 int checked_depth(const std::vector<Luminaire>& luminaires) {
-    const std::vector<LightNode> nodes = build_light_hierarchy(luminaires);
+    const std::vector<LightNode> nodes = build_light_hierarchy(*choices(luminaires));
     REQUIRE(nodes.size() == 2 * luminaires.size() - 1);
     std::vector<int> seen(luminaires.size()), depth(nodes.size());
     int deepest = 0;
@@ -68,7 +69,7 @@ TEST_CASE("triangles that lie in one plane keep a narrow cone", "[lighting]") {
                    other = i % 2 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
         luminaires.push_back(glowing(TriangleEmitter{at, at + 0.1 * side, at + 0.1 * other}));
     }
-    const std::vector<LightNode> nodes = build_light_hierarchy(luminaires);
+    const std::vector<LightNode> nodes = build_light_hierarchy(*choices(luminaires));
     CHECK(nodes[0].cos_spread == Approx(1));
     CHECK(std::abs(nodes[0].axis.z) == Approx(1));
 }
@@ -84,7 +85,7 @@ TEST_CASE("luminaires in geometric progression, or all in one place, make no end
     CHECK(deep > 64);
     CHECK(deep < 64 + 12);
     CHECK(checked_depth(together) < 12);
-    CHECK(build_light_hierarchy({}).empty());
+    CHECK(build_light_hierarchy(*choices({})).empty());
 }
 
 }  // namespace candelabra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_table.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -35,7 +36,7 @@ TEST_CASE("a list's sum is the sum of its luminaires' estimates, and find() foll
     for (const bool spheres_only : {true, false})
         for (const int count : {1, 7, 8, 9, 65, 500, 513, 3000}) {
             const std::vector<Luminaire> luminaires = mixed(count, spheres_only, draw);
-            LightTable table(luminaires);
+            LightTable table(choices(luminaires));
             table.append(some(luminaires.size(), 0.3, draw));
             const std::vector<LightIndex> lights =
                 some(luminaires.size(), count == 1 ? 1 : 0.9, draw);
@@ -65,7 +66,7 @@ TEST_CASE("a list's sum is the sum of its luminaires' estimates, and find() foll
 TEST_CASE("a vectorised loop and a single estimate agree to the last bit", "[lighting]") {
     Draw draw(2);
     const std::vector<Luminaire> luminaires = mixed(450, false, draw);
-    LightTable table(luminaires);
+    LightTable table(choices(luminaires));
     std::vector<LightIndex> all(luminaires.size());
     std::iota(all.begin(), all.end(), LightIndex{0});
     const LightList list = table.append(all);
@@ -85,7 +86,7 @@ TEST_CASE("estimates for near triangles are exact", "[lighting]") {
     Draw draw(3);
     for (int i = 0; i < 200; ++i) {
         const std::vector<Luminaire> one = {glowing(emitter(1, Vec3(0), 1, draw))};
-        const LightTable table(one);
+        const LightTable table(choices(one));
         const Receiver point{draw.point(1), draw.direction()};
         const double exact = unoccluded(one[0], point);
         CHECK(table.estimate(0, point) == exact);
@@ -98,7 +99,7 @@ TEST_CASE("targets that rounding carried past the end find the last luminaire th
     for (int i = 0; i < 700; ++i)
         luminaires.push_back(glowing(SphereEmitter{Vec3(0, 0, i < 600 ? 5 : -5), 1}));
     for (const std::size_t count : {20u, 700u}) {
-        LightTable table(luminaires);
+        LightTable table(choices(luminaires));
         std::vector<LightIndex> lights(count);
         std::iota(lights.begin(), lights.end(), LightIndex{0});
         const LightList list = table.append(lights);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_tree.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -36,7 +37,7 @@ void each_cluster(const LightTree& tree, const LightCluster& c, Visit visit) {
 TEST_CASE("each luminaire has one place in the light tree", "[lighting]") {
     for (const int count : {1, 2, 3, 100}) {
         const std::vector<Luminaire> luminaires = lamps(count, 1);
-        const LightTree tree(luminaires);
+        const LightTree tree(*choices(luminaires));
         REQUIRE(tree.lights() == luminaires.size());
         std::set<LightIndex> found;
         each_cluster(tree, tree.root(), [&](const LightCluster& c) {
@@ -51,7 +52,7 @@ TEST_CASE("each luminaire has one place in the light tree", "[lighting]") {
 TEST_CASE("the sphere around a cluster holds its luminaires, its strength is theirs",
           "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(200, 2);
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     const LightProxy whole = tree.light_proxy(tree.root());
     // All luminaires share 2^48 places, and each has one more than its share.
     const double place = 0x1p-48 * whole.strength * whole.radius;
@@ -75,7 +76,7 @@ TEST_CASE("the sphere around a cluster holds its luminaires, its strength is the
 
 TEST_CASE("luminaires are drawn by their strength", "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(30, 3);
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     const auto [first, second] = tree.halves(tree.root());
     std::vector<double> counted(30);
     constexpr int draws = 20000;
@@ -88,7 +89,7 @@ TEST_CASE("luminaires are drawn by their strength", "[lighting]") {
 
 TEST_CASE("no luminaire that a ray meets is left out", "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(300, 4);
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     Draw draw(5);
     int met = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -110,7 +111,7 @@ TEST_CASE("luminaires in geometric progression and in one place make a finite tr
         luminaires.push_back(glowing(SphereEmitter{Vec3(std::pow(2.0, -i), 0, 0), 1e-3}));
     for (int i = 0; i < 1000; ++i)
         luminaires.push_back(glowing(SphereEmitter{Vec3(1, 1, 1), 1}, 1));
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     int deepest = 0;
     const auto measure = [&](const auto& self, const LightCluster& c, int depth) -> void {
         deepest = std::max(deepest, depth);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/linear_alpha.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -25,7 +26,7 @@ TEST_CASE("linear alpha leaves no noise of choice where its estimates are exact"
     Draw draw(1);
     for (const int count : {1, 20, 2000}) {
         const std::vector<Luminaire> luminaires = spheres(count, draw);
-        const BuiltLinearAlpha built = build(LinearAlpha{}, {luminaires, {}}, 1);
+        const BuiltLinearAlpha built = build(LinearAlpha{}, {choices(luminaires), {}}, 1);
         const Receiver point{Vec3(0), Vec3(0, 1, 0)};
         double all = 0;
         for (const Luminaire& luminaire : luminaires) all += unoccluded(luminaire, point);
@@ -42,7 +43,7 @@ TEST_CASE("linear alpha leaves no noise of choice where its estimates are exact"
 TEST_CASE("linear alpha picks nothing where all luminaires are below the horizon", "[lighting]") {
     Draw draw(2);
     const std::vector<Luminaire> luminaires = spheres(50, draw);
-    const BuiltLinearAlpha built = build(LinearAlpha{}, {luminaires, {}}, 1);
+    const BuiltLinearAlpha built = build(LinearAlpha{}, {choices(luminaires), {}}, 1);
     LightPicks picks;
     built.choose({Vec3(0), Vec3(0, -1, 0)}, {}, picks);
     CHECK(picks.empty());
@@ -54,7 +55,7 @@ TEST_CASE("a luminaire whose centre is below the horizon is asked as long as a p
     // The paper's Figure 4, left, shows the result of the opposite.
     const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0, -1, 5), 2}),
                                                glowing(SphereEmitter{Vec3(0, 50, 0), 1})};
-    const BuiltLinearAlpha built = build(LinearAlpha{}, {luminaires, {}}, 1);
+    const BuiltLinearAlpha built = build(LinearAlpha{}, {choices(luminaires), {}}, 1);
     CHECK(built.expected({Vec3(0), Vec3(0, 1, 0)}, {}, 0) > 0);
 }
 

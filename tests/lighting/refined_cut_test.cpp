@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/refined_cut.h"
 
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -26,7 +27,7 @@ std::vector<Luminaire> many() {
 TEST_CASE("a refined cut holds every luminaire that is not dark once", "[lighting]") {
     std::vector<Luminaire> luminaires = many();
     for (std::size_t i = 0; i < 3; ++i) luminaires[100 * i].radiance = Vec3(0);
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     for (const int most : {1, 16, 100, 256}) {
         const RefinedCut cut = refined_cut(tree, refined_cell, {1e-9, most});
         CHECK(cut.clusters.size() <= static_cast<std::size_t>(most));
@@ -46,7 +47,7 @@ TEST_CASE("a refined cut holds every luminaire that is not dark once", "[lightin
 TEST_CASE("a finer cut has less noise, and a coarse rule is content with few entries",
           "[lighting]") {
     const std::vector<Luminaire> luminaires = many();
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     const RefinedCut coarse = refined_cut(tree, refined_cell, {1e-9, 16}),
                      fine = refined_cut(tree, refined_cell, {1e-9, 256}),
                      content = refined_cut(tree, refined_cell, {10, 256});
@@ -61,7 +62,7 @@ TEST_CASE("a long row of lamps that begins at the cell is divided down to its ne
     for (int i = 0; i < 2000; ++i)
         for (const double side : {-2.5, 2.5})
             luminaires.push_back(glowing(SphereEmitter{{side, 4, 6.0 * i}, 0.12}));
-    const LightTree tree(luminaires);
+    const LightTree tree(*choices(luminaires));
     const RefinedCut cut = refined_cut(tree, {Vec3(0, -8, 0), Vec3(12, 4, 12)}, {0.02, 64});
     for (LightIndex near = 0; near < 4; ++near) {
         const std::uint32_t place = tree.place_of(near);

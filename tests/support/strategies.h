@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lighting/sampler.h"
+#include "support/choices.h"
 #include "support/lights.h"
 
 #include <cmath>
@@ -53,7 +54,7 @@ struct Room {
         return {position, normal, lit_from(kind < 0.2)};
     }
 
-    LightScene scene() const { return {luminaires, surfaces}; }
+    LightScene scene() const { return {choices(luminaires), surfaces}; }
 };
 
 /// The strategy itself, of which the settings of the light octree name two.

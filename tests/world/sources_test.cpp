@@ -37,7 +37,7 @@ TEST_CASE("few light sources are all asked, some of many", "[world]") {
     const auto many = sets(lights(max_asked_sources + 1));
     REQUIRE(many.size() == 1);
     CHECK(many[0].drawn());
-    CHECK(many[0].emitters.size() == max_asked_sources + 1);
+    CHECK(many[0].choices->size() == max_asked_sources + 1);
     CHECK_FALSE(sets(lights(max_asked_sources + 1), EveryLight{})[0].drawn());
 }
 
@@ -59,8 +59,8 @@ TEST_CASE("light of one direction is chosen by direction", "[world]") {
     const auto found = sets(lights(200, parallel));
     REQUIRE(found.size() == 1);
     CHECK(found[0].parallel);
-    for (const Luminaire& each : found[0].emitters)
-        CHECK(length(std::get<SourceEmitter>(each.emitter).centre) == Approx(1));
+    for (LightIndex light = 0; light < 200; ++light)
+        CHECK(length(found[0].choices->bounds(light).centre) == Approx(1));
     const Receiver asked = found[0].asked({Vec3(5), Vec3(0, 1, 0)});
     CHECK(asked.position == Vec3(0));
     CHECK(asked.normal == Vec3(0, 1, 0));

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lights among which a strategy chooses, as far as strategies know them: their bounds, and the
+// light that a point gets from them. Whether they are luminaires, light sources or reflected light
+// is known to those who make the choices and ask for the light of what was chosen: world/ and
+// transport/.
+#pragma once
+
+#include "lighting/survey_places.h"
+#include "luminaire/light_proxy.h"
+
+#include <cstddef>
+
+namespace candelabra {
+
+/// Never changes, so that it may be asked by any number of threads.
+class ChoosableLights {
+public:
+    ChoosableLights() = default;
+    ChoosableLights(const ChoosableLights&) = delete;
+    ChoosableLights& operator=(const ChoosableLights&) = delete;
+    virtual ~ChoosableLights() = default;
+
+    virtual std::size_t size() const = 0;
+    virtual LightBounds bounds(LightIndex) const = 0;
+
+    /// Whether light falls off otherwise than with the square of the distance.
+    virtual bool falls_off() const { return false; }
+    virtual Falloff falloff(LightIndex) const { return {}; }
+
+    /// Whether a sampled direction may hit the light.
+    virtual bool has_surface(LightIndex) const { return true; }
+
+    /// Whether unoccluded() is exact where the light is near, unlike the estimate from its bounds.
+    virtual bool exact_nearby(LightIndex) const { return false; }
+    /// Unoccluded irradiance at the point, as luminance: see luminaire.h.
+    virtual double unoccluded(LightIndex light, const Receiver& point) const {
+        return irradiance(light_proxy(bounds(light)), point);
+    }
+
+    /// Irradiance that one shadow ray brings to a place, by a point of the light that u in [0, 1)^2
+    /// chooses; an unbiased estimate. Called if cells are surveyed.
+    virtual double arriving(LightIndex light, const SurveyPlace& place, const Vec2&,
+                            const LightProbe&) const {
+        return unoccluded(light, place.point);
+    }
+};
+
+}  // namespace candelabra
