@@ -102,6 +102,13 @@ Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, 
     return found;
 }
 
+[[gnu::noinline]] Value Evaluator::State::take_tuple(const Tree& tree, NodeId id) {
+    std::vector<Value>& values = *std::exchange(awaited_tuple_, nullptr);
+    for (NodeId each = tree.get<node::Tuple>(id).content; each != no_node; each = tree[each].next)
+        values.push_back(evaluate(tree, each));
+    return Numbers::scalar(static_cast<double>(values.size()));
+}
+
 // Not inlined, so that nested expressions do not each reserve stack for a message.
 [[gnu::noinline]] Value Evaluator::State::refuse_tuple(const Tree& tree, NodeId id) {
     const std::string_view before = sources.text(tree.source).substr(0, tree[id].first);
@@ -186,7 +193,7 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
             return call_value(tree, called, name, apply.arguments, tree.span(id));
         }
         case kind<node::Tuple>:
-            return refuse_tuple(tree, id);
+            return awaited_tuple_ ? take_tuple(tree, id) : refuse_tuple(tree, id);
         case kind<node::Broken>:
             return Absence::broken;
         case kind<node::Omitted>:

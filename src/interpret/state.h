@@ -106,6 +106,8 @@ struct Evaluator::State {
     Value walk_expression(const Tree&, NodeId);
     /// Report values with commas between where one is wanted. The value is broken.
     Value refuse_tuple(const Tree&, NodeId);
+    /// Moves the values in parentheses to where a declaration waits for them.
+    Value take_tuple(const Tree&, NodeId);
     Value refuse_gap(const Tree&, NodeId);
     /// The value of the name, or null. A constant of newer versions counts where the scene declares
     /// no such name.
@@ -400,6 +402,9 @@ struct Evaluator::State {
     Span last_break;
     Body reported;  ///< the last reported word
     bool stopped_ = false;
+    /// Receives the values in parentheses that a macro gives to `#declare (a, b) = M();`. Null: none
+    /// are expected.
+    std::vector<Value>* awaited_tuple_ = nullptr;
     const char* stack_end = nullptr;  ///< lowest address that the stack may reach; null: unlimited
 };
 
