@@ -123,7 +123,8 @@ void bound_memory() {
 constexpr auto commands = std::to_array<Command>({
     {"new", new_scene,
      "usage: candelabra new [--template name] scene.pov\n"
-     "Writes a scene to begin with. Templates: studio (the usual one), room, street, flake, leds.\n"},
+     "Writes a scene to begin with. Templates: studio (the usual one), room, street, flake, "
+     "leds.\n"},
     {"merge", merge,
      "usage: candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
      "Joins the states that shards of a picture have left; candelabra-merge(1) says more.\n"},

@@ -35,7 +35,7 @@ struct NewScene {
 };
 
 std::optional<NewScene> wanted_by(std::span<const std::string_view> arguments,
-                                Diagnostics& diagnostics) {
+                                  Diagnostics& diagnostics) {
     constexpr std::string_view option = "--template";
     NewScene wanted;
     const auto fail = [&](const std::string& text) {

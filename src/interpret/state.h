@@ -402,8 +402,8 @@ struct Evaluator::State {
     Span last_break;
     Body reported;  ///< the last reported word
     bool stopped_ = false;
-    /// Receives the values in parentheses that a macro gives to `#declare (a, b) = M();`. Null: none
-    /// are expected.
+    /// Receives the values in parentheses that a macro gives to `#declare (a, b) = M();`. Null if
+    /// none are expected.
     std::vector<Value>* awaited_tuple_ = nullptr;
     const char* stack_end = nullptr;  ///< lowest address that the stack may reach; null: unlimited
 };

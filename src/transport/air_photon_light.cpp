@@ -88,7 +88,7 @@ Vec3 light_of_air_photons(const World& world, const AirPhotonMap& map, const Pho
     if (passed.empty()) return Vec3(0);
     AirGatherer gatherer(world, stretch, ledger);
     return passed.size() <= gatherer.choices() ? gatherer.of_all(passed)
-                                              : gatherer.of_some(passed, sums);
+                                               : gatherer.of_some(passed, sums);
 }
 
 }  // namespace candelabra

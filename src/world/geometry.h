@@ -63,7 +63,7 @@ struct PlacedComposite {
     Handle<Composite> composite;
     PrimitiveIndex first_leaf = 0;
     bool transparent = false;  ///< whether any leaf is
-    Box around;  ///< see bounds_of_inside
+    Box around;                ///< see bounds_of_inside
 };
 
 /// Solids with an index, so that rays that begin anywhere can find those that contain their origin.

@@ -58,7 +58,7 @@ TEST_CASE("a wrong declaration gets one message", "[interpret]") {
         {"#macro T() 1 #end #declare (a, b) = T();",
          "error: there must be as many values as names\n"},
         {"#macro T() (1, nope) #end #declare (a, b) = T();",
-         "error: nothing is declared as `nope`\n"},
+         "error: nothing is declared as `nope` (T)\n"},
         {"#macro T() (1, 2) (3, 4) #end #declare (a, b) = T();",
          "error: values in parentheses are no vector (T)\n"},
         {"#declare a = sphere;", "error: expected `{`, but found `;`\n"},
