@@ -18,10 +18,10 @@ namespace candelabra {
 namespace {
 
 /// See generation_serving.
-constexpr std::uint32_t single_samples = 4, samples_of_generation = 4;
+constexpr std::uint32_t alone_samples = 4, sharing_samples = 4;
 /// Number of generations kept in memory.
 constexpr std::size_t kept_generations =
-    single_samples + ReflectedLuminaires::samples_at_once / samples_of_generation + 2;
+    alone_samples + ReflectedLuminaires::samples_at_once / sharing_samples + 2;
 /// Number of light paths that one thread follows at a time, and that are followed to find the
 /// bound.
 constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
@@ -89,7 +89,7 @@ ReflectedLuminaires::ReflectedLuminaires(const World& world, std::uint32_t count
 }
 
 std::uint32_t ReflectedLuminaires::generation_of(std::uint32_t sample) {
-    return generation_serving(sample, single_samples, samples_of_generation);
+    return generation_serving(sample, alone_samples, sharing_samples);
 }
 
 /// Returns all reflected luminaires of a random stream, in the order of their paths.

@@ -27,8 +27,7 @@ struct Seen {
 std::vector<Seen> seen_points(const World& world, int across) {
     std::vector<Seen> result;
     for (int i = 0; i < across * across; ++i) {
-        const Ray ray = pinhole_ray(world, (i % across + 0.5) / across - 0.5,
-                                    0.5 - (i / across + 0.5) / across);
+        const Ray ray = middle_ray(world, {i % across, i / across, across, across});
         Hit hit;
         if (ray.direction == Vec3(0) || !world.first_hit(ray, 0, RayKind::camera, hit)) continue;
         if (world.lights.luminaire_of[hit.primitive] != no_primitive) continue;
@@ -57,7 +56,8 @@ void choices() {
                 luminaire.primitive = 0;
             }
             const Box surface{Vec3(-100), Vec3(100)};
-            const auto built = build(strategy.sampler, LightScene{choices(luminaires), {&surface, 1}}, 1);
+            const auto built =
+                build(strategy.sampler, LightScene{choices(luminaires), {&surface, 1}}, 1);
             // So many points as a picture has cells, asked again and again.
             constexpr int places = 1000;
             const int tries = linear ? 2000000 / count : 100 * places;
@@ -96,8 +96,8 @@ void choices() {
     }
     const double start = cpu_seconds();
     for (std::size_t i = 0; i < std::min(samples.picks.size(), points.size()); ++i)
-        if (const auto to =
-                sample(world.lights.luminaires[samples.picks[i].light], points[i].point, {0.3, 0.7}))
+        if (const auto to = sample(world.lights.luminaires[samples.picks[i].light], points[i].point,
+                                   {0.3, 0.7}))
             world.transmittance({points[i].point.position, to->direction}, points[i].tolerance,
                                 to->distance);
     tracing = cpu_seconds() - start;
@@ -154,7 +154,8 @@ void threshold() {
         for (const Seen& seen : points)
             surfaces.push_back({seen.point.position - 0.1, seen.point.position + 0.1});
         const double start = cpu_seconds();
-        const BuiltPaperOctree built(settings.as_in_paper(), {choices(world.lights.luminaires), surfaces}, 1);
+        const BuiltPaperOctree built(settings.as_in_paper(),
+                                     {choices(world.lights.luminaires), surfaces}, 1);
         const double built_in = cpu_seconds() - start;
         std::vector<std::size_t> lengths;
         for (const Seen& seen : points) lengths.push_back(built.bright(seen.point.position));
@@ -192,8 +193,9 @@ void split() {
             const auto to = sample(luminaire, seen.point, place);
             const double whole = unoccluded(luminaire, seen.point) / samples.picks[0].expected;
             const double height = to ? std::fmax(0, dot(to->direction, seen.point.normal)) : 0;
-            const double here =
-                to ? luminance(luminaire.radiance) * height / (to->density * samples.picks[0].expected) : 0;
+            const double here = to ? luminance(luminaire.radiance) * height /
+                                         (to->density * samples.picks[0].expected)
+                                   : 0;
             const bool clear =
                 here > 0 && world.transmittance({seen.point.position, to->direction},
                                                 seen.tolerance, to->distance) != Vec3(0);

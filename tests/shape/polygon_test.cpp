@@ -8,10 +8,8 @@
 
 namespace candelabra {
 
-namespace {}  // namespace
-
 TEST_CASE("a polygon is met within its edges and not in its holes", "[shape]") {
-    const BuiltPolygon square = build({{o, x, x + y, y, o}});
+    const BuiltPolygon square = build(Polygon{{o, x, x + y, y, o}});
     const Vec3 middle(0.5, 0.5, -5);
     CHECK(answers(square, {{middle, z}, {{5, z, false}}}));
     CHECK(answers(square, {{-middle + Vec3(1, 1, 0), -z}, {{5, z, true}}}));
@@ -20,8 +18,8 @@ TEST_CASE("a polygon is met within its edges and not in its holes", "[shape]") {
     CHECK_FALSE(inside(square, Vec3(0.5, 0.5, 0)));
 
     const BuiltPolygon frame =
-        build({{o, 3.0 * x, Vec3(3, 3, 0), 3.0 * y, o, Vec3(1, 1, 0), Vec3(2, 1, 0), Vec3(2, 2, 0),
-                Vec3(1, 2, 0), Vec3(1, 1, 0)}});
+        build(Polygon{{o, 3.0 * x, Vec3(3, 3, 0), 3.0 * y, o, Vec3(1, 1, 0), Vec3(2, 1, 0),
+                       Vec3(2, 2, 0), Vec3(1, 2, 0), Vec3(1, 1, 0)}});
     CHECK(answers(frame, {{middle, z}, {{5, z, false}}}));
     CHECK(answers(frame, {{Vec3(1.5, 1.5, -5), z}, {}}));
     CHECK(bounds(frame).high == Vec3(3, 3, 0));
@@ -29,7 +27,7 @@ TEST_CASE("a polygon is met within its edges and not in its holes", "[shape]") {
 
 TEST_CASE("a polygon may lie in any plane", "[shape]") {
     const Vec3 a(1, 2, 3), u(1, 1, 0), v(0, 1, 2);
-    const BuiltPolygon tilted = build({{a, a + u, a + u + v, a + v}});
+    const BuiltPolygon tilted = build(Polygon{{a, a + u, a + u + v, a + v}});
     const Vec3 normal = unit(cross(u, v));
     CHECK(answers(tilted, {{a + 0.3 * u + 0.9 * v + 2.0 * normal, -normal}, {{2, normal, true}}}));
     CHECK(answers(tilted, {{a + 1.1 * u + 0.9 * v + 2.0 * normal, -normal}, {}}));
