@@ -22,15 +22,18 @@ std::string sampler_text(const World& world) {
 
 /// Returns the number of luminaires of each form, and the greatest radiance.
 std::string luminaire_text(const World& world) {
-    std::array<std::size_t, std::variant_size_v<Emitter>> counts{};
+    std::size_t spheres = 0, triangles = 0, volumes = 0;
     double greatest = 0;
     for (const Luminaire& luminaire : world.lights.luminaires) {
-        ++counts[luminaire.emitter.index()];
+        spheres += std::holds_alternative<SphereEmitter>(luminaire.emitter);
+        triangles += std::holds_alternative<TriangleEmitter>(luminaire.emitter);
+        volumes += luminaire.is_volume();
         greatest = std::max(greatest, max_component(luminaire.radiance));
     }
-    return message(world.lights.luminaires.size(), " (", counts[0], " spheres, ", counts[1],
-                   " triangles, ", counts[2] + counts[3], " others",
-                   counts[5] > 0 ? message(", ", counts[5], " boxes of media") : "",
+    const std::size_t all = world.lights.luminaires.size();
+    return message(all, " (", spheres, " spheres, ", triangles, " triangles, ",
+                   all - spheres - triangles - volumes, " others",
+                   volumes > 0 ? message(", ", volumes, " boxes of media") : "",
                    "), greatest radiance ", greatest);
 }
 

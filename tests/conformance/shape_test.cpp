@@ -286,6 +286,12 @@ std::vector<JuliaFractal> instances() {
     return others<JuliaFractal>();
 }
 
+/// The default polynomial has no surface.
+template <>
+std::vector<Polynomial> instances() {
+    return others<Polynomial>();
+}
+
 /// Where rays should go to: the bounds, or a part of what has no bounds.
 template <class T>
 Box region(const T& shape) {
