@@ -10,7 +10,7 @@ namespace candelabra::proof {
 namespace {
 
 /// Sums of so many roundings are equal within this share of them.
-constexpr double rounding = 1e-9;
+constexpr double sum_rounding = 1e-9;
 
 }  // namespace
 
@@ -28,6 +28,7 @@ void Comparison::add(const Image& left, const Image& right) {
         for (int x = 0; x < left.width; ++x)
             for (int c = 0; c < 3; ++c) {
                 const double a = left.at(x, y)[c], b = right.at(x, y)[c];
+                brightest_ = std::max({brightest_, a, b});
                 const auto block = static_cast<std::size_t>(y * blocks / left.height * blocks +
                                                             x * blocks / left.width);
                 put(block * 3 + static_cast<std::size_t>(c), a, b);
@@ -39,7 +40,7 @@ void Comparison::add(const Image& left, const Image& right) {
 double Comparison::beyond(const Sums& sums) const {
     const double difference = sums.left - sums.right;
     const double allowed =
-        (tolerance_ + rounding) * (std::abs(sums.left) + std::abs(sums.right)) / 2;
+        (tolerance_ + sum_rounding) * (std::abs(sums.left) + std::abs(sums.right)) / 2;
     return std::copysign(std::max(std::abs(difference) - allowed, 0.0), difference);
 }
 
@@ -48,6 +49,14 @@ double Comparison::t(std::size_t region) const {
     const double difference = beyond(sums);
     if (!std::isfinite(difference)) return std::numeric_limits<double>::infinity();
     return difference == 0 ? 0 : difference / std::sqrt(sums.squares);
+}
+
+bool Comparison::too_rare(std::size_t region, int samples) const {
+    // The probability that all of so many expected contributions are missed is 10^-6.
+    constexpr double sure = 14;
+    const Sums& sums = sums_[region];
+    if (sums.left != 0 && sums.right != 0) return false;
+    return (std::abs(sums.left) + std::abs(sums.right)) * samples < sure * brightest_;
 }
 
 std::size_t Comparison::worst() const {

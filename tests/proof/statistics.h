@@ -37,6 +37,10 @@ public:
     std::size_t worst() const;
     /// The same statistic from the sums of batches.
     Spread spread(std::size_t region) const;
+    /// Whether one picture is black in a region because it may have missed what the other one has:
+    /// light that comes in by less than a few contributions as bright as the brightest pixel. Such
+    /// a picture has no noise that would tell. `samples`: of each pixel.
+    bool too_rare(std::size_t region, int samples) const;
     double left(std::size_t region) const { return sums_[region].left; }
     double right(std::size_t region) const { return sums_[region].right; }
     std::size_t batches() const { return batches_; }
@@ -51,6 +55,7 @@ private:
     double tolerance_;
     std::array<Sums, regions> sums_{};
     std::size_t batches_ = 0;
+    double brightest_ = 0;  ///< of all pixels
 };
 
 }  // namespace candelabra::proof

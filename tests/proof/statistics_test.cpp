@@ -57,6 +57,21 @@ TEST_CASE("a difference in one block is found there", "[proof]") {
     CHECK(comparison.t(comparison.worst()) > 4);
 }
 
+TEST_CASE("a black picture may have missed what hardly ever comes", "[proof]") {
+    for (const double dim : {1e-4, 0.01}) {
+        Comparison comparison(0);
+        for (int batch = 0; batch < 16; ++batch) {
+            Image left(24, 18), right(24, 18);
+            for (Vec3& each : left.pixels) each = Vec3(dim);
+            left.pixels[0] = right.pixels[0] = Vec3(3);  // a lamp that both see
+            comparison.add(left, right);
+        }
+        // The last block has 6 x 4 or 5 pixels, 16 samples each, in 16 batches.
+        CHECK(comparison.too_rare((whole - 1) * 3, 16) == (dim < 0.001));
+        CHECK_FALSE(comparison.too_rare(0, 16));  // the block with the lamp
+    }
+}
+
 TEST_CASE("equal pictures, and those within the tolerance, do not differ", "[proof]") {
     Dice dice(6);
     Comparison comparison(1e-2);

@@ -94,8 +94,11 @@ public:
             Comparison comparison(claim_.tolerance);
             if (!batches(stage, seed, comparison)) return troubled(&stage != stages);
             seed += 2 * stage.batches;
-            if (!suspicious(stage, comparison)) {
-                if (&stage == &stages[2]) verdict_.outcome = Outcome::undecided;
+            const bool suspect = suspicious(stage, comparison);
+            const bool rare = suspect && claim_.bound == Bound::equal && !claim_.right.empty() &&
+                              comparison.too_rare(*region_, stage.samples);
+            if (!suspect || rare) {
+                if (rare || &stage == &stages[2]) verdict_.outcome = Outcome::undecided;
                 return verdict_;
             }
         }
