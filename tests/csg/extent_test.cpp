@@ -82,7 +82,7 @@ TEST_CASE("inverse confines have no end, as in POV-Ray", "[solid]") {
             inverse.inverse = true;
             Object ball = lone_object(Sphere{o, 2});
             Clipping clipping;
-            (clips ? clipping.clips : clipping.bounds) = {make_handle<Object>(inverse)};
+            (clips ? clipping.clips : clipping.bounds).push_back(make_handle<Object>(inverse));
             ball.clipping = make_handle<Clipping>(clipping);
             CHECK(is(extent(ball), Vec3(-2), Vec3(2)));
         }

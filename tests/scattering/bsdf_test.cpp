@@ -126,17 +126,24 @@ std::vector<Place> bench_places() {
     return all;
 }
 
-/// Probabilities of the bins, integrated over a grid.
-std::vector<double> said_by(const Bsdf& bsdf) {
-    std::vector<double> said(128, 0);
-    constexpr int rows = 120, columns = 240;
+/// Calls use(direction, solid angle) for a grid of directions.
+template <class Use>
+void over_directions(int rows, int columns, const Use& use) {
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < columns; ++j) {
             const double y = 2 * (i + 0.5) / rows - 1, turn = 2 * pi * (j + 0.5) / columns;
             const double across = std::sqrt(1 - y * y);
-            const Vec3 d(across * std::cos(turn), y, across * std::sin(turn));
-            said[bin(d)] += bsdf.pdf(d) * 4 * pi / (rows * columns);
+            use(Vec3(across * std::cos(turn), y, across * std::sin(turn)),
+                4 * pi / (rows * columns));
         }
+}
+
+/// Probabilities of the bins, integrated over a grid.
+std::vector<double> said_by(const Bsdf& bsdf) {
+    std::vector<double> said(128, 0);
+    over_directions(120, 240, [&](const Vec3& d, double solid_angle) {
+        said[bin(d)] += bsdf.pdf(d) * solid_angle;
+    });
     return said;
 }
 
@@ -238,14 +245,9 @@ TEST_CASE("a finish sends on no more light than it claims, at any elevation", "[
             // Lobes that a grid cannot integrate are those that scattered rays sample.
             if (finish.microfacet.on && finish.microfacet.roughness < 0.4) continue;
             double sum = 0;
-            constexpr int rows = 400, columns = 400;
-            for (int i = 0; i < rows; ++i)
-                for (int j = 0; j < columns; ++j) {
-                    const double y = 2 * (i + 0.5) / rows - 1, turn = 2 * pi * (j + 0.5) / columns;
-                    const double across = std::sqrt(1 - y * y);
-                    const Vec3 d(across * std::cos(turn), y, across * std::sin(turn));
-                    sum += bsdf.evaluate(d, {}, 0.5).x * 4 / (rows * columns);
-                }
+            over_directions(400, 400, [&](const Vec3& d, double solid_angle) {
+                sum += bsdf.evaluate(d, {}, 0.5).x * solid_angle / pi;
+            });
             if (finish.brilliance == 1 && finish.crand == 0 && finish.irid.amount == 0 &&
                 finish.diffuse_back >= 0)
                 CHECK(sum == Approx(claimed).epsilon(0.02));
