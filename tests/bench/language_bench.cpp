@@ -20,8 +20,6 @@
 #include <string>
 #include <vector>
 
-using namespace candelabra;
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -97,7 +97,7 @@ Found first_hit(const WideTree& tree, const Surface& mesh, const Ray& ray) {
         return packed.candidates(leaf, range, [&](std::uint32_t item) {
             const Triangle& f = mesh.flat[item];
             if (!sheared) sheared.emplace(ray);
-            const TriangleHit met = sheared->intersect(f.corner1, f.corner2, f.corner3, range);
+            const TriangleHit met = sheared->meet(f.corner1, f.corner2, f.corner3, range);
             if (met.t < range.max) range.max = met.t, found = {met.t, item};
             return false;
         });
@@ -112,7 +112,7 @@ bool blocked(const WideTree& tree, const Surface& mesh, const Ray& ray, double d
         return packed.blocked(leaf, range, [&](std::uint32_t item) {
             const Triangle& f = mesh.flat[item];
             if (!sheared) sheared.emplace(ray);
-            return sheared->intersect(f.corner1, f.corner2, f.corner3, range).t < range.max;
+            return sheared->meet(f.corner1, f.corner2, f.corner3, range).t < range.max;
         });
     });
 }
