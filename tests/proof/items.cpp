@@ -49,9 +49,11 @@ std::string drawn_value(const ItemInfo& item, std::size_t n, Dice& dice) {
         case FieldType::vector2:
             return vector_of(2, dice, 0.2, 0.9);
         case FieldType::vector3:
-            return vector_of(3, dice, -0.5, 0.8);
+            return vector_of(3, dice, std::max(-0.5, field.range.low),
+                             std::min(0.8, field.range.high));
         case FieldType::vector4:
-            return vector_of(4, dice, -0.5, 0.5);
+            return vector_of(4, dice, std::max(-0.5, field.range.low),
+                             std::min(0.5, field.range.high));
         case FieldType::rgb:
             return "rgb " + vector_of(3, dice, 0.1, 0.9);
         case FieldType::colour:
