@@ -22,6 +22,14 @@ AirOnWay air_on_way_to(const LitLayer& layer) {
     return layer.radiosity && !layer.radiosity->media ? AirOnWay::none : AirOnWay::followed;
 }
 
+/// The solids that contain a ray from the vertex.
+EnteredSolids solids_along(const World& world, const Vertex& vertex, const Vec3& direction) {
+    EnteredSolids inside(vertex.around.begin(), vertex.around.end());
+    const bool behind = dot(direction, vertex.shading.geometric_normal) < 0;
+    if (behind && vertex.material->transparent) world.pass(vertex.hit.primitive, inside);
+    return inside;
+}
+
 }  // namespace
 
 ShadowRay::ShadowRay(const ArrivingLight& at, const Vec3& direction, const Key& key)
@@ -29,11 +37,7 @@ ShadowRay::ShadowRay(const ArrivingLight& at, const Vec3& direction, const Key& 
       ray_{at.layer.vertex.position(), direction},
       key_(key),
       air_(air_on_way_to(at.layer)),
-      around_(at.layer.vertex.around.begin(), at.layer.vertex.around.end()) {
-    const Vertex& vertex = at.layer.vertex;
-    const bool behind = dot(direction, vertex.shading.geometric_normal) < 0;
-    if (behind && vertex.material->transparent) at.world.pass(vertex.hit.primitive, around_);
-}
+      around_(solids_along(at.world, at.layer.vertex, direction)) {}
 
 ShadowRay::ShadowRay(const ArrivingLight& at, const Vec3& direction, const Key& key,
                      const SourceRules& rules)
@@ -43,7 +47,7 @@ ShadowRay::ShadowRay(const ArrivingLight& at, const Vec3& direction, const Key& 
       air_(rules.air),
       apart_(apart_for_sources),
       photons_(rules.photons),
-      around_(at.layer.vertex.around.begin(), at.layer.vertex.around.end()) {}
+      around_(solids_along(at.world, at.layer.vertex, direction)) {}
 
 WayOfLight ShadowRay::way(double distance, bool ends) const {
     return {.ray = ray_,
