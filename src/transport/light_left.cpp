@@ -49,7 +49,7 @@ bool dims(const World& world, AirOnWay air) {
         case AirOnWay::throughout:
             break;
     }
-    return world.facts.has_media || world.facts.has_air;
+    return world.facts.dims_between;
 }
 
 /// Transmittance of media and fog outside of solids on the whole way.

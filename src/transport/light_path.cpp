@@ -31,6 +31,14 @@ std::vector<double> intensities(const WorldLights& lights) {
     return all;
 }
 
+/// The way of light that has come to the vertex from a point, as a shadow ray goes it.
+WayOfLight way_back(const Vertex& vertex, const Vec3& from) {
+    return {.ray = {vertex.position(), -vertex.shading.view},
+            .tolerance = vertex.tolerance(),
+            .distance = length(vertex.position() - from),
+            .around = vertex.around};
+}
+
 }  // namespace
 
 bool is_lambertian(const World& world, const Vertex& vertex, const Shading& s) {
@@ -80,10 +88,7 @@ void LightPaths::follow(const Key& key, double share,
         if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit)) return;
         const Vertex vertex =
             vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
-        const WayOfLight way{.ray = {vertex.position(), -path.ray.direction},
-                             .tolerance = vertex.tolerance(),
-                             .distance = length(vertex.position() - emitted->ray.origin),
-                             .around = vertex.around};
+        const WayOfLight way = way_back(vertex, emitted->ray.origin);
         const Vec3 left = light_left(world_, way, path.key);
         if (left != Vec3(0)) {
             const Vec3 seen =
@@ -136,12 +141,8 @@ void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
         const Vec3 from = lit.path.ray.origin;
         lit.vertex =
             vertex_at(world_, lit.path.ray, hit, {lit.path.media.data(), lit.path.media.size()});
-        if (!(world_.facts.has_air || world_.facts.has_media)) continue;
-        const WayOfLight way{.ray = {lit.vertex.position(), -lit.path.ray.direction},
-                             .tolerance = lit.vertex.tolerance(),
-                             .distance = length(lit.vertex.position() - from),
-                             .around = lit.vertex.around};
-        lit.power *= light_left(world_, way, lit.path.key);
+        if (!world_.facts.dims_between) continue;
+        lit.power *= light_left(world_, way_back(lit.vertex, from), lit.path.key);
         if (lit.power == Vec3(0)) return;
     }
 }

@@ -222,7 +222,7 @@ Vec3 LuminaireLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight 
 /// Fills on_ray_ with the luminaires that a ray in the scene meets, up to a surface that stops it.
 void LuminaireLight::walk_along(const ShadowRay& ray, const ArrivingLight& at) {
     on_ray_.clear();
-    bool unobstructed = !(world_.facts.has_media || world_.facts.has_air);
+    bool unobstructed = !world_.facts.dims_between;
     world_.along(
         ray.ray(), at.layer.vertex.tolerance(), RayKind::light,
         [&](const Hit& hit, double distance) {

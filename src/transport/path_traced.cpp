@@ -170,8 +170,14 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
     sum_ += path.throughput * light;
 }
 
+/// Whether mirrors and glass may send the path on. As in POV-Ray, also a ray that continues
+/// straight on requires one more level.
+bool PathTracedIntegrator::goes_deeper(const PathState& path) const {
+    return path.depth + 1 < world_.rules.settings.max_trace_level;
+}
+
 LobeKinds PathTracedIntegrator::wanted_lobes(const PathState& path) const {
-    const bool deeper = path.depth + 1 < world_.rules.settings.max_trace_level;
+    const bool deeper = goes_deeper(path);
     return {.mirror = deeper,
             .facets = deeper && world_.rules.quality >= quality_reflection,
             .diffuse = path.bounces < max_bounces_ && world_.rules.quality >= quality_full};
@@ -194,8 +200,7 @@ bool PathTracedIntegrator::go_on(const SurfaceLobes& lobes, const Vertex& vertex
     if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;
     ++ledger_.scattered;
     path.dim(lobe.through / (chance * survival));
-    // As in POV-Ray, also a ray that continues straight on requires one more level.
-    const bool deeper = path.depth + 1 < world_.rules.settings.max_trace_level;
+    const bool deeper = goes_deeper(path);
     if (!lobes.follow(lobe, path) || !(diffuse || deeper) || path.passed > max_surfaces_along)
         return false;
     if (reflected_ && lambertian && !path.taken.by_reflected)

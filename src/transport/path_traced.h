@@ -40,6 +40,7 @@ private:
     bool at_vertex(PathState&, const Vertex&, const Layers&);
     bool ends_covered(PathState&, const Hit&, double distance) const;
     void gather(const PathState&, const Vertex&, const LayerStack::Seen&);
+    bool goes_deeper(const PathState&) const;
     LobeKinds wanted_lobes(const PathState&) const;
     bool go_on(const SurfaceLobes&, const Vertex&, PathState&);
 

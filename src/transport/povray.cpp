@@ -43,7 +43,7 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
     const bool airless = path.kind == RayKind::gathering && !radiosity_.media;
-    if (!(world_.facts.has_air || world_.facts.has_media) || airless)
+    if (!world_.facts.dims_between || airless)
         return met ? surface(path, hit) : ends_.background(path, ledger_);
     const double distance =
         met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();

@@ -73,8 +73,8 @@ Vec3 ShadowRay::left_from_sky() const { return left(far_away, false); }
 
 Vec3 ShadowRay::left_by_air(double distance, double tolerance) const {
     if (!is_free(distance, tolerance)) return Vec3(0);
-    const bool air = at_.world.facts.has_air || at_.world.facts.has_media;
-    return air ? light_left(at_.world, way(distance, true), key_) : Vec3(1);
+    if (!at_.world.facts.dims_between) return Vec3(1);
+    return light_left(at_.world, way(distance, true), key_);
 }
 
 bool ShadowRay::is_free(double distance, double tolerance) const {

@@ -16,6 +16,7 @@ void answer_about_media(const World& world, WorldFacts& facts) {
     const Appearance& looks = world.appearance;
     facts.has_air = !sky.fogs.empty() || !sky.rainbows.empty() || !sky.media.empty();
     facts.has_media = looks.any_media || !sky.media.empty();
+    facts.dims_between = facts.has_air || facts.has_media;
     facts.notes_solids = looks.any_transparent || looks.any_media || facts.has_air;
     facts.indexes_solids = world.view.camera.parallel || !world.photon_targets.empty() ||
                            !world.lights.volumes.empty();
@@ -29,7 +30,7 @@ void answer_about_light(const World& world, WorldFacts& facts) {
     facts.keeps_energy = path_traced;
     facts.is_lit_by_luminaires_only = world.lights.sources.empty() && !world.sky.sphere &&
                                       world.sky.background.radiance() == Vec3(0) &&
-                                      !facts.has_air && !facts.has_media;
+                                      !facts.dims_between;
     facts.has_other_light = world.appearance.any_other_light || !facts.is_lit_by_luminaires_only;
 }
 

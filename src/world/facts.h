@@ -11,6 +11,8 @@ struct WorldFacts {
     bool has_air = false;
     /// There are participating media anywhere.
     bool has_media = false;
+    /// One of both: something between surfaces may dim light.
+    bool dims_between = false;
     /// There may be noted solids: see World::is_noted_solid().
     bool notes_solids = false;
     /// Rays may begin anywhere, so that the solids around their origin must be found fast.

@@ -51,7 +51,7 @@ public:
         const Vec3 camera = world_.view.camera.location;
         for (const ObjectHandle& object : scene_.objects)
             if (!object->hollow && !object->no_image && surrounds(object, camera) &&
-                (world_.facts.has_air || world_.facts.has_media || keeps_light_out(object)))
+                (world_.facts.dims_between || keeps_light_out(object)))
                 return object.get();
         return nullptr;
     }

@@ -43,7 +43,7 @@ bool World::is_noted_solid(std::uint32_t item) const {
     const PlacedComposite* placed = geometry.composite(item);
     const Material& outer = material(placed ? placed->first_leaf : item);
     // An opaque solid may contain the camera, or have holes through which its inside is seen.
-    return ((facts.has_air || facts.has_media) && !outer.hollow) || outer.interior ||
+    return (facts.dims_between && !outer.hollow) || outer.interior ||
            (placed ? placed->transparent : outer.transparent);
 }
 
