@@ -8,6 +8,7 @@
 #include "app/frame_commands.h"
 #include "app/help.h"
 #include "app/ini.h"
+#include "app/light_command.h"
 #include "app/lsp.h"
 #include "app/memory_limit.h"
 #include "app/merge.h"
@@ -133,6 +134,14 @@ constexpr auto commands = std::to_array<Command>({
      "picture.exr ...\n"
      "Makes pictures that people look at of the light in OpenEXR files; candelabra-develop(1) "
      "says more.\n"},
+    {"light",
+     [](std::span<const std::string_view> arguments, const Console& console) {
+         bound_memory();
+         return run_light(arguments, console);
+     },
+     "usage: candelabra light [--json] [--set n] [-o diagram.svg] file.ies|file.ldt ...\n"
+     "Describes the photometry of a luminaire: flux, maximum, efficacy, symmetry, opening, what "
+     "was\nrepaired in the file, and its polar diagram.\n"},
     {"fmt",
      [](std::span<const std::string_view> arguments, const Console& console) {
          bound_memory();
