@@ -32,14 +32,30 @@ struct DevelopRequest {
 
 /// Whether an option, written as in an INI file, can change the result of develop.
 bool matters_to_develop(std::string_view given) {
-    static constexpr auto all =
-        std::to_array<std::string_view>({"Output_File_Name=", "Output_File_Type=", "+F",
-                                         "Bits_Per_Color=",   "Grayscale_Output=", "File_Gamma=",
-                                         "Verbose=",          "--diagnostics=",    "--warn=",
-                                         "Warning_Level=",    "Work_Threads=",     "--film=",
-                                         "--exposure=",       "--white-balance=",  "--response=",
-                                         "--pixel-filter=",   "--smooth-edges=",   "--glare=",
-                                         "--vignette=",       "--grain=",          "--sandbox="});
+    static constexpr auto all = std::to_array<std::string_view>({"Output_File_Name=",
+                                                                 "Output_File_Type=",
+                                                                 "+F",
+                                                                 "Bits_Per_Color=",
+                                                                 "Grayscale_Output=",
+                                                                 "File_Gamma=",
+                                                                 "Verbose=",
+                                                                 "--diagnostics=",
+                                                                 "--warn=",
+                                                                 "Warning_Level=",
+                                                                 "Work_Threads=",
+                                                                 "--film=",
+                                                                 "--exposure=",
+                                                                 "--white-balance=",
+                                                                 "--response=",
+                                                                 "--pixel-filter=",
+                                                                 "--smooth-edges=",
+                                                                 "--glare=",
+                                                                 "--vignette=",
+                                                                 "--grain=",
+                                                                 "--sandbox=",
+                                                                 "--key=",
+                                                                 "--contrast=",
+                                                                 "--saturation="});
     return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
 }
 

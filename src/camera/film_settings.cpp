@@ -135,6 +135,10 @@ const ItemInfo FilmSettings::vocabulary = described<FilmSettings>([] {
           between(-40, 40)},
         F{"auto_exposure", &FilmSettings::auto_exposure, flag,
           "the picture's own luminance says the exposure, to which that of `exposure` is added"},
+        F{"key", &FilmSettings::key, item,
+          "luminance that `auto_exposure` gives to the whole picture: 0.18 is a middle grey, 0.09 "
+          "a stop darker, for nights; 0.36 a stop brighter, for white rooms",
+          between(0.001, 0.9)},
         F{"white_balance", &FilmSettings::white_balance, item,
           "kelvins: light of a black body so hot becomes white (1000 to 15000); 0: colours stay "
           "what they are",
@@ -142,6 +146,14 @@ const ItemInfo FilmSettings::vocabulary = described<FilmSettings>([] {
         F{"response", &FilmSettings::response, item,
           "what becomes of bright light: `linear` (clipped at 1), `filmic` (a shoulder for each "
           "channel), or `agx` (highlights lose their colour)"},
+        F{"contrast", &FilmSettings::contrast, item,
+          "exponent of the light around a grey of 0.18, before the response: 1.2 is lively, 0.8 "
+          "soft",
+          between(0.1, 5)},
+        F{"saturation", &FilmSettings::saturation, item,
+          "factor on the distance of each colour from its grey, after the response; 0: black and "
+          "white",
+          between(0, 4)},
         F{"pixel_filter", &FilmSettings::pixel_filter, item,
           "how samples count in a pixel: `box`, `triangle`, `mitchell` or `blackman_harris`"},
         F{"smooth_edges", &FilmSettings::smooth_edges, flag,

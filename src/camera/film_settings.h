@@ -39,8 +39,11 @@ struct FilmSettings {
     bool on = false;             ///< false: no film; the picture is clipped and encoded
     double exposure = 0;         ///< in stops, each of which doubles the light
     bool auto_exposure = false;  ///< measured from the picture, plus `exposure` stops
+    double key = 0.18;           ///< luminance that an automatic exposure gives to the whole
     double white_balance = 0;    ///< colour temperature of light that looks white, in K; 0: off
     std::string response = "linear";   ///< a name of ResponseCurve
+    double contrast = 1;               ///< exponent of light around a grey of 0.18
+    double saturation = 1;             ///< distance of displayed colours from their grey
     std::string pixel_filter = "box";  ///< a name of FilterShape
     bool smooth_edges = true;          ///< see smooths_edges()
     double vignette = 0;               ///< fraction of the light that corners lose

@@ -10,7 +10,6 @@ namespace candelabra {
 
 namespace {
 
-constexpr double middle_grey_shown = 0.18 / 1.18;
 constexpr double min_stops = -20, max_stops = 40;
 /// Maximum brightening of a dark picture, in stops.
 constexpr double max_lift = 4;
@@ -26,7 +25,7 @@ double mean_shown(const std::vector<double>& luminances, double stops) {
 
 double srgb_luminance(const Vec3& c) { return dot(c, Vec3(0.2126, 0.7152, 0.0722)); }
 
-double stops_asked_by(const Image& image) {
+double stops_asked_by(const Image& image, double key) {
     std::vector<double> lit;
     lit.reserve(image.pixels.size());
     for (const Vec3& pixel : image.pixels) {
@@ -35,11 +34,12 @@ double stops_asked_by(const Image& image) {
         lit.push_back(light > 0 ? std::fmin(light, most) : 0);
     }
     if (lit.empty()) return 0;
+    const double wanted = key / (1 + key);
     double below = min_stops, above = max_stops;
     constexpr int halvings = 40;
     for (int i = 0; i < halvings; ++i) {
         const double middle = (below + above) / 2;
-        (mean_shown(lit, middle) < middle_grey_shown ? below : above) = middle;
+        (mean_shown(lit, middle) < wanted ? below : above) = middle;
     }
     return below > 0 ? max_lift * -math::expm1(-below / max_lift) : below;
 }

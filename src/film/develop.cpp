@@ -68,7 +68,8 @@ public:
         const double alpha = negative_.alpha.empty() ? 1 : negative_.alpha[pixel];
         const bool clear = alpha > 0 && alpha < 1;
         const Vec3 exposed = balance_(light.pixels[pixel] * (exposure_ * falls));
-        Vec3 shown = respond(curve_, clear ? exposed / alpha : exposed);
+        const Vec3 lit = contrasted(clear ? exposed / alpha : exposed, film_.contrast);
+        Vec3 shown = saturated(respond(curve_, lit), film_.saturation);
         for (int c = 0; c < 3 && film_.grain > 0; ++c)
             shown[c] = grained(shown[c], film_.grain, chance_of(film_.grain_seed, pixel, c));
         return clear ? shown * alpha : shown;
@@ -98,7 +99,22 @@ Vec3 expanded(const Vec3& mean, double factor) {
 }
 
 double exposure_of(const Negative& negative, const FilmSettings& film) {
-    return film.exposure + (film.auto_exposure ? stops_asked_by(negative.light) : 0);
+    return film.exposure + (film.auto_exposure ? stops_asked_by(negative.light, film.key) : 0);
+}
+
+Vec3 contrasted(const Vec3& light, double contrast) {
+    if (contrast == 1) return light;
+    constexpr double middle_grey = 0.18;
+    const auto one = [&](double channel) {
+        return channel > 0 ? middle_grey * math::pow(channel / middle_grey, contrast) : 0;
+    };
+    return {one(light.x), one(light.y), one(light.z)};
+}
+
+Vec3 saturated(const Vec3& shown, double saturation) {
+    if (saturation == 1) return shown;
+    const Vec3 grey(srgb_luminance(shown));
+    return glm::clamp(grey + saturation * (shown - grey), Vec3(0), Vec3(1));
 }
 
 double vignetted(double share, double distance) {

@@ -51,11 +51,24 @@ Vec3 mixed(const Vec3& c, double share) {
     return (1 - share) * c + Vec3(share * (c.x + c.y + c.z) / 3);
 }
 
+/// Share of the colour that has the proportions of the light: its maximum, and the exposure of the
+/// greatest channel at which it is half of that.
+constexpr double kept_in_proportion = 0.7, half_kept_exposure = 16;
+
+/// Light whose channels are finite, so that they can be compared by division.
+constexpr double agx_most = 1e30;
+
 Vec3 agx(const Vec3& exposure) {
-    Vec3 made = mixed(glm::max(exposure, Vec3(0)), mixed_in);
+    const Vec3 light = glm::clamp(exposure, Vec3(0), Vec3(agx_most));
+    Vec3 made = mixed(light, mixed_in);
     for (int i = 0; i < 3; ++i) made[i] = agx_curve(made[i]);
     const double grey = (made.x + made.y + made.z) / 3;
-    return (made - Vec3(taken_back * grey)) / (1 - taken_back);
+    made = (made - Vec3(taken_back * grey)) / (1 - taken_back);
+    const double brightest = max_component(light);
+    if (brightest == 0) return made;
+    const Vec3 in_proportion = agx_curve(brightest) / brightest * light;
+    const double share = kept_in_proportion / (1 + brightest / half_kept_exposure);
+    return made + share * (in_proportion - made);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ namespace candelabra {
 
 namespace {
 
+constexpr double usual_key = 0.18;
+
 Image grey_picture(double light) {
     Image image(20, 10);
     for (Vec3& pixel : image.pixels) pixel = Vec3(light);
@@ -38,29 +40,29 @@ Image street(int frame) {
 }  // namespace
 
 TEST_CASE("an even picture is exposed as a middle grey, and night stays dark", "[film]") {
-    CHECK(stops_asked_by(grey_picture(0.18)) == Approx(0).margin(1e-6));
-    CHECK(stops_asked_by(grey_picture(1.8)) == Approx(-std::log2(10)).margin(1e-6));
+    CHECK(stops_asked_by(grey_picture(0.18), usual_key) == Approx(0).margin(1e-6));
+    CHECK(stops_asked_by(grey_picture(1.8), usual_key) == Approx(-std::log2(10)).margin(1e-6));
     // One stop of 4 (1 - exp(-1 / 4)).
-    CHECK(stops_asked_by(grey_picture(0.09)) == Approx(0.8848).margin(1e-3));
-    CHECK(stops_asked_by(grey_picture(1e-9)) == Approx(4).margin(0.01));
-    CHECK(stops_asked_by(grey_picture(0)) == Approx(4).margin(0.01));
-    CHECK(stops_asked_by(grey_picture(1e300)) == Approx(-20).margin(1e-6));
-    CHECK(stops_asked_by(Image()) == 0);
+    CHECK(stops_asked_by(grey_picture(0.09), usual_key) == Approx(0.8848).margin(1e-3));
+    CHECK(stops_asked_by(grey_picture(1e-9), usual_key) == Approx(4).margin(0.01));
+    CHECK(stops_asked_by(grey_picture(0), usual_key) == Approx(4).margin(0.01));
+    CHECK(stops_asked_by(grey_picture(1e300), usual_key) == Approx(-20).margin(1e-6));
+    CHECK(stops_asked_by(Image(), usual_key) == 0);
 }
 
 TEST_CASE("strange pixels do not count in an exposure", "[film]") {
     Image image = grey_picture(0.18);
-    const double usual = stops_asked_by(image);
+    const double usual = stops_asked_by(image, usual_key);
     image.at(3, 3) = Vec3(NAN);
     image.at(4, 4) = Vec3(std::numeric_limits<double>::infinity());
     image.at(5, 5) = Vec3(-1e9);
-    CHECK(stops_asked_by(image) == Approx(usual).margin(0.05));
+    CHECK(stops_asked_by(image, usual_key) == Approx(usual).margin(0.05));
 }
 
 TEST_CASE("the exposure of an animation does not flicker with lamps that do", "[film]") {
-    double least = 1e9, greatest = -1e9, before = stops_asked_by(street(0));
+    double least = 1e9, greatest = -1e9, before = stops_asked_by(street(0), usual_key);
     for (int frame = 1; frame < 60; ++frame) {
-        const double stops = stops_asked_by(street(frame));
+        const double stops = stops_asked_by(street(frame), usual_key);
         CHECK(std::abs(stops - before) < 0.05);
         least = std::min(least, stops);
         greatest = std::max(greatest, stops);

@@ -46,6 +46,34 @@ TEST_CASE("exposure, white balance and response come one after the other", "[fil
     CHECK(warm.at(0, 0).x < 0.4);
 }
 
+TEST_CASE("contrast turns around a middle grey, saturation around the grey of a colour",
+          "[film][develop]") {
+    const auto shown = [](const Vec3& light, const char* setting, const char* value) {
+        return develop(even(light), film_with({{setting, value}}), 1).at(3, 3);
+    };
+    CHECK(shown(Vec3(0.18), "contrast", "1.5").x == Approx(0.18).epsilon(1e-6));
+    CHECK(shown(Vec3(0.36), "contrast", "1.5").x == Approx(0.18 * std::pow(2, 1.5)).epsilon(1e-6));
+    CHECK(shown(Vec3(0.09), "contrast", "0.5").x == Approx(0.18 * std::sqrt(0.5)).epsilon(1e-6));
+    CHECK(shown(Vec3(-1, 0, 0.3), "contrast", "2").x == 0);
+    const Vec3 colour(0.5, 0.25, 0.125);
+    const double grey = 0.2126 * 0.5 + 0.7152 * 0.25 + 0.0722 * 0.125;
+    CHECK(shown(colour, "saturation", "0").y == Approx(grey).epsilon(1e-6));
+    CHECK(shown(colour, "saturation", "0").z == Approx(grey).epsilon(1e-6));
+    const Vec3 lively = shown(colour, "saturation", "1.5");
+    for (int c = 0; c < 3; ++c) CHECK(lively[c] == Approx(grey + 1.5 * (colour[c] - grey)));
+    CHECK(shown({1, 0, 0}, "saturation", "4") == Vec3(1, 0, 0));
+    CHECK(contrasted(colour, 1) == colour);
+    CHECK(saturated(colour, 1) == colour);
+}
+
+TEST_CASE("the key is the luminance that an automatic exposure gives", "[film][develop]") {
+    const Negative bright = even(Vec3(3));
+    for (const double key : {0.045, 0.09, 0.18, 0.36}) {
+        const FilmSettings film = film_with({{"exposure", "auto"}, {"key", std::to_string(key)}});
+        CHECK(develop(bright, film, 1).at(1, 1).x == Approx(key).epsilon(1e-3));
+    }
+}
+
 TEST_CASE("corners lose the share of a vignette", "[film][develop]") {
     const Image made = develop(even(Vec3(0.8), 401, 301), film_with({{"vignette", "0.5"}}), 2);
     CHECK(made.at(200, 150).x == Approx(0.8).epsilon(1e-4));

@@ -46,13 +46,18 @@ TEST_CASE("the response curves have the numbers of their formulas", "[film][resp
 TEST_CASE("bright colours become white with agx, in steps that are known", "[film][response]") {
     const Vec3 dim = respond(ResponseCurve::agx, {0.1, 0.02, 0.02}),
                bright = respond(ResponseCurve::agx, {10, 0.2, 0.2}),
-               lamp = respond(ResponseCurve::agx, {100, 2, 2});
-    CHECK(dim.x == Approx(0.09688124675342023).epsilon(1e-9));
-    CHECK(dim.y == Approx(0.013007225251842674).epsilon(1e-9));
-    CHECK(bright.x == Approx(0.9733414600384153).epsilon(1e-9));
-    CHECK(bright.y == Approx(0.4759649700511986).epsilon(1e-9));
+               lamp = respond(ResponseCurve::agx, {100, 2, 2}),
+               sun = respond(ResponseCurve::agx, {1000, 20, 20}),
+               sign = respond(ResponseCurve::agx, {4, 0.8, 1.2});
+    CHECK(dim.x == Approx(0.10129845743519102).epsilon(1e-9));
+    CHECK(dim.y == Approx(0.018321292848260392).epsilon(1e-9));
+    CHECK(bright.x == Approx(0.9656777950865603).epsilon(1e-9));
+    CHECK(bright.y == Approx(0.27916634377043764).epsilon(1e-9));
     CHECK(lamp.x == Approx(1));
-    CHECK(lamp.y == Approx(0.9357529059787579).epsilon(1e-9));
+    CHECK(lamp.y == Approx(0.8473353840221882).epsilon(1e-9));
+    CHECK(sun.y == Approx(0.9891968503937009).epsilon(1e-9));
+    // A small sign of coloured letters is not pale.
+    CHECK(sign.y / sign.x == Approx(0.39193).epsilon(1e-4));
     const Vec3 clipped = respond(ResponseCurve::linear, {100, 0.5, -1});
     CHECK(clipped == Vec3(1, 0.5, 0));
 }

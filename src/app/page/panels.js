@@ -164,7 +164,13 @@ function makeFilm() {
   film.exposure = slider("Exposure", "In stops: doublings of the light",
                          { min: -8, max: 8, step: 0.05 }, develop("exposure"), stops);
   film.auto = checkOf("As the picture itself asks for", develop("auto"));
+  film.key = slider("Key", "Luminance that the whole picture is given", { min: 0.02, max: 0.5, step: 0.01 },
+                    develop("key"), value => value.toFixed(2));
   film.response = selectOf("Response", ["linear", "filmic", "agx"], develop("response"));
+  film.contrast = slider("Contrast", "Exponent of the light around a middle grey",
+                         { min: 0.5, max: 2, step: 0.05 }, develop("contrast"), value => value.toFixed(2));
+  film.saturation = slider("Saturation", "Distance of colours from grey; 0: black and white",
+                           { min: 0, max: 2, step: 0.05 }, develop("saturation"), value => value.toFixed(2));
   film.white_balance = slider("White", "Kelvins of a light that looks white",
                               { min: 1900, max: 12000, step: 100 },
                               develop("white_balance"), value => value <= 1900 ? "as it is" : value + " K");
@@ -181,6 +187,7 @@ function makeFilm() {
 function showFilm(settings) {
   for (const [name, row] of Object.entries(film)) row.set(settings[name]);
   for (const name of ["veil", "halo", "star"]) film[name].hidden = !settings.glare;
+  film.key.hidden = !settings.auto;
   film.now = settings.exposure;
 }
 Object.defineProperty(film, "now", { value: 0, writable: true, enumerable: false });
