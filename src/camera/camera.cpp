@@ -243,6 +243,13 @@ Projection projection(const Camera& camera) {
     return f;
 }
 
+std::optional<double> pixel_aspect(const Projection& f, int width, int height) {
+    const double across = length(f.right) / width, along = length(f.up) / height;
+    const bool even = f.lens == Lens::flat || f.lens == Lens::parallel || f.lens == Lens::fisheye;
+    if (!even || !(across > 0 && along > 0)) return std::nullopt;
+    return across / along;
+}
+
 namespace {
 
 /// Quantile of the chi-squared distribution with `count` degrees of freedom, by the cube root rule

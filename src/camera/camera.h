@@ -151,4 +151,9 @@ bool is_flattened(const Camera&);
 /// Precondition: problem() is empty.
 Projection projection(const Camera&);
 
+/// The width of a pixel divided by its height, as lengths that the camera sees: 1 if balls are
+/// round in the middle of the picture. Empty for cameras that bend straight lines in one direction
+/// only, or whose vectors are zero. Precondition: the size is positive.
+std::optional<double> pixel_aspect(const Projection&, int width, int height);
+
 }  // namespace candelabra

@@ -100,6 +100,7 @@ std::optional<Scene> Session::scene_at(double clock_ahead) {
 
 void Session::review(const Scene& scene) {
     candelabra::review(scene, survey(scene, diagnostics_), diagnostics_);
+    review_shape(scene, settings_.render.width, settings_.render.height, diagnostics_);
 }
 
 const World Session::compile(Scene&& scene, Shutter shutter) {

@@ -52,6 +52,8 @@ constexpr auto infos = std::array{
               "a camera inside an object that keeps out fog or all light"},
     FaultInfo{Fault::glowing_dome, "glowing-dome",
               "an object around the camera whose emission lights the scene"},
+    FaultInfo{Fault::aspect, "aspect",
+              "a picture of another shape than what the camera sees, which is stretched"},
     FaultInfo{Fault::user_error, "user-error"},
     FaultInfo{Fault::user_warning, "user-warning", "what the scene itself says by #warning"},
 };

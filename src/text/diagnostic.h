@@ -57,6 +57,7 @@ enum class Fault {
     no_light,
     camera_inside,
     glowing_dome,
+    aspect,
     user_error,
     user_warning,
 };

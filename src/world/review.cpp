@@ -4,9 +4,12 @@
 #include "csg/extent.h"
 #include "csg/solid.h"
 #include "luminaire/luminaire.h"
+#include "text/message.h"
 #include "world/radiance.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace candelabra {
 
@@ -125,7 +128,35 @@ const Luminaire* dome(const World& world) {
     return nullptr;
 }
 
+/// Returns a ratio of lengths as people write it: `16:9`, or `2.39:1` if small numbers do not do.
+std::string ratio_text(double ratio) {
+    constexpr double close = 0.004;  // 1.33, the default of cameras, is called 4:3
+    for (int down = 1; down <= 16; ++down) {
+        const double across = std::round(ratio * down);
+        if (across >= 1 && across <= 21 && std::abs(across / down / ratio - 1) < close)
+            return message(across, ':', down);
+    }
+    const double hundredths = std::round(100 * (ratio < 1 ? 1 / ratio : ratio)) / 100;
+    return ratio < 1 ? message("1:", hundredths) : message(hundredths, ":1");
+}
+
 }  // namespace
+
+void review_shape(const Scene& scene, int width, int height, Diagnostics& diagnostics) {
+    if (!scene.camera_given) return;
+    const Projection seen = projection(scene.camera);
+    const std::optional<double> stretched = pixel_aspect(seen, width, height);
+    constexpr double noticeable = 0.02;
+    constexpr int smallest = 32;  // shapes of icons and of tests are not looked at
+    if (std::max(width, height) < smallest) return;
+    if (!stretched || (*stretched<1 + noticeable&& * stretched> 1 / (1 + noticeable))) return;
+    diagnostics.add(
+        warning(Fault::aspect, {},
+                message("the picture is ", ratio_text(static_cast<double>(width) / height),
+                        " and the camera's view ", ratio_text(length(seen.right) / length(seen.up)),
+                        ": balls become ellipses"))
+            .with_help("`right x*image_width/image_height` in the camera, where `up` is `y`"));
+}
 
 void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
     if (!scene.camera_given)

@@ -14,4 +14,9 @@ namespace candelabra {
 /// latter only with a compiled world. The world must be that of the scene.
 void review(const Scene&, const World&, Diagnostics&);
 
+/// Warns of a picture of this size that stretches what the camera sees by more than one part in
+/// fifty. Nothing is said of the default camera, which review() warns of, of cameras without
+/// pixel_aspect(), nor of pictures of less than 32 pixels.
+void review_shape(const Scene&, int width, int height, Diagnostics&);
+
 }  // namespace candelabra

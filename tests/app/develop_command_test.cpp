@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr auto filmed_scene = R"(#version 3.7;
-camera { location <0, 1, -5> look_at 0
+camera { location <0, 1, -5> look_at 0 right 10/9*x
   film { exposure 0.5 response agx pixel_filter mitchell white_balance 5000 vignette 0.2
          glare { veil 0.2 halo 0.02 star 0.05 blades 5 angle 9 } } }
 sphere { <0.3, 1.2, 0>, 0.4 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 30 } }

@@ -182,4 +182,45 @@ TEST_CASE("numbers of photons and of reflected luminaires without effect are war
                    false) == "no-effect ");
 }
 
+TEST_CASE("a picture of another shape than the camera's view is warned of", "[world]") {
+    struct Case {
+        const char* camera;
+        int width, height;
+        const char* message;  ///< its beginning; empty: none
+    };
+    const auto [camera, width, height, message] = GENERATE(values<Case>({
+        {"location -z", 320, 240, ""},
+        {"location -z", 1920, 1080, "the picture is 16:9 and the camera's view 4:3"},
+        {"location -z", 100, 100, "the picture is 1:1 and the camera's view 4:3"},
+        {"location -z right x*16/9", 1920, 1080, ""},
+        {"location -z right x*16/9 look_at <1, 2, 3> angle 50", 1366, 768, ""},
+        {"location -z right x*16/9", 640, 480, "the picture is 4:3 and the camera's view 16:9"},
+        {"location -z right -16*x up 9*y", 160, 90, ""},
+        {"location -z right x up 2*y", 90, 160, "the picture is 9:16 and the camera's view 1:2"},
+        {"location -z right x*239/100", 100, 100,
+         "the picture is 1:1 and the camera's view 2.39:1"},
+        {"location -z right x*777/130", 777, 130, ""},
+        {"location -z scale <1, 2, 1>", 320, 240, "the picture is 4:3 and the camera's view 2:3"},
+        {"orthographic location -z", 160, 90, "the picture is 16:9"},
+        {"fisheye location -z right x up y", 160, 90, "the picture is 16:9"},
+        {"panoramic location -z", 160, 90, ""},
+        {"location -z", 31, 10, ""},
+        {"location -z", 32, 10, "the picture is 16:5"},
+        {"spherical location -z", 200, 100, ""},
+    }));
+    CAPTURE(camera, width, height);
+    Diagnostics diagnostics;
+    review_shape(scene_of("camera { " + std::string(camera) + " }"), width, height, diagnostics);
+    const std::string said =
+        diagnostics.all().empty() ? std::string() : diagnostics.all().front().message;
+    CHECK(said.starts_with(message));
+    CHECK(said.empty() == std::string(message).empty());
+}
+
+TEST_CASE("the shape of a picture without a camera is not spoken of", "[world]") {
+    Diagnostics diagnostics;
+    review_shape(scene_of("sphere { 0, 1 }"), 100, 30, diagnostics);
+    CHECK(diagnostics.all().empty());
+}
+
 }  // namespace candelabra
