@@ -118,27 +118,22 @@ void store::bits(Options& options, const Given& given, Diagnostics& diagnostics)
 }
 
 void store::type(Options& options, const Given& given, Diagnostics& diagnostics) {
-    struct Letter {
-        char letter;
-        PictureType type;
-        bool compressed;
-    };
-    static constexpr auto letters = std::array{
-        Letter{'n', PictureType::png, false}, Letter{'s', PictureType::png, false},
-        Letter{'e', PictureType::exr, false}, Letter{'h', PictureType::hdr, false},
-        Letter{'p', PictureType::ppm, false}, Letter{'t', PictureType::tga, false},
-        Letter{'c', PictureType::tga, true},  Letter{'j', PictureType::jpeg, false},
-        Letter{'b', PictureType::bmp, false},
-    };
     const std::string& text = *given.value;
-    const char letter = text.empty() ? ' ' : lower_case(text[0]);
-    const auto found = std::ranges::find(letters, letter, &Letter::letter);
-    if (found == letters.end())
-        return refuse(
-            given, diagnostics, message("`", printable(text), "` is no picture format"),
-            "N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C compressed tga, J jpeg, B bmp");
+    const char asked = text.empty() ? ' ' : lower_case(text[0]);
+    // POV-Ray's S is the format of the system, and C a compressed Targa file.
+    const char letter = asked == 's' ? 'n' : asked == 'c' ? 't' : asked;
+    const auto found = std::ranges::find_if(picture_types(), [&](const PictureTypeInfo& each) {
+        return lower_case(each.letter) == letter;
+    });
+    if (found == picture_types().end()) {
+        std::string all;
+        for (const PictureTypeInfo& each : picture_types())
+            all += message(each.letter, ' ', each.name, ", ");
+        return refuse(given, diagnostics, message("`", printable(text), "` is no picture format"),
+                      all + "C compressed tga");
+    }
     options.type = found->type;
-    options.compressed = found->compressed;
+    options.compressed = asked == 'c';
     std::string rest = text.substr(1);
     options.grey |= std::erase_if(rest, [](char c) { return c == 'g' || c == 'G'; }) > 0;
     // The number after J is the quality of JPEG files.

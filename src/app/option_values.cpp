@@ -88,15 +88,8 @@ std::string ini_option(const OptionRow& row, const std::string& value) {
 
 Texts in_force::type(const Options& options) {
     const PictureFormat format = stored_format(options);
-    static constexpr auto letters = std::array{
-        std::pair{PictureType::exr, "E"},  std::pair{PictureType::hdr, "H"},
-        std::pair{PictureType::ppm, "P"},  std::pair{PictureType::tga, "T"},
-        std::pair{PictureType::jpeg, "J"}, std::pair{PictureType::bmp, "B"},
-    };
-    if (format.compressed) return {"C"};
-    for (const auto& [type, letter] : letters)
-        if (type == format.type) return {letter};
-    return {};
+    if (format.type == PictureType::png) return {};
+    return {format.compressed ? "C" : std::string(1, info(format.type).letter)};
 }
 
 Texts in_force::bits(const Options& options) {

@@ -6,7 +6,11 @@
 #include "text/message.h"
 #include "text/printable.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <functional>
+#include <string_view>
 #include <system_error>
 
 namespace candelabra {
@@ -37,10 +41,32 @@ std::string path_of(const Options& options, PictureType type) {
 /// Returns the extension of a format that other programs write but this one does not; empty for
 /// others.
 std::string other_format(const std::string& path) {
+    static constexpr auto others = std::to_array<std::string_view>(
+        {"apng", "avi", "avif", "cin", "dds", "dpx", "eps",  "fits", "gif", "heic",
+         "heif", "ico", "iff",  "j2k", "jp2", "jpc", "jpx",  "jxl",  "jxr", "mkv",
+         "mov",  "mp4", "pam",  "pbm", "pcx", "pdf", "pfm",  "pgm",  "pic", "ps",
+         "psb",  "psd", "qoi",  "rgb", "sgi", "svg", "webm", "xbm",  "xcf", "xpm"});
     const std::string ending = lower_case(fs::path(path).extension().string());
-    for (const char* known : {".webp", ".tif", ".tiff", ".gif", ".avif", ".heic", ".svg", ".pdf"})
-        if (ending == known) return ending.substr(1);
-    return {};
+    const bool other = ending.size() > 1 && std::ranges::binary_search(others, ending.substr(1));
+    return other ? ending.substr(1) : std::string();
+}
+
+/// Returns the formats for which something holds, with their options, as a help says it.
+template <class Holds>
+std::string formats_with(const Holds& holds) {
+    std::string text;
+    for (const PictureTypeInfo& each : picture_types())
+        if (holds(each))
+            text += message(text.empty() ? "" : ", ", "+F", each.letter, ' ', each.name);
+    return text;
+}
+
+/// The endings of file names that choose a format.
+std::string endings() {
+    std::string text;
+    for (const PictureTypeInfo& each : picture_types())
+        text += message(text.empty() ? "" : ", ", each.extension);
+    return text;
 }
 
 }  // namespace
@@ -57,7 +83,7 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
     output.format.type =
         options.type.value_or(type_of_name(options.output).value_or(PictureType::png));
     // Greys are usually heights, of which 256 are too few.
-    const bool heights = options.grey && output.format.type == PictureType::png;
+    const bool heights = options.grey && info(output.format.type).wide;
     output.format.bits = options.bits.value_or(heights ? 16 : 8);
     output.format.compressed = options.compressed;
     output.format.grey = options.grey;
@@ -67,23 +93,27 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
         diagnostics.add(error(Fault::option, {},
                               message("pictures are not written as ", other, ", which `",
                                       printable(options.output), "` asks for"))
-                            .with_help("by the name's ending: png, jpg, exr, hdr, bmp, tga, ppm"));
+                            .with_help(message("by the ending of the name: ", endings(),
+                                               "; a film of frames is made by --movie")));
     const auto refuse = [&](std::string_view what, std::string help) {
         diagnostics.add(error(Fault::option, {},
                               message("a file of format ", extension(output.format.type), what))
                             .with_help(std::move(help)));
     };
-    if (options.alpha && !has_alpha(output.format.type))
-        refuse(" has no alpha channel", "+FN png, +FE OpenEXR, +FT tga");
-    if (options.grey && !has_grey(output.format.type))
-        refuse(" is not written in grey", "+FN png, +FP ppm");
+    const PictureTypeInfo& type = info(output.format.type);
+    if (options.alpha && !type.alpha)
+        refuse(" has no alpha channel", formats_with(std::mem_fn(&PictureTypeInfo::alpha)));
+    if (options.grey && !type.grey)
+        refuse(" is not written in grey", formats_with(std::mem_fn(&PictureTypeInfo::grey)));
     const bool stored = options.to_file && !is_stream(output.path);
     const bool layered = output.format.type == PictureType::exr && options.to_file;
     if (!options.layers.empty() && !stored && !layered)
         diagnostics.add(
             error(Fault::option, {}, "layers need a file").with_help("+Oa.exr or +Oa.png"));
-    if (output.format.bits == 16 && output.format.type != PictureType::png)
-        refuse(" cannot have 16 bits a channel", "png can (+FN16); OpenEXR has 32 (+FE)");
+    if (output.format.bits == 16 && !type.wide)
+        refuse(" cannot have 16 bits a channel",
+               message(formats_with(std::mem_fn(&PictureTypeInfo::wide)),
+                       "; +FE OpenEXR has 32 bits"));
     return output;
 }
 

@@ -26,6 +26,7 @@ constexpr auto signatures = std::to_array<Signature>({{"gif", "GIF87a"},
                                                       {"tiff", "MM\0*"sv},
                                                       {"tiff", "II+\0"sv},
                                                       {"tiff", "MM\0+"sv},
+                                                      {"webp", "RIFF"},
                                                       {"openexr", "\x76\x2f\x31\x01"},
                                                       {"hdr", "#?RADIANCE"},
                                                       {"hdr", "#?RGBE"},
@@ -105,6 +106,30 @@ std::string jpeg_problem(std::string_view bytes) {
     return "it has no size";
 }
 
+/// Returns the stated width times the height; 0 if there is no head of one of the three kinds. (RFC
+/// 9649, sections 2.5 to 2.7.)
+double webp_pixels(std::string_view bytes) {
+    constexpr double sides = 0x1p14;  // of 14 bits; what follows them are flags
+    const std::string_view kind = bytes.substr(std::min<std::size_t>(bytes.size(), 12), 4);
+    if (kind == "VP8X") return (1 + low_first(bytes, 24, 3)) * (1 + low_first(bytes, 27, 3));
+    if (kind == "VP8 ")
+        return std::fmod(low_first(bytes, 26, 2), sides) *
+               std::fmod(low_first(bytes, 28, 2), sides);
+    if (kind != "VP8L") return 0;
+    const double both = low_first(bytes, 21, 4);
+    return (1 + std::fmod(both, sides)) * (1 + std::fmod(std::floor(both / sides), sides));
+}
+
+/// A WebP file of one colour needs no bytes for its pixels, so the least is granted to each file.
+std::string webp_problem(std::string_view bytes) {
+    if (bytes.substr(std::min<std::size_t>(bytes.size(), 8), 4) != "WEBP")
+        return "it is no picture";
+    constexpr double granted = 1 << 24, growth = 8192;
+    const double pixels = webp_pixels(bytes);
+    if (pixels <= granted) return pixels > 0 ? std::string() : "it has no size";
+    return too_large(pixels, growth, bytes.size());
+}
+
 }  // namespace
 
 Claim claim_of(std::string_view bytes) {
@@ -113,6 +138,7 @@ Claim claim_of(std::string_view bytes) {
         if (format == "gif") return {format, gif_problem(bytes)};
         if (format == "bmp") return {format, bmp_problem(bytes)};
         if (format == "jpeg") return {format, jpeg_problem(bytes)};
+        if (format == "webp") return {format, webp_problem(bytes)};
         if (format == "openexr") return {format, exr_problem(bytes)};
         return {format, {}};
     }
@@ -149,6 +175,7 @@ double max_growth(std::string_view format, std::string_view compression) {
                                                           {"png", deflate},
                                                           {"pnm", 8},
                                                           {"hdr", 192},
+                                                          {"webp", 0x1p60},  // see webp_problem()
                                                           {"bmp", 384},
                                                           {"targa", 128}});
     const auto* const by_format = std::ranges::find(formats, format, &Known::name);

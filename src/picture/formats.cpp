@@ -5,6 +5,7 @@
 #include "picture/tga.h"
 #include "png/png.h"
 #include "raster/raster.h"
+#include "raster/tiff_writer.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -66,6 +67,8 @@ std::optional<std::string> write_stored(const RawPicture& picture, Diagnostics& 
     std::string bytes, problem;
     if (picture.extension == "png") {
         problem = write_png(picture, bytes);
+    } else if (picture.extension == "tif") {
+        problem = write_tiff(picture, bytes);
     } else {
         const Formats* formats = picture_formats(diagnostics);
         if (!formats) return std::nullopt;

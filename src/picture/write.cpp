@@ -21,28 +21,21 @@ namespace candelabra {
 
 namespace {
 
-struct TypeInfo {
-    PictureType type;
-    std::string_view extension;
-    std::string_view other;  ///< an alternative extension
-    bool linear;
-    bool alpha, grey;  ///< whether these channels are offered
-};
-
 constexpr auto types = std::array{
-    TypeInfo{PictureType::png, "png", "png", false, true, true},
-    TypeInfo{PictureType::exr, "exr", "exr", true, true, false},
-    TypeInfo{PictureType::hdr, "hdr", "rgbe", true, false, false},
-    TypeInfo{PictureType::ppm, "ppm", "pnm", false, false, true},
-    TypeInfo{PictureType::tga, "tga", "tpic", false, true, false},
-    TypeInfo{PictureType::jpeg, "jpg", "jpeg", false, false, false},
-    TypeInfo{PictureType::bmp, "bmp", "dib", false, false, false},
+    PictureTypeInfo{PictureType::png, "png", "png", "png", 'N', false, true, true, true},
+    PictureTypeInfo{PictureType::exr, "OpenEXR", "exr", "exr", 'E', true, true, false, false,
+                    "zip"},
+    PictureTypeInfo{PictureType::hdr, "Radiance HDR", "hdr", "rgbe", 'H', true, false, false,
+                    false},
+    PictureTypeInfo{PictureType::ppm, "ppm", "ppm", "pnm", 'P', false, false, true, false},
+    PictureTypeInfo{PictureType::tga, "tga", "tga", "tpic", 'T', false, true, false, false},
+    PictureTypeInfo{PictureType::jpeg, "jpeg", "jpg", "jpeg", 'J', false, false, false, false,
+                    "jpeg:95"},
+    PictureTypeInfo{PictureType::bmp, "bmp", "bmp", "dib", 'B', false, false, false, false},
+    PictureTypeInfo{PictureType::tiff, "tiff", "tif", "tiff", 'I', false, true, true, true},
+    PictureTypeInfo{PictureType::webp, "webp", "webp", "webp", 'W', false, true, false, false,
+                    "webp:100"},
 };
-
-const TypeInfo& info(PictureType type) {
-    return *std::find_if(types.begin(), types.end(),
-                         [&](const TypeInfo& each) { return each.type == type; });
-}
 
 /// Radiance's shared exponents cannot represent negative values.
 float representable(double value, const PictureFormat& format) {
@@ -130,7 +123,7 @@ std::vector<Integer> integers(const Image& image, const PictureFormat& format,
 
 RawPicture raw_picture(const Image& image, const PictureFormat& format,
                        std::span<const double> alpha) {
-    const TypeInfo& type = info(format.type);
+    const PictureTypeInfo& type = info(format.type);
     RawPicture raw{image.width,
                    image.height,
                    (format.grey ? 1 : 3) + (alpha.empty() ? 0 : 1),
@@ -148,8 +141,7 @@ RawPicture raw_picture(const Image& image, const PictureFormat& format,
         raw.values = integers<std::uint16_t>(image, format, alpha);
     else
         raw.values = integers<std::uint8_t>(image, format, alpha);
-    if (format.type == PictureType::exr) raw.compression = "zip";
-    if (format.type == PictureType::jpeg) raw.compression = "jpeg:95";
+    raw.compression = type.compression;
     if (format.type == PictureType::tga) raw.compression = format.compressed ? "rle" : "none";
     return raw;
 }
@@ -170,17 +162,21 @@ float finite_float(double value) {
     return std::isnan(value) ? 0.0f : static_cast<float>(std::clamp(value, -most, most));
 }
 
-std::string_view extension(PictureType type) { return info(type).extension; }
+std::span<const PictureTypeInfo> picture_types() { return types; }
+
+const PictureTypeInfo& info(PictureType type) {
+    return *std::ranges::find(types, type, &PictureTypeInfo::type);
+}
 
 bool can_write(PictureType type, Diagnostics& diagnostics) {
-    return type == PictureType::png || picture_formats(diagnostics);
+    return type == PictureType::png || type == PictureType::tiff || picture_formats(diagnostics);
 }
 
 std::optional<PictureType> type_of_name(std::string_view path) {
     const std::size_t dot = path.find_last_of("./");
     if (dot == std::string_view::npos || path[dot] == '/') return std::nullopt;
     const std::string_view ending = path.substr(dot + 1);
-    for (const TypeInfo& type : types)
+    for (const PictureTypeInfo& type : types)
         if (same_letters(ending, type.extension) || same_letters(ending, type.other))
             return type.type;
     return std::nullopt;
@@ -193,10 +189,6 @@ unsigned quantised(double value, unsigned most, const PictureFormat& format) {
         shown = std::min(value_of(to_linear(shown, format.gamma), format.file_gamma), 1.0);
     return static_cast<unsigned>(std::floor(most * shown + 0.5));
 }
-
-bool has_alpha(PictureType type) { return info(type).alpha; }
-
-bool has_grey(PictureType type) { return info(type).grey; }
 
 Image linear(Image image, const PictureFormat& format) {
     for (Vec3& pixel : image.pixels)

@@ -14,26 +14,37 @@
 
 namespace candelabra {
 
-enum class PictureType { png, exr, hdr, ppm, tga, jpeg, bmp };
+enum class PictureType { png, exr, hdr, ppm, tga, jpeg, bmp, tiff, webp };
+
+/// What is known of a type. A type is added by its row in write.cpp.
+struct PictureTypeInfo {
+    PictureType type;
+    std::string_view name;              ///< for people
+    std::string_view extension;         ///< of file names, without its dot
+    std::string_view other;             ///< an alternative extension
+    char letter;                        ///< of the option +F
+    bool linear;                        ///< stores 32 bits or a shared exponent, and linear values
+    bool alpha, grey;                   ///< whether these channels are offered
+    bool wide;                          ///< whether it may have 16 bits in each channel
+    std::string_view compression = {};  ///< in OpenImageIO's terms; empty: its default
+};
+
+/// Returns all types, in the order in which messages list them.
+std::span<const PictureTypeInfo> picture_types();
+const PictureTypeInfo& info(PictureType);
+inline std::string_view extension(PictureType type) { return info(type).extension; }
 
 struct PictureFormat {
     PictureType type = PictureType::png;
-    int bits = 8;             ///< per channel; 16 for png only
+    int bits = 8;             ///< per channel; 16 for wide types
     bool compressed = false;  ///< tga only
-    bool grey = false;        ///< one channel; png and ppm only
+    bool grey = false;        ///< one channel
     double gamma = 1;         ///< raising the picture's values to this power makes them linear
     double file_gamma = -1;   ///< the same for the file's values; below 0: the sRGB curve
     /// If false, values are neither linearised nor encoded, as before POV-Ray 3.7.
     bool encoded = true;
     std::string description = {};  ///< the picture's origin, for formats that can store a text
 };
-
-/// Returns the file name extension without its dot, such as "png".
-std::string_view extension(PictureType);
-
-/// Whether a file of that type may hold an alpha channel, or a single grey channel.
-bool has_alpha(PictureType);
-bool has_grey(PictureType);
 
 /// Whether files of that type can be written on this computer; reports a diagnostic if not. Meant
 /// to be asked before the picture is made.

@@ -98,6 +98,8 @@ TEST_CASE("formats") {
         {"+FJ", PictureType::jpeg, {}, false},
         {"+FB", PictureType::bmp, {}, false},
         {"+FS", PictureType::png, {}, false},
+        {"+FI16", PictureType::tiff, 16, false},
+        {"+fw", PictureType::webp, {}, false},
         {"Output_File_Type=E", PictureType::exr, {}, false},
     };
     for (const Case& each : cases) {
@@ -265,8 +267,8 @@ TEST_CASE("every wrong argument has one message") {
         {{"banana=5"}, "`banana=5`: there is no such keyword | if it is a file: `./banana=5`"},
         {{"Verbose=maybe"}, "`Verbose=maybe`: the value must be on or off"},
         {{"+FX"},
-         "`+FX`: `X` is no picture format | N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C "
-         "compressed tga, J jpeg, B bmp"},
+         "`+FX`: `X` is no picture format | N png, E OpenEXR, H Radiance HDR, P ppm, T tga, J "
+         "jpeg, B bmp, I tiff, W webp, C compressed tga"},
         {{"+FN12"}, "`+FN12`: a channel can have 8 or 16 bits"},
         {{"--light-sampler", "octree"},
          "`--light-sampler`: there is no light sampler `octree` | there are every_light, "

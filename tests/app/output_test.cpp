@@ -32,11 +32,12 @@ TEST_CASE("endings of formats that are not written are refused") {
         output_of(options, diagnostics);
         return diagnostics.all().size();
     };
-    for (const char* name : {"a.webp", "b/a.TIFF", "a.tif", "a.gif"}) {
+    for (const char* name : {"a.jp2", "b/a.AVIF", "a.mp4", "a.gif", "a.jxl"}) {
         CHECK(errors(name, {}) == 1);
         CHECK(errors(name, PictureType::png) == 0);
     }
-    for (const char* name : {"a.png", "a.jpeg", "a.2", "webp"}) CHECK(errors(name, {}) == 0);
+    for (const char* name : {"a.png", "a.jpeg", "a.2", "jp2", "a.webp", "b/a.TIFF", "a.tif"})
+        CHECK(errors(name, {}) == 0);
 }
 
 TEST_CASE("the picture's name comes from the scene's and the options") {
@@ -57,6 +58,9 @@ TEST_CASE("the picture's name comes from the scene's and the options") {
         {"scene.pov", "x.png", {}, "x.png", png},
         {"scene.pov", "x.exr", {}, "x.exr", exr},
         {"scene.pov", "x.JPEG", {}, "x.JPEG", jpeg},
+        {"scene.pov", "x.TIFF", {}, "x.TIFF", tiff},
+        {"scene.pov", "x.webp", {}, "x.webp", webp},
+        {"scene.pov", "", tiff, "scene.tif", tiff},
         {"scene.pov", "x.jpg", png, "x.jpg.png", png},
         {"scene.pov", "x", {}, "x.png", png},
         {"scene.pov", "x.y", {}, "x.y.png", png},
@@ -81,11 +85,14 @@ TEST_CASE("16 bits a channel are for formats that have them") {
     options.bits = 16;
     Diagnostics diagnostics;
     CHECK(output_of(options, diagnostics).format.bits == 16);
+    options.output = "a.tiff";
+    CHECK(output_of(options, diagnostics).format.bits == 16);
     CHECK_FALSE(diagnostics.failed());
     options.output = "a.exr";
     output_of(options, diagnostics);
     REQUIRE(diagnostics.error_count() == 1);
     CHECK(diagnostics.all()[0].message == "a file of format exr cannot have 16 bits a channel");
+    CHECK(diagnostics.all()[0].help == "+FN png, +FI tiff; +FE OpenEXR has 32 bits");
 }
 
 TEST_CASE("a scene has a folder of its own beside the picture") {
@@ -114,9 +121,10 @@ TEST_CASE("alpha, grey and layers are for files that can have them") {
         output_of(options, diagnostics);
         return diagnostics.all().empty() ? "" : diagnostics.all()[0].message;
     };
-    for (const char* name : {"a.png", "a.tga", "a.exr"})
+    for (const char* name : {"a.png", "a.tga", "a.exr", "a.tif", "a.webp"})
         CHECK(complaint(name, true, false, false) == "");
-    for (const char* name : {"a.png", "a.ppm"}) CHECK(complaint(name, false, true, false) == "");
+    for (const char* name : {"a.png", "a.ppm", "a.tif"})
+        CHECK(complaint(name, false, true, false) == "");
     CHECK(complaint("a.bmp", true, false, false) == "a file of format bmp has no alpha channel");
     CHECK(complaint("a.exr", false, true, false) == "a file of format exr is not written in grey");
     for (const char* name : {"a.exr", "a.png"}) CHECK(complaint(name, false, false, true) == "");

@@ -42,6 +42,12 @@ TEST_CASE("a picture is not larger than its file can fill", "[formats]") {
         {"targa", "\0\0\x2\0\0\0\0\0\0\0\0\0"s + wide + wide + "\x18\0"s + head},
         {"packed targa", "\0\0\xa\0\0\0\0\0\0\0\0\0"s + wide + wide + "\x20\0"s + head},
         {"jpeg", "\xff\xd8\xff\xc0\0\x11\x8\x3e\x80\x3e\x80\3\1\x11\0\2\x11\0\3\x11\0"s + head},
+        {"webp",
+         "RIFF" + low(112, 4) + "WEBPVP8L" + low(100, 4) + "\x2f" + low(0x0fffffff, 4) + head},
+        {"webp of several parts", "RIFF" + low(112, 4) + "WEBPVP8X" + low(10, 4) + low(0, 4) +
+                                      low(16000, 3) + low(16000, 3) + head},
+        {"simple webp", "RIFF" + low(112, 4) + "WEBPVP8 " + low(100, 4) + low(0, 3) +
+                            "\x9d\x01\x2a" + low(16000, 2) + low(16000, 2) + head},
         {"pnm", "P6\n16000 16000\n255\n" + head},
         {"hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16000 +X 16000\n" + head},
         {"tiff",

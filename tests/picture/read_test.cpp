@@ -35,10 +35,11 @@ TEST_CASE("what is written is read back, as exactly as the format allows") {
         double tolerance;
     };
     const Case cases[] = {
-        {{PictureType::png, 8}, 5e-3}, {{PictureType::png, 16}, 3e-5},
-        {{PictureType::exr, 8}, 1e-7}, {{PictureType::hdr, 8}, 5e-3},
-        {{PictureType::ppm, 8}, 5e-3}, {{PictureType::tga, 8}, 5e-3},
-        {{PictureType::bmp, 8}, 5e-3},
+        {{PictureType::png, 8}, 5e-3},   {{PictureType::png, 16}, 3e-5},
+        {{PictureType::exr, 8}, 1e-7},   {{PictureType::hdr, 8}, 5e-3},
+        {{PictureType::ppm, 8}, 5e-3},   {{PictureType::tga, 8}, 5e-3},
+        {{PictureType::bmp, 8}, 5e-3},   {{PictureType::tiff, 8}, 5e-3},
+        {{PictureType::tiff, 16}, 3e-5},
     };
     const Folder folder;
     const Image image = sample();

@@ -23,9 +23,10 @@ Image ramp(int width, int height) {
 }
 
 constexpr PictureFormat formats[] = {
-    {PictureType::png, 8},       {PictureType::png, 16}, {PictureType::exr, 8},
-    {PictureType::hdr, 8},       {PictureType::ppm, 8},  {PictureType::tga, 8},
-    {PictureType::tga, 8, true}, {PictureType::jpeg, 8}, {PictureType::bmp, 8},
+    {PictureType::png, 8},       {PictureType::png, 16},  {PictureType::exr, 8},
+    {PictureType::hdr, 8},       {PictureType::ppm, 8},   {PictureType::tga, 8},
+    {PictureType::tga, 8, true}, {PictureType::jpeg, 8},  {PictureType::bmp, 8},
+    {PictureType::tiff, 8},      {PictureType::tiff, 16}, {PictureType::webp, 8},
 };
 
 }  // namespace
@@ -100,9 +101,8 @@ TEST_CASE("no file has infinity or what is no number", "[picture]") {
     CHECK(finite_float(0.25) == 0.25f);
     Image image(4, 1);
     image.pixels = {Vec3(endless, -endless, NAN), Vec3(1e300), Vec3(5), Vec3(1e39, 0.5, 0)};
-    for (const PictureType type :
-         {PictureType::png, PictureType::exr, PictureType::hdr, PictureType::ppm, PictureType::tga,
-          PictureType::jpeg, PictureType::bmp}) {
+    for (const PictureTypeInfo& row : picture_types()) {
+        const PictureType type = row.type;
         PictureFormat format;
         format.type = type;
         format.gamma = 10;
@@ -123,21 +123,15 @@ TEST_CASE("the type of a picture is known by the end of its name") {
         std::optional<PictureType> expected;
     };
     const Case cases[] = {
-        {"a.png", PictureType::png},
-        {"dir.x/A.PNG", PictureType::png},
-        {"a.exr", PictureType::exr},
-        {"a.hdr", PictureType::hdr},
-        {"a.ppm", PictureType::ppm},
-        {"a.tga", PictureType::tga},
-        {"a.jpg", PictureType::jpeg},
-        {"a.jpeg", PictureType::jpeg},
-        {"a.bmp", PictureType::bmp},
-        {"a.gif", std::nullopt},
-        {"png", std::nullopt},
-        {"dir.png/a", std::nullopt},
-        {"", std::nullopt},
-        {"-", std::nullopt},
-        {"a.b.exr", PictureType::exr},
+        {"a.png", PictureType::png},   {"dir.x/A.PNG", PictureType::png},
+        {"a.exr", PictureType::exr},   {"a.hdr", PictureType::hdr},
+        {"a.ppm", PictureType::ppm},   {"a.tga", PictureType::tga},
+        {"a.jpg", PictureType::jpeg},  {"a.jpeg", PictureType::jpeg},
+        {"a.bmp", PictureType::bmp},   {"a.tif", PictureType::tiff},
+        {"a.TIFF", PictureType::tiff}, {"a.webp", PictureType::webp},
+        {"a.gif", std::nullopt},       {"png", std::nullopt},
+        {"dir.png/a", std::nullopt},   {"", std::nullopt},
+        {"-", std::nullopt},           {"a.b.exr", PictureType::exr},
     };
     for (const Case& each : cases) {
         CAPTURE(each.name);
