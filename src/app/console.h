@@ -9,6 +9,7 @@
 #include "app/options.h"
 #include "text/made_files.h"
 #include "text/source.h"
+#include "world/shot.h"
 
 #include <functional>
 #include <memory>
@@ -18,7 +19,6 @@
 namespace candelabra {
 
 class Film;
-class World;
 struct SandboxRules;
 struct LightLedger;
 
@@ -37,7 +37,7 @@ inline constexpr std::string_view no_memory_message =
 
 /// An unfinished or finished picture, with all that it is made from.
 struct Exhibit {
-    const World& world;
+    const Shot& shot;
     const SourceStore& sources;
     const RenderSettings& settings;
     const Film& film;
@@ -46,7 +46,7 @@ struct Exhibit {
 
 /// A scene that is ready to render.
 struct Staged {
-    World& world;
+    SharedWorld world;
     const SourceStore& sources;
     const Options& options;
     PictureFormat format;                    ///< of the output picture

@@ -94,7 +94,7 @@ std::string fill(std::size_t items) {
 std::string index_slice(const World& world) {
     const WideTree& tree = world.geometry.tree;
     if (tree.nodes().empty()) return "<svg xmlns='http://www.w3.org/2000/svg'/>\n";
-    const Slice slice(world.view.camera, crowded(tree));
+    const Slice slice(world.stated_view.camera, crowded(tree));
     std::string cells, nodes;
     tree.for_each_node([&](std::uint32_t number, const TreeFrame& frame, int level) {
         const TreeNode& node = tree.nodes()[number];

@@ -33,7 +33,7 @@ std::vector<PrimaryHit> sights(const Exhibit& shown, int width, int height,
         const int y = static_cast<int>(row);
         for (int x = 0; x < width; ++x)
             all[row * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
-                primary_hit(shown.world, middle_ray(shown.world, {x, y, width, height}));
+                primary_hit(*shown.shot.world, middle_ray(shown.shot, {x, y, width, height}));
     });
     return all;
 }
@@ -130,17 +130,17 @@ std::string vector_text(const Vec3& v) {
 
 /// Estimates the share of each statement in the light that reaches the pixel, from many samples.
 std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
-    const World& world = shown.world;
+    const World& world = *shown.shot.world;
     // With photons, many samples are expensive.
     const std::uint32_t tries = world.photon_targets.empty() ? 256 : 16;
-    Integrator integrator(world, {pilot(world, shown.settings).shadow_rays, true});
+    Integrator integrator(shown.shot, {pilot(shown.shot, shown.settings).shadow_rays, true});
     Key key;
     key.pixel = mix(static_cast<std::uint64_t>(shown.settings.seed)) + shown.film.index(at.x, at.y);
     double all = 0;
     std::vector<double> share(world.provenance.light_statements.size());
     for (key.sample = 0; key.sample < tries; ++key.sample) {
         const Vec2 place{uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)};
-        all += grey(integrator.radiance(ray_through(world, at, place, key), key));
+        all += grey(integrator.radiance(ray_through(shown.shot, at, place, key), key));
         take_lights(integrator.ledger(), [&](std::size_t statement, const Vec3& light) {
             share[statement] += grey(light);
         });
@@ -185,17 +185,17 @@ std::string what_is_under(const Exhibit& shown, int x, int y) {
     if (x < 0 || y < 0 || x >= film.width() || y >= film.height()) return {};
     const PicturePoint at{x, y, film.width(), film.height()};
     std::string text = message("<", x, ", ", y, ">: rgb ", vector_text(film.at(x, y).mean()), "\n");
-    const PrimaryHit seen = primary_hit(shown.world, middle_ray(shown.world, at));
+    const World& world = *shown.shot.world;
+    const PrimaryHit seen = primary_hit(world, middle_ray(shown.shot, at));
     if (seen.object > 0)
         text += message(
             "object ", seen.object, ": ",
-            statement_text(shown.world.provenance.object_spans[seen.object - 1], shown.sources),
-            "\n");
+            statement_text(world.provenance.object_spans[seen.object - 1], shown.sources), "\n");
     if (seen.met)
         text +=
             message("at ", vector_text(seen.hit.position), ", normal ", vector_text(seen.normal),
                     ", distance ", static_cast<float>(seen.distance), "\n");
-    if (const Texture* texture = texture_at(shown.world, seen))
+    if (const Texture* texture = texture_at(world, seen))
         text += FunctionWriter().replaced(dump(*texture)) + "\n";
     return text + lights_of(shown, at);
 }

@@ -181,7 +181,7 @@ WebAnswer pick(const WebRequest& request, PreviewDesk& desk) {
 
 WebAnswer report(PreviewDesk& desk) {
     return {plain, desk.questions().ask([](const Exhibit& exhibit) {
-                return light_report(exhibit.world, exhibit.rays, exhibit.sources);
+                return light_report(*exhibit.shot.world, exhibit.rays, exhibit.sources);
             })};
 }
 

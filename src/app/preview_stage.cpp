@@ -12,12 +12,14 @@
 #include "render/render.h"
 #include "text/message.h"
 #include "transport/primary_hit.h"
-#include "world/quick_lights.h"
+#include "world/shot.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <memory>
+#include <utility>
 
 namespace candelabra {
 
@@ -53,9 +55,10 @@ FilmFiles gathered(const Staged& staged, bool denoised) {
 double distance_ahead(const World& world, const RenderSettings& settings) {
     const PicturePoint middle{settings.width / 2, settings.height / 2, settings.width,
                               settings.height};
-    const PrimaryHit seen = primary_hit(world, middle_ray(world, middle));
+    const WorldView& view = world.stated_view;
+    const PrimaryHit seen = primary_hit(world, middle_ray(world, view, middle));
     if (seen.met && seen.distance > 0) return seen.distance;
-    return std::max(1.0, length(world.view.camera.location));
+    return std::max(1.0, length(view.camera.location));
 }
 
 Vec3 mean_of(const Image& image) {
@@ -64,6 +67,18 @@ Vec3 mean_of(const Image& image) {
     return image.pixels.empty() ? sum : sum / static_cast<double>(image.pixels.size());
 }
 
+/// A shot, and what is made before its first sample.
+struct Prepared {
+    Prepared(Shot made, const RenderSettings& settings)
+        : shot(std::move(made)), sent(SentLight::of(shot, settings.seed, settings.threads)) {}
+    Prepared(const Prepared&) = delete;
+    Prepared& operator=(const Prepared&) = delete;
+
+    const Shot shot;
+    const SentLight sent;
+    std::optional<RenderPlan> plan = {};  ///< none: not yet made
+};
+
 class StageRun {
 public:
     StageRun(const Staged& staged, PreviewDesk& desk, const Leaving& leaving)
@@ -71,13 +86,11 @@ public:
           desk_(desk),
           leaving_(leaving),
           settings_(timed(staged.options)),
-          base_{staged.world.view.camera, distance_ahead(staged.world, settings_)} {
-        cameras_.push_back(staged.world.view.camera);
-        for (const World& moment : staged.world.shutter) cameras_.push_back(moment.view.camera);
+          base_{staged.world->stated_view.camera, distance_ahead(*staged.world, settings_)} {
         for (std::size_t k = 0; k < staged.lights.size(); ++k)
             lamps_.push_back(
                 {staged.lights[k],
-                 statement_text(staged.world.provenance.light_statements[k], staged.sources)});
+                 statement_text(staged.world->provenance.light_statements[k], staged.sources)});
     }
 
     /// Renders until the scene is left. While the page keeps changing it, each scene is still shown
@@ -101,7 +114,6 @@ private:
         rendered_ = wishes_;
         files_ = gathered(staged_, wishes_.look.denoised);
         aovs_ = files_.aovs();
-        place_cameras();
         begun_ = seconds_now();
         frame_ = std::make_shared<const PlateFrame>(PlateFrame{staged_.film, staged_.format,
                                                                staged_.lights, settings_.threads,
@@ -114,22 +126,27 @@ private:
         make_fine();
     }
 
-    /// Whether photons are still to be shot, which may take seconds: the first coarse picture does
-    /// without them.
-    bool photons_wait() const { return !sent_ && !staged_.world.photon_targets.empty(); }
-    const SentLight& sent_light() {
-        if (!sent_) sent_ = SentLight::of(staged_.world, settings_.seed, settings_.threads);
-        return *sent_;
+    /// The shot of the camera that is shown.
+    Shot shot(bool quick) const {
+        ShotSettings settings = ShotSettings::of(settings_);
+        settings.quick = quick;
+        return {staged_.world, settings, [&](const Projection& stated) {
+                    return rendered_.orbit.place({stated, base_.distance}).camera;
+                }};
     }
 
-    void place_cameras() {
-        World& world = staged_.world;
-        const auto placed = [&](std::size_t i) {
-            return wishes_.orbit.place({cameras_[i], base_.distance}).camera;
-        };
-        world.view.camera = placed(0);
-        for (std::size_t i = 0; i < world.shutter.size(); ++i)
-            world.shutter[i].view.camera = placed(i + 1);
+    void prepare() {
+        if (prepared_ && prepared_version_ == rendered_.orbit_version) return;
+        prepared_.reset();
+        prepared_ = std::make_unique<Prepared>(shot(false), settings_);
+        prepared_version_ = rendered_.orbit_version;
+    }
+
+    /// Light sent from lamps for a coarse picture: that for the camera shown before, if there was
+    /// one. The first picture of all does not wait for photons, which may take seconds to shoot.
+    SentLight light_for_rough(bool first) {
+        if (!prepared_ && !(first && !staged_.world->photon_targets.empty())) prepare();
+        return prepared_ ? prepared_->sent : SentLight{};
     }
 
     void take_wishes() {
@@ -152,7 +169,7 @@ private:
     /// Makes the coarse pictures. The first is always shown, so that continuous changes stay
     /// visible. Returns false if something else is wanted.
     bool make_rough() {
-        const QuickLights quick(staged_.world);
+        const Shot quick = shot(true);
         bool shown = false;
         for (const int step : coarse_steps) {
             RenderSettings settings = settings_;
@@ -171,10 +188,10 @@ private:
                 return leaving_.at_once() ||
                        ((shown || seconds_now() - before > patience) && outdated());
             };
-            RenderState state = begin_picture(settings, aovs_.count(staged_.world));
+            RenderState state = begin_picture(settings, aovs_.count(*staged_.world));
             LightLedger rays;
-            const SentLight sent = shown || !photons_wait() ? sent_light() : SentLight{};
-            const RenderPlan plan{staged_.world, settings, ShadowRays{1}, sent, 1, NoiseRule{}};
+            const RenderPlan plan{quick, settings,   ShadowRays{1}, light_for_rough(!shown),
+                                  1,     NoiseRule{}};
             if (!advance(plan, state, rays, hooks)) return false;
             const double now = seconds_now();
             constexpr double growth = 4;
@@ -189,8 +206,7 @@ private:
             if (is_still(view_name)) {
                 Plate layer = *rough_;
                 layer.view_name = view_name;
-                layer.view =
-                    view({staged_.world, staged_.sources, settings, state.film, rays}, view_name);
+                layer.view = view({quick, staged_.sources, settings, state.film, rays}, view_name);
                 show(std::move(layer));
             } else if (view_name == "picture") {
                 show(*rough_);
@@ -205,7 +221,8 @@ private:
     }
 
     void make_fine() {
-        RenderState state = begin_picture(settings_, aovs_.count(staged_.world));
+        prepare();
+        RenderState state = begin_picture(settings_, aovs_.count(*staged_.world));
         state.shard.region = region_of(staged_.options);
         rays_ = {};
         done_ = 0;
@@ -236,11 +253,12 @@ private:
 
     /// Renders until a wish or a question waits. Returns whether the picture is finished.
     bool stretch(RenderState& state) {
-        if (!plan_) {
+        Prepared& ready = *prepared_;
+        if (!ready.plan) {
             const auto plan =
-                plan_of(staged_.world, settings_, sent_light(), [this] { return called(); });
+                plan_of(ready.shot, settings_, ready.sent, [this] { return called(); });
             if (!plan) return false;
-            plan_.emplace(*plan);
+            ready.plan.emplace(*plan);
             begin_clock();
         }
         RenderHooks hooks;
@@ -254,7 +272,7 @@ private:
             return called() || seconds_now() >= std::min(show_at_, deadline());
         };
         hooks.ended = [this] { return called() || seconds_now() >= deadline(); };
-        return advance(*plan_, state, rays_, hooks) || seconds_now() >= deadline();
+        return advance(*ready.plan, state, rays_, hooks) || seconds_now() >= deadline();
     }
 
     double deadline() const {
@@ -268,7 +286,7 @@ private:
         take_wishes();
         if (is_other(wishes_)) return;
         const Film& film = state.film;
-        const Exhibit exhibit{staged_.world, staged_.sources, settings_, film, rays_};
+        const Exhibit exhibit{prepared_->shot, staged_.sources, settings_, film, rays_};
         desk_.questions().answer(exhibit);
         const bool new_view = wishes_.look.view != before.look.view || plate_ == nullptr;
         const bool lacks_lights = wishes_.look.relights() && plate_ && plate_->lights.empty();
@@ -403,15 +421,14 @@ private:
     PreviewDesk& desk_;
     const Leaving& leaving_;
     const RenderSettings settings_;
-    std::optional<SentLight> sent_;  ///< light sent from lamps, shared by all cameras
     const Sight base_;
-    std::vector<Projection> cameras_;  ///< of the scene, one for each moment of the shutter
     std::vector<LampLine> lamps_;
     FilmFiles files_;
     Aovs aovs_;
-    std::optional<RenderPlan> plan_;
-    Wishes wishes_;    ///< newest known
-    Wishes rendered_;  ///< at the start of the picture
+    std::unique_ptr<Prepared> prepared_;  ///< for the last fine picture; null: there was none
+    int prepared_version_ = -1;           ///< of the orbit
+    Wishes wishes_;                       ///< newest known
+    Wishes rendered_;                     ///< at the start of the picture
     int wish_version_ = -1;
     std::shared_ptr<const PlateFrame> frame_;
     std::shared_ptr<const Plate> plate_;

@@ -31,19 +31,19 @@ std::uint32_t max_samples(const RenderState& state) {
 }
 
 /// Returns the plan. If its trials take longer than the picture may, the plan does without them.
-RenderPlan planned(const World& world, const Options& options) {
+RenderPlan planned(const Shot& shot, const Options& options) {
     const RenderSettings settings = timed(options);
-    if (!options.time) return plan_of(world, settings);
+    if (!options.time) return plan_of(shot, settings);
     using Clock = std::chrono::steady_clock;
     const auto begun = Clock::now();
     const std::function<bool()> late = [&] {
         return std::chrono::duration<double>(Clock::now() - begun).count() > *options.time;
     };
-    const SentLight sent = SentLight::of(world, settings.seed, settings.threads);
-    if (const auto plan = plan_of(world, settings, sent, late)) return *plan;
+    const SentLight sent = SentLight::of(shot, settings.seed, settings.threads);
+    if (const auto plan = plan_of(shot, settings, sent, late)) return *plan;
     RenderSettings simple = settings;
     simple.shadow_rays = 1;
-    RenderPlan plan = plan_of(world, simple);
+    RenderPlan plan = plan_of(shot, simple);
     plan.settings = settings;
     return plan;
 }
@@ -64,12 +64,12 @@ std::string state_path(const std::string& picture, const std::optional<Shard>& s
 
 std::string state_path(const JobPlan& plan) { return state_path(plan.picture, plan.shard); }
 
-RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interrupts,
+RenderJob::RenderJob(JobPlan plan, const Shot& shot, const Interrupts& interrupts,
                      Diagnostics& diagnostics)
     : plan_(std::move(plan)),
       extras_(aovs_for(plan_.options.layers, plan_.options.alpha,
-                       {world.view.film.smooths_edges(), plan_.options.denoise})),
-      rendering_(planned(world, plan_.options)),
+                       {shot.view.film.smooths_edges(), plan_.options.denoise})),
+      rendering_(planned(shot, plan_.options)),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}
 
@@ -82,7 +82,7 @@ bool RenderJob::can_keep() const {
 
 void RenderJob::begin() {
     RenderState& state = checkpoint_.state;
-    state = begin_picture(rendering_.settings, extras_.count(rendering_.world));
+    state = begin_picture(rendering_.settings, extras_.count(*rendering_.shot.world));
     state.shard.region = region_of(plan_.options);
     checkpoint_.identity = plan_.identity;
     checkpoint_.all_samples = rendering_.samples;

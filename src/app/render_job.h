@@ -41,7 +41,7 @@ RenderSettings timed(const Options&);
 
 class RenderJob {
 public:
-    RenderJob(JobPlan, const World&, const Interrupts&, Diagnostics&);
+    RenderJob(JobPlan, const Shot&, const Interrupts&, Diagnostics&);
 
     /// Starts the picture, or reads the state to continue from. Returns false after an error has
     /// been reported.

@@ -210,15 +210,15 @@ private:
         fitting.format.gamma = scene.settings.assumed_gamma;
         fitting.format.encoded = scene.gamma_handling;
         using enum Session::Shutter;
-        World world =
+        const SharedWorld world =
             session_->compile(std::move(scene), is_check() || dumps ? first_sample : all_samples);
         if (say_diagnostics()) return exit_status::scene;
-        statistics_.compile = time_now() - statistics_.compile;
-        if (options_.task == Task::dump_index) return say(index_slice(world));
-        if (dumps) return say(report(world));
-        if (is_check()) return finish(world);
+        if (options_.task == Task::dump_index) return say(index_slice(*world));
+        if (dumps) return say(report(*world));
         if (console_.stage) return look_at(world, fitting);
-        return render_picture(world, fitting);
+        const Shot shot(world, ShotSettings::of(options_.render));
+        statistics_.compile = time_now() - statistics_.compile;
+        return is_check() ? finish(shot) : render_picture(shot, fitting);
     }
 
     int export_mesh(const Scene& scene) {
@@ -260,8 +260,7 @@ private:
     }
 
     /// Returns the film with a grain pattern of its own for each picture.
-    FilmSettings film_of_frame(const World& world) const {
-        FilmSettings film = world.view.film;
+    FilmSettings film_of_frame(FilmSettings film) const {
         constexpr std::uint32_t most = (1u << 30) - 1;
         if (film.grain > 0)
             film.grain_seed =
@@ -273,16 +272,19 @@ private:
     }
 
     /// Passes the scene to the console's stage, which renders it.
-    int look_at(World& world, const Output& output) {
-        const std::vector<std::string> lights = light_names(world, sources());
-        console_.stage({world, sources(), options_, output.format, film_of_frame(world), lights});
+    int look_at(const SharedWorld& world, const Output& output) {
+        const std::vector<std::string> lights = light_names(*world, sources());
+        const WorldView& view = world->stated_view;
+        console_.stage({world, sources(), options_, output.format,
+                        film_of_frame(film_in(view.camera, view.film)), lights});
         return exit_status::done;
     }
 
-    int render_picture(const World& world, const Output& output) {
+    int render_picture(const Shot& shot, const Output& output) {
+        const World& world = *shot.world;
         Identity identity = identity_of(options_, session_->files(), output.format);
         FilmFiles files = files_of(output);
-        files.film = film_of_frame(world);
+        files.film = film_of_frame(shot.view.film);
         note_film(identity, files.film);
         if (aovs_for(options_.layers, false).lights) {
             files.lights = light_names(world, sources());
@@ -290,7 +292,7 @@ private:
         }
         JobPlan plan{options_, identity, output.path, shard_, console_.winds_down};
         made_path_ = shard_ ? state_path(plan) : output.path;
-        RenderJob job(plan, world, console_.interrupts, diagnostics_);
+        RenderJob job(plan, shot, console_.interrupts, diagnostics_);
         const bool locks = job.can_keep();
         const FileLock lock(locks ? state_path(plan) : std::string());
         if (lock.taken())
@@ -310,7 +312,7 @@ private:
         job.leave_state(shard_ || options_.keep_state || lost);
         show_light(world, job);
         if (say_diagnostics()) return exit_status::file;
-        const int status = finish(world);
+        const int status = finish(shot);
         if (talks(options_) && status == exit_status::done)
             candelabra::say(console_, Stream::statistics,
                             message(options_.to_file ? printable(made_path_) : "no file", ": ",
@@ -354,10 +356,10 @@ private:
     }
 
     /// Completes the statistics, which a check prints, too.
-    int finish(const World& world) {
+    int finish(const Shot& shot) {
         statistics_.total = time_now() - start_;
         statistics_.prepared_ahead = options_.prepared_ahead;
-        complete(statistics_, world, options_.render);
+        complete(statistics_, shot, options_.render);
         if (is_check()) say_correct();
         if (!options_.depfile.empty() && options_.task == Task::render) write_depfile();
         if (options_.stats_file == "-")

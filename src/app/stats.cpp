@@ -4,7 +4,7 @@
 #include "app/progress.h"
 #include "base/parallel.h"
 #include "text/message.h"
-#include "world/world.h"
+#include "world/shot.h"
 
 #include <nlohmann/json.hpp>
 
@@ -45,7 +45,8 @@ std::size_t peak_memory_bytes() {
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-void complete(RunStatistics& run, const World& world, const RenderSettings& settings) {
+void complete(RunStatistics& run, const Shot& shot, const RenderSettings& settings) {
+    const World& world = *shot.world;
     run.objects = world.provenance.object_count;
     run.primitives = world.appearance.material_of.size();
     run.luminaires = world.lights.luminaires.size();
@@ -54,7 +55,7 @@ void complete(RunStatistics& run, const World& world, const RenderSettings& sett
     run.tree = statistics(world.geometry.tree);
     run.peak_memory_bytes = peak_memory_bytes();
     run.light_sampler_bytes =
-        std::visit([](const auto& built) { return built.memory_bytes(); }, world.lights.sampler);
+        std::visit([](const auto& built) { return built.memory_bytes(); }, shot.sampler);
     const LightSampler& sampler = world.rules.settings.light_sampler;
     run.light_sampler = Kinds<LightSampler>::infos[sampler.index()]->name;
     if (traits(sampler).has_cells) run.light_octree_bytes = run.light_sampler_bytes;

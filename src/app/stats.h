@@ -30,8 +30,8 @@ double seconds_now();
 /// Returns the peak memory of this process in bytes.
 std::size_t peak_memory_bytes();
 
-class World;
 struct RenderSettings;
+struct Shot;
 
 struct RunStatistics {
     Phase parse;    ///< reading and evaluating the scene
@@ -59,7 +59,7 @@ struct RunStatistics {
 };
 
 /// Fills in the entries that come from the world and the settings.
-void complete(RunStatistics&, const World&, const RenderSettings&);
+void complete(RunStatistics&, const Shot&, const RenderSettings&);
 
 /// Returns a JSON object with one entry per line and a final newline.
 std::string to_json(const RunStatistics&);

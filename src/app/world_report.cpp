@@ -41,7 +41,7 @@ std::string luminaire_text(const World& world) {
 
 std::string report(const World& world) {
     const TreeStatistics tree = statistics(world.geometry.tree);
-    const Projection& camera = world.view.camera;
+    const Projection& camera = world.stated_view.camera;
     return message(
         "objects: ", world.provenance.object_count, "\n",
         "primitives: ", world.geometry.spheres.size(), " spheres, ",

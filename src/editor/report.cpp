@@ -37,7 +37,7 @@ void report(const Workspace& workspace, const std::string& path,
     const Scene scene = evaluate(result.sources, workspace.loader(folder, access), main, options,
                                  result.diagnostics);
     if (!result.diagnostics.failed())
-        review(scene, survey(scene, result.diagnostics), result.diagnostics);
+        review(scene, *survey(scene, result.diagnostics), result.diagnostics);
 }
 
 }  // namespace candelabra

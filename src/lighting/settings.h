@@ -14,7 +14,7 @@ namespace candelabra {
 /// What other modules ask about a strategy.
 struct LightSamplerTraits {
     bool draws = true;                ///< some luminaires by random numbers, instead of taking all
-    bool wants_bent_normals = false;  ///< of the luminaires: see Luminaire
+    bool wants_bent_normals = false;  ///< of the lights: see LightBounds
     bool has_cells = false;           ///< in which memory grows while a picture is made
     bool by_transmittance = false;    ///< distances in media are drawn by the transmittance alone
 };

@@ -24,9 +24,8 @@ EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area
             per_area};
 }
 
-std::optional<EmittedRay> emit(const Luminaire& luminaire, const EmissionDraw& u) {
-    return std::visit([&](const auto& e) { return emit(e, luminaire.inner_rays, u); },
-                      luminaire.emitter);
+std::optional<EmittedRay> emit(const Luminaire& luminaire, double inner, const EmissionDraw& u) {
+    return std::visit([&](const auto& e) { return emit(e, inner, u); }, luminaire.emitter);
 }
 
 }  // namespace candelabra

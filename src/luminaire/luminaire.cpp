@@ -93,7 +93,6 @@ LightBounds bounds(const Luminaire& luminaire) {
     LightBounds result = std::visit(
         [&](const auto& e) { return bounds(e, luminance(luminaire.radiance)); }, luminaire.emitter);
     result.intensity *= mean_share(luminaire);
-    result.bent_normal = luminaire.bent_normal;
     return result;
 }
 

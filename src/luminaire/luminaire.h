@@ -106,17 +106,11 @@ struct Luminaire {
     bool varying = false;    ///< whether the radiance changes over the surface
     bool two_faced = false;  ///< whether the two sides differ in radiance
     bool one_sided = false;  ///< whether one of the sides emits nothing
-    /// Fraction of the rays of emit() that leave a closed surface on its inner side. It changes
-    /// their noise only.
-    double inner_rays = 0.5;
+    /// Whether light that it emits on its inner side cannot leave it.
+    bool keeps_inner_light = false;
     Handle<Brightness> brightness = nullptr;  ///< null: unknown
     std::uint32_t primitive;  ///< index of its primitive in the world; for volumes, of one
                               ///< primitive of the enclosing solid
-    /// Main direction in which light escapes from the luminaire's surroundings (a window does not
-    /// light its own house). The luminaire has full strength in this direction, and in the opposite
-    /// one a fraction smaller by twice the vector's length. Length 0: all directions alike; maximum
-    /// 0.5.
-    Vec3 bent_normal = Vec3(0);
 
     /// Whether its points lie between surfaces instead of on one.
     bool is_volume() const { return std::holds_alternative<VolumeEmitter>(emitter); }
@@ -135,7 +129,11 @@ struct LightBounds {
     double luminance = 0;  ///< of its brightest point
     double evenness = 0;   ///< fraction of its intensity that a flat luminaire of some thickness
                            ///< has in all directions
-    Vec3 bent_normal = Vec3(0);  ///< see Luminaire
+    /// Main direction in which light escapes from the luminaire's surroundings (a window does not
+    /// light its own house). The luminaire has full strength in this direction, and in the opposite
+    /// one a fraction smaller by twice the vector's length. Length 0: all directions alike; maximum
+    /// 0.5.
+    Vec3 bent_normal = Vec3(0);
 };
 
 /// Luminance for choosing luminaires: grey(), but above 0 if any channel is.
@@ -210,8 +208,9 @@ struct EmissionDraw {
 /// Returns a point of the luminaire and a direction in which it emits, drawn roughly in proportion
 /// to the emitted power. The radiance along the ray times the cosine to the normal, over the
 /// density, is an unbiased estimate of the power: every point has all directions on both sides.
-/// Returns nothing if no point is drawn.
-std::optional<EmittedRay> emit(const Luminaire&, const EmissionDraw&);
+/// `inner`: fraction of the rays that leave a closed surface on its inner side; it changes their
+/// noise only. Returns nothing if no point is drawn.
+std::optional<EmittedRay> emit(const Luminaire&, double inner, const EmissionDraw&);
 
 /// Area of the emitting surface in world units; 0 if it cannot glow (a degenerate triangle).
 double emitting_area(const Emitter&);

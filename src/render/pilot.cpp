@@ -36,7 +36,7 @@ struct Trial {
 };
 
 /// Adds the noise of a pixel.
-void try_pixel(Integrator& integrator, const World& world, const RenderSettings& settings,
+void try_pixel(Integrator& integrator, const Shot& shot, const RenderSettings& settings,
                const Trial& trial, PilotNoise& noise) {
     const auto number = static_cast<std::uint64_t>(trial.row * trial.columns + trial.column);
     const double x = std::floor((trial.column + 0.5) * settings.width / trial.columns),
@@ -52,8 +52,8 @@ void try_pixel(Integrator& integrator, const World& world, const RenderSettings&
                      dy = spread ? uniform(where, Purpose::pixel_y) : 0.5;
         const double u = (x + dx) / settings.width - 0.5, v = 0.5 - (y + dy) / settings.height;
         // Values above white are clipped in pictures, and so is their noise.
-        const double bright = grey(integrator.radiance(camera_ray(world, u, v, where), key));
-        return std::fmin(bright * world.view.film.exposure_factor(), 1.0);
+        const double bright = grey(integrator.radiance(camera_ray(shot, u, v, where), key));
+        return std::fmin(bright * shot.view.film.exposure_factor(), 1.0);
     };
     // Two estimates of the light at each of two places. The product of the differences between the
     // places estimates the variance due to the camera, regardless of the noise of light.
@@ -67,18 +67,18 @@ void try_pixel(Integrator& integrator, const World& world, const RenderSettings&
 
 }  // namespace
 
-PilotNoise pilot_noise(const World& world, const RenderSettings& settings,
+PilotNoise pilot_noise(const Shot& shot, const RenderSettings& settings,
                        const std::optional<SentLight>& sent,
                        const std::function<bool()>& cancelled) {
     const int columns = std::clamp(settings.width / pixels_for_each, 1, max_across),
               rows = std::clamp(settings.height / pixels_for_each, 1, max_across);
     std::vector<PilotNoise> noise(static_cast<std::size_t>(rows));
     run_parallel(noise.size(), settings.threads, [&](std::size_t row) {
-        Integrator integrator(world, {.sent = sent, .max_rays = max_rays_of_pilot});
+        Integrator integrator(shot, {.sent = sent, .max_rays = max_rays_of_pilot});
         const WorkWatch watch(cancelled);
         try {
             for (int column = 0; column < columns && !(cancelled && cancelled()); ++column)
-                try_pixel(integrator, world, settings,
+                try_pixel(integrator, shot, settings,
                           {column, static_cast<int>(row), columns, rows}, noise[row]);
         } catch (const WorkEnded&) {
             return;
@@ -109,11 +109,11 @@ bool is_quiet(const PilotNoise& noise) {
     return noise.places > 0 && noise.shown < noise.places * squared(quiet_deviation);
 }
 
-Pilot pilot(const World& world, const RenderSettings& settings,
-            const std::optional<SentLight>& sent, const std::function<bool()>& cancelled) {
+Pilot pilot(const Shot& shot, const RenderSettings& settings, const std::optional<SentLight>& sent,
+            const std::function<bool()>& cancelled) {
     if (settings.shadow_rays > 0) return {settings.shadow_rays};
-    if (!world.facts.light_is_drawn || world.view.camera.mesh) return {1};
-    const PilotNoise noise = pilot_noise(world, settings, sent, cancelled);
+    if (!shot.world->facts.light_is_drawn || shot.view.camera.mesh) return {1};
+    const PilotNoise noise = pilot_noise(shot, settings, sent, cancelled);
     const HitNoise& hits = noise.of_hits;
     return {{best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0}, is_quiet(noise)};
 }

@@ -19,10 +19,10 @@ struct PilotNoise {
     int places = 0;    ///< number of places on the picture that were summed
     HitNoise of_hits;  ///< as expected by their cells
 };
-/// Measures the noise of some pixels. `sent`: light of the world; if empty, the pilot computes it
+/// Measures the noise of some pixels. `sent`: light for the shot; if empty, the pilot computes it
 /// where needed. `cancelled`: called by several threads, may be empty; once it returns true, the
 /// result is meaningless.
-PilotNoise pilot_noise(const World&, const RenderSettings&,
+PilotNoise pilot_noise(const Shot&, const RenderSettings&,
                        const std::optional<SentLight>& sent = {},
                        const std::function<bool()>& cancelled = {});
 
@@ -43,7 +43,7 @@ struct Pilot {
     ShadowRays shadow_rays;
     bool quiet = false;  ///< see is_quiet(); false if no pixels were tried
 };
-Pilot pilot(const World&, const RenderSettings&, const std::optional<SentLight>& sent = {},
+Pilot pilot(const Shot&, const RenderSettings&, const std::optional<SentLight>& sent = {},
             const std::function<bool()>& cancelled = {});
 
 }  // namespace candelabra

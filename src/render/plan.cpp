@@ -11,8 +11,8 @@ namespace candelabra {
 namespace {
 
 /// Whether the number of samples depends on the number of shadow rays.
-bool follows_shadow_rays(const World& world, const RenderSettings& settings) {
-    return settings.samples <= 0 && settings.noise <= 0 && !world.view.camera.blurs();
+bool follows_shadow_rays(const Shot& shot, const RenderSettings& settings) {
+    return settings.samples <= 0 && settings.noise <= 0 && !shot.view.camera.blurs();
 }
 
 /// Returns the number of samples that the noise of the light needs. `rays`: number of shadow rays
@@ -35,31 +35,32 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
 }
 
 /// Returns the number of samples that see all moments, and all that a pixel of the camera sees.
-int least_samples(const World& world, const RenderSettings& settings) {
+int least_samples(const Shot& shot, const RenderSettings& settings) {
     if (settings.samples > 0 || settings.noise > 0) return 0;
-    const int moments = 1 + static_cast<int>(world.shutter.size());
-    return std::max(moments, world.view.camera.mesh ? world.view.camera.mesh->rays_per_pixel() : 1);
+    const int moments = static_cast<int>(shot.moments());
+    return std::max(moments, shot.view.camera.mesh ? shot.view.camera.mesh->rays_per_pixel() : 1);
 }
 
 }  // namespace
 
-RenderPlan plan_of(const World& world, const RenderSettings& settings) {
-    return *plan_of(world, settings, SentLight::of(world, settings.seed, settings.threads), {});
+RenderPlan plan_of(const Shot& shot, const RenderSettings& settings) {
+    return *plan_of(shot, settings, SentLight::of(shot, settings.seed, settings.threads), {});
 }
 
-std::optional<RenderPlan> plan_of(const World& world, const RenderSettings& settings,
+std::optional<RenderPlan> plan_of(const Shot& shot, const RenderSettings& settings,
                                   const SentLight& sent, const std::function<bool()>& cancelled) {
-    const Pilot tried = pilot(world, settings, sent, cancelled);
+    const World& world = *shot.world;
+    const Pilot tried = pilot(shot, settings, sent, cancelled);
     if (cancelled && cancelled()) return {};
-    const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
+    const int shared = follows_shadow_rays(shot, settings) ? tried.shadow_rays.usual : 1;
     const bool quiet = tried.quiet && !world.lights.sources.empty() && world.sky.light.empty();
     const SampleRule rule =
-        choose_rule({settings, world.view.camera, world.view.film,
-                     world.rules.settings.assumed_gamma, world.facts.left_to_chance, quiet});
+        choose_rule({settings, shot.view.camera, shot.view.film, world.rules.settings.assumed_gamma,
+                     world.facts.left_to_chance, quiet});
     const FirstSamples wanted{usual_samples(world, settings, shared),
-                              least_samples(world, settings)};
+                              least_samples(shot, settings)};
     const int samples = std::visit([&](const auto& each) { return each.first(wanted); }, rule);
-    return RenderPlan{world, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples),
+    return RenderPlan{shot, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples),
                       rule};
 }
 

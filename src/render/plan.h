@@ -5,20 +5,20 @@
 #include "film/schedule.h"
 #include "transport/direct_light.h"
 #include "transport/sent_light.h"
-#include "world/world.h"
+#include "world/shot.h"
 
 #include <functional>
 #include <optional>
 
 namespace candelabra {
 
-/// Parameters of the rendering of a world, fixed before the first sample and the same for all parts
+/// Parameters of the rendering of a shot, fixed before the first sample and the same for all parts
 /// of a picture.
 struct RenderPlan {
-    const World& world;
+    const Shot& shot;
     RenderSettings settings;
     ShadowRays shadow_rays;     ///< at each hit
-    SentLight sent;             ///< of the world
+    SentLight sent;             ///< for the shot
     std::uint32_t samples = 1;  ///< per pixel in the first round, or in total
     SampleRule rule;            ///< for further samples
 
@@ -27,10 +27,10 @@ struct RenderPlan {
 };
 
 /// Returns a plan. Traces some pixels where the settings leave the best choice open.
-RenderPlan plan_of(const World&, const RenderSettings&);
+RenderPlan plan_of(const Shot&, const RenderSettings&);
 /// Returns a plan with existing light sent from lamps. Returns nothing once `cancelled` returns
 /// true; it is called by several threads and may be empty.
-std::optional<RenderPlan> plan_of(const World&, const RenderSettings&, const SentLight&,
+std::optional<RenderPlan> plan_of(const Shot&, const RenderSettings&, const SentLight&,
                                   const std::function<bool()>& cancelled);
 
 }  // namespace candelabra

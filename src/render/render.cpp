@@ -13,10 +13,10 @@ bool advance(const RenderPlan& plan, RenderState& state, LightLedger& rays,
     return finished;
 }
 
-Rendering render(const World& world, const RenderSettings& settings, const RenderHooks& hooks) {
-    RenderState state = begin_picture(settings, hooks.aovs.count(world));
+Rendering render(const Shot& shot, const RenderSettings& settings, const RenderHooks& hooks) {
+    RenderState state = begin_picture(settings, hooks.aovs.count(*shot.world));
     LightLedger rays;
-    advance(plan_of(world, settings), state, rays, hooks);
+    advance(plan_of(shot, settings), state, rays, hooks);
     return {state.film.image(), rays};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Renders a world to a picture. Each sample is a pure function of world, settings, seed, pixel and
+// Renders a shot to a picture. Each sample is a pure function of shot, settings, seed, pixel and
 // sample number, and sums are exact. So the picture has the same bytes for any number of threads,
 // and however often the work is stopped and continued.
 #pragma once
@@ -16,7 +16,7 @@ struct Rendering {
 };
 
 /// Renders a whole picture.
-Rendering render(const World&, const RenderSettings&, const RenderHooks& = {});
+Rendering render(const Shot&, const RenderSettings&, const RenderHooks& = {});
 
 /// Continues a picture until it is finished. Returns false if `cancelled` has stopped it. Adds to
 /// the ledger.

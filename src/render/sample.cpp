@@ -14,12 +14,12 @@ std::vector<Integrator> integrators_of_moments(const RenderPlan& plan, const Ren
     const Tracing tracing{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, plan.sent,
                           hooks.aovs.alpha};
     std::vector<Integrator> integrators;
-    integrators.emplace_back(plan.world, tracing);
-    for (const World& moment : plan.world.shutter) {
+    for (std::size_t i = 0; i < plan.shot.moments(); ++i) {
+        const Shot& shot = plan.shot.moment(i);
         Tracing there = tracing;
-        if (plan.sent)
-            there.sent = SentLight::of(moment, plan.settings.seed, plan.settings.threads);
-        integrators.emplace_back(moment, there);
+        if (i > 0 && plan.sent)
+            there.sent = SentLight::of(shot, plan.settings.seed, plan.settings.threads);
+        integrators.emplace_back(shot, there);
     }
     return integrators;
 }
@@ -35,8 +35,8 @@ SampleTracer::SampleTracer(const RenderPlan& plan, const RenderHooks& hooks, con
     : plan_(&plan),
       hooks_(&hooks),
       film_(&film),
-      filter_(make_handle<PixelFilter>(plan.world.view.film.filter())),
-      exposure_(plan.world.view.film.exposure_factor()),
+      filter_(make_handle<PixelFilter>(plan.shot.view.film.filter())),
+      exposure_(plan.shot.view.film.exposure_factor()),
       integrators_(integrators_of_moments(plan, hooks)) {}
 
 void SampleTracer::prepare(std::uint32_t sample) const {
@@ -48,7 +48,7 @@ PicturePoint SampleTracer::point(int x, int y) const {
 }
 
 void SampleTracer::gather_middle(int x, int y, std::span<ExactSum> extra) const {
-    candelabra::gather_middle(hooks_->aovs, plan_->world, point(x, y), extra);
+    candelabra::gather_middle(hooks_->aovs, plan_->shot, point(x, y), extra);
 }
 
 void SampleTracer::add_rays(LightLedger& rays) const {
@@ -59,7 +59,7 @@ FilteredPlace SampleTracer::place(const Key& key) const {
     const auto by_rule = std::visit([&](const auto& rule) { return rule.place(key); }, plan_->rule);
     if (by_rule) return {*by_rule};
     // A blurred picture's rays are always spread over the pixel, as in POV-Ray.
-    if (!plan_->settings.antialias && plan_->world.view.camera.lens_radius == 0) return {Vec2(0.5)};
+    if (!plan_->settings.antialias && plan_->shot.view.camera.lens_radius == 0) return {Vec2(0.5)};
     return filter_->place(key);
 }
 
@@ -68,29 +68,29 @@ SeenSample SampleTracer::look(int x, int y, std::uint32_t sample, std::span<Exac
     key.pixel = mix(static_cast<std::uint64_t>(plan_->settings.seed)) + film_->index(x, y);
     key.sample = sample;
     const std::size_t moment = sample % integrators_.size();
-    const World& world = moment == 0 ? plan_->world : plan_->world.shutter[moment - 1];
+    const Shot& shot = plan_->shot.moment(moment);
     const FilteredPlace in_pixel = place(key);
-    const Ray ray = ray_through(world, point(x, y), in_pixel.place, key);
+    const Ray ray = ray_through(shot, point(x, y), in_pixel.place, key);
     Integrator& integrator = integrators_[moment];
     const std::uint64_t before_rays = integrator.ledger().shadow;
     const Vec3 colour = integrator.radiance(ray, key);
     const auto rays = static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays);
     if (integrator.cut() && hooks_->cut) hooks_->cut(x, y);
     if (!extra.empty() && !in_pixel.negative) {
-        gather(colour, world, ray, integrator, extra);
+        gather(colour, shot, ray, integrator, extra);
     } else if (!extra.empty()) {
         apart_.assign(extra.size(), ExactSum());
-        gather(colour, world, ray, integrator, apart_);
+        gather(colour, shot, ray, integrator, apart_);
         for (std::size_t i = 0; i < extra.size(); ++i) extra[i].subtract(apart_[i]);
     }
     return {colour, rays, in_pixel.negative};
 }
 
 /// Adds a sample's values besides its colour.
-void SampleTracer::gather(const Vec3& colour, const World& world, const Ray& ray,
+void SampleTracer::gather(const Vec3& colour, const Shot& shot, const Ray& ray,
                           Integrator& integrator, std::span<ExactSum> sums) const {
     const Aovs& aovs = hooks_->aovs;
-    gather_sample(aovs, world, ray, integrator, sums);
+    gather_sample(aovs, *shot.world, ray, integrator, sums);
     if (aovs.smooth) add_colour(compressed(colour, exposure_), sums, aovs.first_smooth());
     if (aovs.squares) add_colour(colour * colour, sums, aovs.first_square());
 }

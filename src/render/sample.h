@@ -47,7 +47,7 @@ public:
 private:
     PicturePoint point(int x, int y) const;
     FilteredPlace place(const Key&) const;
-    void gather(const Vec3& colour, const World&, const Ray&, Integrator&,
+    void gather(const Vec3& colour, const Shot&, const Ray&, Integrator&,
                 std::span<ExactSum>) const;
 
     const RenderPlan* plan_;

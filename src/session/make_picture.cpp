@@ -27,8 +27,9 @@ public:
         Picture picture;
         picture.gamma = scene.settings.assumed_gamma;
         picture.encoded = scene.gamma_handling;
-        const World world = session_.compile(std::move(scene), Session::Shutter::all_samples);
-        if (!goes_on() || !render(world, picture)) return {};
+        const Shot shot(session_.compile(std::move(scene), Session::Shutter::all_samples),
+                        ShotSettings::of(render_));
+        if (!goes_on() || !render(shot, picture)) return {};
         picture.files = session_.files();
         return picture;
     }
@@ -47,12 +48,12 @@ private:
         return !diagnostics_.failed() && !(listener_.cancelled && listener_.cancelled());
     }
 
-    bool render(const World& world, Picture& picture) {
+    bool render(const Shot& shot, Picture& picture) {
         RenderHooks hooks;
         hooks.progress = listener_.progress;
         hooks.cancelled = hooks.ended = listener_.cancelled;
         RenderState state = begin_picture(render_, 0);
-        if (!advance(plan_of(world, render_), state, picture.rays, hooks)) return false;
+        if (!advance(plan_of(shot, render_), state, picture.rays, hooks)) return false;
         picture.image = state.film.image();
         return true;
     }

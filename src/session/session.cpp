@@ -99,18 +99,13 @@ std::optional<Scene> Session::scene_at(double clock_ahead) {
 }
 
 void Session::review(const Scene& scene) {
-    candelabra::review(scene, survey(scene, diagnostics_), diagnostics_);
+    candelabra::review(scene, *survey(scene, diagnostics_), diagnostics_);
     review_shape(scene, settings_.render.width, settings_.render.height, diagnostics_);
 }
 
-const World Session::compile(Scene&& scene, Shutter shutter) {
+SharedWorld Session::compile(Scene&& scene, Shutter shutter) {
     const RenderSettings& r = settings_.render;
-    const CompileOptions options{r.threads,
-                                 r.light_sampler,
-                                 r.index,
-                                 r.quality,
-                                 r.width,
-                                 r.height,
+    const CompileOptions options{r.threads, r.light_sampler, r.index, r.quality,
                                  settings_.remembers_objects};
     const ShutterScenes later{sources_, [this](double ahead) { return scene_at(ahead); }};
     return candelabra::compile(std::move(scene), options, diagnostics_,

@@ -69,7 +69,7 @@ public:
         first_sample,  ///< the scene when the shutter opens
         all_samples    ///< also later moments of the open shutter, each evaluated again
     };
-    const World compile(Scene&&, Shutter);
+    SharedWorld compile(Scene&&, Shutter);
 
     /// Sources of the scene and of all files that it includes.
     SourceStore& sources() { return sources_; }

@@ -29,10 +29,10 @@ void gather_sample(const Aovs& wanted, const World& world, const Ray& ray, Integ
     add(sums, wanted.normal(), seen.normal);
 }
 
-void gather_middle(const Aovs& wanted, const World& world, const PicturePoint& at,
+void gather_middle(const Aovs& wanted, const Shot& shot, const PicturePoint& at,
                    std::span<ExactSum> sums) {
     if (!wanted.surface) return;
-    const PrimaryHit seen = primary_hit(world, middle_ray(world, at));
+    const PrimaryHit seen = primary_hit(*shot.world, middle_ray(shot, at));
     sums[wanted.depth()].add(seen.distance);
     sums[wanted.object()].add(seen.object);
 }

@@ -46,6 +46,6 @@ struct Aovs {
 void gather_sample(const Aovs&, const World&, const Ray&, Integrator&, std::span<ExactSum>);
 
 /// Adds the values at the centre of a pixel. To be called once for each pixel.
-void gather_middle(const Aovs&, const World&, const PicturePoint&, std::span<ExactSum>);
+void gather_middle(const Aovs&, const Shot&, const PicturePoint&, std::span<ExactSum>);
 
 }  // namespace candelabra

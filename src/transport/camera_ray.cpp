@@ -8,11 +8,11 @@ namespace candelabra {
 namespace {
 
 /// Like camera_ray(), without a lens.
-Ray pinhole_ray(const World& world, double u, double v) {
-    Ray ray = world.view.camera.ray(u, v);
-    if (ray.direction != Vec3(0) && world.view.camera_normal.pattern)
-        ray.direction = bumped(world.view.camera_normal, ray.direction,
-                               world.view.camera.normal_place(u, v), world.pattern_scene());
+Ray pinhole_ray(const World& world, const WorldView& view, double u, double v) {
+    Ray ray = view.camera.ray(u, v);
+    if (ray.direction != Vec3(0) && view.camera_normal.pattern)
+        ray.direction = bumped(view.camera_normal, ray.direction, view.camera.normal_place(u, v),
+                               world.pattern_scene());
     return ray;
 }
 
@@ -25,31 +25,31 @@ Place on_screen(const PicturePoint& at, Vec2 place) {
     return {(at.x + place.x) / at.width - 0.5, 0.5 - (at.y + place.y) / at.height};
 }
 
-Ray mesh_ray(const World& world, const PicturePoint& at, Place place, std::uint32_t sample) {
+Ray mesh_ray(const Projection& camera, const PicturePoint& at, Place place, std::uint32_t sample) {
     // As in POV-Ray, where faces stand for pixels the first row is seen twice, and the last one
     // never.
-    return world.view.camera.mesh->ray(
+    return camera.mesh->ray(
         {at.x, std::max(at.y - 1, 0), at.width, at.height, sample, place.u + 0.5, place.v + 0.5});
 }
 
 }  // namespace
 
-Ray camera_ray(const World& world, double u, double v, const Key& key) {
-    const Ray ray = pinhole_ray(world, u, v);
-    if (ray.direction == Vec3(0) || world.view.camera.lens_radius == 0) return ray;
-    return world.view.camera.through_lens(
+Ray camera_ray(const Shot& shot, double u, double v, const Key& key) {
+    const Ray ray = pinhole_ray(*shot.world, shot.view, u, v);
+    if (ray.direction == Vec3(0) || shot.view.camera.lens_radius == 0) return ray;
+    return shot.view.camera.through_lens(
         ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
 }
 
-Ray ray_through(const World& world, const PicturePoint& at, Vec2 place, const Key& key) {
+Ray ray_through(const Shot& shot, const PicturePoint& at, Vec2 place, const Key& key) {
     const Place p = on_screen(at, place);
-    return world.view.camera.mesh ? mesh_ray(world, at, p, key.sample)
-                                  : camera_ray(world, p.u, p.v, key);
+    return shot.view.camera.mesh ? mesh_ray(shot.view.camera, at, p, key.sample)
+                                 : camera_ray(shot, p.u, p.v, key);
 }
 
-Ray middle_ray(const World& world, const PicturePoint& at) {
+Ray middle_ray(const World& world, const WorldView& view, const PicturePoint& at) {
     const Place p = on_screen(at, {0.5, 0.5});
-    return world.view.camera.mesh ? mesh_ray(world, at, p, 0) : pinhole_ray(world, p.u, p.v);
+    return view.camera.mesh ? mesh_ray(view.camera, at, p, 0) : pinhole_ray(world, view, p.u, p.v);
 }
 
 }  // namespace candelabra

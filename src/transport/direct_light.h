@@ -14,13 +14,13 @@ namespace candelabra {
 class DirectLight {
 public:
     /// `photons`: null where there are none.
-    DirectLight(const World& world, const ShadowRays& rays,
+    DirectLight(const Shot& shot, const ShadowRays& rays,
                 std::shared_ptr<Photons> photons = nullptr)
-        : world_(world),
+        : world_(*shot.world),
           rays_(rays.usual),
           photons_(std::move(photons)),
-          sources_(rays.usual),
-          luminaires_(world, rays) {}
+          sources_(shot, rays.usual),
+          luminaires_(shot, rays) {}
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
     /// The same by one light source, times a weight.

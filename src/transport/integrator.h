@@ -15,7 +15,7 @@ namespace candelabra {
 /// The interface of every integrator. Each job has its own: it keeps scratch memory and counts
 /// rays.
 template <class T>
-concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&> &&
+concept IntegratorKind = std::constructible_from<T, const Shot&, const Tracing&> &&
     requires(T& integrator, const T& asked, const Ray& ray, const Key& key) {
     // Radiance along a camera ray: an unbiased estimate, and a pure function of ray and key.
     { integrator.radiance(ray, key) } -> std::same_as<Vec3>;
@@ -28,7 +28,8 @@ concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&
 
 class Integrator {
 public:
-    Integrator(const World& world, const Tracing& wanted) : built_(built(world, wanted)) {}
+    /// The shot must outlive this.
+    Integrator(const Shot& shot, const Tracing& wanted) : built_(built(shot, wanted)) {}
 
     Vec3 radiance(const Ray& ray, const Key& key) {
         return std::visit([&](auto& built) { return built.radiance(ray, key); }, built_);
@@ -54,11 +55,11 @@ private:
     using Built = std::variant<PovRayIntegrator, PathTracedIntegrator>;
 
     /// Makes the integrator of the settings, in the order of IntegratorSettings.
-    static Built built(const World& world, Tracing wanted) {
-        if (!wanted.sent) wanted.sent = SentLight::of(world, 0, 1);
-        if (std::holds_alternative<PathTraced>(world.rules.settings.integrator))
-            return PathTracedIntegrator(world, wanted);
-        return PovRayIntegrator(world, wanted);
+    static Built built(const Shot& shot, Tracing wanted) {
+        if (!wanted.sent) wanted.sent = SentLight::of(shot, 0, 1);
+        if (std::holds_alternative<PathTraced>(shot.world->rules.settings.integrator))
+            return PathTracedIntegrator(shot, wanted);
+        return PovRayIntegrator(shot, wanted);
     }
 
     Built built_;

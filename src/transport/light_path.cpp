@@ -46,10 +46,11 @@ bool is_lambertian(const World& world, const Vertex& vertex, const Shading& s) {
            !scatters_inside(world, s);
 }
 
-LightPaths::LightPaths(const World& world, int max_reflections)
-    : world_(world),
-      rules_(shading_rules(world)),
-      places_(intensities(world.lights)),
+LightPaths::LightPaths(const Shot& shot, int max_reflections)
+    : shot_(shot),
+      world_(*shot.world),
+      rules_(shading_rules(world_)),
+      places_(intensities(world_.lights)),
       max_reflections_(max_reflections) {}
 
 /// A light path that has arrived at a vertex.
@@ -68,10 +69,10 @@ void LightPaths::follow(const Key& key, double share,
     const LightIndex light = places_.at(std::min(place, places_.total() - 1));
     const Luminaire& luminaire = world_.lights.luminaires[light];
     const double chance = static_cast<double>(places_.of(light)) / places;
-    const auto emitted =
-        emit(luminaire, {place_on_light(key),
-                         {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
-                         uniform(key, Purpose::way_choice)});
+    const auto emitted = emit(luminaire, shot_.inner_rays(luminaire),
+                              {place_on_light(key),
+                               {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
+                               uniform(key, Purpose::way_choice)});
     if (!emitted) return;
     const double power_of_one = share * dot(emitted->normal, emitted->ray.direction) /
                                 (std::numbers::pi * emitted->density * chance);

@@ -5,6 +5,7 @@
 
 #include "base/weighted_places.h"
 #include "transport/layer_stack.h"
+#include "world/shot.h"
 
 #include <vector>
 
@@ -28,7 +29,7 @@ bool is_lambertian(const World&, const Vertex&, const Shading&);
 class LightPaths {
 public:
     /// `max_reflections`: the most diffuse reflections after which light still counts.
-    LightPaths(const World&, int max_reflections);
+    LightPaths(const Shot&, int max_reflections);
 
     /// Whether there are luminaires from which light can be followed.
     bool any() const { return places_.total() > 0; }
@@ -42,6 +43,7 @@ private:
     void go_on(Lit, std::vector<ReflectedLuminaire>&) const;
     Vec3 reflected(const PathState&, const Vertex&) const;
 
+    const Shot& shot_;
     const World& world_;
     ShadingRules rules_;
     WeightedPlaces places_;  ///< luminaires, weighted by their intensity

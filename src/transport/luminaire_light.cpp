@@ -102,7 +102,7 @@ Vec3 LuminaireLight::operator()(const ArrivingLight& at, const Key& key, const V
                 sum += by_answer(answer, {at, key.part(count, i), count * chance});
             return sum;
         },
-        world_.lights.sampler);
+        sampler_);
 }
 
 std::optional<double> LuminaireLight::expected(const Vec3& position) const {
@@ -116,7 +116,7 @@ std::optional<double> LuminaireLight::expected(const Vec3& position) const {
         [&](const auto& strategy) {
             return strategy.at({point, lobes, nullptr, &scene}).estimate();
         },
-        world_.lights.sampler);
+        sampler_);
     return estimate ? std::optional(estimate->light) : std::nullopt;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Light of luminaires at a layer, by shadow rays to luminaires and in directions that the light
-// strategy of the world chooses. Strategies implement the interface of lighting/light_query.h; this
+// strategy of the shot chooses. Strategies implement the interface of lighting/light_query.h; this
 // code knows none of them by name.
 #pragma once
 
 #include "base/function_ref.h"
 #include "lighting/light_query.h"
 #include "transport/shadow_ray.h"
+#include "world/shot.h"
 
 #include <optional>
 #include <vector>
@@ -28,7 +29,8 @@ struct ShadowRays {
 /// Each job has its own: it keeps scratch memory.
 class LuminaireLight {
 public:
-    LuminaireLight(const World& world, const ShadowRays& rays) : world_(world), rays_(rays) {}
+    LuminaireLight(const Shot& shot, const ShadowRays& rays)
+        : world_(*shot.world), sampler_(shot.sampler), rays_(rays) {}
 
     /// Radiance towards the viewer by all luminaires; an unbiased estimate. `before`: the radiance
     /// by other light, in which noise is hidden. Precondition: there are luminaires.
@@ -73,6 +75,7 @@ private:
     int rays_at(double noise_of_ray, const ArrivingLight&, const Vec3& straight) const;
 
     const World& world_;
+    const BuiltLightSampler& sampler_;
     ShadowRays rays_;
     // Kept as members to reuse their memory.
     LightSamples samples_;

@@ -45,18 +45,17 @@ double brightness_of(const MediaPlace& place) {
 
 }  // namespace
 
-ParticipatingMedia::ParticipatingMedia(const World& world) : world_(world) {
-    if (!world.facts.has_media) return;
-    lights_all_ = !world.facts.differs_by_light;
-    for (const SourceSet& set : world.lights.source_sets)
+ParticipatingMedia::ParticipatingMedia(const Shot& shot) : world_(*shot.world), near_(shot.near) {
+    if (!world_.facts.has_media) return;
+    lights_all_ = !world_.facts.differs_by_light;
+    for (const SourceSet& set : world_.lights.source_sets)
         if (!set.drawn()) sources_.insert(sources_.end(), set.lights.begin(), set.lights.end());
     if (sources_.size() > max_telling) sources_.clear();
 }
 
 /// Distance from a point within which most of the lit media lie.
 double ParticipatingMedia::near(const Vec3& from) const {
-    const Box& box = world_.sky.near;
-    return box.empty() ? 0 : length(from - box.centre()) + wide * length(box.size());
+    return near_.empty() ? 0 : length(from - near_.centre()) + wide * length(near_.size());
 }
 
 void ParticipatingMedia::fill(const PathState& path, double distance) {
@@ -156,8 +155,7 @@ double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
         traits(world_.rules.settings.light_sampler).by_transmittance)
         return 1;
     if (const auto known = direct_light.expected_luminaires(position)) return *known;
-    const Box& box = world_.sky.near;
-    const Vec3 away = position - box.centre(), half = 0.5 * box.size();
+    const Vec3 away = position - near_.centre(), half = 0.5 * near_.size();
     return 1 / (dot(away, away) + dot(half, half));
 }
 

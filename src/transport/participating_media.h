@@ -15,8 +15,8 @@ namespace candelabra {
 /// Each job has its own: it keeps scratch memory.
 class ParticipatingMedia {
 public:
-    /// The world must outlive this.
-    explicit ParticipatingMedia(const World&);
+    /// The shot must outlive this.
+    explicit ParticipatingMedia(const Shot&);
 
     /// Transmittance and added radiance of media along the path's ray, up to a distance that may be
     /// infinite; an unbiased estimate. `PathState::media` says where the ray is. As in POV-Ray,
@@ -46,6 +46,7 @@ private:
     double luminaires_at(const DirectLight&, const Vec3& position) const;
 
     const World& world_;
+    const Box& near_;                     ///< see Shot
     std::vector<std::uint32_t> sources_;  ///< that show where light is bright, if they are few
     bool lights_all_ = true;              ///< light sources are sampled at all places
     int places_ = 0;                      ///< number of places for the last segment

@@ -7,8 +7,9 @@
 
 namespace candelabra {
 
-PathEnds::PathEnds(const World& world, bool clear_sky) : world_(world), clear_sky_(clear_sky) {
-    if (!world.view.camera.parallel) around_camera_ = world.containing(world.view.camera.location);
+PathEnds::PathEnds(const Shot& shot, bool clear_sky)
+    : world_(*shot.world), starts_anywhere_(shot.view.camera.parallel), clear_sky_(clear_sky) {
+    if (!starts_anywhere_) around_camera_ = world_.containing(shot.view.camera.location);
 }
 
 PathState PathEnds::begin(const Ray& ray, const Key& key) {
@@ -16,7 +17,7 @@ PathState PathEnds::begin(const Ray& ray, const Key& key) {
     PathState path;
     path.ray = ray;
     path.key = key;
-    path.media = world_.view.camera.parallel ? world_.containing(ray.origin) : around_camera_;
+    path.media = starts_anywhere_ ? world_.containing(ray.origin) : around_camera_;
     return path;
 }
 

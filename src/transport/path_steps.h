@@ -6,6 +6,7 @@
 #include "transport/light_ledger.h"
 #include "transport/path.h"
 #include "transport/vertex.h"
+#include "world/shot.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,7 +17,7 @@ namespace candelabra {
 class PathEnds {
 public:
     /// `clear_sky`: the background may be clear, as with POV-Ray's +UA.
-    PathEnds(const World&, bool clear_sky);
+    PathEnds(const Shot&, bool clear_sky);
 
     /// Starts a path along a camera ray, for a new sample.
     PathState begin(const Ray&, const Key&);
@@ -29,7 +30,8 @@ private:
     Vec3 seen_behind(const PathState&);
 
     const World& world_;
-    MediaStack around_camera_;
+    bool starts_anywhere_;      ///< the camera's rays have no common origin
+    MediaStack around_camera_;  ///< if they have one
     bool clear_sky_;
     double clear_ = 0;
 };

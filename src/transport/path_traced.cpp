@@ -24,16 +24,16 @@ constexpr double min_survival = 0.05;
 
 }  // namespace
 
-PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wanted)
-    : world_(world),
-      rules_(shading_rules(world)),
-      direct_light_(world, wanted.shadow_rays, wanted.sent->photons),
+PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& wanted)
+    : world_(*shot.world),
+      rules_(shading_rules(world_)),
+      direct_light_(shot, wanted.shadow_rays, wanted.sent->photons),
       reflected_(wanted.sent->reflected),
-      media_(world),
-      ends_(world, wanted.clear_sky),
-      ledger_(empty_ledger(world, wanted.counts_lights)),
-      max_bounces_(std::get<PathTraced>(world.rules.settings.integrator).bounces),
-      chance_of_covered_(world.facts.is_lit_by_luminaires_only ? chance_of_shine : 1) {}
+      media_(shot),
+      ends_(shot, wanted.clear_sky),
+      ledger_(empty_ledger(world_, wanted.counts_lights)),
+      max_bounces_(std::get<PathTraced>(world_.rules.settings.integrator).bounces),
+      chance_of_covered_(world_.facts.is_lit_by_luminaires_only ? chance_of_shine : 1) {}
 
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     sum_ = Vec3(0);

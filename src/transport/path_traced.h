@@ -18,7 +18,7 @@ namespace candelabra {
 
 class PathTracedIntegrator {
 public:
-    PathTracedIntegrator(const World&, const Tracing&);
+    PathTracedIntegrator(const Shot&, const Tracing&);
 
     Vec3 radiance(const Ray& ray, const Key& key);
 

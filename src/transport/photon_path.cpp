@@ -29,12 +29,13 @@ struct PhotonPaths::Journey {
     int passed = 0;  ///< other surfaces, passed in a straight line
 };
 
-PhotonPaths::PhotonPaths(const World& world) : world_(world), rules_(shading_rules(world)) {
-    const GlobalSettings& settings = world.rules.settings;
+PhotonPaths::PhotonPaths(const Shot& shot)
+    : world_(*shot.world), near_(shot.near), rules_(shading_rules(world_)) {
+    const GlobalSettings& settings = world_.rules.settings;
     max_surfaces_ =
         static_cast<int>(settings.photons.max_trace_level.value_or(settings.max_trace_level));
     min_weight_ = settings.photons.adc_bailout.value_or(settings.adc_bailout);
-    if (world.facts.has_media)
+    if (world_.facts.has_media)
         places_in_air_ =
             static_cast<int>(std::clamp(std::ceil(settings.photons.media), 0.0, max_air_places));
 }
@@ -97,8 +98,7 @@ void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
             found.push_back({path.ray.at(way), glm::vec3(path.ray.direction), glm::vec3(0),
                              glm::vec3(power), 0, journey.shot.lamp});
     };
-    const Box& box = world_.sky.near;
-    const double near = length(path.ray.origin - box.centre()) + length(box.size()),
+    const double near = length(path.ray.origin - near_.centre()) + length(near_.size()),
                  end = std::min(distance, end_of_air), until = std::min(near, end);
     const double u = uniform(path.key, Purpose::media_distance);
     for (int i = 0; i < places_in_air_; ++i)

@@ -13,7 +13,7 @@ namespace candelabra {
 
 class PhotonPaths {
 public:
-    explicit PhotonPaths(const World&);
+    explicit PhotonPaths(const Shot&);
 
     /// Adds the photon at each surface on its path that shows it, and at some points of its
     /// segments through media if the scene wants that. `share` is a factor on its power.
@@ -33,6 +33,7 @@ private:
     bool answers(const Vertex&) const;
 
     const World& world_;
+    const Box& near_;  ///< see Shot
     ShadingRules rules_;
     int max_surfaces_;
     double min_weight_;

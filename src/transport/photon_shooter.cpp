@@ -136,8 +136,8 @@ Vec3 PhotonShot::power_after(double way) const {
     return colour * (source->along_axis() ? extent : extent * way * way);
 }
 
-PhotonShooter::PhotonShooter(const World& world) : world_(world) {
-    for (std::uint32_t target = 0; target < world.photon_targets.size(); ++target) {
+PhotonShooter::PhotonShooter(const Shot& shot) : shot_(shot), world_(*shot.world) {
+    for (std::uint32_t target = 0; target < world_.photon_targets.size(); ++target) {
         aim_sources(target);
         aim_luminaires(target);
     }
@@ -292,7 +292,7 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
         [&](const auto& strategy) {
             strategy.at({middle, lobes, nullptr, &scene}).sample(key, samples);
         },
-        world_.lights.sampler);
+        shot_.sampler);
     if (samples.picks.empty()) return std::nullopt;
     // A strategy may pick several luminaires: one of them is used.
     const auto picks = static_cast<double>(samples.picks.size());
@@ -348,10 +348,10 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
 std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const PhotonTarget& target,
                                                      PhotonShot shot, const Key& key) const {
     const Luminaire& luminaire = world_.lights.luminaires[light];
-    const auto emitted =
-        emit(luminaire, {place_on_light(key),
-                         {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)},
-                         uniform(key, Purpose::way_choice)});
+    const auto emitted = emit(luminaire, shot_.inner_rays(luminaire),
+                              {place_on_light(key),
+                               {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)},
+                               uniform(key, Purpose::way_choice)});
     if (!emitted || length(emitted->ray.origin - target.centre) > target.radius)
         return std::nullopt;
     // Seen from a place on the ray; light of media, from the first surface.

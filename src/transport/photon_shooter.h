@@ -7,7 +7,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "world/world.h"
+#include "world/shot.h"
 
 #include <optional>
 #include <vector>
@@ -37,7 +37,7 @@ struct PhotonShot {
 
 class PhotonShooter {
 public:
-    explicit PhotonShooter(const World&);
+    explicit PhotonShooter(const Shot&);
 
     /// A lamp, or all luminaires, that shoot at a target.
     struct Aim {
@@ -75,6 +75,7 @@ private:
                                           const Key&) const;
     Vec3 seen(const Luminaire&, const Ray&, double distance, const Key&) const;
 
+    const Shot& shot_;
     const World& world_;
     std::vector<Aim> aims_;
 };

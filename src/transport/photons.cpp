@@ -29,14 +29,15 @@ constexpr double wanted_in_air = 0.6, min_in_air = 8;
 
 }  // namespace
 
-std::shared_ptr<Photons> photons_of(const World& world, int seed, int threads) {
-    return world.photon_targets.empty() ? nullptr : std::make_shared<Photons>(world, seed, threads);
+std::shared_ptr<Photons> photons_of(const Shot& shot, int seed, int threads) {
+    return shot.world->photon_targets.empty() ? nullptr
+                                              : std::make_shared<Photons>(shot, seed, threads);
 }
 
-Photons::Photons(const World& world, int seed, int threads)
-    : world_(world),
-      shooter_(world),
-      paths_(world),
+Photons::Photons(const Shot& shot, int seed, int threads)
+    : world_(*shot.world),
+      shooter_(shot),
+      paths_(shot),
       count_(shooter_.count()),
       seed_(mix(static_cast<std::uint64_t>(seed))),
       threads_(threads),

@@ -21,9 +21,9 @@ struct PhotonMaps {
 
 class Photons {
 public:
-    /// The world must outlive this, and have targets. `threads`: 0: one per core; the result does
-    /// not depend on it.
-    Photons(const World&, int seed, int threads);
+    /// The shot must outlive this, and its world must have targets. `threads`: 0: one per core; the
+    /// result does not depend on it.
+    Photons(const Shot&, int seed, int threads);
 
     /// Returns the number of the generation that serves a sample.
     static std::uint32_t generation_of(std::uint32_t sample);
@@ -48,6 +48,6 @@ private:
 };
 
 /// Null where the world has no photon targets.
-std::shared_ptr<Photons> photons_of(const World&, int seed, int threads);
+std::shared_ptr<Photons> photons_of(const Shot&, int seed, int threads);
 
 }  // namespace candelabra

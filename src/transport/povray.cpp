@@ -17,14 +17,14 @@
 
 namespace candelabra {
 
-PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
-    : world_(world),
-      radiosity_(world.rules.settings.radiosity),
-      rules_(shading_rules(world)),
-      direct_light_(world, wanted.shadow_rays, wanted.sent->photons),
-      media_(world),
-      ends_(world, wanted.clear_sky),
-      ledger_(empty_ledger(world, wanted.counts_lights)),
+PovRayIntegrator::PovRayIntegrator(const Shot& shot, const Tracing& wanted)
+    : world_(*shot.world),
+      radiosity_(world_.rules.settings.radiosity),
+      rules_(shading_rules(world_)),
+      direct_light_(shot, wanted.shadow_rays, wanted.sent->photons),
+      media_(shot),
+      ends_(shot, wanted.clear_sky),
+      ledger_(empty_ledger(world_, wanted.counts_lights)),
       max_rays_(wanted.max_rays) {}
 
 Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {

@@ -14,7 +14,7 @@ namespace candelabra {
 
 class PovRayIntegrator {
 public:
-    PovRayIntegrator(const World& world, const Tracing&);
+    PovRayIntegrator(const Shot&, const Tracing&);
 
     /// Radiance along a camera ray; an unbiased estimate, and a pure function of ray and key.
     Vec3 radiance(const Ray& ray, const Key& key);

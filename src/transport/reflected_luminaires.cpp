@@ -63,24 +63,25 @@ private:
 
 }  // namespace
 
-std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const World& world, int seed,
+std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const Shot& shot, int seed,
                                                              int threads) {
+    const World& world = *shot.world;
     const auto* wanted = std::get_if<PathTraced>(&world.rules.settings.integrator);
     if (!wanted || wanted->reflected_luminaires == 0 || wanted->bounces == 0 ||
         world.lights.luminaires.empty() || world.rules.quality < quality_full ||
         !world.photon_targets.empty())
         return nullptr;
     auto made = std::make_shared<ReflectedLuminaires>(
-        world, static_cast<std::uint32_t>(wanted->reflected_luminaires), wanted->bounces, seed,
+        shot, static_cast<std::uint32_t>(wanted->reflected_luminaires), wanted->bounces, seed,
         threads);
     return made->bound() > 0 ? made : nullptr;
 }
 
-ReflectedLuminaires::ReflectedLuminaires(const World& world, std::uint32_t count,
-                                         int max_reflections, int seed, int threads)
-    : world_(world),
+ReflectedLuminaires::ReflectedLuminaires(const Shot& shot, std::uint32_t count, int max_reflections,
+                                         int seed, int threads)
+    : shot_(shot),
       max_reflections_(max_reflections),
-      paths_(world, max_reflections),
+      paths_(shot, max_reflections),
       count_(count),
       seed_(mix(static_cast<std::uint64_t>(seed) + 0x5ef1)),
       threads_(threads),
@@ -108,7 +109,7 @@ std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& path
 /// density is average. The scale is the median distance between successive reflections of a path.
 void ReflectedLuminaires::find_bound() {
     const std::vector<ReflectedLuminaire> tried =
-        sent(LightPaths(world_, std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
+        sent(LightPaths(shot_, std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
     std::vector<double> distances;
     for (std::size_t i = 1; i < tried.size(); ++i)
         if (tried[i].reflections == tried[i - 1].reflections + 1)
@@ -130,7 +131,8 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     LightOctree octree;
     octree.alone = true;
     LightScene scene{std::make_shared<ReflectedChoices>(set.list, radius)};
-    if (!world_.view.camera.parallel) scene.eye = world_.view.camera.location;
+    const Projection& camera = shot_.view.camera;
+    if (!camera.parallel) scene.eye = camera.location;
     set.sampler = build(LightSampler(octree), scene, threads_);
     return set;
 }

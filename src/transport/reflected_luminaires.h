@@ -19,9 +19,9 @@ struct ReflectedSet {
 
 class ReflectedLuminaires {
 public:
-    /// The world must outlive this. `count`: light paths in a generation. `threads`: 0: one per
+    /// The shot must outlive this. `count`: light paths in a generation. `threads`: 0: one per
     /// core; the result does not depend on it.
-    ReflectedLuminaires(const World&, std::uint32_t count, int max_reflections, int seed,
+    ReflectedLuminaires(const Shot&, std::uint32_t count, int max_reflections, int seed,
                         int threads);
 
     /// Returns the number of the generation that serves a sample.
@@ -42,7 +42,7 @@ private:
     ReflectedSet made(std::uint32_t number) const;
     void find_bound();
 
-    const World& world_;
+    const Shot& shot_;
     int max_reflections_;
     LightPaths paths_;
     std::uint32_t count_;
@@ -53,6 +53,6 @@ private:
 };
 
 /// Null where the scene does not ask for any, or no luminaire lights it.
-std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const World&, int seed, int threads);
+std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const Shot&, int seed, int threads);
 
 }  // namespace candelabra

@@ -12,9 +12,10 @@ struct SentLight {
     std::shared_ptr<Photons> photons = nullptr;                ///< null: none
     std::shared_ptr<ReflectedLuminaires> reflected = nullptr;  ///< null: none
 
-    /// Light sent in a world. `threads`: 0: one per core; the result does not depend on it.
-    static SentLight of(const World& world, int seed, int threads) {
-        return {photons_of(world, seed, threads), reflected_luminaires_of(world, seed, threads)};
+    /// Light sent for a shot, which must outlive it. `threads`: 0: one per core; the result does
+    /// not depend on it.
+    static SentLight of(const Shot& shot, int seed, int threads) {
+        return {photons_of(shot, seed, threads), reflected_luminaires_of(shot, seed, threads)};
     }
 
     /// Number of consecutive samples that are served from memory.

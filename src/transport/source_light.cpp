@@ -173,10 +173,11 @@ std::optional<ProbeHit> sight_past_clear(const World& world, const Ray& ray, dou
 
 Vec3 SourceLight::operator()(const ArrivingLight& at, const Key& key) {
     Vec3 sum(0);
-    for (const SourceSet& set : at.world.lights.source_sets) {
+    for (std::size_t i = 0; i < samplers_.size(); ++i) {
+        const SourceSet& set = at.world.lights.source_sets[i];
         if (!at.world.reaches(set.group, *at.layer.vertex.material)) continue;
         if (set.drawn())
-            sum += drawn(set, at, key);
+            sum += drawn(set, samplers_[i], at, key);
         else
             for (const std::uint32_t light : set.lights) sum += from(light, 1, at, key);
     }
@@ -202,7 +203,8 @@ Vec3 SourceLight::from(std::uint32_t number, double weight, const ArrivingLight&
 }
 
 /// Samples some of many sources. Sources have no surface that a sampled direction could hit.
-Vec3 SourceLight::drawn(const SourceSet& set, const ArrivingLight& at, const Key& key) {
+Vec3 SourceLight::drawn(const SourceSet& set, const BuiltLightSampler& sampler,
+                        const ArrivingLight& at, const Key& key) {
     const Key own = key.branched(Branch::drawn_sources);
     const Receiver point = set.asked(receiver(at.layer.scatterer));
     const BsdfLobes lobes = at.layer.scatterer.lobes();
@@ -222,7 +224,7 @@ Vec3 SourceLight::drawn(const SourceSet& set, const ArrivingLight& at, const Key
         }
         return sum;
     };
-    return std::visit(ask, set.sampler);
+    return std::visit(ask, sampler);
 }
 
 }  // namespace candelabra

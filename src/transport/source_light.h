@@ -4,6 +4,7 @@
 #pragma once
 
 #include "transport/arrival.h"
+#include "world/shot.h"
 
 namespace candelabra {
 
@@ -11,7 +12,7 @@ namespace candelabra {
 class SourceLight {
 public:
     /// `rays`: number of choices among many sources.
-    explicit SourceLight(int rays) : rays_(rays) {}
+    SourceLight(const Shot& shot, int rays) : samplers_(shot.of_sources), rays_(rays) {}
 
     /// Radiance towards the viewer by all light sources; an unbiased estimate.
     Vec3 operator()(const ArrivingLight&, const Key&);
@@ -19,8 +20,9 @@ public:
     Vec3 from(std::uint32_t number, double weight, const ArrivingLight&, const Key&) const;
 
 private:
-    Vec3 drawn(const SourceSet&, const ArrivingLight&, const Key&);
+    Vec3 drawn(const SourceSet&, const BuiltLightSampler&, const ArrivingLight&, const Key&);
 
+    std::span<const BuiltLightSampler> samplers_;  ///< for each source set
     int rays_;
     LightSamples samples_;  ///< kept as a member to reuse its memory
 };

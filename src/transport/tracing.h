@@ -13,7 +13,7 @@ namespace candelabra {
 struct Tracing {
     ShadowRays shadow_rays = {};         ///< at each hit
     bool counts_lights = false;          ///< separately for each statement
-    std::optional<SentLight> sent = {};  ///< unset: the integrator makes that of the world
+    std::optional<SentLight> sent = {};  ///< unset: the integrator makes that of the shot
     bool clear_sky = false;              ///< the background may be clear, as with POV-Ray's +UA
     /// Maximum number of rays that are followed for one camera ray, without shadow rays. What is
     /// left then counts as black.

@@ -3,6 +3,7 @@
 
 #include "base/circle.h"
 #include "base/parallel.h"
+#include "base/random.h"
 #include "world/radiance.h"
 
 #include <numbers>
@@ -120,15 +121,18 @@ Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<V
 
 }  // namespace
 
-void find_bent_normals(World& world, const std::optional<Vec3>& eye, int threads) {
+std::vector<Vec3> find_bent_normals(const World& world, const std::optional<Vec3>& eye,
+                                    int threads) {
     const std::size_t count = world.lights.luminaires.size();
-    if (count < 2) return;
+    if (count < 2) return {};
     const std::size_t pairs = std::min(max_pairs, max_rays / (2 * count));
-    if (pairs == 0) return;
+    if (pairs == 0) return {};
+    std::vector<Vec3> found(count);
     run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {
         for (std::size_t light = n * chunk; light < std::min((n + 1) * chunk, count); ++light)
-            world.lights.luminaires[light].bent_normal = bent_normal_of(world, light, eye, pairs);
+            found[light] = bent_normal_of(world, light, eye, pairs);
     });
+    return found;
 }
 
 }  // namespace candelabra

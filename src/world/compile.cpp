@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
-#include "base/degrees.h"
-#include "base/elementary.h"
 #include "csg/assemble.h"
 #include "index/tree_builder.h"
 #include "luminaire/brightness.h"
@@ -10,24 +8,18 @@
 #include "shape/segment_bound.h"
 #include "shape/transformed.h"
 #include "surface/quality.h"
-#include "world/bent_normals.h"
 #include "world/flatten.h"
-#include "world/luminaire_choices.h"
 #include "world/radiance.h"
 #include "world/shutter.h"
 #include "world/volumes.h"
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace candelabra {
 
 namespace {
-
-/// Returns an empty box for infinite items.
-Box bounds_in_tree(const Geometry& geometry, std::uint32_t item) {
-    return std::ranges::binary_search(geometry.infinite.all, item) ? Box() : geometry.bounds(item);
-}
 
 Box part_in_tree(const Geometry& geometry, std::uint32_t item, const Box& cell) {
     return geometry.visit(
@@ -47,7 +39,7 @@ Box part_in_tree(const Geometry& geometry, std::uint32_t item, const Box& cell) 
 
 void build_index(Geometry& geometry, const RayIndex& index, int threads) {
     geometry.tree = build_tree(
-        geometry.item_count(), [&](std::uint32_t item) { return bounds_in_tree(geometry, item); },
+        geometry.item_count(), [&](std::uint32_t item) { return geometry.finite_bounds(item); },
         [&](std::uint32_t item, const Box& cell) { return part_in_tree(geometry, item, cell); },
         tree_settings(index), threads);
     const PackedKinds kinds{
@@ -61,20 +53,6 @@ void build_index(Geometry& geometry, const RayIndex& index, int threads) {
         },
         [&](std::uint32_t item) { return geometry.bounds(item); }};
     geometry.tree.pack(leaf_packs(kinds), threads);
-}
-
-/// The planes of a scene in world space: besides bounded primitives, points to be lit may lie on
-/// them.
-std::vector<Plane> world_planes(const Geometry& geometry) {
-    std::vector<Plane> planes;
-    for (const std::uint32_t item : geometry.infinite.all) {
-        const PlacedShape* placed = geometry.shape(item);
-        const Plane* plane = placed ? std::get_if<Plane>(&placed->shape) : nullptr;
-        if (!plane) continue;
-        planes.push_back(placed->transform ? transformed(*plane, *placed->transform)
-                                           : Plane{unit(plane->normal), plane->distance});
-    }
-    return planes;
 }
 
 /// Divides the infinite items into planes and others.
@@ -105,28 +83,6 @@ void simplify_lights(World& world) {
     for (PointLight& light : world.lights.sources) light.size1 = light.size2 = 0;
 }
 
-/// Glare is measured in degrees; the camera's field of view converts these into pixels.
-FilmSettings film_of(const Scene& scene, const Projection& camera) {
-    FilmSettings film = scene.film;
-    const bool flat = camera.lens == Lens::flat;
-    if (!film.glares || film.glare.field > 0 || !flat) return film;
-    const double across = length(camera.right) / 2, ahead = length(camera.direction);
-    constexpr double widest = 170;
-    film.glare.field = std::min(2 * math::atan2(across, ahead) / radians_per_degree, widest);
-    return film;
-}
-
-/// Box around the camera and all luminaires, or around all finite items if nothing glows.
-Box near_camera_and_lamps(const World& world) {
-    Box box;
-    if (!world.facts.has_media) return box;
-    for (const Luminaire& each : world.lights.luminaires) box = join(box, bounds(each).box);
-    if (box.empty())
-        for (std::uint32_t item = 0; item < world.geometry.item_count(); ++item)
-            box = join(box, bounds_in_tree(world.geometry, item));
-    return join(box, world.view.camera.location);
-}
-
 World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
                 Diagnostics& diagnostics) {
     World world;
@@ -134,9 +90,7 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     world.rules.settings = scene.settings;
     if (options.index) world.rules.settings.index = *options.index;
     world.rules.language_version = scene.language_version;
-    world.view.camera = projection(scene.camera);
-    world.view.camera_normal = scene.camera_normal;
-    world.view.film = film_of(scene, world.view.camera);
+    world.stated_view = {projection(scene.camera), scene.camera_normal, scene.film};
     world.sky.background = scene.background;
     if (scene.language_version < 3.7)  // the background was always visible
         world.sky.background.colour.filter = world.sky.background.colour.transmit = 0;
@@ -200,25 +154,6 @@ void map_brightness(World& world) {
                 [&](const Vec3& point) { return luminance_at(world, luminaire.primitive, point); });
 }
 
-/// Angle between rays through adjacent pixel centres in the middle of the picture.
-double pixel_angle(const Projection& camera, const CompileOptions& options) {
-    const Vec3 middle = camera.ray(0, 0).direction;
-    const double across = length(camera.ray(1.0 / options.width, 0).direction - middle),
-                 down = length(camera.ray(0, 1.0 / options.height).direction - middle);
-    return std::sqrt(across * down);
-}
-
-/// Size of the place where the rays of a camera without an eye start.
-double view_size(const Projection& camera) {
-    Box starts;
-    for (const double u : {-0.5, 0.0, 0.5})
-        for (const double v : {-0.5, 0.0, 0.5}) {
-            const Ray ray = camera.ray(u, v);
-            if (ray.direction != Vec3(0)) starts = join(starts, ray.origin);
-        }
-    return starts.empty() ? 0 : length(starts.size());
-}
-
 /// Makes a lamp of the sky if it is a luminaire.
 void light_the_sky(World& world) {
     if (!world.sky.sphere || !world.sky.sphere->luminaire) return;
@@ -231,7 +166,18 @@ void light_the_sky(World& world) {
     provenance.light_statements.push_back(provenance.sky);
 }
 
-/// Builds the index structures and light samplers of a flattened world.
+/// Divides the light sources into sets.
+void divide_sources(World& world) {
+    std::vector<std::uint32_t> group_of;
+    for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
+    const bool random = facts_of(world).differs_by_light;
+    world.lights.source_sets =
+        source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler,
+                    random ? max_asked_among_samples : max_asked_sources);
+    world.facts = facts_of(world);  // light sources may be drawn
+}
+
+/// Builds the index structures of a flattened world.
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.rules.settings.light_sampler = *options.light_sampler;
     divide(world.geometry, world.geometry.infinite);
@@ -241,30 +187,7 @@ void build_indices(World& world, const CompileOptions& options) {
     note_luminaires(world);
     map_brightness(world);
     light_the_sky(world);
-    // After the tree, whose construction takes the most memory.
-    std::vector<Box> boxes(world.geometry.item_count());
-    for (std::uint32_t item = 0; item < boxes.size(); ++item)
-        boxes[item] = bounds_in_tree(world.geometry, item);
-    const std::vector<Plane> planes = world_planes(world.geometry);
-    LightScene lit{std::make_shared<LuminaireChoices>(world.lights.luminaires), boxes, planes};
-    lit.pixel = pixel_angle(world.view.camera, options);
-    const Projection& camera = world.view.camera;
-    if (camera.parallel)
-        lit.view = view_size(camera);
-    else
-        lit.eye = camera.location;
-    if (camera.lens == Lens::parallel && !camera.mesh) lit.axis = camera.ray(0, 0);
-    if (traits(world.rules.settings.light_sampler).wants_bent_normals)
-        find_bent_normals(world, lit.eye, options.threads);
-    world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);
-    std::vector<std::uint32_t> group_of;
-    for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
-    world.lights.source_sets =
-        source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
-                    {facts_of(world).differs_by_light ? max_asked_among_samples : max_asked_sources,
-                     options.threads});
-    world.sky.near = near_camera_and_lamps(world);
-    world.facts = facts_of(world);  // light sources may be drawn
+    divide_sources(world);
 }
 
 /// Compiles the scene, and discards its objects on the way.
@@ -289,25 +212,25 @@ void add_shutter_samples(World& world, const View& view, const CompileOptions& o
 
 }  // namespace
 
-const World survey(const Scene& scene, Diagnostics& diagnostics) {
+SharedWorld survey(const Scene& scene, Diagnostics& diagnostics) {
     CompileOptions full;
     full.quality = quality_full;
-    return flattened(scene, full, Flatten::luminaires, diagnostics);
+    return std::make_shared<World>(flattened(scene, full, Flatten::luminaires, diagnostics));
 }
 
-const World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+SharedWorld compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
     World world = flattened(scene, options, Flatten::everything, diagnostics);
     build_indices(world, options);
-    return world;
+    return std::make_shared<World>(std::move(world));
 }
 
-const World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics,
+SharedWorld compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics,
                     const ShutterScenes* shutter) {
     World world = compiled(scene, options, diagnostics);
     const View& view =
         std::visit([](const auto& camera) -> const View& { return camera; }, scene.camera);
     if (shutter) add_shutter_samples(world, view, options, *shutter);
-    return world;
+    return std::make_shared<World>(std::move(world));
 }
 
 }  // namespace candelabra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scene to World: objects are taken apart into primitives with all inherited attributes, luminaires
-// are collected, and index structures are built.
+// are collected, and index structures are built. A Shot (world/shot.h) has what depends on the
+// camera.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -17,8 +18,7 @@ struct CompileOptions {
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's
     std::optional<RayIndex> index;              ///< overrides the scene's
     int quality = 9;                            ///< see RenderSettings
-    int width = 320, height = 240;   ///< of the picture; they set how finely light is evaluated
-    bool remembers_objects = false;  ///< whether to fill Provenance::object_of
+    bool remembers_objects = false;             ///< whether to fill Provenance::object_of
 };
 
 /// Source of the later scenes of a camera whose shutter stays open.
@@ -30,16 +30,16 @@ struct ShutterScenes {
 };
 
 /// Adds diagnostics for objects that cannot be rendered as written (such as a luminaire without
-/// area); the world is complete nevertheless. It must not be changed any more.
-const World compile(const Scene&, const CompileOptions&, Diagnostics&);
+/// area); the world is complete nevertheless.
+SharedWorld compile(const Scene&, const CompileOptions&, Diagnostics&);
 
 /// The same for a scene that is no longer needed: its objects are freed before the index structures
 /// are built, which then have more room. Includes the worlds of the other shutter samples, if their
 /// scenes are available; diagnostics of these worlds are not repeated.
-const World compile(Scene&&, const CompileOptions&, Diagnostics&, const ShutterScenes* = nullptr);
+SharedWorld compile(Scene&&, const CompileOptions&, Diagnostics&, const ShutterScenes* = nullptr);
 
 /// Gives the same diagnostics at a fraction of the cost, for checking a scene. The world has its
 /// luminaires and, if it has no lights, its materials, but it cannot be intersected with rays.
-const World survey(const Scene&, Diagnostics&);
+SharedWorld survey(const Scene&, Diagnostics&);
 
 }  // namespace candelabra

@@ -20,9 +20,6 @@ namespace {
 
 /// Maximum number of luminaires with a guide, which takes some time and memory.
 constexpr int max_guides = 64;
-/// Fraction of the rays of a closed opaque luminaire that are emitted to its inside, where it
-/// rarely matters.
-constexpr double rare_inner_rays = 1.0 / 16;
 
 /// The address of the content that copies of the shape share; null if each has its own.
 const void* shared_content(const BuiltShape& shape) {
@@ -144,9 +141,7 @@ void set_radiance(const World& world, Luminaire& luminaire) {
     luminaire.two_faced = static_cast<bool>(look.inner);
     luminaire.one_sided = look.inner && (greatest_emission(*look.texture) == Vec3(0) ||
                                          greatest_emission(*look.inner) == Vec3(0));
-    if (!look.transparent && !look.inner &&
-        !world.contains_point(luminaire.primitive, world.view.camera.location))
-        luminaire.inner_rays = rare_inner_rays;
+    luminaire.keeps_inner_light = !look.transparent && !look.inner;
     const auto include = [&](const Handle<Texture>& other) {
         luminaire.radiance = glm::max(luminaire.radiance, greatest_emission(*other));
         luminaire.varying = true;

@@ -18,7 +18,7 @@ void answer_about_media(const World& world, WorldFacts& facts) {
     facts.has_media = looks.any_media || !sky.media.empty();
     facts.dims_between = facts.has_air || facts.has_media;
     facts.notes_solids = looks.any_transparent || looks.any_media || facts.has_air;
-    facts.indexes_solids = world.view.camera.parallel || !world.photon_targets.empty() ||
+    facts.indexes_solids = world.stated_view.camera.parallel || !world.photon_targets.empty() ||
                            !world.lights.volumes.empty();
 }
 

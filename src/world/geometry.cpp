@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/geometry.h"
 
+#include <algorithm>
+
 namespace candelabra {
 
 PrimitiveIndex Geometry::primitive(PrimitiveKind kind, std::uint32_t index) const {
@@ -28,6 +30,10 @@ Box Geometry::bounds(std::uint32_t item) const {
         },
         [](const PlacedShape& placed) { return placed.box; },
         [](const PlacedComposite& placed) { return placed.composite->bounds(); });
+}
+
+Box Geometry::finite_bounds(std::uint32_t item) const {
+    return std::ranges::binary_search(infinite.all, item) ? Box() : bounds(item);
 }
 
 Box Geometry::inside_bounds(std::uint32_t item) const {

@@ -158,6 +158,8 @@ struct Geometry {
 
     /// Bounding box of an item.
     Box bounds(std::uint32_t item) const;
+    /// The same; empty for infinite items.
+    Box finite_bounds(std::uint32_t item) const;
     /// Bounding box of all points inside of an item that is not a triangle.
     Box inside_bounds(std::uint32_t item) const;
     /// Where rays that begin inside of an item other than a triangle notice it. As in POV-Ray, that

@@ -42,7 +42,6 @@ struct WorldLights {
     /// of a solid other than through its surface: only a walk along a ray then tells which media it
     /// sees.
     bool glow_beside_openings = false;
-    BuiltLightSampler sampler;  ///< chooses among the luminaires
     std::vector<PointLight> sources;
     std::vector<LightReach> reach;       ///< for each source
     std::vector<SourceSet> source_sets;  ///< cover all sources

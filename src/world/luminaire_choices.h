@@ -9,14 +9,19 @@
 
 namespace candelabra {
 
-/// The luminaires must outlive this.
+/// The luminaires and their bent normals must outlive this.
 class LuminaireChoices final : public ChoosableLights {
 public:
-    explicit LuminaireChoices(std::span<const Luminaire> luminaires) : luminaires_(luminaires) {}
+    /// `bent_normals`: of each luminaire (world/bent_normals.h); empty: none has one.
+    explicit LuminaireChoices(std::span<const Luminaire> luminaires,
+                              std::span<const Vec3> bent_normals = {})
+        : luminaires_(luminaires), bent_normals_(bent_normals) {}
 
     std::size_t size() const override { return luminaires_.size(); }
     LightBounds bounds(LightIndex light) const override {
-        return candelabra::bounds(luminaires_[light]);
+        LightBounds result = candelabra::bounds(luminaires_[light]);
+        if (!bent_normals_.empty()) result.bent_normal = bent_normals_[light];
+        return result;
     }
     bool has_surface(LightIndex light) const override { return !luminaires_[light].is_volume(); }
     bool exact_nearby(LightIndex) const override;
@@ -28,6 +33,7 @@ public:
 
 private:
     std::span<const Luminaire> luminaires_;
+    std::span<const Vec3> bent_normals_;
 };
 
 }  // namespace candelabra

@@ -51,7 +51,7 @@ public:
     /// Returns the first solid of the scene that contains the camera, is not `hollow`, and changes
     /// the picture by keeping out fog, media or all light. Null: none.
     const Object* first() {
-        const Vec3 camera = world_.view.camera.location;
+        const Vec3 camera = world_.stated_view.camera.location;
         for (const ObjectHandle& object : scene_.objects)
             if (!object->hollow && !object->no_image && surrounds(object, camera) &&
                 (world_.facts.dims_between || keeps_light_out(object)))
@@ -120,9 +120,9 @@ const Luminaire* dome(const World& world) {
                    hidden = world.material(luminaire.primitive).no_image;
         if (luminaire.is_volume()) continue;
         const bool within =
-            sphere
-                ? length(world.view.camera.location - sphere->centre) < sphere->radius
-                : (turned || hidden) && contains(bounds(luminaire).box, world.view.camera.location);
+            sphere ? length(world.stated_view.camera.location - sphere->centre) < sphere->radius
+                   : (turned || hidden) &&
+                         contains(bounds(luminaire).box, world.stated_view.camera.location);
         if (within) return &luminaire;
     }
     return nullptr;

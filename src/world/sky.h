@@ -21,7 +21,6 @@ struct Sky {
     std::vector<Fog> fogs;
     std::vector<Rainbow> rainbows;
     std::vector<Media> media;  ///< outside of solids
-    Box near;                  ///< where media deserve most effort; empty if there are none
     SkyLight light;            ///< empty unless the sky is a luminaire
 };
 

@@ -60,12 +60,11 @@ ChoosableSource choosable(const PointLight& light) {
 
 class Sets {
 public:
-    Sets(std::span<const PointLight> lights, const LightSampler& sampler, const LightScene& scene,
-         const SourceLimits& limits)
-        : lights_(lights), settings_(sampler), scene_(scene), limits_(limits) {}
+    Sets(std::span<const PointLight> lights, const LightSampler& sampler, std::size_t max_asked)
+        : lights_(lights), settings_(sampler), max_asked_(max_asked) {}
 
     void add(std::uint32_t group, std::vector<std::uint32_t> members) {
-        if (members.size() <= limits_.max_asked || !traits(settings_).draws) {
+        if (members.size() <= max_asked_ || !traits(settings_).draws) {
             result.push_back({group, std::move(members)});
             return;
         }
@@ -89,15 +88,11 @@ public:
 private:
     void add_drawn(SourceSet set) {
         if (set.lights.empty()) return;
-        if (set.lights.size() > limits_.max_asked) {
+        if (set.lights.size() > max_asked_) {
             std::vector<ChoosableSource> sources;
             for (const std::uint32_t i : set.lights) sources.push_back(choosable(lights_[i]));
             give_size(sources);
             set.choices = std::make_shared<SourceChoices>(std::move(sources));
-            LightScene scene = scene_;
-            if (set.parallel) scene = {};
-            scene.lights = set.choices;
-            set.sampler = build(settings_, scene, limits_.threads);
         }
         result.push_back(std::move(set));
     }
@@ -114,21 +109,25 @@ private:
 
     std::span<const PointLight> lights_;
     const LightSampler& settings_;
-    const LightScene& scene_;
-    const SourceLimits& limits_;
+    std::size_t max_asked_;
 };
 
 }  // namespace
 
 std::vector<SourceSet> source_sets(std::span<const PointLight> lights,
                                    std::span<const std::uint32_t> group_of,
-                                   const LightSampler& sampler, const LightScene& scene,
-                                   const SourceLimits& limits) {
+                                   const LightSampler& sampler, std::size_t max_asked) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
     for (std::uint32_t i = 0; i < lights.size(); ++i) groups[group_of[i]].push_back(i);
-    Sets sets(lights, sampler, scene, limits);
+    Sets sets(lights, sampler, max_asked);
     for (auto& [group, members] : groups) sets.add(group, std::move(members));
     return std::move(sets.result);
+}
+
+LightScene light_scene(const SourceSet& set, const LightScene& of_luminaires) {
+    LightScene scene = set.parallel ? LightScene() : of_luminaires;
+    scene.lights = set.choices;
+    return scene;
 }
 
 }  // namespace candelabra

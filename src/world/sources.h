@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sets of light sources. A few sources are all evaluated at each point, as in POV-Ray; of many,
-// some are sampled by the strategy that also chooses among luminaires. Made by compile().
+// some are sampled by the strategy that also chooses among luminaires. Made by compile(); a Shot
+// has the samplers.
 #pragma once
 
 #include "light/light.h"
-#include "lighting/sampler.h"
+#include "lighting/light_scene.h"
+#include "lighting/settings.h"
 
 #include <memory>
 #include <vector>
@@ -24,7 +26,6 @@ struct SourceSet {
     /// The sources, if some are sampled; null if all are evaluated.
     std::shared_ptr<const ChoosableLights> choices = nullptr;
     bool parallel = false;  ///< lights have one direction everywhere, where the choices are
-    BuiltLightSampler sampler = {};
 
     bool drawn() const { return choices != nullptr; }
     /// Returns the receiver for which to query the sampler.
@@ -33,15 +34,14 @@ struct SourceSet {
     }
 };
 
-struct SourceLimits {
-    std::size_t max_asked = max_asked_sources;  ///< of a group that are all evaluated
-    int threads = 0;                            ///< that build samplers; 0: all cores
-};
-
 /// `group_of` has the group of each light; if a group has more than `max_asked` lights, some are
-/// sampled. The boxes and planes of the scene are where points to be lit lie.
+/// sampled.
 std::vector<SourceSet> source_sets(std::span<const PointLight> lights,
                                    std::span<const std::uint32_t> group_of, const LightSampler&,
-                                   const LightScene&, const SourceLimits& = {});
+                                   std::size_t max_asked = max_asked_sources);
+
+/// The scene in which a strategy chooses among the sources of a set, given the one in which
+/// luminaires are chosen. Precondition: they are drawn.
+LightScene light_scene(const SourceSet&, const LightScene&);
 
 }  // namespace candelabra

@@ -2,6 +2,7 @@
 #include "world/volumes.h"
 
 #include "base/elementary.h"
+#include "base/random.h"
 #include "luminaire/volume.h"
 #include "text/message.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A compiled scene, for ray queries. compile() makes it; any number of threads may then use it.
+// A compiled scene, for ray queries. compile() makes it, and nobody changes it afterwards: any
+// number of threads may use it. What depends on the camera is in a Shot (world/shot.h).
 #pragma once
 
 #include "camera/camera.h"
@@ -13,6 +14,7 @@
 #include "world/sky.h"
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,7 +41,8 @@ inline constexpr int max_surfaces_along = 1000;
 class World {
 public:
     World() = default;
-    World(World&&) = default;  ///< not copied: the sampler refers to the luminaires
+    explicit World(const World&) = default;  ///< explicit, as scenes are large
+    World(World&&) = default;
     World& operator=(World&&) = default;
 
     // Ray queries: ray_queries.cpp
@@ -172,12 +175,15 @@ public:
     Appearance appearance;
     WorldLights lights;
     Sky sky;
-    WorldView view;
+    WorldView stated_view;  ///< as the scene states it; each Shot has its own
     Rules rules;
     std::vector<PhotonTarget> photon_targets;  ///< empty: no photons
     Provenance provenance;
     WorldFacts facts;
     std::vector<World> shutter;  ///< the scene at later times while the camera's shutter is open
 };
+
+/// A world that is complete. All that refer to it keep it.
+using SharedWorld = std::shared_ptr<const World>;
 
 }  // namespace candelabra

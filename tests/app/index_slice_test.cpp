@@ -23,8 +23,8 @@ TEST_CASE("a slice of the index shows the cells in it, as the camera sees them",
         "sphere { <-4, 2, 0>, 1 } sphere { <4, -2, 0>, 1 } sphere { <0, 0, -8>, 1 }\n"
         "sphere { <0, 0, 8>, 1 }\n";
     for (const RayIndex& index : {RayIndex(KdTree()), RayIndex(BoundingBoxes())}) {
-        const World world = world_of(script, index);
-        const std::string drawn = index_slice(world);
+        const SharedWorld world = world_of(script, index);
+        const std::string drawn = index_slice(*world);
         CHECK(drawn.starts_with("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 1000 600'>"));
         CHECK(drawn.ends_with("</svg>\n"));
     }
@@ -32,14 +32,14 @@ TEST_CASE("a slice of the index shows the cells in it, as the camera sees them",
     KdTree fine;
     fine.node_cost = 0;
     fine.group_cost = 100;
-    const std::string drawn = index_slice(world_of(script, fine));
+    const std::string drawn = index_slice(*world_of(script, fine));
     CHECK(count(drawn, "<rect") == 2);
     CHECK(count(drawn, "<rect x='0' y='0' width='200' height='200'") == 1);
     CHECK(count(drawn, "<rect x='800' y='400' width='200' height='200'") == 1);
 }
 
 TEST_CASE("a world without anything to find has nothing to draw", "[app]") {
-    CHECK(count(index_slice(world_of("plane { y, 0 }")), "<rect") == 0);
+    CHECK(count(index_slice(*world_of("plane { y, 0 }")), "<rect") == 0);
 }
 
 }  // namespace candelabra

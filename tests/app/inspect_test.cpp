@@ -21,7 +21,7 @@ light_source { <-1, 0, -5>, 1 }
 
 /// A scene with a picture to inspect.
 struct Look {
-    World world = compiled();
+    Shot shot = compiled();
     SourceStore sources;
     RenderSettings settings;
     RenderState state;
@@ -33,15 +33,15 @@ struct Look {
         settings.height = 24;
         settings.samples = 2;
         state = begin_picture(settings);
-        advance(plan_of(world, settings), state, rays, {});
+        advance(plan_of(shot, settings), state, rays, {});
     }
-    static World compiled() {
+    static Shot compiled() {
         CompileOptions options;
         options.remembers_objects = true;
         Diagnostics diagnostics;
-        return compile(scene_of(scene), options, diagnostics);
+        return Shot(compile(scene_of(scene), options, diagnostics));
     }
-    Exhibit exhibit() const { return {world, sources, settings, state.film, rays}; }
+    Exhibit exhibit() const { return {shot, sources, settings, state.film, rays}; }
 };
 
 }  // namespace

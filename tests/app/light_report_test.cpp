@@ -20,13 +20,13 @@ plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 0.8 } }
 light_source { <0, 5, 0>, 0.1 }
 )";
 
-Rendering rendered(const World& world, int threads) {
+Rendering rendered(const Shot& shot, int threads) {
     RenderSettings settings;
     settings.width = settings.height = 24;
     settings.threads = threads;
     RenderHooks hooks;
     hooks.counts_lights = true;
-    return render(world, settings, hooks);
+    return render(shot, settings, hooks);
 }
 
 }  // namespace
@@ -36,10 +36,10 @@ TEST_CASE("the report of light tells how many things glow and are no luminaires"
         const std::string scene = "#version 3.7; camera { location -5*z } " + settings +
                                   "#for (I, 1, 3) sphere { I*x, 0.1 pigment { rgb 1 } finish { " +
                                   finish + " } } #end light_source { -9*z, 1 }";
-        const World world = world_of(scene);
+        const Shot shot = shot_of(scene);
         SourceStore sources;
         sources.add("scene.pov", scene);
-        return light_report(world, rendered(world, 1).rays, sources);
+        return light_report(*shot.world, rendered(shot, 1).rays, sources);
     };
     const std::string line = "                            3  that glow, but light nothing\n";
     CHECK(report("", "emission 0.3").find("light nothing") == std::string::npos);
@@ -49,12 +49,12 @@ TEST_CASE("the report of light tells how many things glow and are no luminaires"
 }
 
 TEST_CASE("the report of light has a line for each statement that makes lights", "[app]") {
-    const World world = world_of(ten_lights);
-    REQUIRE(world.provenance.light_statements.size() == 2);
+    const Shot shot = shot_of(ten_lights);
+    REQUIRE(shot.world->provenance.light_statements.size() == 2);
     SourceStore sources;
     sources.add("scene.pov", ten_lights);
-    const Rendering made = rendered(world, 1);
-    const std::string text = light_report(world, made.rays, sources);
+    const Rendering made = rendered(shot, 1);
+    const std::string text = light_report(*shot.world, made.rays, sources);
     INFO(text);
     CHECK(text.find("         9  scene.pov:6: object { Lamp translate <I - 5, 1, 0> }") !=
           std::string::npos);
@@ -62,17 +62,17 @@ TEST_CASE("the report of light has a line for each statement that makes lights",
     std::uint64_t rays = 0;
     for (const LightCount& each : made.rays.lights) rays += each.rays;
     CHECK(rays == made.rays.shadow);
-    CHECK(light_report(world, rendered(world, 3).rays, sources) == text);
+    CHECK(light_report(*shot.world, rendered(shot, 3).rays, sources) == text);
 }
 
 TEST_CASE("the report names lamps from which no light comes", "[app]") {
     const std::string hidden = "sphere { <0, -2, 0>, 0.1 pigment { rgb 1 } finish { emission 3 } }";
     for (const bool any : {false, true}) {
         const std::string script = ten_lights + (any ? hidden : "");
-        const World world = world_of(script);
+        const Shot shot = shot_of(script);
         SourceStore sources;
         sources.add("scene.pov", script);
-        const std::string text = light_report(world, rendered(world, 1).rays, sources);
+        const std::string text = light_report(*shot.world, rendered(shot, 1).rays, sources);
         INFO(text);
         CHECK((text.find("no light came from scene.pov:9: sphere { <0, -2") != std::string::npos) ==
               any);
@@ -82,7 +82,7 @@ TEST_CASE("the report names lamps from which no light comes", "[app]") {
 TEST_CASE("lights are counted only when that is asked for", "[app]") {
     RenderSettings settings;
     settings.width = settings.height = 4;
-    CHECK(render(world_of(ten_lights), settings).rays.lights.empty());
+    CHECK(render(shot_of(ten_lights), settings).rays.lights.empty());
 }
 
 }  // namespace candelabra

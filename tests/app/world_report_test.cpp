@@ -20,7 +20,7 @@ TEST_CASE("the report tells what a world is made of") {
     scene.objects = {make_handle<Object>(lamp), make_handle<Object>(floor)};
     scene.settings.light_sampler = EveryLight{};
     Diagnostics diagnostics;
-    const std::string text = report(compile(scene, {}, diagnostics));
+    const std::string text = report(*compile(scene, {}, diagnostics));
     CHECK(text.find("objects: 2\n") != std::string::npos);
     CHECK(text.find("luminaires: 1 (1 spheres, 0 triangles, 0 others), greatest radiance 2\n") !=
           std::string::npos);

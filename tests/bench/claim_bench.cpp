@@ -24,13 +24,14 @@ struct Seen {
     Receiver point;
     double tolerance;
 };
-std::vector<Seen> seen_points(const World& world, int across) {
+std::vector<Seen> seen_points(const Shot& shot, int across) {
     std::vector<Seen> result;
     for (int i = 0; i < across * across; ++i) {
-        const Ray ray = middle_ray(world, {i % across, i / across, across, across});
+        const Ray ray = middle_ray(shot, {i % across, i / across, across, across});
         Hit hit;
-        if (ray.direction == Vec3(0) || !world.first_hit(ray, 0, RayKind::camera, hit)) continue;
-        if (world.lights.luminaire_of[hit.primitive] != no_primitive) continue;
+        if (ray.direction == Vec3(0) || !shot.world->first_hit(ray, 0, RayKind::camera, hit))
+            continue;
+        if (shot.world->lights.luminaire_of[hit.primitive] != no_primitive) continue;
         const Vec3 normal = dot(hit.normal, ray.direction) > 0 ? -hit.normal : hit.normal;
         result.push_back({{hit.position, normal}, hit.tolerance});
     }
@@ -83,40 +84,40 @@ void choices() {
                     std::log(last / first) / std::log(most / 100));
     }
     // [claim-21]
-    const World world = world_of_file(city, {{"Blocks", 36.0}}, octree());
-    const std::vector<Seen> points = seen_points(world, 100);
+    const Shot shot = shot_of_file(city, {{"Blocks", 36.0}}, octree());
+    const std::vector<Seen> points = seen_points(shot, 100);
     LightSamples samples;
     double choosing = 0, tracing = 0;
     for (int round = 0; round < 2; ++round) {
         samples.clear();
         const double start = cpu_seconds();
         for (std::uint32_t i = 0; i < points.size(); ++i)
-            add_picks(world.lights.sampler, points[i].point, {i, 1, 0, 0}, samples);
+            add_picks(shot.sampler, points[i].point, {i, 1, 0, 0}, samples);
         choosing = cpu_seconds() - start;
     }
     const double start = cpu_seconds();
     for (std::size_t i = 0; i < std::min(samples.picks.size(), points.size()); ++i)
-        if (const auto to = sample(world.lights.luminaires[samples.picks[i].light], points[i].point,
-                                   {0.3, 0.7}))
-            world.transmittance({points[i].point.position, to->direction}, points[i].tolerance,
-                                to->distance);
+        if (const auto to = sample(shot.world->lights.luminaires[samples.picks[i].light],
+                                   points[i].point, {0.3, 0.7}))
+            shot.world->transmittance({points[i].point.position, to->direction},
+                                      points[i].tolerance, to->distance);
     tracing = cpu_seconds() - start;
     std::printf("city, %zu luminaires: choosing is %.0f %% of choosing and tracing\n",
-                world.lights.luminaires.size(), 100 * choosing / (choosing + tracing));
+                shot.world->lights.luminaires.size(), 100 * choosing / (choosing + tracing));
 }
 
 /// How many luminaires give 95 and 99 % of the light of a point. [claim-10]
 void contributors() {
     for (const auto& [title, file] : {std::pair{"flake pair", flakes}, {"city", city}}) {
-        const World world = world_of_file(file, {{"Blocks", 12.0}}, LightSampler{EveryLight{}});
+        const Shot shot = shot_of_file(file, {{"Blocks", 12.0}}, LightSampler{EveryLight{}});
         std::vector<std::size_t> counts95, counts99;
-        for (const Seen& seen : seen_points(world, 9)) {
+        for (const Seen& seen : seen_points(shot, 9)) {
             std::vector<double> given;
-            for (const Luminaire& luminaire : world.lights.luminaires) {
+            for (const Luminaire& luminaire : shot.world->lights.luminaires) {
                 const auto to = sample(luminaire, seen.point, {0.4, 0.6});
                 if (!to || !(dot(to->direction, seen.point.normal) > 0)) continue;
                 const Ray ray{seen.point.position, to->direction};
-                if (world.transmittance(ray, seen.tolerance, to->distance) != Vec3(0))
+                if (shot.world->transmittance(ray, seen.tolerance, to->distance) != Vec3(0))
                     given.push_back(unoccluded(luminaire, seen.point));
             }
             std::ranges::sort(given, std::greater<>{});
@@ -137,7 +138,7 @@ void contributors() {
         std::printf(
             "%s, %zu luminaires: 95 %% of a point's light come from %zu of them (median; "
             "%zu at 9 of 10 points), 99 %% from %zu (%zu)\n",
-            title, world.lights.luminaires.size(), at(counts95, 0.5), at(counts95, 0.9),
+            title, shot.world->lights.luminaires.size(), at(counts95, 0.5), at(counts95, 0.9),
             at(counts99, 0.5), at(counts99, 0.9));
     }
 }
@@ -148,19 +149,19 @@ void threshold() {
         LightOctree settings = paper();
         settings.threshold = value;
         const Strategy strategy{"light_octree { paper }", settings, 4, 1};
-        const World world = world_of_file(city, {{"Blocks", 12.0}}, strategy.sampler, 160);
-        const std::vector<Seen> points = seen_points(world, 60);
+        const Shot shot = shot_of_file(city, {{"Blocks", 12.0}}, strategy.sampler, 160);
+        const std::vector<Seen> points = seen_points(shot, 60);
         std::vector<Box> surfaces;
         for (const Seen& seen : points)
             surfaces.push_back({seen.point.position - 0.1, seen.point.position + 0.1});
         const double start = cpu_seconds();
         const BuiltPaperOctree built(settings.as_in_paper(),
-                                     {choices(world.lights.luminaires), surfaces}, 1);
+                                     {choices(shot.world->lights.luminaires), surfaces}, 1);
         const double built_in = cpu_seconds() - start;
         std::vector<std::size_t> lengths;
         for (const Seen& seen : points) lengths.push_back(built.bright(seen.point.position));
         std::ranges::sort(lengths);
-        const Measured found = measure(world, strategy, 160);
+        const Measured found = measure(shot, strategy, 160);
         std::printf(
             "threshold %.4f: built in %.2f s, %.1f MB, %.0f bright (99 %%: %zu), "
             "mean %.4f, RMSE %.4f\n",
@@ -175,10 +176,10 @@ void threshold() {
 /// Where the noise of one shadow ray comes from: which luminaire, where on it, and what is between.
 /// [claim-19]
 void split() {
-    const World world = world_of_file(flakes, {}, LightSampler{LinearAlpha{}});
+    const Shot shot = shot_of_file(flakes, {}, LightSampler{LinearAlpha{}});
     double choice = 0, cosine = 0, visibility = 0, all = 0;
     LightSamples samples;
-    const std::vector<Seen> points = seen_points(world, 24);
+    const std::vector<Seen> points = seen_points(shot, 24);
     constexpr std::uint32_t tries = 64;
     for (std::uint32_t n = 0; n < points.size(); ++n) {
         const Seen& seen = points[n];
@@ -186,9 +187,9 @@ void split() {
         for (std::uint32_t i = 0; i < tries; ++i) {
             const Key key{n, i, 0, 0};
             samples.clear();
-            add_picks(world.lights.sampler, seen.point, key, samples);
+            add_picks(shot.sampler, seen.point, key, samples);
             if (samples.picks.empty()) continue;
-            const Luminaire& luminaire = world.lights.luminaires[samples.picks[0].light];
+            const Luminaire& luminaire = shot.world->lights.luminaires[samples.picks[0].light];
             const Vec2 place{uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
             const auto to = sample(luminaire, seen.point, place);
             const double whole = unoccluded(luminaire, seen.point) / samples.picks[0].expected;
@@ -197,8 +198,8 @@ void split() {
                                          (to->density * samples.picks[0].expected)
                                    : 0;
             const bool clear =
-                here > 0 && world.transmittance({seen.point.position, to->direction},
-                                                seen.tolerance, to->distance) != Vec3(0);
+                here > 0 && shot.world->transmittance({seen.point.position, to->direction},
+                                                      seen.tolerance, to->distance) != Vec3(0);
             by_choice += whole, by_choice2 += whole * whole;
             open += here, open2 += here * here;
             lit += clear ? here : 0, lit2 += clear ? here * here : 0;
@@ -225,11 +226,11 @@ void samples() {
               Strategy{"every_light", EveryLight{}}, Strategy{"light_octree", octree()}}) {
             const bool few = file != flakes, octree_too = strategy.name == "light_octree";
             if (!few && !octree_too) continue;
-            const World world = world_of_file(file, {}, strategy.sampler, 160);
+            const Shot shot = shot_of_file(file, {}, strategy.sampler, 160);
             double first = 0, last = 0;
             std::printf("%s, %s: RMSE", title, strategy.name.c_str());
             for (const int count : {1, 4, 16, 64}) {
-                last = measure(world, {strategy.name, strategy.sampler, count}, 160).rmse;
+                last = measure(shot, {strategy.name, strategy.sampler, count}, 160).rmse;
                 if (first == 0) first = last;
                 std::printf(" %.5f (%d)", last, count);
             }
@@ -241,11 +242,11 @@ void samples() {
 /// Shadow rays at each hit, and what the pilot takes. [claim-30]
 void rays() {
     for (const auto& [title, file] : {std::pair{"flake pair", flakes}, {"city", city}}) {
-        const World world = world_of_file(file, {{"Blocks", 12.0}}, octree(), 160);
+        const Shot shot = shot_of_file(file, {{"Blocks", 12.0}}, octree(), 160);
         for (const int count : {1, 2, 3, 4, 8, 16, 0}) {
             const int hits = count == 0 ? 4 : std::max(1, 16 / count);
-            measure(world, {"", octree(), 1, 1}, 160);  // the cells are there after this
-            const Measured found = measure(world, {"", octree(), hits, count}, 160);
+            measure(shot, {"", octree(), 1, 1}, 160);  // the cells are there after this
+            const Measured found = measure(shot, {"", octree(), hits, count}, 160);
             std::printf("%s, %2d hits of %2d shadow rays%s: %.2f s, RMSE %.5f, work %.4f\n", title,
                         hits, count, count == 0 ? " (as many as pay)" : "", found.seconds,
                         found.rmse, found.work());
@@ -259,12 +260,12 @@ void bulb() {
     double first = 0;
     for (const double across : {10.0, 32.0, 100.0, 316.0}) {
         const Strategy strategy{"light_octree", octree(), 4, 0};
-        const World world =
-            world_of_file("tests/bench/bulb.pov", {{"Across", across}}, strategy.sampler, 200);
-        const Measured found = measure(world, strategy, 200);
+        const Shot shot =
+            shot_of_file("tests/bench/bulb.pov", {{"Across", across}}, strategy.sampler, 200);
+        const Measured found = measure(shot, strategy, 200);
         if (first == 0) first = found.seconds;
         std::printf("bulb of %zu patches: %.2f s (%.2f), mean %.4f, RMSE %.5f\n",
-                    world.lights.luminaires.size(), found.seconds, found.seconds / first,
+                    shot.world->lights.luminaires.size(), found.seconds, found.seconds / first,
                     found.mean, found.rmse);
         std::fflush(stdout);
     }
@@ -276,8 +277,8 @@ void few() {
          {Strategy{"linear_alpha", LinearAlpha{}, 9}, Strategy{"light_octree", octree(), 9},
           Strategy{"light_octree { paper }", paper(), 9},
           Strategy{"light_octree { alone }", alone(), 9}}) {
-        const World world = world_of_file("examples/paper/fig5.pov", {}, strategy.sampler, 200);
-        const Measured found = measure(world, strategy, 200);
+        const Shot shot = shot_of_file("examples/paper/fig5.pov", {}, strategy.sampler, 200);
+        const Measured found = measure(shot, strategy, 200);
         std::printf("figure 5, %-24s %.2f s, mean %.4f, RMSE %.5f\n", strategy.name.c_str(),
                     found.seconds, found.mean, found.rmse);
     }
@@ -288,7 +289,7 @@ void scale() {
     for (const double factor : {1.0, 0.001, 1000.0}) {
         const Strategy strategy{"light_octree", octree(), 4};
         const Measured found =
-            measure(world_of_file("tests/bench/scaled.pov", {{"Scale", factor}}, strategy.sampler),
+            measure(shot_of_file("tests/bench/scaled.pov", {{"Scale", factor}}, strategy.sampler),
                     strategy, 120);
         std::printf("scale %g: mean %.5f, RMSE over mean %.5f\n", factor, found.mean,
                     found.rmse / found.mean);
@@ -296,7 +297,7 @@ void scale() {
     for (const Strategy& strategy :
          {Strategy{"every_light", EveryLight{}, 1}, Strategy{"light_octree", octree(), 16}}) {
         const Measured found =
-            measure(world_of_file("tests/bench/scaled.pov", {{"Shrink", 0.8}}, strategy.sampler),
+            measure(shot_of_file("tests/bench/scaled.pov", {{"Shrink", 0.8}}, strategy.sampler),
                     strategy, 120);
         std::printf("lamps that shrink by 0.8, %s: mean %.5f, RMSE over mean %.5f\n",
                     strategy.name.c_str(), found.mean, found.rmse / found.mean);

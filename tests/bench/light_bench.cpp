@@ -36,12 +36,12 @@ void compare(const std::string& title, const std::string& file, const Declares& 
              const std::vector<Strategy>& strategies, int size) {
     double opponent = 0;
     for (const Strategy& strategy : strategies) {
-        const World world = world_of_file(file, declares, strategy.sampler, size);
-        const Measured found = measure(world, strategy, size);
+        const Shot shot = shot_of_file(file, declares, strategy.sampler, size);
+        const Measured found = measure(shot, strategy, size);
         if (opponent == 0) opponent = found.work();
         std::printf(
             "%-22s %7zu  %-24s %3d x %d %8.2f s  mean %.4f  RMSE %.5f  at equal time %.3f\n",
-            title.c_str(), world.lights.luminaires.size() + world.lights.sources.size(),
+            title.c_str(), shot.world->lights.luminaires.size() + shot.world->lights.sources.size(),
             strategy.name.c_str(), strategy.samples, strategy.shadow_rays, found.seconds,
             found.mean, found.rmse, found.work() / opponent);
         std::fflush(stdout);
@@ -56,7 +56,7 @@ void flake() {
           Strategy{"light_octree, as pays", octree(), 4, 0},
           Strategy{"light_octree { alone }", alone(), 10}}) {
         const auto seconds = [&](const Declares& declares) {
-            return measure(world_of_file("examples/paper/fig6.pov", declares, strategy.sampler),
+            return measure(shot_of_file("examples/paper/fig6.pov", declares, strategy.sampler),
                            strategy, 320)
                 .seconds;
         };
@@ -79,13 +79,13 @@ void growth() {
         double seconds = 0, noise = 0;
         for (const Declares& declares : series) {
             const Strategy strategy{"light_octree", octree(), 4, 0};
-            const World world =
-                world_of_file("examples/gallery/city.pov", declares, strategy.sampler, 160);
-            const Measured found = measure(world, strategy, 160);
+            const Shot shot =
+                shot_of_file("examples/gallery/city.pov", declares, strategy.sampler, 160);
+            const Measured found = measure(shot, strategy, 160);
             const double relative = found.rmse / found.mean;
             if (seconds == 0) seconds = found.seconds, noise = relative;
             std::printf("%s, %7zu luminaires: %.2f s (%.2f), RMSE over mean %.3f (%.2f)\n",
-                        title.c_str(), world.lights.luminaires.size(), found.seconds,
+                        title.c_str(), shot.world->lights.luminaires.size(), found.seconds,
                         found.seconds / seconds, relative, relative / noise);
             std::fflush(stdout);
         }
@@ -122,9 +122,9 @@ void sources() {
     for (const auto& [name, kind] :
          {std::pair{"glowing spheres", 2.0}, {"points", 0.0}, {"spots", 1.0}}) {
         const Strategy strategy{"light_octree", octree()};
-        const World world =
-            world_of_file("tests/bench/sources.pov", {{"Kind", kind}}, strategy.sampler, 200);
-        const Measured found = measure(world, strategy, 200);
+        const Shot shot =
+            shot_of_file("tests/bench/sources.pov", {{"Kind", kind}}, strategy.sampler, 200);
+        const Measured found = measure(shot, strategy, 200);
         if (spheres == 0) spheres = found.seconds;
         std::printf("10000 %s: %.2f s, %.2f times the spheres', RMSE over mean %.3f\n", name,
                     found.seconds, found.seconds / spheres, found.rmse / found.mean);
@@ -137,9 +137,9 @@ void room() {
     for (const double side : {29.0, 91.0, 289.0})
         compare("infrared room", "tests/bench/room.pov", {{"Side", side}}, usual(), 200);
     for (const Strategy& strategy : usual()) {
-        const World world = world_of_file("tests/bench/room.pov", {{"Side", 29.0}, {"Same", 1.0}},
-                                          strategy.sampler, 100);
-        const Measured found = measure(world, strategy, 100);
+        const Shot shot = shot_of_file("tests/bench/room.pov", {{"Side", 29.0}, {"Same", 1.0}},
+                                       strategy.sampler, 100);
+        const Measured found = measure(shot, strategy, 100);
         std::printf("isothermal room, %s: deviation %.2e\n", strategy.name.c_str(),
                     found.rmse / found.mean);
     }
@@ -151,7 +151,7 @@ void sun() {
     for (const double there : {0.0, 1.0}) {
         const Strategy strategy{"light_octree", octree(), 16};
         const Measured found =
-            measure(world_of_file("tests/bench/sun.pov", {{"Sun", there}}, strategy.sampler, 200),
+            measure(shot_of_file("tests/bench/sun.pov", {{"Sun", there}}, strategy.sampler, 200),
                     strategy, 200);
         if (without == 0) without = found.rmse;
         std::printf("hidden sun: %d, RMSE %.5f, %.2f times that without\n", there > 0, found.rmse,
@@ -224,7 +224,7 @@ void figure2() {
     for (const Strategy& strategy :
          {Strategy{"light_bvh", LightBvh{}, 1}, Strategy{"light_octree", octree(), 1}}) {
         const Measured found =
-            measure(world_of_file("examples/paper/fig2.pov", {}, strategy.sampler), strategy, 160);
+            measure(shot_of_file("examples/paper/fig2.pov", {}, strategy.sampler), strategy, 160);
         std::printf("figure 2, %s: relative noise %.2e\n", strategy.name.c_str(),
                     found.rmse / found.mean);
     }
@@ -244,13 +244,13 @@ double variance_around(const Film& film, int x, int y) {
 void figure5() {
     constexpr int size = 256;
     const Strategy uniform{"light_octree", octree(), 9};
-    const World world = world_of_file("examples/paper/fig5.pov", {}, uniform.sampler, size);
+    const Shot shot = shot_of_file("examples/paper/fig5.pov", {}, uniform.sampler, size);
     RenderSettings settings = settings_for(uniform, size);
     const auto refined = [&](int seed) {
         settings.seed = seed;
         RenderState state = begin_picture(settings);
         LightLedger rays;
-        advance(plan_of(world, settings), state, rays, {});
+        advance(plan_of(shot, settings), state, rays, {});
         std::vector<double> variances;
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) variances.push_back(variance_around(state.film, x, y));
@@ -259,7 +259,7 @@ void figure5() {
         const double bound = sorted[static_cast<std::size_t>(0.91 * size * size)];
         for (std::size_t i = 0; i < variances.size(); ++i)
             if (variances[i] > bound) state.film.pixels()[i].target = 30;
-        advance(plan_of(world, settings), state, rays, {});
+        advance(plan_of(shot, settings), state, rays, {});
         return state.film;
     };
     const Film a = refined(0), b = refined(1);
@@ -273,14 +273,14 @@ void figure5() {
     const auto count = static_cast<double>(a.pixels().size());
     const double rmse = std::sqrt(squares / count), mean = samples / count;
     const auto even = [&](int n) {
-        return measure(world, {"light_octree", octree(), n}, size).rmse;
+        return measure(shot, {"light_octree", octree(), n}, size).rmse;
     };
     const int below = static_cast<int>(mean);
     const double among = mean - below, equal = (1 - among) * even(below) + among * even(below + 1);
     std::printf(
         "figure 5, %zu luminaires: %.1f %% of the pixels refined, %.2f samples a pixel, "
         "RMSE %.5f, %.2f times that of as many everywhere\n",
-        world.lights.luminaires.size(), 100 * more / count, mean, rmse, rmse / equal);
+        shot.world->lights.luminaires.size(), 100 * more / count, mean, rmse, rmse / equal);
 }
 
 void million() {

@@ -41,13 +41,13 @@ inline RenderSettings settings_for(const Strategy& strategy, int size) {
 
 /// Pixels that look straight at a luminaire have no noise; the noise of the others is measured all
 /// the same.
-inline Measured measure(const World& world, const Strategy& strategy, int size) {
+inline Measured measure(const Shot& shot, const Strategy& strategy, int size) {
     RenderSettings settings = settings_for(strategy, size);
     const double start = cpu_seconds();
-    const Image a = render(world, settings).image;
+    const Image a = render(shot, settings).image;
     const double end = cpu_seconds();
     settings.seed = 1;
-    const Image b = render(world, settings).image;
+    const Image b = render(shot, settings).image;
     Measured result;
     double squares = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -66,8 +66,11 @@ inline Measured measure(const World& world, const Strategy& strategy, int size) 
 inline void add_picks(const BuiltLightSampler& built, const Receiver& point, const Key& key,
                       LightSamples& samples) {
     const BsdfLobes lobes;
-    std::visit([&](const auto& b) { b.at({point, lobes, nullptr, nullptr}).sample(key, samples); },
-               built);
+    std::visit(
+        [&](const auto& b) {
+            b.at({point, lobes, nullptr, nullptr}).sample(key, samples);
+        },
+        built);
 }
 
 inline LightOctree octree() { return {}; }

@@ -48,7 +48,7 @@ TEST_CASE("a row that is declared stays as it is", "[bind]") {
     CHECK(world_of("#declare U = union { #for (I, 1, 9) sphere { I, 1 } #end } "
                    "object { U } object { U scale <1, 2, 1> } difference { object { U } box { 0, 1 "
                    "} }")
-              .provenance.object_count == 19);
+              ->provenance.object_count == 19);
     REQUIRE(scene.objects.size() == 3);
     for (const ObjectHandle& object : scene.objects)
         CHECK(std::holds_alternative<Union>(object->form));

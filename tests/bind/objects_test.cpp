@@ -156,7 +156,7 @@ TEST_CASE("the sign of a radius does not count, and what has none is left out") 
         CHECK(extents(std::string(text).replace(at, 1, "-")) ==
               extents(std::string(text).replace(at, 1, "")));
     }
-    CHECK(world_of("#for (I, -9, 9) sphere { 0, I } #end").geometry.spheres.size() == 18);
+    CHECK(world_of("#for (I, -9, 9) sphere { 0, I } #end")->geometry.spheres.size() == 18);
     CHECK(extents("difference { sphere { 0, 1 } sphere { 0, 0 } }") == "2 2;");
     for (const char* nothing :
          {"sphere { 0, 0 }", "cylinder { 0, y, 0 }", "cone { 0, 0, y, 0 }", "torus { 1, 0 }",
@@ -166,9 +166,9 @@ TEST_CASE("the sign of a radius does not count, and what has none is left out") 
           "difference { sphere { 0, 0 } box { -1, 1 } }"}) {
         CAPTURE(nothing);
         Hit hit;
-        const World world = world_of(nothing);
-        CHECK_FALSE(world.first_hit({Vec3(0.1, 0.2, -9), unit(Vec3(-0.01, -0.02, 1))}, 0,
-                                    RayKind::camera, hit));
+        const SharedWorld world = world_of(nothing);
+        CHECK_FALSE(world->first_hit({Vec3(0.1, 0.2, -9), unit(Vec3(-0.01, -0.02, 1))}, 0,
+                                     RayKind::camera, hit));
     }
 }
 

@@ -143,18 +143,18 @@ TEST_CASE("wrong patterns are told of once", "[bind]") {
 }
 
 TEST_CASE("an object is a pattern, and the list stands in its braces", "[bind]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "#declare Thing = union { sphere { 0, 1 } sphere { 3*x, 1 } }"
         "plane { y, 0 pigment { object { Thing rgb <1, 0, 0>, rgb <0, 1, 0> } } }"
         "plane { y, 0 pigment { object { sphere { 0, 1 } } scale 2 } }"
         "plane { y, 0 texture { object { Thing texture { pigment { rgb 0 } },"
         "  texture { pigment { rgb 1 } } } } }");
-    const Texture& plain = *world.appearance.materials[0].texture;
+    const Texture& plain = *world->appearance.materials[0].texture;
     CHECK(evaluate(plain.pigment, Vec3(3.5, 0, 0)).rgb == Vec3(0, 1, 0));
     CHECK(evaluate(plain.pigment, Vec3(1.5, 0, 0)).rgb == Vec3(1, 0, 0));
-    CHECK(evaluate(world.appearance.materials[1].texture->pigment, Vec3(1.5, 0, 0)).rgb ==
+    CHECK(evaluate(world->appearance.materials[1].texture->pigment, Vec3(1.5, 0, 0)).rgb ==
           Vec3(0, 1, 0));
-    CHECK(world.appearance.materials[2].texture->choice);
+    CHECK(world->appearance.materials[2].texture->choice);
 }
 
 }  // namespace candelabra

@@ -53,7 +53,7 @@ Mean sent_through(const LitBall& ball, const Luminaire& luminaire, Draw& draw) {
     Mean power;
     for (int i = 0; i < 40000; ++i) {
         const Vec2 where{draw.number(), draw.number()}, direction{draw.number(), draw.number()};
-        const auto ray = emit(luminaire, {where, direction, draw.number()});
+        const auto ray = emit(luminaire, 0.5, {where, direction, draw.number()});
         const bool counts = ray && meets(ball, ray->ray) &&
                             !hides_itself(luminaire, ray->ray.origin, ray->ray.direction, INFINITY);
         power.add(counts ? std::abs(dot(ray->normal, ray->ray.direction)) / ray->density : 0);

@@ -27,9 +27,9 @@ const char* settings_of<PathTracedIntegrator>() {
 
 /// Lamps of all kinds, and surfaces and media that show them in all ways.
 template <class Integrator>
-World everything() {
-    return world_of(std::string("#version 3.7; global_settings { max_trace_level 6 } ") +
-                    settings_of<Integrator>() + R"(
+Shot everything() {
+    return shot_of(std::string("#version 3.7; global_settings { max_trace_level 6 } ") +
+                   settings_of<Integrator>() + R"(
         #default { finish { ambient 0 } }
         camera { location <0, 1, -6> look_at <0, 0.5, 0> }
         sky_sphere { pigment { gradient y color_map { [0 rgb 0] [1 rgb <0.2, 0.3, 0.4>] } } luminaire }
@@ -59,10 +59,10 @@ constexpr std::uint32_t pixels = 256;
 
 TEMPLATE_TEST_CASE("an integrator is a pure function of ray and key", "[transport]",
                    PovRayIntegrator, PathTracedIntegrator) {
-    const World world = everything<TestType>();
+    const Shot shot = everything<TestType>();
     Tracing tracing;
-    tracing.sent = SentLight::of(world, 0, 1);
-    TestType forwards(world, tracing), backwards(world, tracing);
+    tracing.sent = SentLight::of(shot, 0, 1);
+    TestType forwards(shot, tracing), backwards(shot, tracing);
     std::vector<Vec3> seen(pixels);
     for (std::uint32_t i = 0; i < pixels; ++i) seen[i] = forwards.radiance(ray_of(i), key_of(i, 3));
     int lit = 0;
@@ -75,11 +75,11 @@ TEMPLATE_TEST_CASE("an integrator is a pure function of ray and key", "[transpor
 
 TEMPLATE_TEST_CASE("an integrator's ledger has each camera ray, and all light by its lamp",
                    "[transport]", PovRayIntegrator, PathTracedIntegrator) {
-    const World world = everything<TestType>();
+    const Shot shot = everything<TestType>();
     Tracing tracing;
-    tracing.sent = SentLight::of(world, 0, 1);
+    tracing.sent = SentLight::of(shot, 0, 1);
     tracing.counts_lights = true;
-    TestType integrator(world, tracing);
+    TestType integrator(shot, tracing);
     for (std::uint32_t i = 0; i < pixels; ++i) {
         const Vec3 seen = integrator.radiance(ray_of(i), key_of(i, 1));
         Vec3 sum(0);
@@ -98,15 +98,15 @@ TEMPLATE_TEST_CASE("an integrator's ledger has each camera ray, and all light by
 
 TEMPLATE_TEST_CASE("a ray without a direction sees nothing", "[transport]", PovRayIntegrator,
                    PathTracedIntegrator) {
-    const World world = everything<TestType>();
+    const Shot shot = everything<TestType>();
     Tracing tracing;
-    tracing.sent = SentLight::of(world, 0, 1);
-    TestType integrator(world, tracing);
+    tracing.sent = SentLight::of(shot, 0, 1);
+    TestType integrator(shot, tracing);
     CHECK(integrator.radiance({Vec3(0), Vec3(0)}, Key()) == Vec3(0));
 }
 
 TEST_CASE("integrators agree without bounces", "[transport]") {
-    const World one = everything<PovRayIntegrator>(), other = everything<PathTracedIntegrator>();
+    const Shot one = everything<PovRayIntegrator>(), other = everything<PathTracedIntegrator>();
     PovRayIntegrator pov(one, {.sent = SentLight::of(one, 0, 1)});
     PathTracedIntegrator path(other, {.sent = SentLight::of(other, 0, 1)});
     // The mean of the difference over blocks of pixels, beside its own standard deviation. The

@@ -14,8 +14,8 @@ namespace candelabra {
 namespace {
 
 /// The same world, where each ray asks all primitives.
-World without_tree(const std::string& script) {
-    World world = world_of(script);
+World without_tree(const World& given) {
+    World world(given);
     std::vector<Box> boxes(world.geometry.item_count(), Box{Vec3(-1e9), Vec3(1e9)});
     for (const std::uint32_t item : world.geometry.infinite.all) boxes[item] = Box();
     world.geometry.tree = build_tree(boxes, {}, 1);
@@ -84,18 +84,19 @@ Ray aimed(const Case& each, Draw& draw) {
 void agree(const RayIndex& index, std::size_t rays) {
     for (const Case& each : cases()) {
         INFO(each.name);
-        const World with = world_of(each.script, index), without = without_tree(each.script);
+        const SharedWorld with = world_of(each.script, index);
+        const World without = without_tree(*with);
         Draw draw(1);
         std::size_t met = 0, other = 0;
         for (std::size_t i = 0; i < rays; ++i) {
             const Ray ray = aimed(each, draw);
             Hit a, b;
-            const bool found = with.first_hit(ray, 0, RayKind::camera, a);
+            const bool found = with->first_hit(ray, 0, RayKind::camera, a);
             met += found;
             other +=
                 found != without.first_hit(ray, 0, RayKind::camera, b) || a.position != b.position;
             const double far = each.size * std::pow(10, draw.between(-1, 3));
-            other += with.transmittance(ray, 0, far) != without.transmittance(ray, 0, far);
+            other += with->transmittance(ray, 0, far) != without.transmittance(ray, 0, far);
         }
         CHECK(other == 0);
         CHECK(met > rays / 50);
@@ -115,19 +116,19 @@ void keep_tight(std::size_t rays) {
                                            std::to_string(size * 1e6) + "/1e6 translate " +
                                            std::to_string(off) + " }";
                 INFO(script);
-                const World world = world_of(script);
+                const SharedWorld world = world_of(script);
                 Draw draw(2);
                 std::size_t specks = 0, leaks = 0;
                 for (std::size_t i = 0; i < rays; ++i) {
                     const Vec3 centre(off), from = centre + 5 * size * draw.direction();
                     const Ray in{from, unit(centre + 0.7 * size * draw.point() - from)};
                     Hit hit;
-                    if (!world.first_hit(in, 0, RayKind::camera, hit)) continue;
+                    if (!world->first_hit(in, 0, RayKind::camera, hit)) continue;
                     const Vec3 way = draw.direction();
                     const double facing = dot(way, hit.normal);
                     if (std::abs(facing) < 0.02) continue;
                     const Vec3 light =
-                        world.transmittance({hit.position, way}, hit.tolerance, 10 * size + off);
+                        world->transmittance({hit.position, way}, hit.tolerance, 10 * size + off);
                     if (facing > 0)
                         specks += light != Vec3(1);
                     else
@@ -165,11 +166,11 @@ TEST_CASE("what is too large for numbers does others no harm", "[world]") {
           "union { " + huge_box + "} sphere { y, 1 scale 1e95 scale 1e95 scale 1e95 } "})
         for (const char* look : {"}", "pigment { rgbt 1 } finish { emission 1 } }"}) {
             INFO(thing << look);
-            const World world = world_of(small + thing + look);
+            const SharedWorld world = world_of(small + thing + look);
             Hit hit;
-            REQUIRE(world.first_hit({Vec3(3, 2, -1), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
+            REQUIRE(world->first_hit({Vec3(3, 2, -1), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
             CHECK(hit.position.z == Approx(-0.2));
-            world.transmittance({Vec3(3, 2, -1), Vec3(0, 0, 1)}, 0, 5);
+            world->transmittance({Vec3(3, 2, -1), Vec3(0, 0, 1)}, 0, 5);
         }
 }
 

@@ -26,13 +26,13 @@ void check_pixels(const nlohmann::json& c, int samples) {
     Diagnostics diagnostics;
     CompileOptions options;
     options.quality = c.value("quality", quality_full);
-    const World world = compile(scene_of(c["scene"]), options, diagnostics);
+    const Shot shot(compile(scene_of(c["scene"]), options, diagnostics));
     RenderSettings settings;
     settings.width = c["width"];
     settings.height = c["height"];
     settings.antialias = false;
     settings.samples = samples;
-    const Image image = render(world, settings).image;
+    const Image image = render(shot, settings).image;
     // Files of 16 bits round to this; they clip to 0..1 as well.
     const double tolerance = std::max(c["tolerance"].get<double>(), 3e-5);
     for (int y = 0; y < image.height; ++y)

@@ -311,7 +311,7 @@ constexpr bool crossed_once<HeightField> = false;
 template <>
 constexpr bool crossed_once<BicubicPatch> = false;
 
-struct Shot {
+struct Aim {
     Ray ray;
     double size;  ///< of the shape, in lengths of the ray's direction
 };
@@ -319,11 +319,11 @@ struct Shot {
 /// Rays through the region: from near and far, skew and along the axes, with directions of any
 /// length.
 template <class T>
-std::vector<Shot> shots(const T& shape, int count) {
+std::vector<Aim> shots(const T& shape, int count) {
     const Box box = region(shape);
     const double size = length(box.size());
     Draw draw(11);
-    std::vector<Shot> result;
+    std::vector<Aim> result;
     for (int i = 0; i < count; ++i) {
         const Vec3 u(draw.number(), draw.number(), draw.number());
         const Vec3 target = box.low + u * box.size();
@@ -402,7 +402,7 @@ TEMPLATE_LIST_TEST_CASE(
         const auto& shape = ready(instance);
         const Box box = bounds(shape);
         std::size_t met = 0;
-        for (const Shot& shot : shots(shape, 800))
+        for (const Aim& shot : shots(shape, 800))
             for (const Crossing& c : hits(shape, shot.ray)) {
                 ++met;
                 // What a ray meets at a small angle, it meets less exactly.
@@ -420,7 +420,7 @@ TEMPLATE_LIST_TEST_CASE("every solid is entered and left in turn", "[shape]", Sh
     using T = ContentOf<TestType>;
     for (const T& instance : instances<T>()) {
         const auto& shape = ready(instance);
-        for (const Shot& shot : shots(shape, 800)) {
+        for (const Aim& shot : shots(shape, 800)) {
             const std::vector<Crossing> found = hits(shape, shot.ray);
             if (crossed_once<T>) CHECK(found.size() <= 1);
             if (!solid<T>) continue;
@@ -434,7 +434,7 @@ TEMPLATE_LIST_TEST_CASE("inside agrees with the crossings of every shape", "[sha
     using T = ContentOf<TestType>;
     for (const T& instance : instances<T>()) {
         const auto& shape = ready(instance);
-        for (const Shot& shot : shots(shape, 800)) {
+        for (const Aim& shot : shots(shape, 800)) {
             const std::vector<Crossing> found = hits(shape, shot.ray);
             const double step = 1e-4 * shot.size, unsure = 100 * rounding(shot.ray, region(shape)) /
                                                            length(shot.ray.direction);

@@ -23,19 +23,19 @@ TEST_CASE("every example renders", "[examples]") {
         ++count;
         const std::string path = fs::relative(entry.path(), CANDELABRA_SOURCE_DIR).string();
         INFO(path);
-        const World world = world_of_file(path, {}, {});
-        CHECK((world.lights.luminaires.size() + world.lights.sources.size() > 0 ||
-               !receives_light(world)));
+        const Shot shot = shot_of_file(path, {}, {});
+        CHECK((shot.world->lights.luminaires.size() + shot.world->lights.sources.size() > 0 ||
+               !receives_light(*shot.world)));
         RenderSettings settings;
         settings.width = 32;
         settings.height = 24;
         settings.samples = 1;
         // Where a medium's density varies, what one sample tells of its depth may be below 0: see
         // medium/transmittance.h.
-        const bool estimates_depth =
-            world.appearance.any_drawn_media || std::ranges::any_of(world.sky.media, &Media::drawn);
+        const bool estimates_depth = shot.world->appearance.any_drawn_media ||
+                                     std::ranges::any_of(shot.world->sky.media, &Media::drawn);
         double sum = 0;
-        for (const Vec3& pixel : render(world, settings).image.pixels) {
+        for (const Vec3& pixel : render(shot, settings).image.pixels) {
             REQUIRE(std::isfinite(pixel.x + pixel.y + pixel.z));
             if (!estimates_depth) REQUIRE(min_component(pixel) >= 0);
             sum += grey(pixel);
@@ -58,7 +58,7 @@ TEST_CASE("pictures are the same by both indexes", "[examples]") {
             settings.width = 32;
             settings.height = 24;
             settings.samples = 1;
-            return render(compile(scene, options, diagnostics), settings).image;
+            return render(Shot(compile(scene, options, diagnostics)), settings).image;
         };
         CHECK(picture(KdTree()).pixels == picture(BoundingBoxes()).pixels);
     }
@@ -67,11 +67,11 @@ TEST_CASE("pictures are the same by both indexes", "[examples]") {
 TEST_CASE("the paper's flakes have its numbers of spheres and luminaires", "[examples]") {
     const auto luminaires = [](const Declares& declares) {
         return world_of_file("examples/paper/fig6.pov", declares, ConstantAlpha{})
-            .lights.luminaires.size();
+            ->lights.luminaires.size();
     };
-    const World world = world_of_file("examples/paper/fig6.pov", {}, ConstantAlpha{});
-    CHECK(world.geometry.spheres.size() == 2 * 7381);
-    CHECK(world.lights.luminaires.size() == 7381);
+    const SharedWorld world = world_of_file("examples/paper/fig6.pov", {}, ConstantAlpha{});
+    CHECK(world->geometry.spheres.size() == 2 * 7381);
+    CHECK(world->lights.luminaires.size() == 7381);
     CHECK(luminaires({{"Luminaires", 1.0}}) == 1);
     CHECK(luminaires({{"Depth", 5.0}}) == 66430);
 }

@@ -11,7 +11,7 @@ namespace {
 
 /// Returns a pixel of the middle row.
 double seen(const std::string& scene, const RenderSettings& settings, int column) {
-    return render(world_of(scene), settings).image.at(column, 1).x;
+    return render(shot_of(scene), settings).image.at(column, 1).x;
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ TEST_CASE("a pixel gets more rays from a difference on, in values of a gamma", "
 
 TEST_CASE("smooth parts of a picture take one ray a pixel", "[render]") {
     // Seven more lie above the picture and to its left (four and three), as in POV-Ray.
-    const Rendering picture = render(world_of(edge(1.6, 0, 1)), rows(3));
+    const Rendering picture = render(shot_of(edge(1.6, 0, 1)), rows(3));
     CHECK(picture.rays.camera == 12 + 7 + 9 * 6);
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("where light is left to chance, rays follow the noise", "[render]") {
     RenderSettings settings = rows(3);
     const std::string scene =
         edge(1.6, 0, 1) + "sphere { <9, 9, -9>, 1 pigment { rgb 1 } finish { emission 1 } }";
-    CHECK(render(world_of(scene), settings).rays.camera >= 8 * 12);
+    CHECK(render(shot_of(scene), settings).rays.camera >= 8 * 12);
 }
 
 }  // namespace candelabra

@@ -23,7 +23,7 @@ TEST_CASE("corners and quarters at an edge are as in POV-Ray", "[render]") {
     const std::uint64_t rays[] = {20, 35, 62, 113};
     for (int depth = 1; depth <= 4; ++depth) {
         CAPTURE(depth);
-        const Rendering picture = render(world_of(edge(1.6, 0, 1)), by_corners(depth));
+        const Rendering picture = render(shot_of(edge(1.6, 0, 1)), by_corners(depth));
         const std::size_t i = static_cast<std::size_t>(depth) - 1;
         CHECK(picture.image.at(0, 1).x == 0);
         CHECK(picture.image.at(1, 1).x == Approx(expected[i]));
@@ -33,16 +33,16 @@ TEST_CASE("corners and quarters at an edge are as in POV-Ray", "[render]") {
 }
 
 TEST_CASE("what is clear is compared where a picture has an alpha channel", "[render]") {
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         #version 3.7;
         camera { orthographic location <0, 0, -5> right 4*x up 3*y look_at 0 direction z }
         box { <-9, -9, 0>, <-.4, 9, 1> pigment { rgb 0 } finish { ambient 0 diffuse 0 } })");
-    CHECK(render(world, by_corners(3)).rays.camera == 20);
+    CHECK(render(shot, by_corners(3)).rays.camera == 20);
     RenderHooks hooks;
     hooks.aovs.alpha = true;
-    RenderState state = begin_picture(by_corners(3), hooks.aovs.count(world));
+    RenderState state = begin_picture(by_corners(3), hooks.aovs.count(*shot.world));
     LightLedger rays;
-    CHECK(advance(plan_of(world, by_corners(3)), state, rays, hooks));
+    CHECK(advance(plan_of(shot, by_corners(3)), state, rays, hooks));
     CHECK(rays.camera == 62);
     const Film& film = state.film;
     CHECK(film.extra(film.index(1, 1))[0].value() == Approx(0.375));
@@ -72,15 +72,15 @@ TEST_CASE("tiles have the corners of the whole picture", "[render]") {
     settings.height = 4;
     settings.jitter = true;
     settings.antialias_threshold = 0.01;
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         #version 3.7;
         global_settings { assumed_gamma 1 }
         camera { orthographic location <0, 0, -5> right 16*x up y look_at 0 direction z }
         plane { z, 0 pigment { wood scale 4 } finish { ambient 1 diffuse 0 } })");
-    const Image whole = render(world, settings).image;
+    const Image whole = render(shot, settings).image;
     for (int threads : {1, 3}) {
         settings.threads = threads;
-        CHECK(render(world, settings).image.pixels == whole.pixels);
+        CHECK(render(shot, settings).image.pixels == whole.pixels);
     }
     Region right{32, 0, 64, 4};
     int most = 0;

@@ -127,12 +127,14 @@ TEST_CASE("an entry with a bent normal weighs less behind itself, but something 
         for (int i = 0; i < 20; ++i) {
             luminaires.push_back(
                 glowing(emitter(kind, Vec3(0, 0, 10) + draw.point(0.1), 0.1, draw)));
-            luminaires.back().bent_normal = Vec3(0, 0, -0.48);
         }
         luminaires.push_back(glowing(SphereEmitter{Vec3(500, 0, 10), 1}));
-        const LightTree tree(*choices(luminaires));
+        std::vector<Vec3> bent_normals(20, Vec3(0, 0, -0.48));
+        bent_normals.push_back(Vec3(0));
+        const LuminaireChoices lights(luminaires, bent_normals);
+        const LightTree tree(lights);
         for (const int most : {2, 64}) {
-            const LightCut cut(tree, *choices(luminaires), cell, {1e-9, most});
+            const LightCut cut(tree, lights, cell, {1e-9, most});
             const auto seen_from = [&](double z) {
                 CutWeights weights;
                 cut.weigh({Vec3(0, 0, z), Vec3(0, 0, z < 10 ? 1 : -1)}, weights);

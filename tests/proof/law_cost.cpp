@@ -79,7 +79,7 @@ Image shadow_rays(const Prepared& scene, int, int, const Deadline& end) {
     hooks.cancelled = [&end] { return end.over(); };
     RenderState state = begin_picture(wanted);
     LightLedger ledger;
-    if (!advance(plan_of(scene.world(), wanted), state, ledger, hooks)) return {};
+    if (!advance(plan_of(scene.shot(), wanted), state, ledger, hooks)) return {};
     return one(static_cast<double>(ledger.shadow));
 }
 

@@ -19,8 +19,8 @@ Image followed(const Prepared& scene, int samples, int seed, const Deadline& end
                const RayOf& ray_of) {
     const RenderSettings settings = scene.settings(samples, seed);
     Tracing tracing;
-    tracing.sent = SentLight::of(scene.world(), seed, 1);
-    Integrator integrator(scene.world(), tracing);
+    tracing.sent = SentLight::of(scene.shot(), seed, 1);
+    Integrator integrator(scene.shot(), tracing);
     Image image(settings.width, settings.height);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         if (end.over()) return {};

@@ -18,7 +18,7 @@ std::vector<Term> seen_by(const Script& script, View view) {
 Image with_threads(const Prepared& scene, int samples, int seed, const Deadline&) {
     RenderSettings settings = scene.settings(samples, seed);
     settings.threads = 3;
-    return render(scene.world(), settings).image;
+    return render(scene.shot(), settings).image;
 }
 
 /// A picture that was stopped after every few samples and went on.
@@ -31,7 +31,7 @@ Image interrupted(const Prepared& scene, int samples, int seed, const Deadline& 
         RenderHooks hooks;
         hooks.cancelled = [&] { return ++questions > patience; };
         RenderState copy = state;
-        if (advance(plan_of(scene.world(), settings), copy, rays, hooks)) return copy.film.image();
+        if (advance(plan_of(scene.shot(), settings), copy, rays, hooks)) return copy.film.image();
         state = copy;
     }
     return {};
@@ -44,7 +44,7 @@ Image in_halves(const Prepared& scene, int samples, int seed, const Deadline&) {
     const auto part = [&](Region region) {
         RenderState state = begin_picture(settings);
         state.shard.region = region;
-        advance(plan_of(scene.world(), settings), state, rays);
+        advance(plan_of(scene.shot(), settings), state, rays);
         return state.film;
     };
     const int middle = settings.height / 2;

@@ -37,10 +37,10 @@ SessionSettings session_settings(const std::string& text, const RenderSettings& 
 
 }  // namespace
 
-/// What is kept of a legal scene. A world is neither copied nor moved: it is made in its place.
+/// What is kept of a legal scene.
 struct Prepared::Parts {
     RenderSettings settings;
-    const World world;
+    const Shot shot;
 };
 
 Prepared::Prepared(const Studio& studio, const std::string& text,
@@ -52,7 +52,8 @@ Prepared::Prepared(const Studio& studio, const std::string& text,
     Scene scene = run.evaluate();
     if (!diagnostics.failed())
         parts_.reset(
-            new Parts{settings, run.compile(std::move(scene), Session::Shutter::all_samples)});
+            new Parts{settings, Shot(run.compile(std::move(scene), Session::Shutter::all_samples),
+                                     ShotSettings::of(settings))});
     for (const Diagnostic& each : diagnostics.all())
         if (each.severity == Severity::error) complaint_ += format(each, run.sources(), false);
 }
@@ -70,7 +71,7 @@ std::optional<std::string> dumped(const Studio& studio, const std::string& text,
 
 Prepared::~Prepared() = default;
 
-const World& Prepared::world() const { return parts_->world; }
+const Shot& Prepared::shot() const { return parts_->shot; }
 
 RenderSettings Prepared::settings(int samples, int seed) const {
     RenderSettings settings = parts_->settings;
@@ -85,7 +86,7 @@ Image Prepared::render(int samples, int seed, const Deadline& end) const {
     hooks.cancelled = [&end] { return end.over(); };
     RenderState state = begin_picture(wanted);
     LightLedger ledger;
-    if (!advance(plan_of(world(), wanted), state, ledger, hooks)) return {};
+    if (!advance(plan_of(shot(), wanted), state, ledger, hooks)) return {};
     return state.film.image();
 }
 

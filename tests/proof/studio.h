@@ -12,8 +12,8 @@
 #include <vector>
 
 namespace candelabra {
-class World;
 struct RenderSettings;
+struct Shot;
 }  // namespace candelabra
 
 namespace candelabra::proof {
@@ -49,7 +49,7 @@ public:
     Trouble trouble() const { return complaint_.empty() ? Trouble::none : Trouble::illegal; }
     /// What was said about a scene that is not legal.
     const std::string& complaint() const { return complaint_; }
-    const World& world() const;
+    const Shot& shot() const;
     RenderSettings settings(int samples, int seed) const;
 
     /// Returns an empty image if it took too long.

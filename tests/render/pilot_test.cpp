@@ -39,11 +39,10 @@ TEST_CASE("light that hardly differs from sample to sample is quiet", "[render]"
         RenderSettings settings;
         settings.width = settings.height = 48;
         settings.shadow_rays = 0;
-        return pilot(
-                   world_of("camera { location <0, 3, -6> look_at 0 } box { <-9, -2, -9>, <9, -1, "
-                            "9> pigment { rgb 0.8 } } " +
-                            script),
-                   settings)
+        return pilot(shot_of("camera { location <0, 3, -6> look_at 0 } box { <-9, -2, -9>, <9, -1, "
+                             "9> pigment { rgb 0.8 } } " +
+                             script),
+                     settings)
             .quiet;
     };
     const std::string lamp = "light_source { <5, 9, -5>, rgb 1 } ";
@@ -65,7 +64,7 @@ TEST_CASE("more shadow rays pay where light makes the noise", "[render]") {
 }
 
 TEST_CASE("the pilot tells the noise of light from that of camera rays", "[render]") {
-    const World plain = world_of(floor_and_lamps), checked = world_of(checks + floor_and_lamps);
+    const Shot plain = shot_of(floor_and_lamps), checked = shot_of(checks + floor_and_lamps);
     const PilotNoise middle = pilot_noise(plain, small(false)),
                      spread = pilot_noise(checked, small(true));
     CHECK(middle.of_light > 0);
@@ -78,10 +77,10 @@ TEST_CASE("the pilot tells the noise of light from that of camera rays", "[rende
 TEST_CASE("the number of shadow rays is as the settings say", "[render]") {
     RenderSettings settings = small(false);
     settings.shadow_rays = 7;
-    const ShadowRays said = pilot(world_of(floor_and_lamps), settings).shadow_rays;
+    const ShadowRays said = pilot(shot_of(floor_and_lamps), settings).shadow_rays;
     CHECK(said.usual == 7);
     CHECK(said.usual_noise == 0);
-    const World one = world_of("sphere { 0, 1 } light_source { y, 1 }");
+    const Shot one = shot_of("sphere { 0, 1 } light_source { y, 1 }");
     CHECK(pilot(one, small(true)).shadow_rays.usual == 1);
 }
 

@@ -8,11 +8,11 @@
 namespace candelabra {
 
 TEST_CASE("samples are as many as asked for", "[render]") {
-    const World world = world_of(four_lamps);
+    const Shot shot = shot_of(four_lamps);
     RenderSettings settings = small(0);
     settings.samples = 3;
-    CHECK(render(world, settings).rays.camera == 3u * 45 * 37);
-    const World dark = world_of("sphere { <0, 0, 5>, 1 }");
+    CHECK(render(shot, settings).rays.camera == 3u * 45 * 37);
+    const Shot dark = shot_of("sphere { <0, 0, 5>, 1 }");
     settings.samples = 0;
     settings.antialias = false;
     CHECK(render(dark, settings).rays.camera == 45u * 37);
@@ -20,10 +20,10 @@ TEST_CASE("samples are as many as asked for", "[render]") {
 
 TEST_CASE("a bound for noise is for light as the film shows it", "[render][film]") {
     const auto samples = [](const std::string& film) {
-        const World world = world_of(R"(
+        const Shot shot = shot_of(R"(
             #version 3.7;
             camera { location <0, 2, -5> look_at 0 film { )" +
-                                     film + R"( } }
+                                  film + R"( } }
             sphere { <0, 3, 0>, 0.5 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }
             plane { y, -1 pigment { rgb 0.5 } finish { ambient 0 } }
         )");
@@ -32,7 +32,7 @@ TEST_CASE("a bound for noise is for light as the film shows it", "[render][film]
         settings.noise = 0.002;
         RenderState state = begin_picture(settings);
         LightLedger rays;
-        REQUIRE(advance(plan_of(world, settings), state, rays));
+        REQUIRE(advance(plan_of(shot, settings), state, rays));
         std::uint64_t sum = 0;
         for (const PixelSum& pixel : state.film.pixels()) sum += pixel.samples;
         return sum;
@@ -50,10 +50,11 @@ TEST_CASE("each pixel sees all moments of the shutter, also in light without noi
         plane { y, -1 pigment { rgb 0.5 } }
         sphere { <0, 9, 0>, 0.1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1e-3 } })";
     const RenderSettings settings = small(1);
-    World world = world_of(scene);
-    CHECK(plan_of(world, settings).samples == 4);
-    for (int later = 0; later < 6; ++later) world.shutter.push_back(world_of(scene));
-    CHECK(plan_of(world, settings).samples == 7);
+    const SharedWorld one = world_of(scene);
+    CHECK(plan_of(Shot(one), settings).samples == 4);
+    World moving(*one);
+    for (int later = 0; later < 6; ++later) moving.shutter.emplace_back(*one);
+    CHECK(plan_of(Shot(std::make_shared<World>(std::move(moving))), settings).samples == 7);
 }
 
 }  // namespace candelabra

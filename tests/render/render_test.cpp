@@ -11,7 +11,7 @@ namespace candelabra {
 
 TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
     // Small bright objects that few rays hit would bias a scheme that uses a pixel's own samples.
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         camera { orthographic location <0, 0, -9> right 10*x up 10*y }
         #declare R = seed(1);
         #for (I, 1, 150)
@@ -24,7 +24,7 @@ TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
     settings.samples = 2000;
     const auto mean = [&] {
         double sum = 0;
-        for (const Vec3& pixel : render(world, settings).image.pixels) sum += pixel.x;
+        for (const Vec3& pixel : render(shot, settings).image.pixels) sum += pixel.x;
         return sum / (24 * 24);
     };
     const double exact = mean();
@@ -42,7 +42,7 @@ TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
 }
 
 TEST_CASE("a picture with photons has the same bytes however it is made", "[render]") {
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         #version 3.7;
         global_settings { photons { count 1500 } radiosity { } }
         camera { location <0, 3, -8> look_at <0, 1, 0> right x up y angle 50 }
@@ -56,12 +56,12 @@ TEST_CASE("a picture with photons has the same bytes however it is made", "[rend
     settings.samples = 20;
     LightLedger rays;
     RenderState whole = begin_picture(settings), broken = whole;
-    advance(plan_of(world, settings), whole, rays, {});
+    advance(plan_of(shot, settings), whole, rays, {});
     settings.threads = 3;
     std::atomic<int> asked = 0;
     RenderHooks hooks;
     hooks.cancelled = [&] { return ++asked > 200; };
-    for (int stops = 0; !advance(plan_of(world, settings), broken, rays, hooks); ++stops) {
+    for (int stops = 0; !advance(plan_of(shot, settings), broken, rays, hooks); ++stops) {
         asked = 0;
         REQUIRE(stops < 1000);
     }
@@ -71,7 +71,7 @@ TEST_CASE("a picture with photons has the same bytes however it is made", "[rend
         settings.samples = count;
         RenderState part = begin_picture(settings);
         part.shard.first_sample = first;
-        advance(plan_of(world, settings), part, rays, {});
+        advance(plan_of(shot, settings), part, rays, {});
         for (std::size_t i = 0; i < sum.pixels().size(); ++i)
             sum.pixels()[i].add(part.film.pixels()[i]);
     }
@@ -80,12 +80,12 @@ TEST_CASE("a picture with photons has the same bytes however it is made", "[rend
 
 TEST_CASE("lights are counted by statement when that is asked for, the same by any threads",
           "[render]") {
-    const World world = world_of(four_lamps + std::string("light_source { 5*y, 0.1 }"));
-    REQUIRE(world.provenance.light_statements.size() == 2);
+    const Shot shot = shot_of(four_lamps + std::string("light_source { 5*y, 0.1 }"));
+    REQUIRE(shot.world->provenance.light_statements.size() == 2);
     RenderHooks hooks;
     hooks.counts_lights = true;
-    const LightLedger one = render(world, small(1), hooks).rays,
-                      three = render(world, small(3), hooks).rays;
+    const LightLedger one = render(shot, small(1), hooks).rays,
+                      three = render(shot, small(3), hooks).rays;
     REQUIRE(one.lights.size() == 3);
     std::uint64_t rays = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -94,9 +94,9 @@ TEST_CASE("lights are counted by statement when that is asked for, the same by a
         rays += one.lights[i].rays;
     }
     CHECK(rays == one.shadow);
-    CHECK(one.lights[world.provenance.statement_of_light[0]].light.value() > 0);
-    CHECK(one.lights[world.provenance.statement_of_luminaire[0]].light.value() > 0);
-    CHECK(render(world, small(1)).rays.lights.empty());
+    CHECK(one.lights[shot.world->provenance.statement_of_light[0]].light.value() > 0);
+    CHECK(one.lights[shot.world->provenance.statement_of_luminaire[0]].light.value() > 0);
+    CHECK(render(shot, small(1)).rays.lights.empty());
 }
 
 }  // namespace candelabra

@@ -10,11 +10,11 @@
 namespace candelabra {
 
 TEST_CASE("a picture begins where one points, and is the same", "[render]") {
-    const World world = world_of(four_lamps);
+    const Shot shot = shot_of(four_lamps);
     RenderSettings settings = small(1);
     settings.width = settings.height = 64;
     settings.samples = 1;
-    const RenderPlan plan = plan_of(world, settings);
+    const RenderPlan plan = plan_of(shot, settings);
     RenderHooks hooks;
     hooks.first = Vec2(50, 40);
     std::atomic<int> asked = 0;
@@ -26,30 +26,30 @@ TEST_CASE("a picture begins where one points, and is the same", "[render]") {
     CHECK(state.film.at(3, 3).samples == 0);
     hooks.cancelled = {};
     CHECK(advance(plan, state, rays, hooks));
-    CHECK(state.film.image().pixels == render(world, settings).image.pixels);
+    CHECK(state.film.image().pixels == render(shot, settings).image.pixels);
 }
 
 TEST_CASE("the picture has the same bytes for any number of threads", "[render]") {
-    const World world = world_of(four_lamps);
-    const Rendering one = render(world, small(1));
+    const Shot shot = shot_of(four_lamps);
+    const Rendering one = render(shot, small(1));
     for (const int threads : {2, 7}) {
-        const Rendering many = render(world, small(threads));
+        const Rendering many = render(shot, small(threads));
         CHECK(many.image.pixels == one.image.pixels);
         CHECK(many.rays.shadow == one.rays.shadow);
     }
 }
 
 TEST_CASE("a picture that is stopped and continued again and again is the same", "[render]") {
-    const World world = world_of(four_lamps);
+    const Shot shot = shot_of(four_lamps);
     RenderSettings settings = small(2);
     RenderState whole = begin_picture(settings), broken = whole;
     LightLedger rays;
-    CHECK(advance(plan_of(world, settings), whole, rays, {}));
+    CHECK(advance(plan_of(shot, settings), whole, rays, {}));
     std::atomic<int> asked = 0;
     RenderHooks hooks;
     int stops = 0, next = 40;
     hooks.cancelled = [&] { return ++asked > next; };
-    while (!advance(plan_of(world, settings), broken, rays, hooks)) {
+    while (!advance(plan_of(shot, settings), broken, rays, hooks)) {
         asked = 0;
         next = 40 + 61 * (++stops % 5);
         REQUIRE(stops < 1000);
@@ -59,7 +59,7 @@ TEST_CASE("a picture that is stopped and continued again and again is the same",
 }
 
 TEST_CASE("a round winds down once, before its last tile is done", "[render]") {
-    const World world = world_of(four_lamps);
+    const Shot shot = shot_of(four_lamps);
     RenderSettings settings = small(1);
     settings.samples = 5;  // several passes over the tiles; only the last winds down
     RenderState state = begin_picture(settings);
@@ -73,18 +73,18 @@ TEST_CASE("a round winds down once, before its last tile is done", "[render]") {
         CHECK(done > 0.5);
         CHECK(done < 1);
     };
-    CHECK(advance(plan_of(world, settings), state, rays, hooks));
+    CHECK(advance(plan_of(shot, settings), state, rays, hooks));
     CHECK(winds_down == 1);
     CHECK(done == 1);
 }
 
 TEST_CASE("a round of very many samples has an end", "[render]") {
-    const World world = world_of(four_lamps);
+    const Shot shot = shot_of(four_lamps);
     RenderSettings settings = small(1);
     settings.width = settings.height = 1;
     const std::uint32_t wanted = std::uint32_t{1} << 31;
     settings.samples = static_cast<int>(wanted - 1);
-    RenderPlan plan = plan_of(world, settings);
+    RenderPlan plan = plan_of(shot, settings);
     plan.samples = wanted;
     RenderState state = begin_picture(settings);
     state.rounds = 1;

@@ -10,11 +10,11 @@ namespace candelabra {
 namespace {
 
 /// A lamp whose edge must not be moved by any pixel filter, on an evenly lit ground.
-World filmed(const std::string& film) {
-    return world_of(R"(
+Shot filmed(const std::string& film) {
+    return shot_of(R"(
         #version 3.7;
         camera { location -5*z right x up y film { )" +
-                    film + R"( } }
+                   film + R"( } }
         sphere { 0, 1.2 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 0.8 } }
         plane { z, 2 pigment { rgb 1 } finish { ambient 0.3 diffuse 0 } }
     )");
@@ -29,12 +29,12 @@ double mean_grey(const Image& image) {
 }  // namespace
 
 TEST_CASE("another seed gives other noise around the same mean", "[render]") {
-    const World world = world_of(four_lamps);
+    const Shot shot = shot_of(four_lamps);
     RenderSettings settings = small(0);
     settings.samples = 64;
-    const Image first = render(world, settings).image;
+    const Image first = render(shot, settings).image;
     settings.seed = 1;
-    const Image second = render(world, settings).image;
+    const Image second = render(shot, settings).image;
     CHECK(first.pixels != second.pixels);
     double sum1 = 0, sum2 = 0;
     for (std::size_t i = 0; i < first.pixels.size(); ++i) {

@@ -22,7 +22,7 @@ TEST_CASE("a sample that takes too long ends when it is asked to, and is not cou
     };
     for (const std::string& scene : slow) {
         INFO(scene);
-        const World world = world_of("#version 3.7; camera { location -3*z angle 10 } " + scene);
+        const Shot shot = shot_of("#version 3.7; camera { location -3*z angle 10 } " + scene);
         RenderSettings settings = of_samples(1);
         settings.width = settings.height = 2;
         settings.threads = 1;
@@ -31,14 +31,14 @@ TEST_CASE("a sample that takes too long ends when it is asked to, and is not cou
         int asked = 0;
         RenderHooks hooks;
         hooks.ended = [&] { return ++asked > 1; };
-        CHECK_FALSE(advance(plan_of(world, settings), state, rays, hooks));
+        CHECK_FALSE(advance(plan_of(shot, settings), state, rays, hooks));
         CHECK(asked == 2);
         CHECK(state.film.at(0, 0).samples == 0);
     }
 }
 
 TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") {
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         #version 3.7;
         global_settings { assumed_gamma 1 }
         camera { location -5*z look_at 0 }
@@ -51,24 +51,24 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
     CAPTURE(settings.sampling_method);
     RenderHooks hooks;
     hooks.aovs = {true, true, true};
-    RenderState whole = begin_picture(settings, hooks.aovs.count(world)), broken = whole,
+    RenderState whole = begin_picture(settings, hooks.aovs.count(*shot.world)), broken = whole,
                 parts = whole;
     LightLedger rays;
-    CHECK(advance(plan_of(world, settings), whole, rays, hooks));
+    CHECK(advance(plan_of(shot, settings), whole, rays, hooks));
     for (int i = 0; i < 3; ++i) {
-        RenderState part = begin_picture(settings, hooks.aovs.count(world));
+        RenderState part = begin_picture(settings, hooks.aovs.count(*shot.world));
         part.shard.first_tile = i;
         part.shard.tile_step = 3;
-        CHECK(advance(plan_of(world, settings), part, rays, hooks));
+        CHECK(advance(plan_of(shot, settings), part, rays, hooks));
         for (int y = 0; y < settings.height; ++y)
             for (int x = 0; x < settings.width; ++x)
                 if (part.shard.owns(x, y)) parts.film.add(part.film.index(x, y), part.film);
     }
     CHECK(parts.film.image().pixels == whole.film.image().pixels);
     for (int edge = 34; edge < 42; ++edge) {
-        RenderState part = begin_picture(settings, hooks.aovs.count(world));
+        RenderState part = begin_picture(settings, hooks.aovs.count(*shot.world));
         part.shard.region = {13, 9, edge, edge};
-        CHECK(advance(plan_of(world, settings), part, rays, hooks));
+        CHECK(advance(plan_of(shot, settings), part, rays, hooks));
         int others = 0;
         for (int y = 9; y < edge; ++y)
             for (int x = 13; x < edge; ++x)
@@ -78,7 +78,7 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
     std::atomic<int> asked = 0;
     hooks.cancelled = [&] { return ++asked > 30; };
     int stops = 0;
-    for (; !advance(plan_of(world, settings), broken, rays, hooks); ++stops) {
+    for (; !advance(plan_of(shot, settings), broken, rays, hooks); ++stops) {
         asked = 0;
         REQUIRE(stops < 1000);
     }
@@ -87,18 +87,18 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
 }
 
 TEST_CASE("samples of one picture can be taken in parts and added", "[render]") {
-    const World world = world_of(four_lamps);
+    const Shot shot = shot_of(four_lamps);
     RenderSettings settings = small(2);
     settings.samples = 5;
     LightLedger rays;
     RenderState whole = begin_picture(settings);
-    advance(plan_of(world, settings), whole, rays, {});
+    advance(plan_of(shot, settings), whole, rays, {});
     Film sum(settings.width, settings.height);
     for (const auto& [first, count] : {std::pair{3u, 2}, std::pair{0u, 1}, std::pair{1u, 2}}) {
         settings.samples = count;
         RenderState part = begin_picture(settings);
         part.shard.first_sample = first;
-        advance(plan_of(world, settings), part, rays, {});
+        advance(plan_of(shot, settings), part, rays, {});
         for (std::size_t i = 0; i < sum.pixels().size(); ++i)
             sum.pixels()[i].add(part.film.pixels()[i]);
     }

@@ -59,8 +59,8 @@ TEST_CASE("a scene that changes with the clock is compiled for each shutter samp
         Diagnostics diagnostics;
         Session session(of_text(text), diagnostics);
         REQUIRE(session.read());
-        const World world = session.compile(session.evaluate(), shutter);
-        CHECK(world.shutter.size() == others);
+        const SharedWorld world = session.compile(session.evaluate(), shutter);
+        CHECK(world->shutter.size() == others);
         CHECK_FALSE(diagnostics.failed());
     }
 }

@@ -28,15 +28,11 @@ std::string text_of(const std::string& path) {
     return text.str();
 }
 
-World world_with(const std::string& script, const LightSampler& sampler) {
-    Diagnostics diagnostics;
-    CompileOptions options;
-    options.light_sampler = sampler;
-    options.width = options.height = size;
-    return compile(scene_of(script), options, diagnostics);
+Shot shot_with(const std::string& script, const LightSampler& sampler) {
+    return square_shot(world_of(scene_of(script), sampler), size);
 }
 
-Rendering picture(const World& world, int samples, int seed) {
+Rendering picture(const Shot& shot, int samples, int seed) {
     RenderSettings settings;
     settings.width = settings.height = size;
     settings.antialias = false;
@@ -44,12 +40,12 @@ Rendering picture(const World& world, int samples, int seed) {
     settings.shadow_rays = 1;
     settings.seed = seed;
     settings.threads = 1;
-    return render(world, settings);
+    return render(shot, settings);
 }
 
 /// Root mean square of the noise of the pixels from one column to another.
-double noise(const World& world, int samples, int left = 0, int right = size) {
-    const Image a = picture(world, samples, 0).image, b = picture(world, samples, 1).image;
+double noise(const Shot& shot, int samples, int left = 0, int right = size) {
+    const Image a = picture(shot, samples, 0).image, b = picture(shot, samples, 1).image;
     double squares = 0;
     for (int y = 0; y < size; ++y)
         for (int x = left; x < right; ++x) {
@@ -105,8 +101,8 @@ TEST_CASE("linear alpha beats constant alpha where one lamp is near", "[statisti
     const std::string lamps = floor_from_above + R"(
         sphere { <0, 0.6, 0>, 0.05 texture { LightProxy } no_image }
         sphere { <6, 5, 0>, 0.05 texture { LightProxy } no_image })";
-    const World constant = world_with(lamps, ConstantAlpha{}),
-                linear = world_with(lamps, LinearAlpha{}), every = world_with(lamps, EveryLight{});
+    const Shot constant = shot_with(lamps, ConstantAlpha{}),
+               linear = shot_with(lamps, LinearAlpha{}), every = shot_with(lamps, EveryLight{});
     CHECK(noise(linear, 1) * 3 < noise(constant, 1));
     CHECK(noise(constant, 16) < noise(constant, 1) / 3.5);
     CHECK(noise(every, 1) < noise(constant, 1));
@@ -114,11 +110,11 @@ TEST_CASE("linear alpha beats constant alpha where one lamp is near", "[statisti
 }
 
 TEST_CASE("the noise of one lamp is in its penumbra", "[statistics][claim-8]") {
-    const World world = world_with(floor_from_above + R"(
+    const Shot shot = shot_with(floor_from_above + R"(
         sphere { <0, 3, 0>, 0.5 texture { LightProxy } no_image }
         box { <0.6, 1, -9>, <9, 1.05, 9> pigment { rgb 0 } no_image })",
-                                   LinearAlpha{});
-    const double lit = noise(world, 4, 0, 16), shadow = noise(world, 4, 24, 48);
+                                LinearAlpha{});
+    const double lit = noise(shot, 4, 0, 16), shadow = noise(shot, 4, 24, 48);
     CAPTURE(lit, shadow);
     CHECK(lit < 1e-3);
     CHECK(shadow > 20 * lit);
@@ -140,7 +136,7 @@ TEST_CASE("imposters light like what they stand for", "[statistics][claim-25]") 
             box { <1, A, B>, <1.01, A + 0.25, B + 0.25> texture { Wall } }
             box { <-1.01, A, B>, <-1, A + 0.25, B + 0.25> texture { Wall } }
         #end #end)";
-    const Image image = picture(world_with(walls, LightOctree{}), 16, 0).image;
+    const Image image = picture(shot_with(walls, LightOctree{}), 16, 0).image;
     double sum = 0;
     for (const Vec3& pixel : image.pixels) sum += grey(pixel);
     CHECK(sum / (size * size) == Approx(0.6 * 2.5).epsilon(0.01));

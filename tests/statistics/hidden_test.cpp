@@ -15,22 +15,22 @@ namespace {
 
 constexpr int sunlit_size = 48;
 
-World sunlit_room(double sun, double gap, const LightSampler& sampler) {
-    return world_of_file("tests/bench/sun.pov", {{"Sun", sun}, {"Gap", gap}}, sampler, sunlit_size);
+Shot sunlit_room(double sun, double gap, const LightSampler& sampler) {
+    return shot_of_file("tests/bench/sun.pov", {{"Sun", sun}, {"Gap", gap}}, sampler, sunlit_size);
 }
 
-Image sunlit_picture(const World& world, int samples, int seed) {
+Image sunlit_picture(const Shot& shot, int samples, int seed) {
     RenderSettings settings;
     settings.width = settings.height = sunlit_size;
     settings.antialias = false;
     settings.samples = samples;
     settings.shadow_rays = 1;
     settings.seed = seed;
-    return render(world, settings).image;
+    return render(shot, settings).image;
 }
 
-double rmse(const World& world) {
-    const Image a = sunlit_picture(world, 16, 0), b = sunlit_picture(world, 16, 1);
+double rmse(const Shot& shot) {
+    const Image a = sunlit_picture(shot, 16, 0), b = sunlit_picture(shot, 16, 1);
     double squares = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         squares += std::pow(grey(a.pixels[i]) - grey(b.pixels[i]), 2) / 2;
@@ -63,11 +63,8 @@ TEST_CASE("long double rows of lamps give all their light, without outliers", "[
             ") #for (Side, -1, 1, 2) sphere { <2.5*Side, 4, 6*I>, 0.12 no_image "
             "finish { diffuse 0 emission 40 } pigment { rgb 1 } } #end #end");
         const auto seen = [&](const LightSampler& sampler, int samples) {
-            Diagnostics diagnostics;
-            CompileOptions options;
-            options.light_sampler = sampler;
-            options.width = options.height = sunlit_size;
-            return sunlit_picture(compile(scene_of(street), options, diagnostics), samples, 0);
+            const SharedWorld world = world_of(scene_of(street), sampler);
+            return sunlit_picture(square_shot(world, sunlit_size), samples, 0);
         };
         const Image exact = seen(LightBvh{}, 64), found = seen(LightOctree{}, 16);
         const auto brightest = [](const Image& image) {
@@ -83,11 +80,11 @@ TEST_CASE("long double rows of lamps give all their light, without outliers", "[
 
 TEST_CASE("a sun that comes through a gap gives all its light", "[statistics]") {
     const double exact = mean(sunlit_picture(sunlit_room(1, 0.1, EveryLight{}), 4, 0));
-    const World world = sunlit_room(1, 0.1, LightOctree{});
+    const Shot shot = sunlit_room(1, 0.1, LightOctree{});
     constexpr int runs = 16;
     double sum = 0, squares = 0;
     for (int seed = 0; seed < runs; ++seed) {
-        const double found = mean(sunlit_picture(world, 8, seed)) / exact;
+        const double found = mean(sunlit_picture(shot, 8, seed)) / exact;
         sum += found;
         squares += found * found;
     }
@@ -101,7 +98,7 @@ TEST_CASE("a sun that comes through a gap gives all its light", "[statistics]") 
 TEST_CASE("spheres of which nothing hides any make no noise", "[statistics][claim-3][claim-7]") {
     // Figure 2 from nearer by: the floor between four spheres of equal power. Each is sampled by
     // projected solid angle, and the choice among them is exact.
-    const World world = world_of(R"(#version 3.7;
+    const Shot shot = shot_of(R"(#version 3.7;
         global_settings { assumed_gamma 1 }
         camera { location <0, 0.9, 0> look_at <0, 0, 0> sky z right x up y angle 60 }
         plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 1 } }
@@ -112,7 +109,7 @@ TEST_CASE("spheres of which nothing hides any make no noise", "[statistics][clai
                 finish { ambient 0 diffuse 0 emission 60/pow(2*pi*Radii[I], 2) }
             }
         #end)");
-    const Image a = sunlit_picture(world, 1, 0), b = sunlit_picture(world, 1, 1);
+    const Image a = sunlit_picture(shot, 1, 0), b = sunlit_picture(shot, 1, 1);
     double worst = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         worst = std::fmax(worst, std::abs(grey(a.pixels[i]) / grey(b.pixels[i]) - 1));

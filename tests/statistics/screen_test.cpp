@@ -51,18 +51,15 @@ struct Picture {
     double mean = 0, noise = 0;  ///< of a sample, over the mean
 };
 Picture picture(const std::string& script, const LightSampler& sampler, int samples) {
-    Diagnostics diagnostics;
-    CompileOptions options;
-    options.light_sampler = sampler;
-    World world = compile(scene_of(script), options, diagnostics);
+    const Shot shot(world_of(scene_of(script), sampler));
     RenderSettings settings;
     settings.width = settings.height = screen_size;
     settings.antialias = false;
     settings.samples = samples;
     settings.shadow_rays = 1;
-    const Image a = render(world, settings).image;
+    const Image a = render(shot, settings).image;
     settings.seed = 1;
-    const Image b = render(world, settings).image;
+    const Image b = render(shot, settings).image;
     double sum = 0, squares = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         // What looks at the luminaires has no noise and says nothing of light on other things.

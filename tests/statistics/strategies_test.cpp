@@ -36,7 +36,7 @@ Estimate estimate(const std::vector<double>& values) {
     return {sum / n, squares / (n - 1) / n};
 }
 
-Estimates render_often(const World& world, int samples) {
+Estimates render_often(const Shot& shot, int samples) {
     RenderSettings settings;
     settings.width = settings.height = strategy_size;
     settings.antialias = false;
@@ -45,7 +45,7 @@ Estimates render_often(const World& world, int samples) {
     std::vector<std::vector<double>> pixels(strategy_size * strategy_size);
     std::vector<double> whole;
     for (settings.seed = 0; settings.seed < runs; ++settings.seed) {
-        const Image image = render(world, settings).image;
+        const Image image = render(shot, settings).image;
         double sum = 0;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             pixels[i].push_back(grey(image.pixels[i]));
@@ -86,13 +86,10 @@ TEST_CASE("every strategy agrees with a shadow ray to every luminaire and light 
          {Case{"spheres"}, Case{"horizon"}, Case{"shapes"}, Case{"inside"}, Case{"crowd"},
           Case{"windows"}, Case{"glossy"}, Case{"clear"}, Case{"dim"}, Case{"sources", 1, 48}}) {
         const Scene scene = scene_of(script(name));
-        Diagnostics diagnostics;
-        const auto world_with = [&](const LightSampler& sampler) {
-            CompileOptions options;
-            options.light_sampler = sampler;
-            return compile(scene, options, diagnostics);
+        const auto shot_with = [&](const LightSampler& sampler) {
+            return Shot(world_of(scene, sampler));
         };
-        const Estimates exact = render_often(world_with(EveryLight{}), exact_samples);
+        const Estimates exact = render_often(shot_with(EveryLight{}), exact_samples);
         REQUIRE(exact.whole.mean > 0.1);
         LightOctree paper, alone, surface;
         paper.paper = true;
@@ -104,7 +101,7 @@ TEST_CASE("every strategy agrees with a shadow ray to every luminaire and light 
         for (std::size_t i = 1; i < Kinds<LightSampler>::count; ++i)
             samplers.push_back(Kinds<LightSampler>::make(i));
         for (const LightSampler& sampler : samplers) {
-            const Estimates found = render_often(world_with(sampler), samples);
+            const Estimates found = render_often(shot_with(sampler), samples);
             INFO(name << ", " << Kinds<LightSampler>::infos[sampler.index()]->name << ": "
                       << found.whole.mean << " instead of " << exact.whole.mean);
             CHECK(deviations(found.whole, exact.whole, 1e-6) < 4.5);

@@ -20,8 +20,8 @@ struct Found {
 };
 
 Found seen(const std::string& script, std::uint32_t count, const Ray& ray) {
-    const World world = world_of("#version 3.7; " + script);
-    Integrator integrator(world, {});
+    const Shot shot = shot_of("#version 3.7; " + script);
+    Integrator integrator(shot, {});
     Vec3 sum(0), squares(0);
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) {

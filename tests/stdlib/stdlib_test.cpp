@@ -82,9 +82,9 @@ TEST_CASE("light arrays place as many lamps as they are asked for", "[stdlib]") 
         #declare P = array[3] { <-5, 3, 0>, <0, 4, 2>, <6, 3, 1> }
         object { )";
     for (const Case& c : cases) {
-        const World world = world_of(before + c.array + " }");
+        const SharedWorld world = world_of(before + c.array + " }");
         INFO(c.array);
-        CHECK(world.lights.luminaires.size() == c.lamps);
+        CHECK(world->lights.luminaires.size() == c.lamps);
     }
 }
 
@@ -92,12 +92,12 @@ namespace {
 
 /// The radiances of the luminaires that a macro makes, in their order. A floor receives their light.
 std::string radiances(const std::string& call) {
-    const World world = world_of(R"(#version 3.7; global_settings { assumed_gamma 1 }
+    const SharedWorld world = world_of(R"(#version 3.7; global_settings { assumed_gamma 1 }
         plane { y, -99 pigment { rgb 1 } }
         #include "light_arrays.inc" #declare L = sphere { 0, 0.05 } object { )" +
-                                 call + " }");
+                                       call + " }");
     std::string text;
-    for (const Luminaire& each : world.lights.luminaires)
+    for (const Luminaire& each : world->lights.luminaires)
         text += message(text.empty() ? "" : " | ", each.radiance.x, " ", each.radiance.y, " ",
                         each.radiance.z);
     return text;

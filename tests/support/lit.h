@@ -14,20 +14,20 @@ struct Lit {
     double rays = 0;  ///< towards luminaires, at each hit
     double noise = 0;
 };
-inline Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, int count) {
+inline Lit lit_at(const Shot& shot, double x, const ShadowRays& shadow_rays, int count) {
     Hit hit;
     const Ray ray{Vec3(x, 3, 0), Vec3(0, -1, 0)};
-    REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
-    DirectLight light(world, shadow_rays);
+    REQUIRE(shot.world->first_hit(ray, 0, RayKind::camera, hit));
+    DirectLight light(shot, shadow_rays);
     LightLedger rays;
-    const ShadingRules rules = shading_rules(world);
+    const ShadingRules rules = shading_rules(*shot.world);
     double sum = 0;
     for (int i = 0; i < count; ++i) {
         Key key;
         key.sample = static_cast<std::uint32_t>(i);
-        const Vertex vertex = vertex_at(world, ray, hit);
-        for (const VisibleTexture& each : visible_textures(world, vertex)) {
-            const Bsdf bsdf(with_layer(world, vertex, each.layers.front()), rules);
+        const Vertex vertex = vertex_at(*shot.world, ray, hit);
+        for (const VisibleTexture& each : visible_textures(*shot.world, vertex)) {
+            const Bsdf bsdf(with_layer(*shot.world, vertex, each.layers.front()), rules);
             sum += light({vertex, bsdf, all_light}, key, rays).x;
         }
     }
@@ -36,8 +36,8 @@ inline Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, i
 }
 
 /// At the origin.
-inline double mean_light(const World& world, int shadow_rays, int count) {
-    return lit_at(world, 0, shadow_rays, count).mean;
+inline double mean_light(const Shot& shot, int shadow_rays, int count) {
+    return lit_at(shot, 0, shadow_rays, count).mean;
 }
 
 }  // namespace candelabra

@@ -28,8 +28,8 @@ inline bool agree(const Mean& a, const Mean& b, double fraction = 0) {
 }
 
 /// The mean of what a ray sees, in grey.
-inline Mean mean_seen(const World& world, const Ray& ray, std::uint32_t count) {
-    Integrator integrator(world, {});
+inline Mean mean_seen(const Shot& shot, const Ray& ray, std::uint32_t count) {
+    Integrator integrator(shot, {});
     double sum = 0, squares = 0;
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) {
@@ -43,8 +43,8 @@ inline Mean mean_seen(const World& world, const Ray& ray, std::uint32_t count) {
 inline Mean mean_seen(const std::string& script, const Ray& ray, std::uint32_t count) {
     // The camera says which solids contain the ray's origin.
     const auto number = [&](int axis) { return std::to_string(ray.origin[axis]); };
-    return mean_seen(world_of(script + " camera { location <" + number(0) + ", " + number(1) +
-                              ", " + number(2) + "> } "),
+    return mean_seen(shot_of(script + " camera { location <" + number(0) + ", " + number(1) + ", " +
+                             number(2) + "> } "),
                      ray, count);
 }
 

@@ -47,12 +47,21 @@ Evaluated evaluated(const std::string& script, const Declares& declares) {
 
 Scene scene_of(const std::string& script) { return checked(evaluated(script)); }
 
-World world_of(const std::string& script, const std::optional<RayIndex>& index) {
+SharedWorld world_of(const std::string& script, const std::optional<RayIndex>& index) {
     Diagnostics diagnostics;
     CompileOptions options;
     options.index = index;
     return compile(scene_of(script), options, diagnostics);
 }
+
+SharedWorld world_of(const Scene& scene, const LightSampler& sampler) {
+    Diagnostics diagnostics;
+    CompileOptions options;
+    options.light_sampler = sampler;
+    return compile(scene, options, diagnostics);
+}
+
+Shot shot_of(const std::string& script) { return Shot(world_of(script)); }
 
 Scene scene_of_file(const std::string& path, const Declares& declares) {
     std::ifstream file(root + "/" + path);
@@ -62,13 +71,21 @@ Scene scene_of_file(const std::string& path, const Declares& declares) {
     return checked(evaluate_text(path, text.str(), declares));
 }
 
-World world_of_file(const std::string& path, const Declares& declares,
-                    const std::optional<LightSampler>& sampler, int size) {
+SharedWorld world_of_file(const std::string& path, const Declares& declares,
+                          const std::optional<LightSampler>& sampler) {
     Diagnostics diagnostics;
     CompileOptions options;
     options.light_sampler = sampler;
-    options.width = options.height = size;
     return compile(scene_of_file(path, declares), options, diagnostics);
+}
+
+Shot shot_of_file(const std::string& path, const Declares& declares,
+                  const std::optional<LightSampler>& sampler, int size) {
+    return square_shot(world_of_file(path, declares, sampler), size);
+}
+
+Shot square_shot(SharedWorld world, int size) {
+    return Shot(std::move(world), {.width = size, .height = size});
 }
 
 }  // namespace candelabra

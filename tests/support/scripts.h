@@ -5,7 +5,7 @@
 #include "lighting/settings.h"
 #include "scene/scene.h"
 #include "text/diagnostic.h"
-#include "world/world.h"
+#include "world/shot.h"
 
 #include <optional>
 #include <string>
@@ -28,10 +28,17 @@ Evaluated evaluated(const std::string& script, const Declares& = {});
 
 /// Throw std::runtime_error with the diagnostics when the script has an error.
 Scene scene_of(const std::string& script);
-World world_of(const std::string& script, const std::optional<RayIndex>& = {});
+SharedWorld world_of(const std::string& script, const std::optional<RayIndex>& = {});
+SharedWorld world_of(const Scene&, const LightSampler&);
+/// The view that the scene states.
+Shot shot_of(const std::string& script);
 Scene scene_of_file(const std::string& path_below_source, const Declares&);
+SharedWorld world_of_file(const std::string& path_below_source, const Declares&,
+                          const std::optional<LightSampler>&);
 /// For a square picture of that size.
-World world_of_file(const std::string& path_below_source, const Declares&,
-                    const std::optional<LightSampler>&, int size = 320);
+Shot shot_of_file(const std::string& path_below_source, const Declares&,
+                  const std::optional<LightSampler>&, int size = 320);
+/// The view that the scene states, in a square picture of that size.
+Shot square_shot(SharedWorld, int size);
 
 }  // namespace candelabra

@@ -45,7 +45,8 @@ TEST_CASE("qualities show what POV-Ray 3.7 shows", "[surface]") {
         RenderSettings settings;
         settings.width = settings.height = 1;
         settings.antialias = false;
-        const Vec3 seen = render(compile(scene, options, diagnostics), settings).image.at(0, 0);
+        const Vec3 seen =
+            render(Shot(compile(scene, options, diagnostics)), settings).image.at(0, 0);
         CHECK(length(seen - c.seen) < 1e-9);
     }
 }

@@ -28,8 +28,8 @@ std::string haze_under_pane(const std::string& photons, const std::string& media
 }
 
 double seen_in_haze(const std::string& script, std::uint32_t samples = 16) {
-    const World world = world_of(script);
-    Integrator integrator(world, {});
+    const Shot shot = shot_of(script);
+    Integrator integrator(shot, {});
     double sum = 0;
     Key key;
     for (key.sample = 0; key.sample < samples; ++key.sample)
@@ -71,10 +71,10 @@ TEST_CASE("media dim what photons bring on both ways", "[transport]") {
 }
 
 TEST_CASE("the light that photons bring to the air is their lamps'", "[transport]") {
-    const World world = world_of(haze_under_pane("count 5000 media 2", isotropic));
+    const Shot shot = shot_of(haze_under_pane("count 5000 media 2", isotropic));
     Tracing tracing;
     tracing.counts_lights = true;
-    Integrator integrator(world, tracing);
+    Integrator integrator(shot, tracing);
     const Vec3 found = integrator.radiance({Vec3(0.1, 0.4, -5), Vec3(0, 0, 1)}, {});
     Vec3 of_lamp(0);
     take_lights(integrator.ledger(), [&](std::size_t, const Vec3& light) { of_lamp += light; });

@@ -11,16 +11,16 @@ namespace candelabra {
 
 namespace {
 
-RenderState made(const World& world, const Aovs& aovs, int samples = 4) {
+RenderState made(const Shot& shot, const Aovs& aovs, int samples = 4) {
     RenderSettings settings;
     settings.width = 24;
     settings.height = 18;
     settings.samples = samples;
-    RenderState state = begin_picture(settings, aovs.count(world));
+    RenderState state = begin_picture(settings, aovs.count(*shot.world));
     RenderHooks hooks;
     hooks.aovs = aovs;
     LightLedger rays;
-    CHECK(advance(plan_of(world, settings), state, rays, hooks));
+    CHECK(advance(plan_of(shot, settings), state, rays, hooks));
     return state;
 }
 
@@ -52,11 +52,11 @@ const std::string lamps[] = {
 }  // namespace
 
 TEST_CASE("the light of all statements together is the picture", "[render]") {
-    const World world = world_of(room + lamps[0] + lamps[1] + lamps[2]);
-    REQUIRE(world.provenance.light_statements.size() == 3);
+    const Shot shot = shot_of(room + lamps[0] + lamps[1] + lamps[2]);
+    REQUIRE(shot.world->provenance.light_statements.size() == 3);
     Aovs aovs;
     aovs.lights = true;
-    const RenderState state = made(world, aovs);
+    const RenderState state = made(shot, aovs);
     int lit = 0;
     for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
         Vec3 sum(0);
@@ -75,13 +75,13 @@ TEST_CASE("a luminous sky is a lamp like others", "[render]") {
         INFO(way);
         std::string clear = room;  // fog would hide the sky
         clear.erase(clear.find("fog"), clear.find("plane") - clear.find("fog"));
-        const World world = world_of(clear + lamps[0] + R"(
+        const Shot shot = shot_of(clear + lamps[0] + R"(
             sky_sphere { pigment { gradient y color_map { [0 rgb 0] [1 rgb <1, 2, 3>] } } luminaire })" +
-                                     way);
-        REQUIRE(world.provenance.light_statements.size() == 2);
+                                  way);
+        REQUIRE(shot.world->provenance.light_statements.size() == 2);
         Aovs aovs;
         aovs.lights = true;
-        const RenderState state = made(world, aovs);
+        const RenderState state = made(shot, aovs);
         Vec3 of_sky(0);
         for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
             const Vec3 seen = state.film.pixels()[i].mean();
@@ -99,11 +99,11 @@ TEST_CASE("light that surfaces reflect is counted for the statement that it came
     for (const char* const indirect :
          {"radiosity { recursion_limit 2 }", "integrator { path_traced bounces 3 }"}) {
         INFO(indirect);
-        const World world = world_of(room + lamps[0] + lamps[1] + lamps[2] + "global_settings { " +
-                                     indirect + " }");
+        const Shot shot =
+            shot_of(room + lamps[0] + lamps[1] + lamps[2] + "global_settings { " + indirect + " }");
         Aovs aovs;
         aovs.lights = true;
-        const RenderState state = made(world, aovs);
+        const RenderState state = made(shot, aovs);
         for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
             Vec3 sum(0);
             for (std::size_t k = 0; k < 3; ++k) sum += light(state, aovs, i, k);
@@ -114,12 +114,12 @@ TEST_CASE("light that surfaces reflect is counted for the statement that it came
 }
 
 TEST_CASE("a statement's light is the picture that it makes alone", "[render]") {
-    const World both = world_of(room + lamps[0] + lamps[1]);
+    const Shot both = shot_of(room + lamps[0] + lamps[1]);
     Aovs aovs;
     aovs.lights = true;
     const RenderState state = made(both, aovs);
     for (std::size_t k = 0; k < 2; ++k) {
-        const RenderState alone = made(world_of(room + lamps[k]), {});
+        const RenderState alone = made(shot_of(room + lamps[k]), {});
         for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
             const Vec3 part = light(state, aovs, i, k), whole = alone.film.pixels()[i].mean();
             for (int c = 0; c < 3; ++c) CHECK(part[c] == Approx(whole[c]).margin(1e-9));
@@ -128,10 +128,10 @@ TEST_CASE("a statement's light is the picture that it makes alone", "[render]") 
 }
 
 TEST_CASE("gathering changes nothing in the picture", "[render]") {
-    const World world = world_of(room + lamps[0] + lamps[2]);
+    const Shot shot = shot_of(room + lamps[0] + lamps[2]);
     Aovs aovs;
     aovs.lights = aovs.surface = true;
-    CHECK(made(world, aovs).film.pixels() == made(world, {}).film.pixels());
+    CHECK(made(shot, aovs).film.pixels() == made(shot, {}).film.pixels());
 }
 
 TEST_CASE("depth and object are those of the pixel's middle; albedo is of all samples",
@@ -142,10 +142,10 @@ box { <-9, -9, 0>, <0.01, 9, 1> pigment { rgb <1, 0, 0.5> } })";
     CompileOptions options;
     options.remembers_objects = true;
     Diagnostics diagnostics;
-    const World world = compile(scene_of(script), options, diagnostics);
+    const Shot shot(compile(scene_of(script), options, diagnostics));
     Aovs aovs;
     aovs.surface = true;
-    const RenderState state = made(world, aovs, 16);
+    const RenderState state = made(shot, aovs, 16);
     const auto sum = [&](int x, std::size_t which) {
         return state.film.extra(state.film.index(x, 9))[which].value();
     };
@@ -184,7 +184,7 @@ TEST_CASE("alpha follows POV-Ray's rules", "[render]") {
         CAPTURE(each.script);
         Aovs aovs;
         aovs.alpha = true;
-        const RenderState state = made(world_of("#version 3.7;" + camera + each.script), aovs, 1);
+        const RenderState state = made(shot_of("#version 3.7;" + camera + each.script), aovs, 1);
         CHECK(1 - state.film.extra(200)[0].value() == Approx(each.opaque).margin(1e-4));
     }
 }

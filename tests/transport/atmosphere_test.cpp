@@ -11,21 +11,21 @@
 namespace candelabra {
 
 TEST_CASE("fog veils what is behind it, and not inside of solids", "[transport]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "fog { rgb <1, 0.5, 0> distance 4 } sphere { 0, 1 } "
         "sphere { 9, 1 hollow }");
     PathState path;
     path.ray = {Vec3(0), Vec3(0, 0, 1)};
-    const Veil veil = veil_along(world, path, 4);
+    const Veil veil = veil_along(*world, path, 4);
     const double left = std::exp(-1);
     CHECK(veil.transmittance.x == Approx(left));
     CHECK(veil.through(Vec3(0)).y == Approx(0.5 * (1 - left)));
     CHECK(veil.through(Vec3(1)).z == Approx(left));
     path.media.push_back(1);
-    CHECK(veil_along(world, path, 4).transmittance.x == Approx(left));
+    CHECK(veil_along(*world, path, 4).transmittance.x == Approx(left));
     path.media.push_back(0);
-    CHECK(veil_along(world, path, 4).transmittance == Vec3(1));
-    CHECK(veil_along(world, path, 4).added == Vec3(0));
+    CHECK(veil_along(*world, path, 4).transmittance == Vec3(1));
+    CHECK(veil_along(*world, path, 4).added == Vec3(0));
 }
 
 TEST_CASE("one veil before another", "[medium]") {

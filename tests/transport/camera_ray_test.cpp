@@ -29,24 +29,24 @@ TEST_CASE("the normal of a camera bends its rays as POV-Ray does", "[render]") {
     for (const Case& c : cases)
         for (const bool along_y : {false, true}) {
             INFO(c.camera);
-            const World world = world_of("#version 3.7; camera { " + std::string(c.camera) +
-                                         " location 0 right 4/3*x normal { gradient " +
-                                         (along_y ? "y" : "x") + " 0.8 sine_wave scale 0.3 } }");
-            const Vec3 found = camera_ray(world, 1.5 / 4 - 0.5, 0.5 - 0.5 / 3, Key()).direction;
+            const Shot shot = shot_of("#version 3.7; camera { " + std::string(c.camera) +
+                                      " location 0 right 4/3*x normal { gradient " +
+                                      (along_y ? "y" : "x") + " 0.8 sine_wave scale 0.3 } }");
+            const Vec3 found = camera_ray(shot, 1.5 / 4 - 0.5, 0.5 - 0.5 / 3, Key()).direction;
             CHECK(max_abs_component(found - (along_y ? c.along_y : c.along_x)) < 2e-4);
         }
 }
 
 TEST_CASE("the ray through a pixel's middle has no chance in it", "[render]") {
-    const World world =
-        world_of("camera { location -5*z look_at 0 aperture 1 blur_samples 4 focal_point 0 }");
+    const Shot shot =
+        shot_of("camera { location -5*z look_at 0 aperture 1 blur_samples 4 focal_point 0 }");
     const PicturePoint at{3, 2, 8, 6};
-    const Ray ray = middle_ray(world, at);
+    const Ray ray = middle_ray(shot, at);
     CHECK(ray.origin == Vec3(0, 0, -5));
     Key other;
     other.sample = 7;
-    CHECK(ray_through(world, at, {0.5, 0.5}, Key()).origin !=
-          ray_through(world, at, {0.5, 0.5}, other).origin);
+    CHECK(ray_through(shot, at, {0.5, 0.5}, Key()).origin !=
+          ray_through(shot, at, {0.5, 0.5}, other).origin);
 }
 
 }  // namespace candelabra

@@ -11,12 +11,12 @@
 namespace candelabra {
 
 TEST_CASE("a point light gives POV-Ray's colour", "[render]") {
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 0.5 } }
         light_source { <0, 4, 3>, rgb 2 }
         sphere { <0, 8, 6>, 1 }
     )");
-    CHECK(mean_light(world, 1, 1) == Approx(0.8 * 0.5 * 2 * 0.8));
+    CHECK(mean_light(shot, 1, 1) == Approx(0.8 * 0.5 * 2 * 0.8));
 }
 
 TEST_CASE("light of each kind adds up with the others at every vertex", "[transport]") {

@@ -10,18 +10,18 @@
 namespace candelabra {
 
 TEST_CASE("layers are seen through those above them", "[transport]") {
-    const World world = world_of(R"(sphere { 0, 1
+    const SharedWorld world = world_of(R"(sphere { 0, 1
         texture { pigment { rgb 0.5 } finish { reflection 0.3 } }
         texture { pigment { rgbt <1, 0, 0, 0.5> } }
         texture { pigment { rgbf <0.5, 1, 1, 0.8> } } })");
     PathState path;
     path.ray = {Vec3(0, 0, -3), Vec3(0, 0, 1)};
     Hit hit;
-    REQUIRE(world.first_hit(path.ray, 0, RayKind::camera, hit));
-    const Vertex vertex = vertex_at(world, path.ray, hit);
+    REQUIRE(world->first_hit(path.ray, 0, RayKind::camera, hit));
+    const Vertex vertex = vertex_at(*world, path.ray, hit);
     std::vector<Vec3> through, reflected;
-    for (const auto& [weight, layers] : visible_textures(world, vertex)) {
-        const LayerStack stack(world, path, vertex, layers);
+    for (const auto& [weight, layers] : visible_textures(*world, vertex)) {
+        const LayerStack stack(*world, path, vertex, layers);
         CHECK_FALSE(stack.is_clear());  // the lowest layer is opaque
         stack.visit([&](const LayerStack::Seen& seen) {
             through.push_back(seen.through);
@@ -81,7 +81,7 @@ TEST_CASE("all ways from a vertex together have no more than all light", "[trans
                 for (const char* const ior : {"1", "1.05", "1.5", "2", "0.7"}) {
                     const std::string texture = "texture { pigment { " + std::string(colour) +
                                                 " } finish { ambient 0 " + finish + " } } ";
-                    const World world = world_of(
+                    const SharedWorld world = world_of(
                         "#version 3.7; global_settings { max_trace_level 20 adc_bailout 0 "
                         "integrator { path_traced } } sphere { 0, 1 " +
                         texture + (twice ? texture : "") + "interior { ior " + ior + " } }");
@@ -91,10 +91,10 @@ TEST_CASE("all ways from a vertex together have no more than all light", "[trans
                     for (const double aside : {0.0, 0.5, 0.9, 0.99}) {
                         PathState path;
                         path.ray = {Vec3(aside, 0, -3), Vec3(0, 0, 1)};
-                        const Vec3 outside = sum_of_ways(world, path);
+                        const Vec3 outside = sum_of_ways(*world, path);
                         path.ray = {Vec3(0, 0, -aside), Vec3(1, 0, 0)};
                         path.media.push_back(0);
-                        const Vec3 inside = sum_of_ways(world, path);
+                        const Vec3 inside = sum_of_ways(*world, path);
                         CAPTURE(aside, outside.x, inside.x);
                         CHECK(max_component(outside) <= 1 + 1e-9);
                         CHECK(max_component(inside) <= 1 + 1e-9);

@@ -9,17 +9,17 @@
 namespace candelabra {
 
 TEST_CASE("a ledger has the light of each statement until it is taken", "[transport]") {
-    const World world = world_of(R"(
+    const SharedWorld world = world_of(R"(
         sphere { 0, 1 pigment { rgb 1 } finish { emission 1 } }
         sphere { 3, 1 pigment { rgb 1 } }
         sphere { 6, 1 pigment { rgb 1 } finish { emission 2 } })");
     LightLedger ledger;
-    record_seen(ledger, world, 0, Vec3(1));  // lights are not counted
+    record_seen(ledger, *world, 0, Vec3(1));  // lights are not counted
     CHECK(ledger.lights.empty());
-    ledger = empty_ledger(world, true);
-    record_seen(ledger, world, 0, Vec3(1, 2, 3));
-    record_seen(ledger, world, 1, Vec3(9));  // no luminaire
-    record_seen(ledger, world, 2, Vec3(4));
+    ledger = empty_ledger(*world, true);
+    record_seen(ledger, *world, 0, Vec3(1, 2, 3));
+    record_seen(ledger, *world, 1, Vec3(9));  // no luminaire
+    record_seen(ledger, *world, 2, Vec3(4));
     for (const bool again : {false, true}) {
         std::vector<Vec3> taken;
         take_lights(ledger, [&](std::size_t, const Vec3& light) { taken.push_back(light); });
@@ -29,9 +29,9 @@ TEST_CASE("a ledger has the light of each statement until it is taken", "[transp
 }
 
 TEST_CASE("a flame's light is counted for the statement of its luminaires", "[transport]") {
-    World world = world_of(R"(
+    World world(*world_of(R"(
         sphere { 3, 1 pigment { rgb 1 } finish { emission 1 } }
-        sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { emission 1 } luminaire } })");
+        sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { emission 1 } luminaire } })"));
     REQUIRE(world.provenance.light_statements.size() == 2);
     // A shutter renumbers the statements of its moments.
     for (std::uint32_t& statement : world.provenance.statement_of_luminaire)

@@ -23,25 +23,25 @@ double left(const World& world, double distance, AirOnWay air = AirOnWay::follow
 
 TEST_CASE("media dim light on the parts of its way that they fill", "[transport]") {
     const std::string box = "box { <-9, -9, 0>, <9, 9, 2>";
-    const World slab = world_of(box + clear);
-    CHECK(left(slab, 20) == Approx(std::exp(-1)));
-    CHECK(left(slab, 6) == Approx(std::exp(-0.5)));
-    CHECK(left(slab, 4) == 1);
-    CHECK(left(world_of(box + " no_shadow" + clear), 20) == 1);
-    const World two = world_of(box + clear + "sphere { <0, 0, 2>, 1" + clear);
-    CHECK(left(two, 20) == Approx(std::exp(-2)));
-    const World solid =
+    const SharedWorld slab = world_of(box + clear);
+    CHECK(left(*slab, 20) == Approx(std::exp(-1)));
+    CHECK(left(*slab, 6) == Approx(std::exp(-0.5)));
+    CHECK(left(*slab, 4) == 1);
+    CHECK(left(*world_of(box + " no_shadow" + clear), 20) == 1);
+    const SharedWorld two = world_of(box + clear + "sphere { <0, 0, 2>, 1" + clear);
+    CHECK(left(*two, 20) == Approx(std::exp(-2)));
+    const SharedWorld solid =
         world_of(box + " pigment { rgbt 1 } interior { media { absorption 0.5 } } }");
-    CHECK(left(solid, 20) == 1);
+    CHECK(left(*solid, 20) == 1);
 }
 
 TEST_CASE("media outside of solids dim the whole way of a light source that says so",
           "[transport]") {
-    const World world = world_of("media { absorption 0.1 } box { -1, 1 pigment { rgbt 1 } }");
-    CHECK(left(world, 10, AirOnWay::throughout) == Approx(std::exp(-1)));
-    CHECK(left(world, 10, AirOnWay::in_solids) == 1);
-    CHECK(left(world, 10, AirOnWay::none) == 1);
-    CHECK(left(world, 1e20, AirOnWay::throughout) == 0);
+    const SharedWorld world = world_of("media { absorption 0.1 } box { -1, 1 pigment { rgbt 1 } }");
+    CHECK(left(*world, 10, AirOnWay::throughout) == Approx(std::exp(-1)));
+    CHECK(left(*world, 10, AirOnWay::in_solids) == 1);
+    CHECK(left(*world, 10, AirOnWay::none) == 1);
+    CHECK(left(*world, 1e20, AirOnWay::throughout) == 0);
 }
 
 TEST_CASE("air dims light on its way as it dims a ray that follows the way back", "[transport]") {

@@ -12,9 +12,8 @@ namespace candelabra {
 
 namespace {
 
-std::vector<ReflectedLuminaire> sent_into(const World& world, int reflections,
-                                          std::uint32_t count) {
-    const LightPaths paths(world, reflections);
+std::vector<ReflectedLuminaire> sent_into(const Shot& shot, int reflections, std::uint32_t count) {
+    const LightPaths paths(shot, reflections);
     std::vector<ReflectedLuminaire> found;
     for (std::uint32_t i = 0; i < count; ++i) paths.follow({7, i, 0, 0}, 1.0 / count, found);
     return found;
@@ -34,10 +33,10 @@ const std::string lamp =
 
 TEST_CASE("in a closed room light keeps its power times the albedo at each reflection",
           "[transport]") {
-    const World world = world_of(
+    const Shot shot = shot_of(
         "#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
         "box { <-3, -2, -4>, <4, 3, 5> pigment { rgb <0.5, 0.8, 0.2> } finish { diffuse 1 } }");
-    const auto found = sent_into(world, 3, 40000);
+    const auto found = sent_into(shot, 3, 40000);
     // Radiance times area of a glowing sphere, which is its power over pi.
     Vec3 expected = Vec3(8, 4, 2) * (4 * std::numbers::pi * 0.25 * 0.25);
     for (int n = 1; n <= 3; ++n) {
@@ -51,9 +50,9 @@ TEST_CASE("in a closed room light keeps its power times the albedo at each refle
 }
 
 TEST_CASE("reflected luminaires shine to the side from which light has come", "[transport]") {
-    const World world = world_of("#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
-                                 "plane { y, 0 pigment { rgb 0.7 } finish { diffuse 1 } }");
-    const auto found = sent_into(world, 8, 500);
+    const Shot shot = shot_of("#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
+                              "plane { y, 0 pigment { rgb 0.7 } finish { diffuse 1 } }");
+    const auto found = sent_into(shot, 8, 500);
     REQUIRE_FALSE(found.empty());
     for (const ReflectedLuminaire& each : found) {
         CHECK(each.normal == Vec3(0, 1, 0));
@@ -63,10 +62,10 @@ TEST_CASE("reflected luminaires shine to the side from which light has come", "[
 
 TEST_CASE("light that clear surfaces let pass is as a shadow ray finds it", "[transport]") {
     const auto floor_lit = [](const std::string& pane) {
-        const World world =
-            world_of("#version 3.7; #default { finish { ambient 0 } }\n" + lamp + pane +
-                     "disc { -2*y, y, 4 pigment { rgb 1 } finish { diffuse 1 } }");
-        return power_after(sent_into(world, 1, 40000), 1);
+        const Shot shot =
+            shot_of("#version 3.7; #default { finish { ambient 0 } }\n" + lamp + pane +
+                    "disc { -2*y, y, 4 pigment { rgb 1 } finish { diffuse 1 } }");
+        return power_after(sent_into(shot, 1, 40000), 1);
     };
     const Vec3 open = floor_lit(""),
                dimmed = floor_lit(
@@ -85,8 +84,8 @@ TEST_CASE("light that clear surfaces let pass is as a shadow ray finds it", "[tr
 
 TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in all directions",
           "[transport]") {
-    const World world = world_of("sphere { 0, 1 }");
-    Material material = world.appearance.materials.front();
+    const SharedWorld world = world_of("sphere { 0, 1 }");
+    Material material = world->appearance.materials.front();
     Vertex vertex;
     vertex.material = &material;
     struct Row {
@@ -112,13 +111,13 @@ TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in
         s.finish = &finish;
         row.change(s, finish);
         CAPTURE(row.name);
-        CHECK(is_lambertian(world, vertex, s) == row.lambertian);
+        CHECK(is_lambertian(*world, vertex, s) == row.lambertian);
     }
     Finish finish;
     Shading s{};
     s.finish = &finish;
     material.by_view = true;
-    CHECK_FALSE(is_lambertian(world, vertex, s));
+    CHECK_FALSE(is_lambertian(*world, vertex, s));
 }
 
 }  // namespace candelabra

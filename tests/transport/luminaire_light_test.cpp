@@ -12,12 +12,12 @@ namespace candelabra {
 
 TEST_CASE("a sphere above a floor gives the irradiance of its cone", "[render]") {
     // A sphere of radius r straight above at distance d: E = pi L (r/d)^2; albedo 0.8.
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
         sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
     )");
-    CHECK(mean_light(world, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
-    CHECK(mean_light(world, 4, 5000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
+    CHECK(mean_light(shot, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
+    CHECK(mean_light(shot, 4, 5000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
 }
 
 TEST_CASE("luminaires that hide each other are counted once, whoever is chosen", "[render]") {
@@ -32,11 +32,7 @@ TEST_CASE("luminaires that hide each other are counted once, whoever is chosen",
                  finish { ambient 0 diffuse 0 emission 4 } no_image }
     )";
     const auto mean = [](const std::string& text, const LightSampler& sampler) {
-        const Scene scene = scene_of(text);
-        Diagnostics diagnostics;
-        CompileOptions options;
-        options.light_sampler = sampler;
-        return mean_light(compile(scene, options, diagnostics), 1, 40000);
+        return mean_light(Shot(world_of(scene_of(text), sampler)), 1, 40000);
     };
     LightOctree alone;
     alone.alone = true;
@@ -57,16 +53,16 @@ TEST_CASE("luminaires that hide each other are counted once, whoever is chosen",
 }
 
 TEST_CASE("a luminaire that reflects is lit by the others and not by itself", "[render]") {
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 emission 3 } }
         sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
     )");
-    CHECK(mean_light(world, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.02));
+    CHECK(mean_light(shot, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.02));
 }
 
 TEST_CASE("shadow rays go where there is noise, and change no mean", "[render][claim-30]") {
     // The lamps are near the right end of the floor, and half of them hide behind a board.
-    const World world = world_of(R"(
+    const Shot shot = shot_of(R"(
         #version 3.7;
         camera { location <0, 3, -25> look_at 0 }
         box { <-20, -1, -9>, <20, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
@@ -75,11 +71,11 @@ TEST_CASE("shadow rays go where there is noise, and change no mean", "[render][c
             sphere { <15 + mod(I, 8)/2, 2, I/8 - 4>, 0.1 pigment { rgb 1 } finish { emission 9 } }
         #end
     )");
-    const Lit dim = lit_at(world, -18, {4}, 2000), bright = lit_at(world, 13.5, {4}, 2000);
+    const Lit dim = lit_at(shot, -18, {4}, 2000), bright = lit_at(shot, 13.5, {4}, 2000);
     CHECK(dim.rays <= 4);
     CHECK(bright.noise > 20 * dim.noise);
     const ShadowRays fitted(4, bright.noise / 4);
-    const Lit fewer = lit_at(world, -18, fitted, 8000), more = lit_at(world, 13.5, fitted, 500);
+    const Lit fewer = lit_at(shot, -18, fitted, 8000), more = lit_at(shot, 13.5, fitted, 500);
     CHECK(fewer.rays <= 1);
     CHECK(more.rays > 1.5 * bright.rays);
     CHECK(fewer.mean == Approx(dim.mean).epsilon(0.02));
@@ -91,9 +87,9 @@ TEST_CASE(
     "[render]") {
     const auto lit = [](const std::string& lights) {
         return lit_at(
-            world_of("box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 "
-                     "diffuse 1 } }" +
-                     lights),
+            shot_of("box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 "
+                    "diffuse 1 } }" +
+                    lights),
             0, 1, 40000);
     };
     // E = pi L (r/d)^2
@@ -132,10 +128,7 @@ std::vector<Strategy> strategies() {
 }
 
 double mean_with(const std::string& text, const LightSampler& sampler, int count) {
-    Diagnostics diagnostics;
-    CompileOptions options;
-    options.light_sampler = sampler;
-    return mean_light(compile(scene_of("#version 3.7; " + text), options, diagnostics), 1, count);
+    return mean_light(Shot(world_of(scene_of("#version 3.7; " + text), sampler)), 1, count);
 }
 
 const std::string white_floor =

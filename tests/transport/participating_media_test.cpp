@@ -17,8 +17,8 @@ namespace {
 
 /// Mean of many samples of one ray.
 Vec3 seen_in_air(const std::string& script, std::uint32_t count, const Ray& ray) {
-    const World world = world_of("#version 3.7; " + script);
-    Integrator integrator(world, {});
+    const Shot shot = shot_of("#version 3.7; " + script);
+    Integrator integrator(shot, {});
     Vec3 sum(0);
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) sum += integrator.radiance(ray, key);
@@ -101,13 +101,13 @@ TEST_CASE("multiple scattering makes no energy", "[transport]") {
 }
 
 TEST_CASE("media are not there for low quality, nor beyond what the scene has", "[transport]") {
-    const World world = world_of(
+    const Shot shot = shot_of(
         "#version 3.7; sphere { 0, 1 pigment { rgbt 1 } hollow interior { media { emission 1 } } "
         "}");
-    CHECK(world.facts.has_media);
-    CHECK_FALSE(world.facts.left_to_chance);
-    ParticipatingMedia media(world);
-    DirectLight light(world, 1);
+    CHECK(shot.world->facts.has_media);
+    CHECK_FALSE(shot.world->facts.left_to_chance);
+    ParticipatingMedia media(shot);
+    DirectLight light(shot, 1);
     LightLedger ledger;
     PathState path;
     path.ray = along_z;
@@ -237,7 +237,7 @@ TEST_CASE("media that are luminaires light a place exactly as the place sees the
         for (const auto& [what, more] : beside) {
             const auto scene = [&](const std::string& integrator, const std::string& luminaire,
                                    const std::string& floor) {
-                return world_of(
+                return shot_of(
                     "#version 3.7; #default { finish { ambient 0 } } global_settings { "
                     "integrator { " +
                     integrator + " } } " + floor + more + solid +
@@ -248,7 +248,7 @@ TEST_CASE("media that are luminaires light a place exactly as the place sees the
             const Ray down{Vec3(0, 0.0005, 0), Vec3(0, -1, 0)};
             const Mean sampled = mean_seen(scene("pov_ray", "luminaire", disc), down, 4000);
             // A fisheye camera at the place, weighted by the cosine.
-            const World dark = scene("pov_ray", "luminaire", "");
+            const Shot dark = scene("pov_ray", "luminaire", "");
             Integrator integrator(dark, {});
             Draw draw(4);
             Key key;

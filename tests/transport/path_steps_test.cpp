@@ -20,9 +20,9 @@ Vertex met_from(const World& world, const PathState& path) {
 }  // namespace
 
 TEST_CASE("a path begins inside of what is around its origin", "[transport]") {
-    const World world =
-        world_of("camera { location 0 } sphere { 0, 2 pigment { rgbt 1 } interior { ior 1.3 } }");
-    PathEnds ends(world, false);
+    const Shot shot =
+        shot_of("camera { location 0 } sphere { 0, 2 pigment { rgbt 1 } interior { ior 1.3 } }");
+    PathEnds ends(shot, false);
     const PathState path = ends.begin({Vec3(0), Vec3(0, 0, 1)}, Key());
     CHECK(path.media.size() == 1);
     CHECK(path.throughput == Vec3(1));
@@ -30,39 +30,39 @@ TEST_CASE("a path begins inside of what is around its origin", "[transport]") {
 }
 
 TEST_CASE("what is clear counts until the next sample", "[transport]") {
-    const World world = world_of("#version 3.7; background { rgbt <0.5, 0.5, 0.5, 1> }");
-    PathEnds ends(world, true);
+    const Shot shot = shot_of("#version 3.7; background { rgbt <0.5, 0.5, 0.5, 1> }");
+    PathEnds ends(shot, true);
     LightLedger ledger;
     for (int sample = 0; sample < 2; ++sample) {
         PathState path = ends.begin({Vec3(0), Vec3(0, 0, 1)}, Key());
         CHECK(ends.clear() == 0);
         path.dim(Vec3(0.25));
         ends.background(path, ledger);
-        CHECK(ends.clear() == Approx(0.25 * world.sky_clear(path.ray.direction)));
+        CHECK(ends.clear() == Approx(0.25 * shot.world->sky_clear(path.ray.direction)));
     }
 }
 
 TEST_CASE("luminaires that were asked before show no emission", "[transport]") {
-    const World world = world_of(R"(
+    const SharedWorld world = world_of(R"(
         sphere { 0, 1 pigment { rgb 1 } finish { emission 1 } }
         sphere { 3, 1 pigment { rgb 1 } finish { emission 1 no_luminaire } })");
     PathState path;
-    CHECK(shows_emission(world, path, 0));
+    CHECK(shows_emission(*world, path, 0));
     path.taken.by_shadow_rays = true;
-    CHECK_FALSE(shows_emission(world, path, 0));
-    CHECK(shows_emission(world, path, 1));
+    CHECK_FALSE(shows_emission(*world, path, 0));
+    CHECK(shows_emission(*world, path, 1));
 }
 
 TEST_CASE("steps from a surface leave it on the side that is seen", "[transport]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "plane { -z, 0 pigment { rgb 1 } finish { microfacet { roughness 0.6 metallic 1 } } }");
     PathState path;
     path.ray = {Vec3(0, 0, -3), unit(Vec3(0.3, 0.2, 1))};
     path.taken.by_shadow_rays = true;
     path.depth = 2;
-    const Vertex vertex = met_from(world, path);
-    for (const auto& [weight, layers] : visible_textures(world, vertex)) {
-        const Shading s = with_layer(world, vertex, layers.front());
+    const Vertex vertex = met_from(*world, path);
+    for (const auto& [weight, layers] : visible_textures(*world, vertex)) {
+        const Shading s = with_layer(*world, vertex, layers.front());
         const PathState mirror = mirrored_path(path, vertex, s);
         CHECK(mirror.ray.direction.z == Approx(-path.ray.direction.z));
         CHECK(mirror.depth == 3);

@@ -15,8 +15,8 @@ namespace {
 
 /// Returns the mean of many samples of one ray.
 Vec3 path_seen(const std::string& script, std::uint32_t count, const Ray& ray) {
-    const World world = world_of(script);
-    Integrator integrator(world, {});
+    const Shot shot = shot_of(script);
+    Integrator integrator(shot, {});
     Vec3 sum(0);
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) sum += integrator.radiance(ray, key);
@@ -50,7 +50,7 @@ TEST_CASE("a closed room that glows everywhere has the sum of all reflections", 
 TEST_CASE("in a closed isothermal room all things look the same", "[transport]") {
     // A surface that reflects a share R emits 1 - R of the radiance of a black body (Kirchhoff), so
     // that each thing and each wall shows the black body's radiance, 1, from everywhere.
-    const World world = world_of(R"(#version 3.7; global_settings { max_trace_level 40
+    const Shot shot = shot_of(R"(#version 3.7; global_settings { max_trace_level 40
         integrator { path_traced { bounces 40 reflected_luminaires 0 } } }
         #macro Grey(R) pigment { rgb R } finish { ambient 0 diffuse 1 emission (1 - R) / R } #end
         box { <-2, -1, -3>, <2, 3, 2> Grey(0.3) }
@@ -63,7 +63,7 @@ TEST_CASE("in a closed isothermal room all things look the same", "[transport]")
         disc { <1.2, -0.98, -0.6>, y, 0.5 Grey(0.2) }
         triangle { <-1.9, -0.9, 1.9>, <-1, -0.9, 1.9>, <-1.9, 0.5, 1.9> Grey(0.3) }
         sphere { <0.2, -0.6, -0.5>, 0.3 pigment { rgb 1 } finish { ambient 0 diffuse 0 reflection 1 } })");
-    Integrator integrator(world, {});
+    Integrator integrator(shot, {});
     Draw draw(1);
     Key key;
     double sum = 0, squares = 0;
@@ -115,10 +115,10 @@ TEST_CASE("a convex body that glows does not light itself, however smooth it loo
     for (const std::string& body : smooth_bodies())
         for (const char* const integrator :
              {"pov_ray", "path_traced { reflected_luminaires 200 }"}) {
-            const World world = world_of(
+            const Shot shot = shot_of(
                 "#version 3.7; global_settings { integrator { " + std::string(integrator) +
                 " } } " + body + "pigment { rgb 1 } finish { ambient 0 diffuse 0.5 emission 1 } }");
-            Integrator integrating(world, {});
+            Integrator integrating(shot, {});
             Draw draw(7);
             Key key;
             int met = 0;
@@ -141,10 +141,10 @@ TEST_CASE("a closed body keeps the light of a lamp inside, however smooth it loo
         for (const std::string lamp :
              {"sphere { 0, 0.1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 50 } } ",
               "light_source { 0, rgb 1 } "}) {
-            const World world =
-                world_of(traced(4) + lamp + body +
-                         "pigment { rgb 1 } } box { <-9, -4, -9>, <9, -3, 9> pigment { rgb 1 } }");
-            Integrator integrating(world, {});
+            const Shot shot =
+                shot_of(traced(4) + lamp + body +
+                        "pigment { rgb 1 } } box { <-9, -4, -9>, <9, -3, 9> pigment { rgb 1 } }");
+            Integrator integrating(shot, {});
             Draw draw(8);
             Key key;
             double sum = 0;
@@ -164,12 +164,12 @@ TEST_CASE("white facets disappear before a white sky, at every angle and with an
         for (const std::string bumps :
              {"", "normal { bumps 0.3 scale 0.01 }", "normal { bumps 2 scale 0.01 }"})
             for (const double elevation : {0.05, 0.3}) {
-                const World world =
-                    world_of(traced(1) +
-                             "sky_sphere { pigment { rgb 1 } } plane { y, 0 pigment { rgb 1 } "
-                             "finish { microfacet { " +
-                             facets + " } } " + bumps + " }");
-                Integrator integrating(world, {});
+                const Shot shot =
+                    shot_of(traced(1) +
+                            "sky_sphere { pigment { rgb 1 } } plane { y, 0 pigment { rgb 1 } "
+                            "finish { microfacet { " +
+                            facets + " } } " + bumps + " }");
+                Integrator integrating(shot, {});
                 Draw draw(9);
                 Key key;
                 double sum = 0, squares = 0;
@@ -229,20 +229,20 @@ TEST_CASE("light that photons bring by a mirror lights others as light that is m
     // lights the wall.
     const auto seen = [](const std::string& mirror, int bounces, const Vec3& towards,
                          std::uint32_t count) {
-        const World world = world_of(R"(#version 3.7;
+        const Shot shot = shot_of(R"(#version 3.7;
             global_settings { photons { count 20000 radius 0.3 }
                 integrator { path_traced { reflected_luminaires 0 bounces )" +
-                                     std::to_string(bounces) + R"( } } }
+                                  std::to_string(bounces) + R"( } } }
             #default { finish { ambient 0 diffuse 1 } }
             plane { y, 0 pigment { rgb <0.8, 0.6, 0.4> } }
             box { <-4, 0, 2>, <4, 3, 2.1> pigment { rgb 0.7 } }
             disc { <0, 5, 0>, y, 1.2 pigment { rgb 0 } finish { reflection 0.9 } )" +
-                                     mirror +
-                                     R"( }
+                                  mirror +
+                                  R"( }
             sphere { <0, 3, 0>, 0.5 pigment { rgb 1 } finish { diffuse 0 emission 20 } }
             cylinder { <0, 2.4, 0>, <0, 3.8, 0>, 0.6 open pigment { rgb 0 } }
             disc { <0, 2.4, 0>, y, 0.6 pigment { rgb 0 } })");
-        Integrator integrator(world, {});
+        Integrator integrator(shot, {});
         const Vec3 camera(0.5, 1.5, -5);
         Draw draw(2);
         Vec3 sum(0);
@@ -317,9 +317,9 @@ TEST_CASE("no solid makes light in a furnace", "[transport]") {
          1},
         {"sphere { 0, 1" + half + "finish { diffuse 1 } interior { ior 1.5 dispersion 1.1 } }", 3}};
     for (const auto& [solid, greatest] : solids) {
-        const World world = world_of(
+        const Shot shot = shot_of(
             traced(30) + "camera { location <0.3, 0.9, -3.3> } background { rgb 1 } " + solid);
-        Integrator integrator(world, {});
+        Integrator integrator(shot, {});
         Draw draw(3);
         Key key;
         double sum = 0, most = 0;
@@ -370,12 +370,12 @@ TEST_CASE("facets over half-clear solids keep all light of a furnace and make no
         "sphere { 0, 1 clipped_by { plane { y, 0.3 } }" + look + inside};
     const std::string sky = "background { rgb 1 } ";
     for (const std::string& solid : solids) {
-        const World world = world_of(
+        const Shot shot = shot_of(
             "#version 3.7; global_settings { max_trace_level 40 integrator { path_traced { "
             "bounces 30 reflected_luminaires 0 } } } #default { finish { ambient 0 diffuse 1 } "
             "} camera { location <0.3, 0.9, -3.3> } " +
             sky + solid);
-        Integrator integrator(world, {});
+        Integrator integrator(shot, {});
         Draw draw(4);
         Key key;
         double sum = 0, squares = 0;

@@ -47,9 +47,9 @@ std::string lens_over_floor(const std::string& photons, const std::string& lamp)
 
 TEST_CASE("a caustic is as bright as exact geometry says", "[transport][statistics]") {
     const BallLens lens;
-    const World world = world_of(
-        lens_over_floor("count 20000", "light_source { 90*y, rgb 1 parallel point_at 0 }"));
-    Integrator integrator(world, {});
+    const Shot shot =
+        shot_of(lens_over_floor("count 20000", "light_source { 90*y, rgb 1 parallel point_at 0 }"));
+    Integrator integrator(shot, {});
     // The ball's shadow ends at 1; beyond it, direct light arrives as well.
     for (const auto& [from, to, straight] :
          {std::tuple(0.2, 0.4, 0.0), std::tuple(0.5, 0.8, 0.0), std::tuple(1.2, 1.5, 1.0),
@@ -62,25 +62,25 @@ TEST_CASE("a caustic is as bright as exact geometry says", "[transport][statisti
 
 TEST_CASE("a caustic of 300 lamps is that of their sum", "[transport][statistics]") {
     // A bundle of far lamps, whose light is nearly parallel.
-    const World world = world_of(lens_over_floor("count 20000", R"(
+    const Shot shot = shot_of(lens_over_floor("count 20000", R"(
         #for (I, 0, 299)
             sphere { <mod(I, 20) - 9.5, 2000, floor(I/20) - 7>, 0.4 hollow pigment { rgb 1 }
                      finish { emission 2000*2000/(0.16*300) } }
         #end)"));
     const BallLens lens;
-    Integrator integrator(world, {});
+    Integrator integrator(shot, {});
     CHECK(seen_on_floor(integrator, 0.5, 0.8, 32) == Approx(lens.density(0.5, 0.8)).epsilon(0.03));
 }
 
 TEST_CASE("a disc of glass that bends nothing changes nothing", "[transport][statistics]") {
     const auto light = [](const std::string& lamp, const std::string& photons) {
-        const World world =
-            world_of("#version 3.7; #default { pigment { rgb 1 } } global_settings { " + photons +
-                     " } " + lamp +
-                     R"( box { <-2, 1, -2>, <2, 1.2, 2> pigment { rgbt 1 }
+        const Shot shot =
+            shot_of("#version 3.7; #default { pigment { rgb 1 } } global_settings { " + photons +
+                    " } " + lamp +
+                    R"( box { <-2, 1, -2>, <2, 1.2, 2> pigment { rgbt 1 }
                                          finish { diffuse 0 } photons { target refraction on } }
                                          plane { y, 0 pigment { rgb 1 } finish { ambient 0 } })");
-        Integrator integrator(world, {});
+        Integrator integrator(shot, {});
         return seen_on_floor(integrator, 0, 1.2, photons.empty() ? 64 : 16);
     };
     for (const char* lamp :
@@ -125,7 +125,7 @@ TEST_CASE("photons bring light of all kinds of lamps through air as it comes wit
         for (const std::string air : {"", "fog { rgb 0 distance 5 } ", "media { absorption 0.2 } "})
             for (const char* const integrator : {"pov_ray", "path_traced { bounces 0 }"}) {
                 const auto light = [&](const std::string& photons) {
-                    const World world = world_of(
+                    const Shot shot = shot_of(
                         "#version 3.7; #default { pigment { rgb 1 } finish { ambient 0 } } "
                         "global_settings { " +
                         photons + " integrator { " + integrator +
@@ -134,7 +134,7 @@ TEST_CASE("photons bring light of all kinds of lamps through air as it comes wit
                             finish { diffuse 0 } photons { target refraction on } }
                             plane { y, 0 pigment { rgb 1 } })");
                     // The first samples have photons of their own.
-                    Integrator integrating(world, {});
+                    Integrator integrating(shot, {});
                     double sum = 0, squares = 0;
                     constexpr int samples = 12;
                     for (int i = 0; i < samples; ++i) {
@@ -155,13 +155,13 @@ TEST_CASE("photons bring light of all kinds of lamps through air as it comes wit
 }
 
 TEST_CASE("light that photons bring is counted for its lamp", "[transport]") {
-    const World world = world_of(
+    const Shot shot = shot_of(
         lens_over_floor("count 4000",
                         "light_source { 90*y, rgb 1 parallel point_at 0 } light_source { <0, 90, "
                         "1>, rgb 1 parallel point_at z shadowless }"));
     Tracing wanted;
     wanted.counts_lights = true;
-    Integrator integrator(world, wanted);
+    Integrator integrator(shot, wanted);
     const double seen = grey(integrator.radiance({Vec3(0.5, 1, 0), Vec3(0, -1, 0)}, Key())) - 1;
     CHECK(seen > 0);
     CHECK(integrator.ledger().lights[0].light.value() == Approx(seen));
@@ -171,15 +171,15 @@ TEST_CASE("light that photons bring is counted for its lamp", "[transport]") {
 TEST_CASE("what reflects light of lamps to targets shows them once", "[transport][statistics]") {
     // Radiosity gathers a lamp through a mirror; photons bring that light, too.
     const auto light = [](const std::string& photons) {
-        const World world =
-            world_of(R"(#version 3.7; #default { pigment { rgb 1 } } global_settings { radiosity {
+        const Shot shot =
+            shot_of(R"(#version 3.7; #default { pigment { rgb 1 } } global_settings { radiosity {
             recursion_limit 1 } )" +
-                     photons +
-                     R"( } sphere { <-2, 2.5, 0>, 1.5 finish { emission 5 } }
+                    photons +
+                    R"( } sphere { <-2, 2.5, 0>, 1.5 finish { emission 5 } }
             box { <2, 0, -3>, <2.1, 4, 3> pigment { rgb 0 } finish { diffuse 0 reflection 1 }
                   photons { target reflection on } }
             plane { y, 0 pigment { rgb 1 } finish { ambient 0 } })");
-        Integrator integrator(world, {});
+        Integrator integrator(shot, {});
         return seen_on_floor(integrator, 0, 0.5, 400, Vec3(0.5, 0.5, 0));
     };
     CHECK(light("photons { count 8000 }") == Approx(light("")).epsilon(0.03));

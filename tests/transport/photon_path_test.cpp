@@ -17,9 +17,9 @@ using std::numbers::pi;
 const std::string sun_for_photons =
     "light_source { 90*y, rgb 1 parallel point_at 0 photons { refraction on reflection on } } ";
 
-std::vector<Photon> photons_in(const World& world, std::uint32_t count = 1 << 14) {
-    const PhotonShooter shooter(world);
-    const PhotonPaths paths(world);
+std::vector<Photon> photons_in(const Shot& shot, std::uint32_t count = 1 << 14) {
+    const PhotonShooter shooter(shot);
+    const PhotonPaths paths(shot);
     std::vector<Photon> found;
     for (std::uint32_t i = 0; i < count; ++i) {
         const Key key{3, i, 0, 0};
@@ -35,9 +35,9 @@ double power_of(const std::vector<Photon>& photons) {
     return sum;
 }
 
-World with_photons(const std::string& objects, const std::string& more = "") {
-    return world_of("#version 3.7; global_settings { photons { count 100 " + more + " } } " +
-                    sun_for_photons + objects);
+Shot with_photons(const std::string& objects, const std::string& more = "") {
+    return shot_of("#version 3.7; global_settings { photons { count 100 " + more + " } } " +
+                   sun_for_photons + objects);
 }
 
 const std::string floor_below = "plane { y, 0 pigment { rgb 1 } } ";
@@ -69,13 +69,13 @@ TEST_CASE("a ball of glass sends light where exact geometry says", "[transport][
 
 TEST_CASE("no light is lost in glass that also reflects", "[transport]") {
     // Light that a mirror sends up would be lost; a shell around everything holds it.
-    const World world = world_of(
+    const Shot shot = shot_of(
         "#version 3.7; global_settings { photons { count 100 max_trace_level 50 adc_bailout 0 } } "
         "light_source { 20*y, rgb 1 parallel point_at 0 photons { refraction on reflection on } "
         "} " +
         ball_at(0, "reflection { 1 fresnel } conserve_energy") +
         "sphere { 0, 50 hollow pigment { rgb 1 } }");
-    const auto photons = photons_in(world);
+    const auto photons = photons_in(shot);
     CHECK(power_of(photons) == Approx(pi).epsilon(0.01));
 }
 
@@ -138,10 +138,10 @@ TEST_CASE("photons of a light group light what the group lights", "[transport]")
     const std::string right = "box { <0, -1, -5>, <5, 0, 5> pigment { rgb 1 } } ",
                       left = "box { <-5, -1, -5>, <0, 0, 5> pigment { rgb 1 } } ";
     const auto on_sides = [](const std::string& scene) {
-        const World world =
-            world_of("#version 3.7; global_settings { photons { count 100 } } " + scene);
+        const Shot shot =
+            shot_of("#version 3.7; global_settings { photons { count 100 } } " + scene);
         std::pair<int, int> found{0, 0};
-        for (const Photon& photon : photons_in(world))
+        for (const Photon& photon : photons_in(shot))
             ++(photon.position.x < 0 ? found.first : found.second);
         return found;
     };

@@ -13,8 +13,8 @@ namespace {
 
 using std::numbers::pi;
 
-World shooting_at_ball(const std::string& lamp) {
-    return world_of(
+Shot shooting_at_ball(const std::string& lamp) {
+    return shot_of(
         R"(#version 3.7; #default { pigment { rgb 1 } } global_settings { photons { count 1000 } }
         sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 }
                  photons { target refraction on reflection on } } )" +
@@ -27,8 +27,8 @@ struct Arriving {
     double power = 0, error = 0;
     int missed = 0;
 };
-Arriving arriving(const World& world, std::uint32_t count = 1 << 14) {
-    const PhotonShooter shooter(world);
+Arriving arriving(const Shot& shot, std::uint32_t count = 1 << 14) {
+    const PhotonShooter shooter(shot);
     Arriving result;
     for (std::size_t i = 0; i < shooter.aims().size(); ++i) {
         double sum = 0, squares = 0;
@@ -103,14 +103,14 @@ TEST_CASE("many lamps are as good as their sum", "[transport]") {
         #for (I, 0, 199)
             sphere { <mod(I, 20)*2 - 19, 6, floor(I/20)*2 - 9>, 0.05 finish { emission 30 } }
         #end)";
-    const World world = shooting_at_ball(lamps);
+    const Shot shot = shooting_at_ball(lamps);
     double expected = 0;
     for (int i = 0; i < 200; ++i) {
         const Vec3 place(i % 20 * 2 - 19, 6, i / 20 * 2 - 9);
         const double away2 = dot(place, place);
         expected += 30 * 0.05 * 0.05 * 2 * pi * (1 - std::sqrt(1 - 1 / away2));
     }
-    const Arriving found = arriving(world);
+    const Arriving found = arriving(shot);
     CHECK(std::abs(found.power - expected) < 4 * found.error + 0.002 * expected);
     CHECK(found.error < 0.02 * expected);
 }
@@ -125,11 +125,11 @@ TEST_CASE("a lamp in a target shoots all around", "[transport]") {
 TEST_CASE("the number of photons follows from their spacing", "[transport]") {
     const std::string light = "light_source { 9*y, rgb 1 parallel point_at 0 } ";
     const auto count = [&](const std::string& settings, const std::string& target = "target") {
-        const World world =
-            world_of("#version 3.7; #default { pigment { rgb 1 } } global_settings { photons { " +
-                     settings + " } } sphere { 0, 1 pigment { rgbt 1 } photons { refraction on " +
-                     target + " } } " + light);
-        return PhotonShooter(world).count();
+        const Shot shot =
+            shot_of("#version 3.7; #default { pigment { rgb 1 } } global_settings { photons { " +
+                    settings + " } } sphere { 0, 1 pigment { rgbt 1 } photons { refraction on " +
+                    target + " } } " + light);
+        return PhotonShooter(shot).count();
     };
     CHECK(count("count 500 spacing 1") == 500);
     CHECK(count("spacing 0.1") == 314);

@@ -31,8 +31,8 @@ bool same(const PhotonMap& a, const PhotonMap& b) {
 }  // namespace
 
 TEST_CASE("a generation is the same for any number of threads and any order", "[transport]") {
-    const World world = world_of(glass_on_floor);
-    Photons one(world, 0, 1), four(world, 0, 4), other(world, 1, 1);
+    const Shot shot = shot_of(glass_on_floor);
+    Photons one(shot, 0, 1), four(shot, 0, 4), other(shot, 1, 1);
     for (const std::uint32_t number : {3u, 4u, 5u}) four.generation(number);
     CHECK(same(one.generation(5)->on_surfaces, four.generation(5)->on_surfaces));
     CHECK(same(one.generation(0)->on_surfaces, four.generation(0)->on_surfaces));
@@ -42,16 +42,16 @@ TEST_CASE("a generation is the same for any number of threads and any order", "[
 }
 
 TEST_CASE("generations that are far apart are made again", "[transport]") {
-    const World world = world_of(glass_on_floor);
-    Photons photons(world, 0, 1);
+    const Shot shot = shot_of(glass_on_floor);
+    Photons photons(shot, 0, 1);
     const auto first = photons.generation(0);
     for (std::uint32_t i = 1; i < 80; ++i) photons.generation(i);
     CHECK(same(first->on_surfaces, photons.generation(0)->on_surfaces));
 }
 
 TEST_CASE("radii shrink from generation to generation", "[transport]") {
-    const World world = world_of(glass_on_floor);
-    Photons photons(world, 0, 1);
+    const Shot shot = shot_of(glass_on_floor);
+    Photons photons(shot, 0, 1);
     const auto mean = [&](std::uint32_t number) {
         const auto map = photons.generation(number);
         double sum = 0;
@@ -65,8 +65,8 @@ TEST_CASE("all lamps together send as much to the floor whatever the number", "[
     const auto power = [](const std::string& count) {
         std::string scene = glass_on_floor;
         scene.replace(scene.find("3000"), 4, count);
-        const World world = world_of(scene);
-        Photons photons(world, 0, 1);
+        const Shot shot = shot_of(scene);
+        Photons photons(shot, 0, 1);
         double sum = 0;
         for (std::uint32_t i = 0; i < 4; ++i)
             for (const Photon& photon : photons.generation(i)->on_surfaces.photons())
@@ -77,8 +77,8 @@ TEST_CASE("all lamps together send as much to the floor whatever the number", "[
 }
 
 TEST_CASE("a world without targets has no photons", "[transport]") {
-    CHECK_FALSE(photons_of(world_of("sphere { 0, 1 }"), 0, 1));
-    CHECK(photons_of(world_of(glass_on_floor), 0, 1));
+    CHECK_FALSE(photons_of(shot_of("sphere { 0, 1 }"), 0, 1));
+    CHECK(photons_of(shot_of(glass_on_floor), 0, 1));
 }
 
 }  // namespace candelabra

@@ -15,8 +15,8 @@ namespace {
 
 Vec3 seen(const std::string& script, const Vec3& from = Vec3(0),
           const Vec3& direction = Vec3(0, 0, 1)) {
-    const World world = world_of(script);
-    return Integrator(world, {}).radiance({from, unit(direction)}, Key());
+    const Shot shot = shot_of(script);
+    return Integrator(shot, {}).radiance({from, unit(direction)}, Key());
 }
 
 }  // namespace
@@ -42,23 +42,23 @@ TEST_CASE("a camera ray whose rays multiply ends at a bound, the same each time"
         light_source { <3, 4, -5>, 1 }
         sphere { 0, 1 pigment { rgbt 1 } finish { reflection 1 } interior { ior 1.2 } }
         box { -9, 9 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } } )";
-    const World world = world_of(scene);
-    const auto traced = [&](const World& in, std::uint64_t max_rays) {
-        Integrator integrator(in, {.max_rays = max_rays});
+    const Shot shot = shot_of(scene);
+    const auto traced = [&](const Shot& shot, std::uint64_t max_rays) {
+        Integrator integrator(shot, {.max_rays = max_rays});
         const Vec3 light = integrator.radiance({Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)}, Key());
         return std::tuple(light, integrator.cut(), integrator.ledger().scattered);
     };
-    const auto [light, cut, rays] = traced(world, 5000);
+    const auto [light, cut, rays] = traced(shot, 5000);
     CHECK(cut);
     CHECK(rays >= 5000 - 1);
     CHECK(rays <= 2 * 5000 + 2 * 256);
-    CHECK(traced(world, 5000) == std::tuple(light, cut, rays));
+    CHECK(traced(shot, 5000) == std::tuple(light, cut, rays));
     // The next ray has all of its rays.
-    Integrator again(world, {.max_rays = 5000});
+    Integrator again(shot, {.max_rays = 5000});
     again.radiance({Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)}, Key());
     CHECK(again.radiance({Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)}, Key()) == light);
     // Rays that are not too many do not differ.
-    const World lossy = world_of(scene + "global_settings { max_trace_level 6 adc_bailout 1/255 }");
+    const Shot lossy = shot_of(scene + "global_settings { max_trace_level 6 adc_bailout 1/255 }");
     CHECK_FALSE(std::get<1>(traced(lossy, 5000)));
     CHECK(traced(lossy, 5000) == traced(lossy, 1'000'000));
 }
@@ -97,11 +97,11 @@ TEST_CASE("filtered light takes the pigment's colour", "[render]") {
 }
 
 TEST_CASE("of what is clear only the grey of each surface counts", "[render]") {
-    const World world = world_of(
+    const Shot shot = shot_of(
         "#version 3.7; box { <-9, -9, 5>, <9, 9, 6> pigment { rgbf <0.4, 0.8, 0.6, 0.5> } }");
     Tracing wanted;
     wanted.clear_sky = true;
-    Integrator integrator(world, wanted);
+    Integrator integrator(shot, wanted);
     integrator.radiance({Vec3(0), Vec3(0, 0, 1)}, Key());
     const double each = grey(0.5 * Vec3(0.4, 0.8, 0.6));
     CHECK(integrator.clear() == Approx(each * each));
@@ -268,11 +268,11 @@ TEST_CASE(
         "sphere { 0, 0.01 pigment { rgb 1 } finish { diffuse 0 emission 1e4 } }";
     for (const std::string& light : {std::string("light_source { 0, rgb 1 }"), lamp})
         for (int limit = 1; limit <= 3; ++limit) {
-            const World world = world_of(
+            const Shot shot = shot_of(
                 "#version 3.7; #default { finish { ambient 0 diffuse 1 } } "
                 "global_settings { radiosity { recursion_limit " +
                 std::to_string(limit) + " } } sphere { 0, 1 hollow pigment { rgb 0.5 } } " + light);
-            Integrator integrator(world, {});
+            Integrator integrator(shot, {});
             double sum = 0, expected = 0;
             Key key;
             for (key.sample = 0; key.sample < 2000; ++key.sample)

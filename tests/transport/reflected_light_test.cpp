@@ -18,8 +18,8 @@ struct Estimate {
     Vec3 deviation = Vec3(0);
 };
 Estimate estimate(const std::string& script, std::uint32_t generations, const Ray& ray) {
-    const World world = world_of(script);
-    Integrator integrator(world, {});
+    const Shot shot = shot_of(script);
+    Integrator integrator(shot, {});
     // Samples of one generation depend on each other, so their mean counts as one sample.
     constexpr std::uint32_t pixels = 24, served = 4;
     Vec3 sum(0), squares(0);

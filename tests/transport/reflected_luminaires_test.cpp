@@ -12,9 +12,9 @@
 namespace candelabra {
 
 TEST_CASE("a generation does not depend on the number of threads", "[transport]") {
-    const World world = world_of(with_reflected(3000, 4) + lamps_in_room + bare_room);
+    const Shot shot = shot_of(with_reflected(3000, 4) + lamps_in_room + bare_room);
     const auto set = [&](int threads) {
-        const auto all = reflected_luminaires_of(world, 5, threads);
+        const auto all = reflected_luminaires_of(shot, 5, threads);
         REQUIRE(all);
         return all->generation(2)->list;
     };
@@ -33,7 +33,7 @@ TEST_CASE("a generation does not depend on the number of threads", "[transport]"
 TEST_CASE("reflected luminaires are there where a scene asks for them and has luminaires",
           "[transport]") {
     const auto there = [](const std::string& script) {
-        return reflected_luminaires_of(world_of(script), 0, 1) != nullptr;
+        return reflected_luminaires_of(shot_of(script), 0, 1) != nullptr;
     };
     CHECK(there(with_reflected(100, 2) + lamps_in_room + bare_room));
     CHECK_FALSE(there(with_reflected(0, 2) + lamps_in_room + bare_room));
@@ -68,10 +68,10 @@ TEST_CASE("a closed body that glows and reflects is a furnace inside, whatever i
           "merge { box { <-2, -1, -1>, <1, 1, 1> } box { <-1, -2, -1>, <2, 2, 1> }",
           "union { sphere { 0, 2 clipped_by { plane { y, 0.3 } } } "
           "sphere { 0, 2 clipped_by { plane { -y, -0.3 } } }"}) {
-        const World world = world_of(with_reflected(300, 40) + body +
-                                     " pigment { rgb 1 } finish { diffuse 0.6 emission 0.4 } }");
-        CHECK(reflected_luminaires_of(world, 0, 1));
-        Integrator integrator(world, {});
+        const Shot shot = shot_of(with_reflected(300, 40) + body +
+                                  " pigment { rgb 1 } finish { diffuse 0.6 emission 0.4 } }");
+        CHECK(reflected_luminaires_of(shot, 0, 1));
+        Integrator integrator(shot, {});
         Draw draw(1);
         double sum = 0, squares = 0;
         constexpr std::uint32_t groups = 60;
@@ -94,12 +94,12 @@ TEST_CASE("light paths leave the side of a lamp that glows, and of lamps in one 
           "[transport]") {
     // The middle of a floor under a ceiling, which the panel lights from below or not at all.
     const auto lit = [](int paths, const std::string& panel) {
-        const World world =
-            world_of(with_reflected(paths, 3) +
-                     "box { <-3, 0, -3>, <3, 3, 3> pigment { rgb 0.7 } } "
-                     "box { <-0.7, 1.49, -0.7>, <0.7, 1.499, 0.7> pigment { rgb 0 } } " +
-                     panel);
-        Integrator integrator(world, {});
+        const Shot shot =
+            shot_of(with_reflected(paths, 3) +
+                    "box { <-3, 0, -3>, <3, 3, 3> pigment { rgb 0.7 } } "
+                    "box { <-0.7, 1.49, -0.7>, <0.7, 1.499, 0.7> pigment { rgb 0 } } " +
+                    panel);
+        Integrator integrator(shot, {});
         Draw draw(2);
         double sum = 0;
         Key key;

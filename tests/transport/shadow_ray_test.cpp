@@ -24,19 +24,19 @@ public:
                        above)) {
         Hit hit;
         const Ray ray{Vec3(0, 0.1, 0), Vec3(0, -1, 0)};
-        REQUIRE(world_.first_hit(ray, 0, RayKind::camera, hit));
-        vertex_ = vertex_at(world_, ray, hit);
+        REQUIRE(world_->first_hit(ray, 0, RayKind::camera, hit));
+        vertex_ = vertex_at(*world_, ray, hit);
     }
 
     template <class Use>
     auto ask(const Use& use) const {
-        const auto textures = visible_textures(world_, vertex_);
-        const Shading shading = with_layer(world_, vertex_, textures.front().layers.front());
-        const ShadingRules rules = shading_rules(world_);
+        const auto textures = visible_textures(*world_, vertex_);
+        const Shading shading = with_layer(*world_, vertex_, textures.front().layers.front());
+        const ShadingRules rules = shading_rules(*world_);
         const Bsdf bsdf(shading, rules);
         const LitLayer layer{vertex_, bsdf, all_light};
         LightLedger ledger;
-        const ArrivingLight at{world_, layer, false, ledger};
+        const ArrivingLight at{*world_, layer, false, ledger};
         return use(ShadowRay(at, Vec3(0, 1, 0), Key()));
     }
     double left(double distance) const {
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    World world_;
+    SharedWorld world_;
     Vertex vertex_;
 };
 

@@ -14,14 +14,14 @@ namespace {
 
 /// Returns the picture's only pixel, which shows the floor at the origin.
 Vec3 floor_under(const std::string& lights) {
-    const World world = world_of(
+    const Shot shot = shot_of(
         "#version 3.7; camera { location 3*y look_at 0 right 0.001*x up 0.001*z }"
         "plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }" +
         lights);
     RenderSettings settings;
     settings.width = settings.height = 1;
     settings.samples = 1;
-    return render(world, settings).image.pixels[0];
+    return render(shot, settings).image.pixels[0];
 }
 
 }  // namespace

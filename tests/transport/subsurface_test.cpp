@@ -13,17 +13,17 @@ namespace {
 /// Returns the light of a solid under white light from the viewer's side, seen straight on. `solid`
 /// has no closing brace yet.
 Vec3 seen(const std::string& solid, const std::string& settings, const std::string& finish) {
-    const World world = world_of("global_settings { " + settings + R"( }
+    const Shot shot = shot_of("global_settings { " + settings + R"( }
         light_source { -1000*z rgb 1 parallel point_at 0 } )" +
-                                 solid + R"(
-        finish { ambient 0 )" + finish +
-                                 " } interior { ior 1.3 } }");
+                              solid + R"(
+        finish { ambient 0 )" +
+                              finish + " } interior { ior 1.3 } }");
     Vec3 sum(0);
     constexpr std::uint32_t count = 100;
     for (std::uint32_t i = 0; i < count; ++i) {
         Key key;
         key.sample = i;
-        sum += Integrator(world, {}).radiance({Vec3(0, 0, -10), Vec3(0, 0, 1)}, key);
+        sum += Integrator(shot, {}).radiance({Vec3(0, 0, -10), Vec3(0, 0, 1)}, key);
     }
     return sum / static_cast<double>(count);
 }
@@ -67,18 +67,17 @@ TEST_CASE("light gets round the edge of a shadow the farther, the larger a milli
 }
 
 TEST_CASE("light inside is as even as POV-Ray's with as many samples", "[render]") {
-    const World world =
-        world_of("global_settings { subsurface { samples 100, 0 } } " +
-                 std::string("light_source { -1000*z rgb 1 parallel point_at 0 } ") + box +
-                 "finish { ambient 0 diffuse 1 subsurface { translucency 1 } } "
-                 "interior { ior 1.3 } }");
+    const Shot shot =
+        shot_of("global_settings { subsurface { samples 100, 0 } } " +
+                std::string("light_source { -1000*z rgb 1 parallel point_at 0 } ") + box +
+                "finish { ambient 0 diffuse 1 subsurface { translucency 1 } } "
+                "interior { ior 1.3 } }");
     double sum = 0, squares = 0;
     constexpr std::uint32_t count = 200;
     for (std::uint32_t i = 0; i < count; ++i) {
         Key key;
         key.pixel = mix(i);
-        const double light =
-            Integrator(world, {}).radiance({Vec3(0, 0, -10), Vec3(0, 0, 1)}, key).y;
+        const double light = Integrator(shot, {}).radiance({Vec3(0, 0, -10), Vec3(0, 0, 1)}, key).y;
         sum += light;
         squares += light * light;
     }

@@ -16,19 +16,19 @@ namespace {
 /// Calls use(lobes, path) at the sphere of radius 1 around the origin, met from above at an angle.
 template <class Use>
 void at_sphere(const std::string& look, const Use& use) {
-    const World world =
+    const SharedWorld world =
         world_of("#version 3.7; global_settings { integrator { path_traced } } sphere { 0, 1 " +
                  look + " }");
     PathState path;
     path.ray = {Vec3(0.6, 4, 0), Vec3(0, -1, 0)};
     path.taken.by_shadow_rays = true;
     Hit hit;
-    REQUIRE(world.first_hit(path.ray, 0, RayKind::camera, hit));
-    const Vertex vertex = vertex_at(world, path.ray, hit);
-    const auto textures = visible_textures(world, vertex);
-    const LayerStack stack(world, path, vertex, textures.front().layers);
-    const ShadingRules rules = shading_rules(world);
-    SurfaceLobes lobes(world, rules, path, vertex, stack);
+    REQUIRE(world->first_hit(path.ray, 0, RayKind::camera, hit));
+    const Vertex vertex = vertex_at(*world, path.ray, hit);
+    const auto textures = visible_textures(*world, vertex);
+    const LayerStack stack(*world, path, vertex, textures.front().layers);
+    const ShadingRules rules = shading_rules(*world);
+    SurfaceLobes lobes(*world, rules, path, vertex, stack);
     stack.visit([&](const LayerStack::Seen& layer) { lobes.add(layer, {}); });
     lobes.add_behind();
     use(lobes, path);

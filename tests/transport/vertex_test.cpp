@@ -9,18 +9,18 @@
 namespace candelabra {
 
 TEST_CASE("a vertex looks to the side that is seen", "[transport]") {
-    const World world = world_of("sphere { 0, 1 pigment { rgbt <1, 0.5, 0, 0.25> } }");
+    const SharedWorld world = world_of("sphere { 0, 1 pigment { rgbt <1, 0.5, 0, 0.25> } }");
     for (const double from : {-3.0, 0.0}) {
         const Ray ray{Vec3(0, 0, from), Vec3(0, 0, 1)};
         Hit hit;
-        REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
-        const Vertex vertex = vertex_at(world, ray, hit);
+        REQUIRE(world->first_hit(ray, 0, RayKind::camera, hit));
+        const Vertex vertex = vertex_at(*world, ray, hit);
         CHECK(vertex.shading.geometric_normal.z == Approx(-1));
         CHECK(vertex.position().z == Approx(from < 0 ? -1 : 1));
         double weights = 0;
-        for (const auto& [weight, layers] : visible_textures(world, vertex)) {
+        for (const auto& [weight, layers] : visible_textures(*world, vertex)) {
             weights += weight;
-            const Shading s = with_layer(world, vertex, layers.front());
+            const Shading s = with_layer(*world, vertex, layers.front());
             CHECK(s.colour.rgb == Vec3(1, 0.5, 0));
             CHECK(s.opacity == Approx(0.75));
             CHECK(receiver(s).horizon == Horizon::one_side);
@@ -57,29 +57,29 @@ TEST_CASE("normals decide which side of a smooth face is the outer one", "[trans
                         " } " + looks + (form == "mesh" ? "}" : "clipped_by { box { -1, 1 } } }");
                 }
                 CAPTURE(script);
-                const World world = world_of(script);
+                const SharedWorld world = world_of(script);
                 for (const double side : {1.0, -1.0}) {
                     const Ray ray{Vec3(-0.1, 3 * side, 0.2), Vec3(0, -side, 0)};
                     Hit hit;
-                    REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
+                    REQUIRE(world->first_hit(ray, 0, RayKind::camera, hit));
                     const bool outer = form == "flat" ? wound == (side > 0) : up == (side > 0);
                     for (const auto& [weight, layers] :
-                         visible_textures(world, vertex_at(world, ray, hit)))
+                         visible_textures(*world, vertex_at(*world, ray, hit)))
                         CHECK(layers.front().colour.rgb == (outer ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
                 }
             }
 }
 
 TEST_CASE("textures of a small share are left out", "[transport]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "blob { threshold 0.5 sphere { 0, 2, 2 pigment { rgb 1 } } "
         "sphere { <0, 1, 0>, 2, 0.1 pigment { rgb 0 } } }");
     const Ray ray{Vec3(0, 0, -3), Vec3(0, 0, 1)};
     Hit hit;
-    REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
-    const Vertex vertex = vertex_at(world, ray, hit);
-    CHECK(visible_textures(world, vertex).size() == 2);
-    CHECK(visible_textures(world, vertex, 0.2).size() == 1);
+    REQUIRE(world->first_hit(ray, 0, RayKind::camera, hit));
+    const Vertex vertex = vertex_at(*world, ray, hit);
+    CHECK(visible_textures(*world, vertex).size() == 2);
+    CHECK(visible_textures(*world, vertex, 0.2).size() == 1);
 }
 
 }  // namespace candelabra

@@ -12,13 +12,10 @@ namespace {
 
 /// Bent normals of the luminaires of a scene, with the camera at `eye`.
 std::vector<Vec3> bent_normals(const std::string& text, const std::string& eye = "<0, 20, -50>") {
-    const World world =
-        world_of("#version 3.7; camera { location " + eye + " look_at 0 }\n" +
-                 "#declare G = texture { pigment { rgb 1 } finish { emission 1 } }\n" + text);
-    std::vector<Vec3> result;
-    for (const Luminaire& luminaire : world.lights.luminaires)
-        result.push_back(luminaire.bent_normal);
-    return result;
+    const Shot shot =
+        shot_of("#version 3.7; camera { location " + eye + " look_at 0 }\n" +
+                "#declare G = texture { pigment { rgb 1 } finish { emission 1 } }\n" + text);
+    return shot.bent_normals;
 }
 
 const std::string far = "sphere { <500, 0, 0>, 1 texture { G } }\n";
@@ -79,14 +76,10 @@ TEST_CASE("bent normals are the same for any number of threads", "[world]") {
     Diagnostics diagnostics;
     const Scene scene = scene_of(
         "#version 3.7;\n#declare G = texture { pigment { rgb 1 } finish { emission 1 } }\n" + text);
-    CompileOptions options;
-    options.threads = 1;
-    const World one = compile(scene, options, diagnostics);
-    options.threads = 3;
-    const World three = compile(scene, options, diagnostics);
-    REQUIRE(one.lights.luminaires.size() == 601);
-    for (std::size_t i = 0; i < one.lights.luminaires.size(); ++i)
-        CHECK(one.lights.luminaires[i].bent_normal == three.lights.luminaires[i].bent_normal);
+    const SharedWorld world = compile(scene, {}, diagnostics);
+    const auto found = [&](int threads) { return find_bent_normals(*world, Vec3(0), threads); };
+    CHECK(found(1).size() == 601);
+    CHECK(found(1) == found(3));
 }
 
 }  // namespace candelabra

@@ -10,7 +10,7 @@
 namespace candelabra {
 
 TEST_CASE("primitives of each kind become luminaires", "[world]") {
-    const World world = world_of(R"(#version 3.7;
+    const SharedWorld world = world_of(R"(#version 3.7;
         #default { pigment { rgb 1 } finish { emission 2 } }
         torus { 2, 0.5 }
         difference { box { 0, 1 } sphere { 0, 0.5 } }
@@ -18,41 +18,41 @@ TEST_CASE("primitives of each kind become luminaires", "[world]") {
         sphere { 5, 1 }
         superellipsoid { <0.5, 0.5> translate 9*x }
     )");
-    CHECK(world.lights.luminaires.size() == 6);
+    CHECK(world->lights.luminaires.size() == 6);
     const auto made = [&](auto kind) {
-        return std::ranges::count_if(world.lights.luminaires, [](const Luminaire& each) {
+        return std::ranges::count_if(world->lights.luminaires, [](const Luminaire& each) {
             return std::holds_alternative<decltype(kind)>(each.emitter);
         });
     };
     CHECK(made(SphereEmitter()) == 1);
     CHECK(made(TriangleEmitter()) == 1);
-    for (const Luminaire& each : world.lights.luminaires) {
+    for (const Luminaire& each : world->lights.luminaires) {
         CHECK(each.radiance == Vec3(2));
         CHECK_FALSE(each.varying);
-        CHECK(world.lights.luminaire_of[each.primitive] ==
-              static_cast<LightIndex>(&each - world.lights.luminaires.data()));
+        CHECK(world->lights.luminaire_of[each.primitive] ==
+              static_cast<LightIndex>(&each - world->lights.luminaires.data()));
     }
 }
 
 TEST_CASE("textures of a blob that is not placed do not go to the next shape", "[world]") {
     Diagnostics diagnostics;
-    const World world = survey(scene_of(R"(#version 3.7;
+    const SharedWorld world = survey(scene_of(R"(#version 3.7;
         blob { threshold 0.2 sphere { 0, 1, 1 pigment { rgb x } } }
         torus { 2, 0.5 pigment { rgb 1 } finish { emission 2 } }
     )"),
-                               diagnostics);
-    REQUIRE(world.lights.luminaires.size() == 1);
-    CHECK_FALSE(world.lights.luminaires[0].varying);
+                                     diagnostics);
+    REQUIRE(world->lights.luminaires.size() == 1);
+    CHECK_FALSE(world->lights.luminaires[0].varying);
 }
 
 TEST_CASE("copies of a shape share the triangles at which rays are aimed", "[world]") {
-    const World world = world_of(R"(#version 3.7;
+    const SharedWorld world = world_of(R"(#version 3.7;
         #declare Letter = text { ttf "timrom.ttf" "g" 0.2, 0 pigment { rgb 1 }
                                  finish { emission 2 diffuse 0 } }
         #for (I, 0, 99) object { Letter rotate 7*I*y scale <1, 1 + I/50, 1> translate 3*I*x } #end
         plane { y, 0 pigment { rgb 1 } })");
-    REQUIRE(world.lights.luminaires.size() == 100);
-    for (const Luminaire& each : world.lights.luminaires) {
+    REQUIRE(world->lights.luminaires.size() == 100);
+    for (const Luminaire& each : world->lights.luminaires) {
         const auto& letter = std::get<CompositeEmitter>(each.emitter);
         CHECK(letter.guide);
         CHECK(letter.closed);
@@ -73,10 +73,10 @@ TEST_CASE("nothing is a luminaire where no surface and no medium shows its light
     const std::string lamps = R"(#version 3.7; #default { finish { ambient 0 diffuse 0 } }
         #for (I, 0, 9) sphere { I*x, 0.3 pigment { rgb 1 } finish { emission 1 } } #end
         box { -0.2, 0.2 translate 2*y pigment { rgb 1 } finish { reflection 0.5 emission 1 } } )";
-    const World dark = world_of(lamps);
-    CHECK(dark.lights.luminaires.empty());
-    CHECK_FALSE(dark.facts.differs_by_light);
-    CHECK(glows_without_light(dark) == 11);
+    const SharedWorld dark = world_of(lamps);
+    CHECK(dark->lights.luminaires.empty());
+    CHECK_FALSE(dark->facts.differs_by_light);
+    CHECK(glows_without_light(*dark) == 11);
     for (const char* const receiver :
          {"plane { y, -1 pigment { rgb 1 } finish { diffuse 0.1 } }",
           "plane { y, -1 pigment { rgb 1 } finish { diffuse 0, 0.1 } }",
@@ -91,11 +91,11 @@ TEST_CASE("nothing is a luminaire where no surface and no medium shows its light
           "sphere { 0, 9 hollow pigment { rgbt 1 } interior { media { scattering { 1, 0.1 } } } "
           "}"}) {
         CAPTURE(receiver);
-        CHECK(world_of(lamps + receiver).lights.luminaires.size() == 11);
+        CHECK(world_of(lamps + receiver)->lights.luminaires.size() == 11);
     }
     // A mirror shows the lamps themselves.
     CHECK(world_of(lamps + "plane { y, -1 pigment { rgb 1 } finish { reflection 1 } }")
-              .lights.luminaires.empty());
+              ->lights.luminaires.empty());
 }
 
 }  // namespace candelabra

@@ -12,23 +12,23 @@ namespace candelabra {
 
 TEST_CASE("questions about a scene are answered once it is compiled", "[world]") {
     const std::string ground = "#version 3.7; plane { y, 0 } ";
-    const WorldFacts plain = world_of(ground + "light_source { 5*y, 1 }").facts;
+    const WorldFacts plain = world_of(ground + "light_source { 5*y, 1 }")->facts;
     CHECK_FALSE(plain.has_air);
     CHECK_FALSE(plain.has_media);
     CHECK_FALSE(plain.notes_solids);
     CHECK_FALSE(plain.is_lit_by_luminaires_only);
     CHECK_FALSE(plain.left_to_chance);
     SECTION("of air and media") {
-        const WorldFacts foggy = world_of(ground + "fog { distance 9 rgb 1 }").facts;
+        const WorldFacts foggy = world_of(ground + "fog { distance 9 rgb 1 }")->facts;
         CHECK(foggy.has_air);
         CHECK(foggy.notes_solids);
         CHECK_FALSE(foggy.has_media);
-        CHECK(world_of(ground + "media { emission 1 }").facts.has_media);
+        CHECK(world_of(ground + "media { emission 1 }")->facts.has_media);
         const std::string smoke = "media { scattering { 1, 0.1 } intervals 1 method 1 }";
         const WorldFacts filled =
             world_of(ground + "sphere { 0, 1 pigment { rgbt 1 } hollow interior { " + smoke +
                      " } }")
-                .facts;
+                ->facts;
         CHECK(filled.has_media);
         CHECK_FALSE(filled.has_air);
         CHECK(filled.left_to_chance);
@@ -36,25 +36,25 @@ TEST_CASE("questions about a scene are answered once it is compiled", "[world]")
     }
     SECTION("of light") {
         const WorldFacts lamp =
-            world_of(ground + "sphere { y, 0.1 pigment { rgb 1 } finish { emission 1 } }").facts;
+            world_of(ground + "sphere { y, 0.1 pigment { rgb 1 } finish { emission 1 } }")->facts;
         CHECK(lamp.is_lit_by_luminaires_only);
         CHECK(lamp.light_is_drawn);
         CHECK(lamp.differs_by_light);
         CHECK(lamp.left_to_chance);
         CHECK_FALSE(lamp.has_indirect_light);
-        const WorldFacts gathers = world_of("global_settings { radiosity { } } " + ground).facts;
+        const WorldFacts gathers = world_of("global_settings { radiosity { } } " + ground)->facts;
         CHECK(gathers.gathers_light);
         CHECK(gathers.has_indirect_light);
         CHECK_FALSE(gathers.keeps_energy);
         const WorldFacts traced =
-            world_of("global_settings { integrator { path_traced { } } } " + ground).facts;
+            world_of("global_settings { integrator { path_traced { } } } " + ground)->facts;
         CHECK_FALSE(traced.gathers_light);
         CHECK(traced.has_indirect_light);
         CHECK(traced.keeps_energy);
         CHECK(traced.left_to_chance);
     }
     SECTION("of rays") {
-        CHECK(world_of("camera { orthographic } " + ground).facts.indexes_solids);
+        CHECK(world_of("camera { orthographic } " + ground)->facts.indexes_solids);
         CHECK_FALSE(plain.indexes_solids);
     }
 }

@@ -9,7 +9,7 @@
 namespace candelabra {
 
 TEST_CASE("children inherit what they do not say", "[world]") {
-    const World world = world_of(R"(
+    const SharedWorld world = world_of(R"(
         union {
             sphere { 0, 1 }
             sphere { 5, 1 pigment { rgb 0.5 } }
@@ -17,30 +17,30 @@ TEST_CASE("children inherit what they do not say", "[world]") {
             no_shadow
         }
     )");
-    REQUIRE(world.geometry.spheres.size() == 2);
-    CHECK(world.material(0).texture->pigment.colour.rgb.x == 0.25);
-    CHECK(world.material(1).texture->pigment.colour.rgb.x == 0.5);
-    CHECK(world.material(1).no_shadow);
+    REQUIRE(world->geometry.spheres.size() == 2);
+    CHECK(world->material(0).texture->pigment.colour.rgb.x == 0.25);
+    CHECK(world->material(1).texture->pigment.colour.rgb.x == 0.5);
+    CHECK(world->material(1).no_shadow);
 }
 
 TEST_CASE("textures move with the unions around them", "[world]") {
-    const World world = world_of(R"(
+    const SharedWorld world = world_of(R"(
         union {
             sphere { 0, 1 pigment { gradient x } }
             translate 10.25*x
         }
     )");
-    CHECK(evaluate(world.material(0).texture->pigment, Vec3(10.5, 0, 0)).rgb.x == Approx(0.25));
+    CHECK(evaluate(world->material(0).texture->pigment, Vec3(10.5, 0, 0)).rgb.x == Approx(0.25));
 }
 
 TEST_CASE("many copies of an object share their looks", "[world]") {
-    const World world = world_of(R"(
+    const SharedWorld world = world_of(R"(
         #declare Lamp = union { sphere { 0, 1 pigment { rgb 1 } finish { emission 1 } } cylinder { 0, y, 0.1 pigment { rgb 0 } } }
         #for (I, 1, 100) object { Lamp translate 3*I*x } #end
     )");
-    CHECK(world.provenance.object_count == 200);
-    CHECK(world.appearance.materials.size() == 2);
-    CHECK(world.lights.luminaires.size() == 100);
+    CHECK(world->provenance.object_count == 200);
+    CHECK(world->appearance.materials.size() == 2);
+    CHECK(world->lights.luminaires.size() == 100);
 }
 
 TEST_CASE("a luminaire that cannot light says so", "[world]") {
@@ -75,19 +75,19 @@ TEST_CASE("bounds that POV-Ray removes cut nothing away", "[world]") {
              {"union { sphere { 0, 1 " + tight + " sphere { 9*x, 1 } }", true},
              {"intersection { sphere { 0, 1 " + tight + " sphere { 0, 2 } }", false}}) {
         CAPTURE(c.script);
-        const World world = world_of("#version 3.7; " + c.script);
+        const SharedWorld world = world_of("#version 3.7; " + c.script);
         Hit hit;
-        CHECK(world.first_hit({Vec3(-0.1, 0.1, -9), Vec3(0, 0, 1)}, 0, RayKind::camera, hit) ==
+        CHECK(world->first_hit({Vec3(-0.1, 0.1, -9), Vec3(0, 0, 1)}, 0, RayKind::camera, hit) ==
               c.seen);
     }
 }
 
 TEST_CASE("parts of a union share the interior that it gives them", "[world]") {
     const auto solids = [](const std::string& script) {
-        const World world = world_of("#version 3.7; " + script);
+        const SharedWorld world = world_of("#version 3.7; " + script);
         std::vector<std::uint32_t> result;
-        for (PrimitiveIndex i = 0; i < world.appearance.material_of.size(); ++i)
-            result.push_back(world.solid(i));
+        for (PrimitiveIndex i = 0; i < world->appearance.material_of.size(); ++i)
+            result.push_back(world->solid(i));
         std::ranges::sort(result);
         return std::unique(result.begin(), result.end()) - result.begin();
     };

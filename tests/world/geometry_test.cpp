@@ -28,8 +28,8 @@ std::string kind_of_item(const Geometry& geometry, std::uint32_t item) {
 }  // namespace
 
 TEST_CASE("items are numbered by kind, with composites behind all others", "[world]") {
-    const World world = world_of(one_of_each);
-    const Geometry& geometry = world.geometry;
+    const SharedWorld world = world_of(one_of_each);
+    const Geometry& geometry = world->geometry;
     REQUIRE(geometry.item_count() == 4);
     const std::string kinds[] = {"sphere", "triangle", "shape", "composite"};
     for (std::uint32_t item = 0; item < 4; ++item) {
@@ -41,8 +41,8 @@ TEST_CASE("items are numbered by kind, with composites behind all others", "[wor
 }
 
 TEST_CASE("the leaves of a composite are primitives of their own", "[world]") {
-    const World world = world_of(one_of_each);
-    const Geometry& geometry = world.geometry;
+    const SharedWorld world = world_of(one_of_each);
+    const Geometry& geometry = world->geometry;
     for (std::uint32_t leaf = 0; leaf < 2; ++leaf) {
         const PrimitiveIndex primitive = geometry.primitive(PrimitiveKind::leaf, leaf);
         CHECK(geometry.is_leaf(primitive));
@@ -57,8 +57,8 @@ TEST_CASE("the leaves of a composite are primitives of their own", "[world]") {
 }
 
 TEST_CASE("bounds of items are those of their surfaces", "[world]") {
-    const World world = world_of(one_of_each);
-    const Geometry& geometry = world.geometry;
+    const SharedWorld world = world_of(one_of_each);
+    const Geometry& geometry = world->geometry;
     CHECK(geometry.bounds(0).high == Vec3(1));
     CHECK(geometry.bounds(1).high == Vec3(1, 1, 0));
     CHECK(contains(geometry.bounds(2), Vec3(2.5, 0, 0)));
@@ -67,10 +67,10 @@ TEST_CASE("bounds of items are those of their surfaces", "[world]") {
 }
 
 TEST_CASE("what has no end is kept apart, planes in their own place from others", "[world]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "plane { y, 0 } sphere { 0, 1 } plane { x, 0 rotate 20*z } quadric { <1, 0, 1>, "
         "<0, 0, 0>, <0, 0, 0>, -1 }");
-    const InfiniteItems& infinite = world.geometry.infinite;
+    const InfiniteItems& infinite = world->geometry.infinite;
     CHECK(infinite.all.size() == 3);
     REQUIRE(infinite.planes.size() == 1);
     CHECK(infinite.others.size() == 2);

@@ -38,33 +38,34 @@ bool close(const Vec3& a, const Vec3& b) { return max_abs_component(a - b) < 1e-
 
 TEST_CASE("a triangle of its own has u and v of its place, as in POV-Ray", "[world]") {
     for (const char* kind : {"triangle { 0, x, y ", "smooth_triangle { 0, -z, x, -z, y, -z "}) {
-        const World world = world_of(std::string("#version 3.7; ") + kind +
-                                     "uv_mapping pigment { gradient x } translate <4, 2, 0> }");
-        CHECK(close(seen(world, 4.25, 2.125), Vec3(0.25)));
+        const SharedWorld world =
+            world_of(std::string("#version 3.7; ") + kind +
+                     "uv_mapping pigment { gradient x } translate <4, 2, 0> }");
+        CHECK(close(seen(*world, 4.25, 2.125), Vec3(0.25)));
     }
 }
 
 TEST_CASE("the textures of a face's corners are mixed", "[world]") {
-    const World world = world_of(std::string(mesh) + "object { M }");
-    CHECK(close(seen(world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
-    CHECK(close(seen(world, 0.7, 0.6), Vec3(0, 1, 0)));
+    const SharedWorld world = world_of(std::string(mesh) + "object { M }");
+    CHECK(close(seen(*world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
+    CHECK(close(seen(*world, 0.7, 0.6), Vec3(0, 1, 0)));
 }
 
 TEST_CASE("faces of a mesh in an intersection keep their textures", "[world]") {
-    const World world =
+    const SharedWorld world =
         world_of(std::string(mesh) + "object { M clipped_by { box { <0, 0, -1>, <0.8, 2, 1> } } }");
-    CHECK(close(seen(world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
-    CHECK(close(seen(world, 0.7, 0.6), Vec3(0, 1, 0)));
-    CHECK(seen(world, 0.9, 0.6) == Vec3(-1));
+    CHECK(close(seen(*world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
+    CHECK(close(seen(*world, 0.7, 0.6), Vec3(0, 1, 0)));
+    CHECK(seen(*world, 0.9, 0.6) == Vec3(-1));
 }
 
 TEST_CASE("what is on u and v is turned with its object", "[world]") {
     const std::string sphere = "#version 3.7; sphere { 0, 1 uv_mapping pigment { gradient x } ";
     // Seen along z: u is 0.75 at -z.
-    CHECK(seen(world_of(sphere + "}"), 0, 0).x == Approx(0.75));
-    CHECK(seen(world_of(sphere + "rotate -90*y scale 2 }"), 0, 0).x == Approx(0.5));
-    CHECK(seen(world_of("#version 3.7; union { sphere { 0, 1 } rotate -90*y "
-                        "pigment { uv_mapping gradient x } }"),
+    CHECK(seen(*world_of(sphere + "}"), 0, 0).x == Approx(0.75));
+    CHECK(seen(*world_of(sphere + "rotate -90*y scale 2 }"), 0, 0).x == Approx(0.5));
+    CHECK(seen(*world_of("#version 3.7; union { sphere { 0, 1 } rotate -90*y "
+                         "pigment { uv_mapping gradient x } }"),
                0, 0)
               .x == Approx(0.5));
 }
@@ -74,10 +75,10 @@ TEST_CASE("u and v of meshes and of leaves", "[world]") {
         "#version 3.7; mesh { triangle { 0, x, y uv_vectors <0, 0>, <0.5, 0>, <0, 1> } "
         "inside_vector z uv_mapping pigment { gradient x } ";
     for (const auto* end : {"}", "clipped_by { box { -1, 2 } } }"})
-        CHECK(seen(world_of(triangle + end), 0.4, 0.1).x == Approx(0.2));
+        CHECK(seen(*world_of(triangle + end), 0.4, 0.1).x == Approx(0.2));
     const std::string plane =
         "#version 3.7; plane { z, 0 pigment { uv_mapping gradient y } translate y }";
-    CHECK(seen(world_of(plane), 0.4, 0.1).x == Approx(0.1));
+    CHECK(seen(*world_of(plane), 0.4, 0.1).x == Approx(0.1));
 }
 
 TEST_CASE("textures of a blob's components are mixed by the strength of their fields", "[world]") {
@@ -94,25 +95,25 @@ TEST_CASE("textures of a blob's components are mixed by the strength of their fi
          {"pigment { rgb z } }", "pigment { rgb z } clipped_by { box { -2, 2 } } }",
           "pigment { rgb z } rotate 90*z rotate -90*z }"})
         for (const double x : {-0.9, -0.3, -0.1}) {
-            const World world = world_of(blob + end);
+            const SharedWorld world = world_of(blob + end);
             Hit hit;
-            REQUIRE(world.first_hit({Vec3(x, 0, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
+            REQUIRE(world->first_hit({Vec3(x, 0, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
             const double z2 = hit.position.z * hit.position.z;
             const Vec3 strengths(field((x + 0.5) * (x + 0.5) + z2, 1),
                                  field((x - 0.5) * (x - 0.5) + z2, 1) / 2,
                                  field(x * x + z2, 0.6) * 0.3);
             CAPTURE(end, x);
-            CHECK(close(seen(world, x, 0), strengths / (strengths.x + strengths.y + strengths.z)));
+            CHECK(close(seen(*world, x, 0), strengths / (strengths.x + strengths.y + strengths.z)));
         }
 }
 
 TEST_CASE("a component that glows makes a luminaire of its blob", "[world]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "#version 3.7; blob { threshold 0.2 sphere { 0, 1, 1 pigment { "
         "rgb 1 } finish { emission 2 } } sphere { x, 1, 1 } }");
-    REQUIRE(world.lights.luminaires.size() == 1);
-    CHECK(world.lights.luminaires[0].radiance == Vec3(2));
-    CHECK(world.lights.luminaires[0].varying);
+    REQUIRE(world->lights.luminaires.size() == 1);
+    CHECK(world->lights.luminaires[0].radiance == Vec3(2));
+    CHECK(world->lights.luminaires[0].varying);
 }
 
 }  // namespace candelabra

@@ -62,7 +62,7 @@ TEST_CASE("faces between two looks have what either of them has", "[world]") {
 TEST_CASE("materials know whether a pattern of any side depends on the ray", "[world]") {
     const auto by_view = [](const std::string& looks) {
         const Material material =
-            world_of("#version 3.7; sphere { 0, 1 " + looks + " }").appearance.materials.front();
+            world_of("#version 3.7; sphere { 0, 1 " + looks + " }")->appearance.materials.front();
         CHECK(material.other_light == material.by_view);
         return material.by_view;
     };
@@ -79,7 +79,7 @@ TEST_CASE("materials know whether a pattern of any side depends on the ray", "[w
 
 TEST_CASE("what differs in its lights or inside is another material", "[world]") {
     const auto materials = [](const std::string& looks) {
-        return world_of("#version 3.7; " + looks).appearance.materials.size();
+        return world_of("#version 3.7; " + looks)->appearance.materials.size();
     };
     CHECK(materials("sphere { 0, 1 } sphere { 3*x, 1 }") == 1);
     CHECK(materials("sphere { 0, 1 } light_group { sphere { 3*x, 1 } }") == 2);
@@ -88,25 +88,25 @@ TEST_CASE("what differs in its lights or inside is another material", "[world]")
 }
 
 TEST_CASE("the index of refraction of a finish replaces that of the interior", "[world]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "sphere { 0, 1 finish { ior 1.3 } interior { ior 1.5 fade_distance 2 fade_power 1 } }");
-    CHECK(world.appearance.materials.front().interior->ior == 1.3);
-    CHECK(world.appearance.materials.front().interior->fade_distance == 2);
+    CHECK(world->appearance.materials.front().interior->ior == 1.3);
+    CHECK(world->appearance.materials.front().interior->fade_distance == 2);
 }
 
 TEST_CASE("ambient of 1 and more makes luminaires where that is wanted", "[world]") {
     const std::string spheres =
         "sphere { 0, 1 pigment { rgb <1, 0.5, 0> } finish { ambient 2 } }"
         "sphere { 3*x, 1 finish { ambient 0.9 } }";
-    CHECK(world_of(spheres).lights.luminaires.empty());
-    const World world =
+    CHECK(world_of(spheres)->lights.luminaires.empty());
+    const SharedWorld world =
         world_of("global_settings { luminaires ambient ambient_light 3 } " + spheres);
-    REQUIRE(world.lights.luminaires.size() == 1);
-    CHECK(world.lights.luminaires.front().radiance == Vec3(6, 3, 0));
-    const World map = world_of(
+    REQUIRE(world->lights.luminaires.size() == 1);
+    CHECK(world->lights.luminaires.front().radiance == Vec3(6, 3, 0));
+    const SharedWorld map = world_of(
         "#version 3.7; global_settings { luminaires ambient } sphere { 0, 1 texture { gradient y "
         "texture_map { [0 pigment { rgb 1 } finish { ambient 1 }] [1 pigment { rgb 0 }] } } }");
-    CHECK(map.lights.luminaires.size() == 1);
+    CHECK(map->lights.luminaires.size() == 1);
 }
 
 TEST_CASE("what glows is a luminaire unless something says that it lights nothing", "[world]") {
@@ -134,15 +134,15 @@ TEST_CASE("what glows is a luminaire unless something says that it lights nothin
          1},
     }));
     INFO(script);
-    CHECK(world_of("#version 3.7; " + script).lights.luminaires.size() == luminaires);
+    CHECK(world_of("#version 3.7; " + script)->lights.luminaires.size() == luminaires);
 }
 
 TEST_CASE("what lights nothing is seen to glow as before", "[world]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "camera { location -3*z } sphere { 0, 1 pigment { rgb 1 } finish { emission 0.5 "
         "no_luminaire } }");
-    REQUIRE(world.lights.luminaires.empty());
-    CHECK(world.emission(0, Vec3(0, 0, -1), Side::outer) == Vec3(0.5));
+    REQUIRE(world->lights.luminaires.empty());
+    CHECK(world->emission(0, Vec3(0, 0, -1), Side::outer) == Vec3(0.5));
 }
 
 }  // namespace candelabra

@@ -90,9 +90,9 @@ TEST_CASE("the first copies of a mesh are taken apart", "[world]") {
 }
 
 TEST_CASE("copies of a mesh that are whole look as those that are taken apart", "[world]") {
-    const World copies = world_of(sheets("Copy")), others = world_of(sheets("Sheet()"));
-    CHECK(copies.geometry.shapes.size() == others.geometry.shapes.size() + 7);
-    CHECK(copies.geometry.triangles.size() == others.geometry.triangles.size() / 8);
+    const Shot copies = shot_of(sheets("Copy")), others = shot_of(sheets("Sheet()"));
+    CHECK(copies.world->geometry.shapes.size() == others.world->geometry.shapes.size() + 7);
+    CHECK(copies.world->geometry.triangles.size() == others.world->geometry.triangles.size() / 8);
     RenderSettings settings;
     settings.width = 64;
     settings.height = 48;
@@ -105,8 +105,8 @@ TEST_CASE("copies of a mesh that are whole look as those that are taken apart", 
 }
 
 TEST_CASE("a whole copy of a mesh is one luminaire, and as bright as its faces are", "[world]") {
-    const World copies = world_of(globes("Copy")), others = world_of(globes("Globe()"));
-    CHECK(copies.lights.luminaires.size() == others.lights.luminaires.size() / 2 + 1);
+    const Shot copies = shot_of(globes("Copy")), others = shot_of(globes("Globe()"));
+    CHECK(copies.world->lights.luminaires.size() == others.world->lights.luminaires.size() / 2 + 1);
     RenderSettings settings;
     settings.width = 32;
     settings.height = 24;

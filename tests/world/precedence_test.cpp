@@ -21,9 +21,9 @@ TEST_CASE("of surfaces in one place that whose box the ray enters first is hit",
     const std::string table = "box { <-9, -1, -9>, <9, 0, 9> }",
                       dome = "intersection { sphere { 0, 1 } plane { -y, 0 } pigment { rgb x } }";
     for (const std::string& scene : {table + dome, dome + table}) {
-        const World world = world_of(scene);
-        CHECK(is_red(world, Vec3(0.1, 0.5, 0), Vec3(0.2, 0, 0.1)));
-        CHECK_FALSE(is_red(world, Vec3(0.1, -0.5, 0), Vec3(0.2, 0, 0.1)));
+        const SharedWorld world = world_of(scene);
+        CHECK(is_red(*world, Vec3(0.1, 0.5, 0), Vec3(0.2, 0, 0.1)));
+        CHECK_FALSE(is_red(*world, Vec3(0.1, -0.5, 0), Vec3(0.2, 0, 0.1)));
     }
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("what has no end comes before all that is in the same place", "[world]
     for (const std::string& thing : things)
         for (const std::string& floor : floors)
             for (const std::string& scene : {floor + thing, thing + floor})
-                CHECK(is_red(world_of(scene), Vec3(0.1, 0.5, 0), Vec3(0.2, 0, 0.1)));
+                CHECK(is_red(*world_of(scene), Vec3(0.1, 0.5, 0), Vec3(0.2, 0, 0.1)));
 }
 
 }  // namespace candelabra

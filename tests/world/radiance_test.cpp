@@ -37,49 +37,49 @@ TEST_CASE("a luminaire has the radiance of the side that is seen", "[world]") {
           "triangle { <-9, 0, -9>, <9, 0, -9>, <0, 0, 9>", "sphere { 0, 1 scale <1, 2, 1>"})
         for (const bool inner : {false, true}) {
             CAPTURE(shape, inner);
-            const World world =
+            const SharedWorld world =
                 world_of(surface_below + shape + " texture " + (inner ? dark : red) +
                          " interior_texture " + (inner ? red : dark) + " }");
-            REQUIRE_FALSE(world.lights.luminaires.empty());
-            CHECK(world.lights.luminaires[0].one_sided);
-            CHECK(world.lights.luminaires[0].radiance == Vec3(3, 0, 0));
+            REQUIRE_FALSE(world->lights.luminaires.empty());
+            CHECK(world->lights.luminaires[0].one_sided);
+            CHECK(world->lights.luminaires[0].radiance == Vec3(3, 0, 0));
             Hit hit;
             const Ray ray{Vec3(0.1, 5, 0.2), unit(Vec3(0.8, -5, 0))};
-            REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
+            REQUIRE(world->first_hit(ray, 0, RayKind::camera, hit));
             const bool sees_inner = hit.side_towards(ray.direction) == Side::inner;
-            const Vec3 seen = seen_along(world, ray.origin, ray.origin + ray.direction,
-                                         world.lights.luminaire_of[hit.primitive]);
+            const Vec3 seen = seen_along(*world, ray.origin, ray.origin + ray.direction,
+                                         world->lights.luminaire_of[hit.primitive]);
             CHECK(seen == (sees_inner == inner ? Vec3(3, 0, 0) : Vec3(0)));
         }
 }
 
 TEST_CASE("of luminaires in one place the first one along the ray is seen", "[world]") {
     const std::string lamp = " pigment { rgb 1 } finish { diffuse 0 emission ";
-    const World nested = world_of(surface_below + "sphere { 0, 1 - 1e-7" + lamp +
-                                  "900 } } sphere { 0, 1" + lamp + "2 } }");
-    CHECK(seen_along(nested, Vec3(0, 9, 0), Vec3(0)) == Vec3(0));
-    CHECK(seen_along(nested, Vec3(0, 9, 0), Vec3(0), 1) == Vec3(2));
-    const World twice =
+    const SharedWorld nested = world_of(surface_below + "sphere { 0, 1 - 1e-7" + lamp +
+                                        "900 } } sphere { 0, 1" + lamp + "2 } }");
+    CHECK(seen_along(*nested, Vec3(0, 9, 0), Vec3(0)) == Vec3(0));
+    CHECK(seen_along(*nested, Vec3(0, 9, 0), Vec3(0), 1) == Vec3(2));
+    const SharedWorld twice =
         world_of(surface_below + "sphere { 0, 1" + lamp + "3 } } sphere { 0, 1" + lamp + "5 } }");
-    CHECK(seen_along(twice, Vec3(1, 9, 2), Vec3(0)) == Vec3(3));
-    CHECK(seen_along(twice, Vec3(1, 9, 2), Vec3(0), 1) == Vec3(0));
-    const World covered = world_of(surface_below + "disc { 0, y, 1" + lamp +
-                                   "3 } } plane { y, 1e-8 pigment { rgb 1 } }");
-    CHECK(seen_along(covered, Vec3(0, 9, 0), Vec3(0)) == Vec3(0));
+    CHECK(seen_along(*twice, Vec3(1, 9, 2), Vec3(0)) == Vec3(3));
+    CHECK(seen_along(*twice, Vec3(1, 9, 2), Vec3(0), 1) == Vec3(0));
+    const SharedWorld covered = world_of(surface_below + "disc { 0, y, 1" + lamp +
+                                         "3 } } plane { y, 1e-8 pigment { rgb 1 } }");
+    CHECK(seen_along(*covered, Vec3(0, 9, 0), Vec3(0)) == Vec3(0));
     // A clear surface lets it through.
-    const World behind = world_of(surface_below + "sphere { 0, 1" + lamp +
-                                  "4 } } sphere { 0, 1 + 1e-8 pigment { rgbt 0.5 } }");
-    CHECK(seen_along(behind, Vec3(0, 9, 0), Vec3(0)).x == Approx(2));
+    const SharedWorld behind = world_of(surface_below + "sphere { 0, 1" + lamp +
+                                        "4 } } sphere { 0, 1 + 1e-8 pigment { rgbt 0.5 } }");
+    CHECK(seen_along(*behind, Vec3(0, 9, 0), Vec3(0)).x == Approx(2));
 }
 
 TEST_CASE("the far side of a luminaire is not its near side, however far it is", "[world]") {
-    const World world = world_of(
+    const SharedWorld world = world_of(
         "#version 3.7; torus { 3, 1 translate 1e8*z "
         "pigment { rgb 1 } finish { emission 2 } }");
-    const Luminaire& ring = world.lights.luminaires.at(0);
+    const Luminaire& ring = world->lights.luminaires.at(0);
     const Ray ray{Vec3(3, 0, 0), Vec3(0, 0, 1)};
-    CHECK(radiance_seen(world, {ring, ray, 0, 1e8 - std::sqrt(7)}) == Vec3(2));
-    CHECK(radiance_seen(world, {ring, ray, 0, 1e8 + std::sqrt(7)}) == Vec3(0));
+    CHECK(radiance_seen(*world, {ring, ray, 0, 1e8 - std::sqrt(7)}) == Vec3(2));
+    CHECK(radiance_seen(*world, {ring, ray, 0, 1e8 + std::sqrt(7)}) == Vec3(0));
 }
 
 }  // namespace candelabra

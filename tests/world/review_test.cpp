@@ -13,8 +13,9 @@ namespace {
 std::string said_about(const std::string& script, bool surveyed) {
     Diagnostics diagnostics;
     const Scene scene = scene_of(script);
-    const World world = surveyed ? survey(scene, diagnostics) : compile(scene, {}, diagnostics);
-    review(scene, world, diagnostics);
+    const SharedWorld world =
+        surveyed ? survey(scene, diagnostics) : compile(scene, {}, diagnostics);
+    review(scene, *world, diagnostics);
     std::string said;
     for (const Diagnostic& each : diagnostics.all()) said += std::string(name(each.fault)) + ' ';
     return said;
@@ -97,7 +98,7 @@ TEST_CASE("a lamp without a pigment is told why it is dark", "[world]") {
     const auto help = [](const std::string& rest) {
         Diagnostics diagnostics;
         const Scene scene = scene_of("camera { location -z } " + rest);
-        review(scene, compile(scene, {}, diagnostics), diagnostics);
+        review(scene, *compile(scene, {}, diagnostics), diagnostics);
         REQUIRE(diagnostics.all().size() == 1);
         REQUIRE(diagnostics.all().front().fault == Fault::no_light);
         return diagnostics.all().front().help;

@@ -15,17 +15,17 @@ Vec3 between(const World& world, const Vec3& from, const Vec3& to) {
 }  // namespace
 
 TEST_CASE("light passes through what is clear, and counts each surface once", "[world]") {
-    const World world = world_of(R"(
+    const SharedWorld world = world_of(R"(
         sphere { <0, 0, 5>, 1 pigment { rgbf <1, 0.5, 0.25, 0.5> } }
         box { <9, -1, 4>, <11, 1, 5> pigment { rgb 1 } }
         box { <-11, -1, 4>, <-9, 1, 5> pigment { rgb 1 } no_shadow }
     )");
-    const Vec3 passed = between(world, Vec3(0), Vec3(0, 0, 20));
+    const Vec3 passed = between(*world, Vec3(0), Vec3(0, 0, 20));
     CHECK(length(passed - Vec3(0.25, 0.0625, 0.015625)) < 1e-12);
-    CHECK(between(world, Vec3(0), Vec3(0, 0, 5)).x == Approx(0.5));
-    CHECK(between(world, Vec3(10, 0, 0), Vec3(10, 0, 20)) == Vec3(0));
-    CHECK(between(world, Vec3(10, 0, 0), Vec3(10, 0, 4)) == Vec3(1));
-    CHECK(between(world, Vec3(-10, 0, 0), Vec3(-10, 0, 20)) == Vec3(1));
+    CHECK(between(*world, Vec3(0), Vec3(0, 0, 5)).x == Approx(0.5));
+    CHECK(between(*world, Vec3(10, 0, 0), Vec3(10, 0, 20)) == Vec3(0));
+    CHECK(between(*world, Vec3(10, 0, 0), Vec3(10, 0, 4)) == Vec3(1));
+    CHECK(between(*world, Vec3(-10, 0, 0), Vec3(-10, 0, 20)) == Vec3(1));
 }
 
 }  // namespace candelabra

@@ -26,11 +26,11 @@ TEST_CASE("a world has a world for each shutter sample after the first", "[world
                                    asked.push_back(ahead);
                                    return std::optional(lamp_at(ahead));
                                }};
-    const World world = compile(lamp_at(0), {}, diagnostics, &scenes);
+    const SharedWorld world = compile(lamp_at(0), {}, diagnostics, &scenes);
     CHECK(asked == std::vector<double>{1.0 / 3, 2.0 / 3});
-    REQUIRE(world.shutter.size() == 2);
-    CHECK(world.shutter[1].geometry.spheres[0].centre == Vec3(2.0 / 3));
-    CHECK(compile(lamp_at(0), {}, diagnostics).shutter.empty());
+    REQUIRE(world->shutter.size() == 2);
+    CHECK(world->shutter[1].geometry.spheres[0].centre == Vec3(2.0 / 3));
+    CHECK(compile(lamp_at(0), {}, diagnostics)->shutter.empty());
 }
 
 TEST_CASE("a shutter sample that cannot be made is the last that is asked for", "[world]") {
@@ -41,7 +41,7 @@ TEST_CASE("a shutter sample that cannot be made is the last that is asked for", 
                                    ++asked;
                                    return std::optional<Scene>();
                                }};
-    CHECK(compile(lamp_at(0), {}, diagnostics, &scenes).shutter.empty());
+    CHECK(compile(lamp_at(0), {}, diagnostics, &scenes)->shutter.empty());
     CHECK(asked == 1);
 }
 

@@ -23,7 +23,7 @@ std::vector<PointLight> lights(std::size_t count, const PointLight& like = {}) {
 std::vector<SourceSet> sets(const std::vector<PointLight>& lights,
                             const LightSampler& sampler = LightOctree{}) {
     const std::vector<std::uint32_t> groups(lights.size(), 0);
-    return source_sets(lights, groups, sampler, {});
+    return source_sets(lights, groups, sampler);
 }
 
 }  // namespace
@@ -68,23 +68,24 @@ TEST_CASE("light of one direction is chosen by direction", "[world]") {
 
 TEST_CASE("fewer light sources are all asked where pixels have many samples anyway", "[world]") {
     const std::string some = "#for (I, 1, 50) light_source { I*x, 1 } #end plane { y, 0 } ";
-    CHECK_FALSE(world_of(some).facts.left_to_chance);
-    const World world = world_of(some + "sphere { y, 1 pigment { rgb 1 } finish { emission 1 } }");
-    CHECK(world.lights.source_sets[0].drawn());
+    CHECK_FALSE(world_of(some)->facts.left_to_chance);
+    const SharedWorld world =
+        world_of(some + "sphere { y, 1 pigment { rgb 1 } finish { emission 1 } }");
+    CHECK(world->lights.source_sets[0].drawn());
 }
 
 TEST_CASE("each light group has its own set", "[world]") {
     const std::string group =
         "light_group { #for (I, 1, 150) light_source { I*x, 1 } #end sphere { 0, 1 } }";
-    const World world = world_of("light_source { y, 1 } sphere { 3*x, 1 }" + group + group);
-    REQUIRE(world.lights.source_sets.size() == 3);
-    CHECK_FALSE(world.lights.source_sets[0].drawn());
+    const SharedWorld world = world_of("light_source { y, 1 } sphere { 3*x, 1 }" + group + group);
+    REQUIRE(world->lights.source_sets.size() == 3);
+    CHECK_FALSE(world->lights.source_sets[0].drawn());
     for (const std::size_t i : {1u, 2u}) {
-        CHECK(world.lights.source_sets[i].group == i);
-        CHECK(world.lights.source_sets[i].lights.size() == 150);
-        CHECK(world.lights.source_sets[i].drawn());
+        CHECK(world->lights.source_sets[i].group == i);
+        CHECK(world->lights.source_sets[i].lights.size() == 150);
+        CHECK(world->lights.source_sets[i].drawn());
     }
-    CHECK(world.facts.light_is_drawn);
+    CHECK(world->facts.light_is_drawn);
 }
 
 }  // namespace candelabra
