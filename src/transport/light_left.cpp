@@ -63,6 +63,20 @@ Vec3 left_throughout(const World& world, const WayOfLight& way, const Key& key) 
            left_by(world.sky.fogs, way.ray, way.distance, world.pattern_scene().noise_generator);
 }
 
+/// Transmittance of the air on the part of a way with that number, between two surfaces.
+Vec3 left_on_part(const World& world, const WayOfLight& way, const Interval& part,
+                  std::span<const PrimitiveIndex> solids, const Key& key, std::uint32_t number) {
+    const Key own = key.branched(Branch::medium, number);
+    const AirStretch stretch{way.ray, part, solids, way.ends || part.max < way.distance};
+    if (way.air == AirOnWay::followed) return left_in_air(world, stretch, own);
+    MediaList media;
+    add_media(world, solids, media);
+    return left_by_media(world, media, stretch, own);
+}
+
+/// The number of the first part of a way: before it, air that is the same throughout has a number.
+std::uint32_t first_part(AirOnWay air) { return air == AirOnWay::throughout ? 1 : 0; }
+
 }  // namespace
 
 Vec3 left_in_air(const World& world, const AirStretch& stretch, const Key& key) {
@@ -86,24 +100,25 @@ Vec3 light_left(const World& world, const WayOfLight& way, const Key& key) {
     if (!dims(world, way.air))
         return world.transmittance(way.ray, way.tolerance, way.distance, shade);
     Vec3 left(1);
-    std::uint32_t number = way.air == AirOnWay::throughout ? 1 : 0;
+    std::uint32_t number = first_part(way.air);
     const auto between = [&](const Interval& part, std::span<const PrimitiveIndex> solids) {
-        if (!(part.max > part.min)) return;
-        const Key own = key.branched(Branch::medium, number++);
-        const AirStretch stretch{way.ray, part, solids, way.ends || part.max < way.distance};
-        if (way.air == AirOnWay::followed) {
-            left *= left_in_air(world, stretch, own);
-        } else {
-            MediaList media;
-            add_media(world, solids, media);
-            left *= left_by_media(world, media, stretch, own);
-        }
+        if (part.max > part.min) left *= left_on_part(world, way, part, solids, key, number++);
     };
     const World::UseStretch stretches(between);
     shade.stretches = &stretches;
     const Vec3 passed = world.transmittance(way.ray, way.tolerance, way.distance, shade);
     if (passed == Vec3(0)) return passed;
     left *= passed;
+    return way.air == AirOnWay::throughout ? left * left_throughout(world, way, key) : left;
+}
+
+Vec3 left_on_free_way(const World& world, const WayOfLight& way, const Key& key) {
+    if (!dims(world, way.air)) return Vec3(1);
+    EnteredSolids inside;
+    for (const PrimitiveIndex each : way.around)
+        if (!world.material(each).no_shadow) inside.push_back(each);
+    const Vec3 left = left_on_part(world, way, {0, way.distance}, {inside.data(), inside.size()},
+                                   key, first_part(way.air));
     return way.air == AirOnWay::throughout ? left * left_throughout(world, way, key) : left;
 }
 

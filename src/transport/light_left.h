@@ -36,6 +36,8 @@ struct WayOfLight {
 /// Transmittance of surfaces and air per channel; an unbiased estimate for inhomogeneous media,
 /// otherwise exact.
 Vec3 light_left(const World&, const WayOfLight&, const Key&);
+/// The same if it is known that no surface lies on the way.
+Vec3 left_on_free_way(const World&, const WayOfLight&, const Key&);
 
 /// Fraction of a luminaire's light that its own solid lets through on its way to the ray's origin,
 /// if the solid has `no_shadow`: other light passes it, and light_left() leaves it out. 1 for other

@@ -72,19 +72,14 @@ Vec3 ShadowRay::left(double distance) const { return left(distance, true); }
 Vec3 ShadowRay::left_from_sky() const { return left(far_away, false); }
 
 Vec3 ShadowRay::left_by_air(double distance, double tolerance) const {
-    if (!is_free(distance, tolerance)) return Vec3(0);
-    if (!at_.world.facts.dims_between) return Vec3(1);
-    return light_left(at_.world, way(distance, true), key_);
-}
-
-bool ShadowRay::is_free(double distance, double tolerance) const {
     const World& world = at_.world;
-    const double start = at_.layer.vertex.tolerance();
+    const WayOfLight whole = way(distance, true);
     if (!world.appearance.any_clear && !world.appearance.any_left_out)
-        return world.transmittance(ray_, start, distance) != Vec3(0);
+        return light_left(world, whole, key_);
     Hit hit;
-    return !world.first_hit(ray_, start, RayKind::gathering, hit) ||
-           length(hit.position - ray_.origin) > distance - tolerance;
+    const bool is_free = !world.first_hit(ray_, whole.tolerance, RayKind::gathering, hit) ||
+                         length(hit.position - ray_.origin) > distance - tolerance;
+    return is_free ? left_on_free_way(world, whole, key_) : Vec3(0);
 }
 
 Vec3 ShadowRay::emitted(LightIndex light, double distance) const {

@@ -41,7 +41,6 @@ public:
     Vec3 emitted(LightIndex, const Hit&, double distance) const;
 
 private:
-    bool is_free(double distance, double tolerance) const;
     WayOfLight way(double distance, bool ends) const;
     Vec3 left(double distance, bool ends) const;
     Vec3 left_by_lamp(const Luminaire&, double distance) const;

@@ -44,6 +44,29 @@ TEST_CASE("media outside of solids dim the whole way of a light source that says
     CHECK(left(*world, 1e20, AirOnWay::throughout) == 0);
 }
 
+TEST_CASE("what is left where no surface lies on the way is that of the walk, to the bit",
+          "[transport]") {
+    const SharedWorld world = world_of(
+        "#version 3.7; media { absorption <0.1, 0.2, 0.3> scattering { 1, 0.05 } density { bozo } "
+        "} "
+        "fog { rgb 1 distance 20 } sphere { 0, 50 hollow pigment { rgbt 1 } interior { media { "
+        "absorption 0.02 density { granite } } } }");
+    const PrimitiveIndex around[] = {0};
+    for (const AirOnWay air :
+         {AirOnWay::followed, AirOnWay::throughout, AirOnWay::in_solids, AirOnWay::none})
+        for (std::uint32_t sample = 0; sample < 16; ++sample) {
+            Key key;
+            key.sample = sample;
+            const WayOfLight way{.ray = {Vec3(0.5 * sample, 0, -5), unit(Vec3(1, 2, 3))},
+                                 .distance = 1.0 + sample,
+                                 .around = around,
+                                 .air = air};
+            const Vec3 left = light_left(*world, way, key);
+            CHECK(left_on_free_way(*world, way, key) == left);
+            CHECK((left == Vec3(1)) == (air == AirOnWay::none));
+        }
+}
+
 TEST_CASE("air dims light on its way as it dims a ray that follows the way back", "[transport]") {
     struct Air {
         const char* name;
