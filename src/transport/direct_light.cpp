@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/direct_light.h"
 
+#include "transport/photon_light.h"
+#include "transport/photons.h"
+
 #include <numbers>
 
 namespace candelabra {
@@ -32,7 +35,8 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     if (!layer.scatterer.answers_light()) return sum;
     const ArrivingLight at = arriving(layer, ledger);
     if (layer.light.has(LightKind::sources)) sum = sources_(at, key);
-    if (photons_ && !layer.scatterer.in_air() && layer.collects()) sum += photons_(at, key);
+    if (photons_ && !layer.scatterer.in_air() && layer.collects())
+        sum += light_of_photons(photons_->on_surfaces, at, key);
     if (layer.light.has(LightKind::luminaires) && !world_.lights.luminaires.empty())
         sum += luminaires_(at, key, sum);
     if (!layer.light.has(LightKind::sky) || world_.sky.light.empty()) return sum;

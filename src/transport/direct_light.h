@@ -4,21 +4,19 @@
 #pragma once
 
 #include "transport/luminaire_light.h"
-#include "transport/photon_light.h"
 #include "transport/source_light.h"
 
 namespace candelabra {
+
+struct PhotonMaps;
 
 /// Radiance towards the viewer by direct light; an unbiased estimate. Each job has its own: it
 /// keeps scratch memory.
 class DirectLight {
 public:
-    /// `photons`: null where there are none.
-    DirectLight(const Shot& shot, const ShadowRays& rays,
-                std::shared_ptr<Photons> photons = nullptr)
+    DirectLight(const Shot& shot, const ShadowRays& rays)
         : world_(*shot.world),
           rays_(rays.usual),
-          photons_(std::move(photons)),
           sources_(shot, rays.usual),
           luminaires_(shot, rays) {}
 
@@ -32,19 +30,18 @@ public:
     std::optional<double> expected_luminaires(const Vec3& position) const {
         return luminaires_.expected(position);
     }
-    /// Selects the sample that is followed from now on.
-    void begin(std::uint32_t sample) { photons_.begin(sample); }
-    const PhotonLight& photons() const { return photons_; }
-    PhotonLight& photons() { return photons_; }
+    /// Sets the photons that count from now on: those that serve the sample. Null: none are shot.
+    void use(const PhotonMaps* photons) { photons_ = photons; }
+    const PhotonMaps* photons() const { return photons_; }
 
 private:
     ArrivingLight arriving(const LitLayer& layer, LightLedger& ledger) const {
-        return {world_, layer, static_cast<bool>(photons_), ledger};
+        return {world_, layer, photons_ != nullptr, ledger};
     }
 
     const World& world_;
     int rays_;
-    PhotonLight photons_;
+    const PhotonMaps* photons_ = nullptr;
     SourceLight sources_;
     LuminaireLight luminaires_;
 };

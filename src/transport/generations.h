@@ -88,27 +88,32 @@ public:
     explicit operator bool() const { return source_ != nullptr; }
     const Source& source() const { return *source_; }
 
-    /// Selects the generation that serves that sample of a pixel.
-    void begin(std::uint32_t sample) { wanted_ = Source::generation_of(sample); }
-
-    /// Returns the selected generation. Precondition: there is a source.
-    const auto& current() {
-        if (!made_ || number_ != wanted_) {
-            made_ = source_->generation(wanted_);
-            number_ = wanted_;
+    /// Returns the generation that serves that sample of a pixel, until the next call. Null if
+    /// there is no source.
+    auto* begin(std::uint32_t sample) {
+        const std::uint32_t wanted = number_of(sample);
+        if (source_ && (!made_ || number_ != wanted)) {
+            made_ = source_->generation(wanted);
+            number_ = wanted;
         }
-        return *made_;
+        return made_.get();
     }
+    /// The same generation again. Precondition: begin() was called, and there is a source.
+    const auto& current() const { return *made_; }
 
     /// Builds the generation for a sample, with all threads.
     void prepare(std::uint32_t sample) const {
-        if (source_) source_->generation(Source::generation_of(sample));
+        if (source_) source_->generation(number_of(sample));
     }
 
 private:
+    static std::uint32_t number_of(std::uint32_t sample) {
+        return generation_serving(sample, Source::single_samples, Source::shared_samples);
+    }
+
     std::shared_ptr<Source> source_;
     decltype(std::declval<Source&>().generation(0)) made_;
-    std::uint32_t wanted_ = 0, number_ = 0;  ///< selected, and of made_
+    std::uint32_t number_ = 0;  ///< of made_
 };
 
 }  // namespace candelabra

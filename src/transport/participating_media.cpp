@@ -4,6 +4,7 @@
 #include "base/running_sums.h"
 #include "medium/transmittance.h"
 #include "transport/air_photon_light.h"
+#include "transport/photons.h"
 #include "world/volumes.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
                       path.throughput * march_.of_luminaires);
     if (!march_.places.empty()) veil.added += scattered(path, direct_light, ledger);
     if (scatters && direct_light.photons() && collects_photons(view_of(media_)))
-        veil.added += light_of_air_photons(world_, direct_light.photons().current().in_air,
+        veil.added += light_of_air_photons(world_, direct_light.photons()->in_air,
                                            {path, std::min(distance, end_of_air), view_of(media_),
                                             path.depth > 0 ? 1 : photon_choices},
                                            ledger);

@@ -27,7 +27,8 @@ constexpr double min_survival = 0.05;
 PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& wanted)
     : world_(*shot.world),
       rules_(shading_rules(world_)),
-      direct_light_(shot, wanted.shadow_rays, wanted.sent->photons),
+      photons_(wanted.sent->photons),
+      direct_light_(shot, wanted.shadow_rays),
       reflected_(wanted.sent->reflected),
       media_(shot),
       ends_(shot, wanted.clear_sky),
@@ -38,7 +39,7 @@ PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& want
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     sum_ = Vec3(0);
     const PathState path = ends_.begin(ray, key);
-    direct_light_.begin(key.sample);
+    direct_light_.use(photons_.begin(key.sample));
     reflected_.begin(key.sample);
     if (ray.direction == Vec3(0)) return sum_;
     ++ledger_.camera;

@@ -8,6 +8,7 @@
 #include "transport/direct_light.h"
 #include "transport/layer_stack.h"
 #include "transport/participating_media.h"
+#include "transport/photons.h"
 #include "transport/reflected_light.h"
 #include "transport/surface_lobes.h"
 #include "transport/tracing.h"
@@ -30,7 +31,7 @@ public:
     static constexpr bool cut() { return false; }
     /// Builds the photons and reflected luminaires for a sample.
     void prepare(std::uint32_t sample) const {
-        direct_light_.photons().prepare(sample);
+        photons_.prepare(sample);
         reflected_.prepare(sample);
     }
 
@@ -46,6 +47,7 @@ private:
 
     const World& world_;
     ShadingRules rules_;
+    ServedGeneration<Photons> photons_;
     DirectLight direct_light_;
     ReflectedLight reflected_;
     ParticipatingMedia media_;

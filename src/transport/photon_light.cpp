@@ -11,7 +11,7 @@ constexpr double min_arriving_cosine = 1e-6;
 
 }  // namespace
 
-Vec3 PhotonLight::operator()(const ArrivingLight& at, const Key& key) {
+Vec3 light_of_photons(const PhotonMap& map, const ArrivingLight& at, const Key& key) {
     const LitLayer& layer = at.layer;
     const Vec3& point = layer.vertex.position();
     const Vec3& normal = layer.vertex.hit.normal;
@@ -19,7 +19,7 @@ Vec3 PhotonLight::operator()(const ArrivingLight& at, const Key& key) {
     BsdfTerms terms = layer.terms();
     const double grain = layer.grain(key);
     Vec3 sum(0);
-    current().on_surfaces.around(point, [&](const Photon& photon) {
+    map.around(point, [&](const Photon& photon) {
         const bool of_source = photon.lamp.is_source();
         if (!layer.light.has(of_source ? LightKind::sources : LightKind::luminaires)) return;
         const double density = photon_density(photon, point, normal);

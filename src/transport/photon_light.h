@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light at a layer of a surface from photons.
+// Light at a layer of a surface from photons. Called by DirectLight.
 #pragma once
 
 #include "transport/arrival.h"
-#include "transport/photons.h"
+#include "transport/photon_map.h"
 
 namespace candelabra {
 
-/// Each job has its own.
-class PhotonLight : public ServedGeneration<Photons> {
-public:
-    using ServedGeneration::ServedGeneration;
-
-    /// Radiance towards the viewer, from the generation that serves the sample. Precondition: there
-    /// are photons, and the layer is that of a surface.
-    Vec3 operator()(const ArrivingLight&, const Key&);
-};
+/// Radiance towards the viewer. Precondition: the layer is that of a surface.
+Vec3 light_of_photons(const PhotonMap&, const ArrivingLight&, const Key&);
 
 }  // namespace candelabra

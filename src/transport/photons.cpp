@@ -11,14 +11,12 @@ namespace candelabra {
 
 namespace {
 
-/// See generation_serving.
-constexpr std::uint32_t single_samples = 16, samples_of_generation = 4;
 /// The squared radius is proportional to the generation's number to the power of alpha - 1. With
 /// this value the error of the mean falls fastest.
 constexpr double alpha = 2.0 / 3;
 /// Number of generations kept in memory; others are made again on request.
 constexpr std::size_t max_generations =
-    single_samples + Photons::samples_at_once / samples_of_generation + 4;
+    Photons::single_samples + Photons::samples_at_once / Photons::shared_samples + 4;
 /// Number of photons that one thread follows at a time.
 constexpr std::uint32_t batch = 2048;
 /// Radius of discs where next to no photons arrive, as a fraction of the target's radius.
@@ -42,10 +40,6 @@ Photons::Photons(const Shot& shot, int seed, int threads)
       seed_(mix(static_cast<std::uint64_t>(seed))),
       threads_(threads),
       generations_(max_generations) {}
-
-std::uint32_t Photons::generation_of(std::uint32_t sample) {
-    return generation_serving(sample, single_samples, samples_of_generation);
-}
 
 /// Returns all photons of a random stream, in the order in which they are shot.
 std::vector<Photon> Photons::shot(std::uint32_t count, std::uint64_t stream) const {

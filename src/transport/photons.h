@@ -25,8 +25,8 @@ public:
     /// result does not depend on it.
     Photons(const Shot&, int seed, int threads);
 
-    /// Returns the number of the generation that serves a sample.
-    static std::uint32_t generation_of(std::uint32_t sample);
+    /// See generation_serving().
+    static constexpr std::uint32_t single_samples = 16, shared_samples = 4;
     /// Number of consecutive samples that are served from memory.
     static constexpr std::uint32_t samples_at_once = 128;
 

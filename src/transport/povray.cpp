@@ -21,7 +21,8 @@ PovRayIntegrator::PovRayIntegrator(const Shot& shot, const Tracing& wanted)
     : world_(*shot.world),
       radiosity_(world_.rules.settings.radiosity),
       rules_(shading_rules(world_)),
-      direct_light_(shot, wanted.shadow_rays, wanted.sent->photons),
+      photons_(wanted.sent->photons),
+      direct_light_(shot, wanted.shadow_rays),
       media_(shot),
       ends_(shot, wanted.clear_sky),
       ledger_(empty_ledger(world_, wanted.counts_lights)),
@@ -29,7 +30,7 @@ PovRayIntegrator::PovRayIntegrator(const Shot& shot, const Tracing& wanted)
 
 Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = ends_.begin(ray, key);
-    direct_light_.begin(key.sample);
+    direct_light_.use(photons_.begin(key.sample));
     rays_ = 0;
     if (ray.direction == Vec3(0)) return Vec3(0);
     ++ledger_.camera;

@@ -8,6 +8,7 @@
 #include "transport/direct_light.h"
 #include "transport/participating_media.h"
 #include "transport/path_steps.h"
+#include "transport/photons.h"
 #include "transport/tracing.h"
 
 namespace candelabra {
@@ -23,7 +24,7 @@ public:
     const LightLedger& ledger() const { return ledger_; }
 
     /// Builds the photons for a sample.
-    void prepare(std::uint32_t sample) const { direct_light_.photons().prepare(sample); }
+    void prepare(std::uint32_t sample) const { photons_.prepare(sample); }
 
     /// Fraction of the last sample that shows clear background, from 0 to 1.
     double clear() const { return ends_.clear(); }
@@ -51,6 +52,7 @@ private:
     const World& world_;
     const Radiosity& radiosity_;
     ShadingRules rules_;
+    ServedGeneration<Photons> photons_;
     DirectLight direct_light_;
     ParticipatingMedia media_;
     PathEnds ends_;

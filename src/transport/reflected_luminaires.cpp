@@ -17,11 +17,10 @@ namespace candelabra {
 
 namespace {
 
-/// See generation_serving.
-constexpr std::uint32_t alone_samples = 4, sharing_samples = 4;
 /// Number of generations kept in memory.
 constexpr std::size_t kept_generations =
-    alone_samples + ReflectedLuminaires::samples_at_once / sharing_samples + 2;
+    ReflectedLuminaires::single_samples +
+    ReflectedLuminaires::samples_at_once / ReflectedLuminaires::shared_samples + 2;
 /// Number of light paths that one thread follows at a time, and that are followed to find the
 /// bound.
 constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
@@ -87,10 +86,6 @@ ReflectedLuminaires::ReflectedLuminaires(const Shot& shot, std::uint32_t count, 
       threads_(threads),
       generations_(kept_generations) {
     if (paths_.any()) find_bound();
-}
-
-std::uint32_t ReflectedLuminaires::generation_of(std::uint32_t sample) {
-    return generation_serving(sample, alone_samples, sharing_samples);
 }
 
 /// Returns all reflected luminaires of a random stream, in the order of their paths.

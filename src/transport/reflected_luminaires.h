@@ -24,8 +24,8 @@ public:
     ReflectedLuminaires(const Shot&, std::uint32_t count, int max_reflections, int seed,
                         int threads);
 
-    /// Returns the number of the generation that serves a sample.
-    static std::uint32_t generation_of(std::uint32_t sample);
+    /// See generation_serving().
+    static constexpr std::uint32_t single_samples = 4, shared_samples = 4;
 
     /// Number of consecutive samples that are served from memory.
     static constexpr std::uint32_t samples_at_once = 32;

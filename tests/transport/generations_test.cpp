@@ -9,6 +9,20 @@
 
 namespace candelabra {
 
+namespace {
+
+/// Its generations are their numbers.
+struct CountedSource {
+    int made = 0;
+    static constexpr std::uint32_t single_samples = 0, shared_samples = 4;
+    std::shared_ptr<const std::uint32_t> generation(std::uint32_t number) {
+        ++made;
+        return std::make_shared<const std::uint32_t>(number);
+    }
+};
+
+}  // namespace
+
 TEST_CASE("a generation is made once, whoever asks for it", "[transport]") {
     Generations<int> generations(4);
     std::atomic<int> made = 0;
@@ -47,27 +61,20 @@ TEST_CASE("the first samples have a generation each, later ones share theirs", "
 }
 
 TEST_CASE("a job keeps the generation that serves its samples", "[transport]") {
-    struct Source {
-        int made = 0;
-        static std::uint32_t generation_of(std::uint32_t sample) { return sample / 4; }
-        std::shared_ptr<const std::uint32_t> generation(std::uint32_t number) {
-            ++made;
-            return std::make_shared<const std::uint32_t>(number);
-        }
-    };
-    CHECK_FALSE(ServedGeneration<Source>());
-    const auto source = std::make_shared<Source>();
-    ServedGeneration<Source> served(source);
+    CHECK_FALSE(ServedGeneration<CountedSource>());
+    const auto source = std::make_shared<CountedSource>();
+    ServedGeneration<CountedSource> served(source);
     REQUIRE(served);
     for (std::uint32_t sample = 0; sample < 12; ++sample) {
-        served.begin(sample);
-        CHECK(served.current() == sample / 4);
+        CHECK(*served.begin(sample) == sample / 4);
         CHECK(served.current() == sample / 4);
     }
     CHECK(source->made == 3);
     served.prepare(13);
     CHECK(source->made == 4);
-    ServedGeneration<Source>().prepare(13);
+    ServedGeneration<CountedSource> none;
+    none.prepare(13);
+    CHECK(none.begin(13) == nullptr);
 }
 
 }  // namespace candelabra
