@@ -17,6 +17,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SHEETS = HERE.parent / "examples" / "sheets"
+FRONT = HERE.parent / "examples" / "pictures" / "metropolis.webp"
 PAGES = [("candelabra-tutorial.7", "Tutorial"), ("candelabra-lights.7", "Light"),
          ("candelabra-povray.7", "From POV-Ray"), ("candelabra-scene.5", "The language"),
          ("candelabra.1", "The program"), ("candelabra-develop.1", "candelabra develop"),
@@ -28,9 +29,21 @@ EYE = "camera { location -4*z look_at 0 angle 40 right 4/3*x }\n"
 LAMP = "light_source { <-4, 6, -8>, rgb 1 }\n"
 SKY = "background { rgb <0.3, 0.35, 0.4> }\n"
 FLOOR = "plane { y, 0 pigment { checker rgb 0.9, rgb 0.35 } finish { ambient 0.1 diffuse 0.7 } }\n"
+# Lamps of many strengths, some of them of a colour, and what they light.
+NIGHT = ("#default { finish { ambient 0 } }\nplane { y, 0 pigment { rgb 0.45 } }\n"
+         "plane { -z, -3 pigment { rgb <0.5, 0.45, 0.4> } }\n"
+         "sphere { <0, 0.6, 0>, 0.6 pigment { rgb <0.8, 0.8, 0.75> } }\n#for (I, 0, 6)\n"
+         "sphere { <0.9*I - 2.7, 1.9 + 0.1*pow(I - 3, 2), 1>, 0.06 pigment { rgb <1, 0.65, 0.3> }"
+         " finish { diffuse 0 emission 60 } }\n"
+         "sphere { <0.6*I - 1.8, 0.1, -1.4>, 0.1 pigment { rgb <mod(I, 2), 0.2, 1 - mod(I, 2)> }"
+         " finish { diffuse 0 emission 5 } }\n#end\n")
 STAND = ("camera { location <0, 2.4, -6> look_at <0, 0.85, 0> angle 36 right 4/3*x }\n"
          "plane { y, 0 pigment { rgb 0.45 } }\n")
 
+
+# Options that make another picture of the same light.
+DEVELOPS = {"--film", "--exposure", "--key", "--response", "--contrast", "--saturation", "--white-balance", "--glare",
+            "--vignette", "--grain"}
 
 # Tables that examples of macros read.
 TABLES = (("lamps.csv", "x,y,z,colour\n-1,0.6,0,#ff8800\n0,1.4,0,#ffffff\n1,0.6,0,#3366ff\n"),
@@ -58,6 +71,11 @@ def frame(kind, words):
         return (HEAD + "camera { " + words + " }\n" + LAMP + SKY + FLOOR +
                 "sphere { 0.7*y, 0.7 pigment { rgb <0.9, 0.5, 0.3> } }\n#for (I, 0, 11)\n"
                 "cylinder { 0, 3*y, 0.25 pigment { rgb <0.4, 0.6, 0.9> } translate 4*z rotate 30*I*y }\n#end")
+    if kind == "films":
+        if words.startswith("glare"):
+            words = "film { exposure auto response agx " + words + " }"
+        return (HEAD + "camera { location <0, 1.8, -5.5> look_at <0, 0.95, 0> angle 46 right 4/3*x\n" + words +
+                " }\n" + NIGHT)
     if kind == "shapes":
         return HEAD + STAND + LAMP + SKY + "object { " + words + "\npigment { rgb <0.9, 0.6, 0.35> } }"
     raise ValueError(kind)
@@ -76,6 +94,11 @@ def macro_frame(file, words):
             light + view + words)
 
 
+def prose(text):
+    """A sentence of the help as HTML: what stands between backticks is code."""
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", html.escape(text))
+
+
 def plain(text):
     """HTML as text in one line."""
     return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", text)).split())
@@ -84,7 +107,8 @@ def plain(text):
 def sentence(head):
     """The head of a section, which manual pages write in capitals."""
     number, _, words = head.rpartition(". ")
-    return (number + ". " if number else "") + words.capitalize().replace("pov-ray", "POV-Ray").replace("json", "JSON")
+    words = words.lower().replace("pov-ray", "POV-Ray").replace("json", "JSON")
+    return (number + ". " if number else "") + words[:1].upper() + words[1:]
 
 
 class Pictures:
@@ -94,14 +118,14 @@ class Pictures:
         self.program, self.folder, self.scenes, self.failed = program, folder, {}, []
         folder.mkdir(parents=True, exist_ok=True)
 
-    def add(self, scene, size=(240, 180), files=TABLES):
+    def add(self, scene, size=(240, 180), files=TABLES, options=()):
         """The address of its picture. files: names and texts of what lies beside the scene."""
-        name = hashlib.sha256((scene + str(size)).encode()).hexdigest()[:16]
-        self.scenes[name] = (scene, size, files)
+        name = hashlib.sha256((scene + str(size) + " ".join(options)).encode()).hexdigest()[:16]
+        self.scenes[name] = (scene, size, files, options)
         return "pictures/" + name + ".png"
 
     def render(self, name):
-        scene, size, files = self.scenes[name]
+        scene, size, files, options = self.scenes[name]
         target = self.folder / (name + ".png")
         if target.exists():
             return
@@ -109,7 +133,7 @@ class Pictures:
             for file, text in (*files, ("scene.pov", scene)):
                 (Path(work) / file).write_text(text)
             done = subprocess.run([self.program, "scene.pov", f"+W{size[0]}", f"+H{size[1]}", "+WT1", "--noise", "0.06",
-                                   "--time", "20s", "-V", "--warn", "none", "+Oscene.png"],
+                                   "--time", "20s", "-V", "--warn", "none", "+Oscene.png", *options],
                                   cwd=work, capture_output=True, text=True)
             if done.returncode == 0:
                 shutil.move(Path(work) / "scene.png", target)
@@ -164,7 +188,7 @@ class Book:
     def examples(self):
         """The lines of the sheets by kind."""
         result = {kind: (SHEETS / (kind + ".txt")).read_text().splitlines()
-                  for kind in ("patterns", "normals", "finishes", "lights", "cameras")}
+                  for kind in ("patterns", "normals", "finishes", "lights", "cameras", "films")}
         lines = (HERE / "examples" / "shapes.txt").read_text().splitlines()
         result["shapes"] = [line for line in lines if not line.startswith("#")]
         return {kind: [line for line in lines if line.strip()] for kind, lines in result.items()}
@@ -174,17 +198,21 @@ class Book:
         for key, words in (("minimum", "from"), ("above", "above"), ("maximum", "to")):
             if key in field:
                 takes += f" {words} {field[key]:g}"
+        about = "" if field["help"] == field["name"].strip("()") else field["help"]
         default = field.get("default")
         if field["optional"] and isinstance(default, (int, float)) and not isinstance(default, bool):
             takes += f", default {default:g}"
         return (f"<tr><td><code>{html.escape(field['name'])}</code></td><td>{html.escape(takes)}</td>"
-                f"<td>{html.escape(field['help'])}</td></tr>")
+                f"<td>{prose(about)}</td></tr>")
 
     def group(self, group, shown):
         page = self.page_name(group["name"])
-        kind = {"Shapes": "shapes", "Patterns": "patterns", "Cameras": "cameras"}.get(group["name"])
+        kind = {"Shapes": "shapes", "Patterns": "patterns", "Cameras": "cameras", "Films": "films"}.get(group["name"])
         used = set()
-        parts = [f"<p>{html.escape(group['help'])}</p>"]
+        parts = [f"<p>{prose(group['help'])}</p>"]
+        if len(group["items"]) > 5:
+            parts.append('<p class="contents">' + " ".join(
+                f'<a href="#{item["name"]}">{item["name"]}</a>' for item in group["items"]) + "</p>")
         for item in group["items"]:
             name = item["name"]
             self.entry(name, group["name"], f"{page}#{name}", item["help"], name)
@@ -192,7 +220,7 @@ class Book:
                 if not field["name"].startswith("("):
                     self.words.setdefault(field["name"], f"{page}#{name}")
             parts.append(f'<h2 id="{name}"><a href="#{name}">{name}</a></h2>\n<p class="usage"><code>'
-                         f"{html.escape(item['usage'])}</code></p><p>{html.escape(item['help'])}</p>")
+                         f"{html.escape(item['usage'])}</code></p><p>{prose(item['help'])}</p>")
             lines = [line for line in shown.get(kind, []) if re.match(name + r"\b", line)] if kind else []
             if name == "light_source":
                 lines, kind = shown["lights"], "lights"
@@ -224,11 +252,11 @@ class Book:
         for file in self.all["library"]:
             name = file["file"]
             self.entry(name, "library", f"{page}#{name}", file["about"])
-            parts.append(f'<h2 id="{name}"><a href="#{name}">{name}</a></h2><p>{html.escape(file["about"])}</p>')
+            parts.append(f'<h2 id="{name}"><a href="#{name}">{name}</a></h2><p>{prose(file["about"])}</p>')
             for macro in file["macros"]:
                 self.entry(macro["name"], name, f"{page}#{macro['name']}", macro["help"], macro["name"])
                 parts.append(f'<h3 id="{macro["name"]}"><code>{html.escape(macro["form"])}</code></h3>'
-                             f"<p>{html.escape(macro['help'])}</p>")
+                             f"<p>{prose(macro['help'])}</p>")
                 if macro["name"] in examples:
                     parts.append(("macro", name, examples[macro["name"]]))
         self.bodies[page] = ("The library", parts)
@@ -243,18 +271,18 @@ class Book:
             for name in entry["term"].split(", "):
                 self.words.setdefault(name, f"{page}#{names[0]}")
             parts.append(f'<dt id="{html.escape(names[0])}"><code>{html.escape(entry["term"])}</code></dt>'
-                         f"<dd>{html.escape(entry['help'])}</dd>")
+                         f"<dd>{prose(entry['help'])}</dd>")
         parts.append("</dl><h2>Functions</h2><dl>")
         for entry in self.all["functions"]:
             name = entry["term"].split("(")[0]
             self.entry(name, "function", f"{page}#{name}", entry["help"], name)
             parts.append(f'<dt id="{name}"><code>{html.escape(entry["term"])}</code></dt>'
-                         f"<dd>{html.escape(entry['help'])}</dd>")
+                         f"<dd>{prose(entry['help'])}</dd>")
         parts.append("</dl><h2>Warnings</h2><dl>")
         for entry in self.all["warnings"]:
             self.entry(entry["term"], "warning", f"{page}#{entry['term']}", entry["help"])
             parts.append(f'<dt id="{entry["term"]}"><code>{entry["term"]}</code></dt>'
-                         f"<dd>{html.escape(entry['help'])}</dd>")
+                         f"<dd>{prose(entry['help'])}</dd>")
         self.bodies[page] = ("Words and functions", parts + ["</dl>"])
 
     def manual_page(self, page, title):
@@ -294,28 +322,42 @@ class Book:
         return re.sub(r"<dt[^>]*>(.*?)</dt>(\s*<dd.*?</dd>)", placed, text, flags=re.S)
 
     def sources(self, page):
-        """The examples of a page as they are written: mandoc keeps no empty lines."""
+        """The examples of a page with their names, as they are written: mandoc keeps no empty lines."""
         signs = {"e": "\\", "-": "-", "&": "", "(dq": '"', "(aq": "'", "(ti": "~", "(ha": "^", "(ga": "`", "(bu": "*"}
-        for match in re.finditer(r"^\.nf\n(.*?)^\.fi$", (self.made / page).read_text(), flags=re.S | re.M):
-            lines = re.sub(r"^\.(BI?|BR?|IR?) ", "", match[1], flags=re.M)
-            yield re.sub(r"\\(f[A-Z]|\([a-z]{2}|.)", lambda m: signs.get(m[1], ""), lines).rstrip("\n")
+        for match in re.finditer(r"^(?:\.\\\" scene (\S+)\n\.RS\n)?\.nf\n(.*?)^\.fi$", (self.made / page).read_text(),
+                                 flags=re.S | re.M):
+            lines = re.sub(r"^\.(BI?|BR?|IR?) ", "", match[2], flags=re.M)
+            yield match[1], re.sub(r"\\(f[A-Z]|\([a-z]{2}|.)", lambda m: signs.get(m[1], ""), lines).rstrip("\n")
 
     def with_scenes(self, text, page):
-        """The page with links in its examples, and a picture behind each whole scene."""
+        """The page with links in its examples, and a picture behind each whole scene and each command that develops one
+        of them otherwise."""
         sources = list(self.sources(page))
         if len(sources) != len(re.findall("<pre>", text)):
             raise ValueError(f"{page} has {len(sources)} examples, its HTML another number")
         files = [(m[1], html.unescape(m[2])) for m in
                  re.finditer(r"Save this as[^<]*<b>([a-z_.]+)</b>.*?<pre>(.*?)</pre>", text, flags=re.S)]
 
+        scenes = {}
+
+        def developed(code):
+            """The pictures of commands such as `candelabra photo.pov --response filmic`."""
+            for line in code.splitlines():
+                program, scene, *options = [*line.split(), "", "", ""]
+                if program == "candelabra" and scene in scenes and options[0] in DEVELOPS:
+                    shown = [option for option in options if option and not option.startswith("+O")]
+                    yield self.figure(self.pictures.add(scenes[scene], files=files, options=shown), " ".join(shown))
+
         def block():
-            code = sources.pop(0)
+            name, code = sources.pop(0)
+            scenes[name] = code
             plain = re.match(r"candelabra |error|warning", code) or not re.search(r"[{#]", code)
             result = f"<pre>{html.escape(code) if plain else self.linked(code)}</pre>"
             if code.startswith("#version") and "camera" in code:
                 picture = self.pictures.add(code, (400, 300), files)
                 result += f'</div><div><img class="scene" src="{picture}" alt="" width="400" height="300">'
-            return result
+            figures = "".join(developed(code))
+            return result + (f'</div><div class="gallery">{figures}' if figures else "")
         return re.sub(r"<pre>.*?</pre>", lambda _: block(), text, flags=re.S)
 
     # ---- writing
@@ -353,12 +395,14 @@ class Book:
         def links(list_of):
             return "".join(f'<li><a href="{address}">{html.escape(title)}</a></li>' for address, title in list_of)
         menu = (f'<nav><a class="title" href="index.html">Candelabra</a><input id="search" type="search" '
-                f'placeholder="search" autocomplete="off"><ul id="found"></ul><ul>{links(chapters)}</ul>'
-                f"<ul>{links(reference)}</ul></nav>")
+                f'placeholder="search" autocomplete="off"><ul id="found"></ul><details open><summary>Contents</summary>'
+                f"<ul>{links(chapters)}</ul><ul>{links(reference)}</ul></details></nav>")
         self.bodies["index.html"] = ("Candelabra", [
             f"<p>Version {html.escape(self.all['version'])}. A scene language in the manner of POV-Ray's, and the ray "
-            "tracer behind it, for scenes lit by thousands of lamps.</p><h2>Learn it</h2><ul>"
-            '<li><a href="candelabra-tutorial.7.html">Tutorial</a>: eight chapters, from a first picture to a film</li>'
+            "tracer behind it, for scenes lit by thousands of lamps.</p>"
+            f'<img class="front" src="{FRONT.name}" alt="a city at dusk, lit by its windows" width="1280" height="720">'
+            "<h2>Learn it</h2><ul>"
+            '<li><a href="candelabra-tutorial.7.html">Tutorial</a>: nine chapters, from a first picture to a film</li>'
             '<li><a href="candelabra-lights.7.html">Light</a>: lamps, how bright they are, and noise</li>'
             '<li><a href="candelabra-povray.7.html">From POV-Ray</a>: what is the same, better and missing</li>'
             '</ul><h2>Look it up</h2><ul><li><a href="candelabra-stdlib.7.html">The library</a>: every macro with an '
@@ -374,8 +418,8 @@ class Book:
                 f'<script src="words.js" defer></script><script src="search.js" defer></script></head><body>{menu}'
                 f"<main>{body}</main></body></html>\n")
         (self.folder / "words.js").write_text("const words = " + json.dumps(self.entries, ensure_ascii=False) + ";\n")
-        for file in ("book.css", "search.js"):
-            shutil.copyfile(HERE / "book" / file, self.folder / file)
+        for file in (HERE / "book" / "book.css", HERE / "book" / "search.js", FRONT):
+            shutil.copyfile(file, self.folder / file.name)
         if self.illustrated:
             self.pictures.render_all()
         for message in self.pictures.failed:

@@ -42,6 +42,9 @@ function show() {
     }
 }
 
+// On a phone the contents would fill the first screen.
+document.querySelector("nav details").open = !matchMedia("(max-width: 45rem)").matches;
+
 // index.html?search=sphere
 field.value = new URLSearchParams(location.search).get("search") ?? "";
 show();
