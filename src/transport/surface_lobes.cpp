@@ -119,11 +119,11 @@ void SurfaceLobes::follow_behind(const Shading& s, PathState& path) const {
     path = path_behind(path, vertex_, s, surface, ratio);
 }
 
-/// Light that shadow rays have taken goes straight on instead of being reflected.
+/// Shadow rays go straight on where light would be reflected totally. So does a path whose light
+/// they have taken: if it were reflected, it would bring light of another direction in addition.
 void SurfaceLobes::follow_total(const Shading& s, PathState& path) const {
-    const bool taken = path.taken.by_shadow_rays;
-    path = mirrored_path(path, vertex_, s);
-    path.taken.by_shadow_rays = taken;
+    path = path.taken.by_shadow_rays ? path_behind(path, vertex_, s, stack_.interface(), 1)
+                                     : mirrored_path(path, vertex_, s);
 }
 
 }  // namespace candelabra

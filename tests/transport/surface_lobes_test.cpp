@@ -15,13 +15,13 @@ namespace {
 
 /// Calls use(lobes, path) at the sphere of radius 1 around the origin, met from above at an angle.
 template <class Use>
-void at_sphere(const std::string& look, const Use& use) {
+void at_sphere(const std::string& look, const Use& use, bool taken = true) {
     const SharedWorld world =
         world_of("#version 3.7; global_settings { integrator { path_traced } } sphere { 0, 1 " +
                  look + " }");
     PathState path;
     path.ray = {Vec3(0.6, 4, 0), Vec3(0, -1, 0)};
-    path.taken.by_shadow_rays = true;
+    path.taken.by_shadow_rays = taken;
     Hit hit;
     REQUIRE(world->first_hit(path.ray, 0, RayKind::camera, hit));
     const Vertex vertex = vertex_at(*world, path.ray, hit);
@@ -63,15 +63,16 @@ TEST_CASE("a surface without lobes ends paths", "[transport]") {
 }
 
 TEST_CASE("paths go on along their lobe, and say what shadow rays have taken", "[transport]") {
-    const auto next_of = [](const std::string& look, LobeKind kind) {
+    const auto next_of = [](const std::string& look, LobeKind kind, bool taken = true) {
         PathState found;
-        at_sphere(look, [&](const SurfaceLobes& lobes, const PathState& path) {
+        const auto use = [&](const SurfaceLobes& lobes, const PathState& path) {
             const auto choice = lobes.choose(0);
             REQUIRE(choice);
             CHECK(choice->lobe.kind == kind);
             found = path;
             REQUIRE(lobes.follow(choice->lobe, found));
-        });
+        };
+        at_sphere(look, use, taken);
         return found;
     };
     // The normal is <0.6, 0.8, 0>.
@@ -90,10 +91,15 @@ TEST_CASE("paths go on along their lobe, and say what shadow rays have taken", "
     CHECK(bent.depth == 1);
     CHECK(bent.media.size() == 1);
     // Light that would come out of a denser medium is reflected.
-    const PathState total = next_of("pigment { rgbt 1 } interior { ior 0.5 }", LobeKind::total);
+    const std::string thinner = "pigment { rgbt 1 } interior { ior 0.5 }";
+    const PathState total = next_of(thinner, LobeKind::total, false);
     CHECK(length(total.ray.direction - Vec3(0.96, 0.28, 0)) < 1e-9);
-    CHECK(total.taken.by_shadow_rays);
     CHECK(total.media.empty());
+    // Shadow rays go straight on there, and so does what they leave to the path.
+    const PathState taken = next_of(thinner, LobeKind::total);
+    CHECK(taken.ray.direction == Vec3(0, -1, 0));
+    CHECK(taken.taken.by_shadow_rays);
+    CHECK(taken.media.size() == 1);
     const PathState diffuse =
         next_of("pigment { rgb 0.5 } finish { diffuse 1 }", LobeKind::diffuse);
     CHECK(diffuse.taken.by_shadow_rays);
