@@ -185,28 +185,33 @@ void Evaluator::State::warn_deprecated(NameId name, Span span) {
     report(warning(Fault::deprecated, span, known.text));
 }
 
-/// Declares `#declare (a, b) = (1, 2);`, one after the other. A macro may give the parentheses.
+/// Declares `#declare (a, B[1],, c) = (1, 2, 3, 4);`, one after the other. A macro may give the
+/// parentheses. A target that is left out drops its value.
 void Evaluator::State::declare_tuple(const Tree& tree, const node::Declare& node, NodeId id) {
-    const auto* values = tree.get_if<node::Tuple>(node.value);
-    NodeId value = values ? values->content : no_node;
     NodeId target = tree.get<node::Tuple>(node.target).content;
+    bool as_many = true;
+    const auto give = [&](Value&& value) {
+        as_many &= target != no_node;
+        if (target == no_node) return;
+        if (!tree.get_if<node::Omitted>(target)) assign(tree, target, std::move(value), node.local);
+        target = tree[target].next;
+    };
     if (tree.get_if<node::Call>(node.value)) {
         std::vector<Value> given;
         auto* const around = std::exchange(awaited_tuple_, &given);
         const Value result = walk_expression(tree, node.value);
-        const bool none = std::exchange(awaited_tuple_, around) != nullptr;
+        as_many = std::exchange(awaited_tuple_, around) == nullptr;
         if (stopped_ || result.broken()) return;
-        std::size_t next = 0;
-        for (; !none && target != no_node && next < given.size(); target = tree[target].next)
-            assign(tree, target, std::move(given[next++]), node.local);
-        if (none || target != no_node || next < given.size())
-            broken(Fault::wrong_count, tree.span(id), "there must be as many values as names");
-        return;
+        if (as_many)
+            for (Value& each : given) give(std::move(each));
+    } else {
+        const auto* values = tree.get_if<node::Tuple>(node.value);
+        NodeId value = values ? values->content : no_node;
+        for (; target != no_node && value != no_node; value = tree[value].next)
+            give(evaluate(tree, value));
+        as_many = value == no_node;
     }
-    for (; target != no_node && value != no_node;
-         target = tree[target].next, value = tree[value].next)
-        assign(tree, target, evaluate(tree, value), node.local);
-    if (target != no_node || value != no_node)
+    if (!as_many || target != no_node)
         broken(Fault::wrong_count, tree.span(id), "there must be as many values as names");
 }
 
