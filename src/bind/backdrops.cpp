@@ -108,12 +108,10 @@ bool read_fog(Binder& binder, const Element& element, Fog& fog) {
     const auto apply = [&](const Transform& transform) { fog.up = transform.direction(fog.up); };
     TransformReader moves(block, apply);
     block.read(element.body, declared, fields, moves);
-    if (!block.broken && fog.up == Vec3(0)) {
-        fog.up = Fog().up;
-        block.report(
-            warning(Fault::degenerate, element.word_span, "`up` of `fog` should not be 0: y counts")
-                .with_help(block.help()));
-    }
+    if (!block.broken && fog.fog_type == 2 && fog.up == Vec3(0))
+        block.report(warning(Fault::degenerate, element.word_span,
+                             "`up` of `fog` is 0: as in POV-Ray, everything in this fog is black")
+                         .with_help("`up y` measures heights along y"));
     return !block.broken;
 }
 

@@ -38,6 +38,9 @@ double column(double height) { return height <= 0 ? height : math::atan(height);
 
 double density(double height) { return height <= 0 ? 1 : 1 / (1 + height * height); }
 
+/// Whether heights have no direction. Then POV-Ray's shares are no numbers, and its picture is black.
+bool is_black(const Fog& fog) { return fog.fog_type == 2 && fog.up == Vec3(0); }
+
 /// Mean density along the ray up to a distance.
 double mean_density(const Fog& fog, const Ray& ray, double distance) {
     if (fog.fog_type == 1) return 1;
@@ -76,8 +79,11 @@ Vec3 tinted(const Fog& fog, double share) {
 
 Vec3 left_by(std::span<const Fog> fogs, const Ray& ray, double distance, NoiseGenerator generator) {
     Vec3 all(1);
-    for (const Fog& fog : fogs)
-        if (fog.distance > 0) all *= tinted(fog, share_left(fog, ray, distance, generator));
+    for (const Fog& fog : fogs) {
+        if (fog.distance <= 0) continue;
+        if (is_black(fog)) return Vec3(0);
+        all *= tinted(fog, share_left(fog, ray, distance, generator));
+    }
     return all;
 }
 
@@ -85,6 +91,7 @@ Veil veil_of(std::span<const Fog> fogs, const Ray& ray, double distance, NoiseGe
     Vec3 own(0), behind(1);
     for (const Fog& fog : fogs) {
         if (fog.distance <= 0) continue;
+        if (is_black(fog)) return {Vec3(0), Vec3(0)};
         const double share = share_left(fog, ray, distance, generator);
         own += (1 - share) * fog.colour.rgb;
         behind *= tinted(fog, share);

@@ -19,7 +19,7 @@ struct Fog {
     double distance = 0;
     double fog_offset = 0;
     double fog_alt = 0;
-    Vec3 up = Vec3(0, 1, 0);
+    Vec3 up = Vec3(0, 1, 0);  ///< 0: as in POV-Ray, everything in a fog_type 2 is black
     Vec3 turbulence = Vec3(0);
     double turb_depth = 0.5;
     int octaves = 6;
@@ -29,12 +29,12 @@ struct Fog {
     static const ItemInfo vocabulary;
 };
 
-/// Transmittance of all fogs along the ray up to a distance, without the light they add.
-/// Precondition: `up` of no fog is 0.
+/// Transmittance of all fogs along the ray up to a distance, without the light they add. It is 0 in
+/// a black fog.
 Vec3 left_by(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
 
 /// Transmittance and added radiance of all fogs along the ray, from its origin to a distance, which
-/// may be infinite. Precondition: `up` of no fog is 0.
+/// may be infinite. In a black fog both are 0.
 Veil veil_of(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
 
 }  // namespace candelabra

@@ -31,8 +31,9 @@ TEST_CASE("fogs add up", "[bind]") {
     CHECK(done.scene.fogs[1].turbulence == Vec3(0.5));
     CHECK(complaint("fog { fog_type 3 }") ==
           "warning no-effect: `fog_type` of `fog` should be from 1 to 2, but it is 3: 2 counts");
-    CHECK(complaint("fog { up 0 distance 1 }") ==
-          "warning degenerate: `up` of `fog` should not be 0: y counts");
+    CHECK(complaint("fog { up 0 distance 1 }") == "nothing");
+    CHECK(complaint("fog { fog_type 2 up 0 distance 1 fog_alt 1 }") ==
+          "warning degenerate: `up` of `fog` is 0: as in POV-Ray, everything in this fog is black");
     CHECK(complaint("sky_sphere { }") == "error missing: `sky_sphere` needs a pigment");
 }
 

@@ -28,6 +28,22 @@ TEST_CASE("fog takes its colour by the distance", "[medium]") {
     CHECK(seen(fog, ray, 4) == 0);
 }
 
+TEST_CASE("everything in a ground fog without a direction is black, as in POV-Ray", "[medium]") {
+    Fog fog;
+    fog.colour.rgb = Vec3(1);
+    fog.distance = 4;
+    fog.up = Vec3(0);
+    const Ray ray{Vec3(0, 5, 0), Vec3(0, 0, 1)};
+    CHECK(seen(fog, ray, 4) == Approx(1 - std::exp(-1)));
+    fog.fog_type = 2;
+    for (const double distance : {0.1, 4.0, std::numeric_limits<double>::infinity()}) {
+        const auto veil =
+            veil_of(std::span(&fog, 1), ray, distance, NoiseGenerator::full_range);
+        CHECK(veil.through(Vec3(1)) == Vec3(0));
+        CHECK(left_by(std::span(&fog, 1), ray, distance, NoiseGenerator::full_range) == Vec3(0));
+    }
+}
+
 TEST_CASE("ground fog thins out upwards", "[medium]") {
     Fog fog;
     fog.colour.rgb = Vec3(1);
