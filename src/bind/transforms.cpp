@@ -6,6 +6,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <span>
 
 namespace candelabra {
 
@@ -125,7 +126,7 @@ bool TransformReader::take_awaited(const Element& element) {
     }
     if (element.kind == Element::Kind::list && awaited_ == Awaited::matrix) {
         count_ = element.list.size();
-        if (count_ != matrix_.size()) {
+        if (count_ != matrix_numbers && count_ != matrix_.size()) {
             give_up();
         } else {
             std::ranges::copy(element.list, matrix_.begin());
@@ -145,7 +146,8 @@ void TransformReader::give_up() {
         block_.report(error(Fault::wrong_count, word_span_,
                             message("`matrix` needs 12 numbers, but it has ", count_))
                           .with_help("matrix <xx, xy, xz, yx, yy, yz, zx, zy, zz, tx, ty, tz>: "
-                                     "where the axes go, and the translation"));
+                                     "where the axes go, and the translation; those of the "
+                                     "inverse may follow"));
     else if (awaited_ == Awaited::transform)
         block_.report(
             error(Fault::missing, word_span_, "`transform` needs a declared transform or a block")
@@ -153,18 +155,45 @@ void TransformReader::give_up() {
     awaited_ = Awaited::nothing;
 }
 
+namespace {
+
+Affine map_of(std::span<const double> twelve) {
+    Affine map;
+    const auto row = [&](std::size_t first) {
+        return Vec3(twelve[first], twelve[first + 1], twelve[first + 2]);
+    };
+    map.rows = {row(0), row(3), row(6)};
+    map.translation = row(9);
+    return map;
+}
+
+/// Whether the map is the inverse up to the rounding of a long chain of maps.
+bool undoes(const Affine& back, const Transform& map) {
+    constexpr double relative = 1e-6;
+    const Affine exact = map.inverse().forward();
+    const auto near = [](const Vec3& a, const Vec3& b, double greatest) {
+        return max_abs_component(a - b) <= relative * greatest;
+    };
+    double greatest = 0;
+    for (const Vec3& row : exact.rows) greatest = std::max(greatest, max_abs_component(row));
+    for (std::size_t row = 0; row < exact.rows.size(); ++row)
+        if (!near(back.rows[row], exact.rows[row], greatest)) return false;
+    const double reach = std::max(max_abs_component(exact.translation),
+                                  greatest * max_abs_component(map.forward().translation));
+    return near(back.translation, exact.translation, reach);
+}
+
+}  // namespace
+
 void TransformReader::apply_matrix(Span span) {
-    for (const double x : matrix_)
+    const std::span<const double> numbers(matrix_.data(), count_);
+    for (const double x : numbers)
         if (!std::isfinite(x)) {
             block_.report(error(Fault::out_of_range, span,
                                 message("the numbers of `matrix` must be finite, but one is ", x)));
             return;
         }
-    Affine map;
-    for (std::size_t row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            map.rows[row][column] = matrix_[3 * row + static_cast<std::size_t>(column)];
-    map.translation = Vec3(matrix_[9], matrix_[10], matrix_[11]);
+    Affine map = map_of(numbers.first<matrix_numbers>());
     for (int axis = 0; axis < 3; ++axis) {
         if (map.rows[0][axis] != 0 || map.rows[1][axis] != 0 || map.rows[2][axis] != 0) continue;
         map.rows[static_cast<std::size_t>(axis)][axis] = 1;
@@ -179,7 +208,21 @@ void TransformReader::apply_matrix(Span span) {
                     "its first three rows are where the axes go: they must not lie in one plane"));
         return;
     }
-    apply_({Transform(map)});
+    if (count_ == matrix_numbers) {
+        apply_({Transform(map)});
+        return;
+    }
+    const Affine back = map_of(numbers.last<matrix_numbers>());
+    const Transform exact(map);
+    if (undoes(back, exact)) {
+        apply_({Transform(map, back)});
+        return;
+    }
+    block_.report(warning(Fault::degenerate, word_span_,
+                          "the last 12 numbers of this `matrix` are not those of its inverse, and "
+                          "do not count")
+                      .with_help("leave them out: the inverse follows from the first 12"));
+    apply_({exact});
 }
 
 void TransformReader::apply_move(const Element& value) {

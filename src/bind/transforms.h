@@ -60,7 +60,8 @@ private:
     ItemReader moves_;
     Awaited awaited_ = Awaited::nothing;
     Span word_span_;
-    std::array<double, 12> matrix_;
+    static constexpr std::size_t matrix_numbers = 12;
+    std::array<double, 2 * matrix_numbers> matrix_;
     std::size_t count_ = 0;  ///< number of matrix elements read so far
 };
 

@@ -192,14 +192,6 @@ std::string layer_content(const Texture& texture) {
 
 }  // namespace
 
-std::string matrix_text(const Transform& transform) {
-    if (transform == Transform()) return {};
-    const Affine& map = transform.forward();
-    std::string text = " matrix <";
-    for (const Vec3& row : map.rows) text += message(row.x, ", ", row.y, ", ", row.z, ", ");
-    return message(text, map.translation.x, ", ", map.translation.y, ", ", map.translation.z, ">");
-}
-
 std::string colour_text(const Colour& colour) { return written(colour, FieldType::colour); }
 
 std::string dump(const Pigment& pigment) {

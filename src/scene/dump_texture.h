@@ -38,9 +38,6 @@ std::string item_text(Variant alternative) {
     return message(info.name, fields.empty() ? "" : " ", fields);
 }
 
-/// " matrix <...>"; empty for the identity.
-std::string matrix_text(const Transform&);
-
 std::string colour_text(const Colour&);
 
 }  // namespace candelabra

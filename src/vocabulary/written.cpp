@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/written.h"
 
+#include "base/transform.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -85,17 +86,20 @@ std::string written(const FieldValue& value, FieldType type) {
     return std::visit(Writer{type}, value);
 }
 
-namespace {
-
-std::string moved_text(const Transform& transform) {
+std::string matrix_text(const Transform& transform) {
     if (transform == Transform()) return {};
-    const Affine& map = transform.forward();
     std::string text = " matrix <";
-    for (const Vec3& row : {map.rows[0], map.rows[1], map.rows[2], map.translation})
-        for (const double x : {row.x, row.y, row.z})
-            text += (text.back() == '<' ? "" : ", ") + exact(x);
+    const auto add = [&](const Affine& map) {
+        for (const Vec3& row : {map.rows[0], map.rows[1], map.rows[2], map.translation})
+            for (const double x : {row.x, row.y, row.z})
+                text += (text.back() == '<' ? "" : ", ") + exact(x);
+    };
+    add(transform.forward());
+    if (transform != Transform(transform.forward())) add(transform.inverse().forward());
     return text + ">";
 }
+
+namespace {
 
 /// Writes faces, each followed by its texture numbers.
 std::string faces_text(const std::vector<Face>& faces, const std::vector<Face>& looks) {
@@ -134,7 +138,7 @@ std::string parts_text(const FieldInfo& field, const void* object, WrittenLook l
         if (loose) continue;
         // The accessors take mutable parts, but nothing is changed through them.
         void* const open = const_cast<void*>(part);
-        if (field.parts->transform) text += moved_text(*field.parts->transform(open));
+        if (field.parts->transform) text += matrix_text(*field.parts->transform(open));
         if (const int number = field.parts->looks == 1 ? *field.parts->look(open) : -1; number >= 0)
             text += look(number);
         text += " }";

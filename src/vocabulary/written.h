@@ -10,9 +10,16 @@
 
 namespace candelabra {
 
+class Transform;
+
 /// A function is written as its address between these, because this module does not know functions;
 /// see scene/dump_function.h. No other text has these characters.
 inline constexpr char function_begin = '\3', function_end = '\4';
+
+/// ` matrix <...>` with the same bits in both directions when it is read again: it has 12 numbers,
+/// and those of the inverse behind them where these do not follow from the first. Empty for the
+/// identity.
+std::string matrix_text(const Transform&);
 
 /// The value as a scene would give it, with the fewest digits that read back the same. Equal
 /// components are written as one number, as the language allows. An unset value is written as "".

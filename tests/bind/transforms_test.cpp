@@ -2,6 +2,7 @@
 #include "bind/transforms.h"
 
 #include "bind/appearance.h"
+#include "vocabulary/written.h"
 
 #include <catch2/catch.hpp>
 
@@ -36,11 +37,25 @@ TEST_CASE("transform takes blocks and names, and inverts", "[bind]") {
     check(image_of("transform { transform T transform { T inverse } }", Vec3(0)), Vec3(0));
 }
 
+TEST_CASE("a matrix may have the numbers of its inverse behind its own", "[bind]") {
+    const Transform turned =
+        Transform::rotation(Vec3(10, 20, 30)).then(Transform::scaling(Vec3(1, 2, 3)));
+    const Transform many = turned.then(turned).then(Transform::translation(Vec3(0.1, 7, 9)));
+    REQUIRE(many != Transform(many.forward()));
+    const Script done = sphere_with(matrix_text(many), "");
+    REQUIRE(done.object().transform);
+    CHECK(*done.object().transform == many);
+}
+
 TEST_CASE("transforms that cannot be are told of", "[bind]") {
     CHECK(complaint("sphere { 0, 1 scale <1, 0, 1> }") ==
           "warning degenerate: this `scale` is 0 along an axis, which is taken as 1");
     CHECK(complaint("sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1> }") ==
           "error wrong-count: `matrix` needs 12 numbers, but it has 9");
+    CHECK(complaint("sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0, 0, "
+                    "1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0, 0> }") ==
+          "warning degenerate: the last 12 numbers of this `matrix` are not those of its inverse, "
+          "and do not count");
     CHECK(complaint("sphere { 0, 1 matrix }") ==
           "error wrong-count: `matrix` needs 12 numbers, but it has 0");
     CHECK(complaint("sphere { 0, 1 matrix <1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0> }") ==
