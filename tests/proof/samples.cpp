@@ -150,7 +150,7 @@ constexpr auto word_values = std::to_array<WordSample>({
     {"global_settings", "max_trace_level", "8"},
 });
 
-/// Words of files, or that change what the values mean.
+/// Words of files, of newer versions of the language, or that change what the values mean.
 constexpr auto omitted = std::to_array<Sample>({
     {"mesh", "file"},
     {"mesh2", "*"},
@@ -160,6 +160,7 @@ constexpr auto omitted = std::to_array<Sample>({
     {"prism", "*"},
     {"lathe", "*"},
     {"isosurface", "threshold"},
+    {"isosurface", "polarity"},
     {"height_field", "*"},
     {"text", "*"},
     {"julia_fractal", "*"},
