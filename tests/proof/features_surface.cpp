@@ -17,6 +17,11 @@ bool may_stand_in(const ItemInfo& info, std::string_view block) {
     return only.empty() || only == block;
 }
 
+/// As in POV-Ray, the direction of a slope does not turn with its object, nor does its point move.
+unsigned traits_of_pattern(std::string_view name) {
+    return name == "slope" ? directions | lengths : no_trait;
+}
+
 /// The pattern with its colours as a pigment has them.
 Element patterned_pigment(const ItemInfo& info, Draft& draft) {
     Dice& dice = draft.dice;
@@ -45,9 +50,9 @@ Factor pigments() {
     colour("both", "rgb <0.6, 0.9, 0.7> filter 0.4 transmit 0.4", passes);
     for (const ItemInfo* info : items_of("Patterns"))
         if (may_stand_in(*info, "pigment"))
-            levels.push_back({std::string(info->name), passes, [info](Draft& draft) {
-                                  draft.pigment = patterned_pigment(*info, draft);
-                              }});
+            levels.push_back(
+                {std::string(info->name), passes | traits_of_pattern(info->name),
+                 [info](Draft& draft) { draft.pigment = patterned_pigment(*info, draft); }});
     return factor;
 }
 
@@ -98,9 +103,9 @@ Factor normals() {
     Factor factor{"normal", {{"none"}}};
     for (const ItemInfo* info : items_of("Patterns"))
         if (may_stand_in(*info, "normal"))
-            factor.levels.push_back({std::string(info->name), bends, [info](Draft& draft) {
-                                         draft.normal = patterned_normal(*info, draft);
-                                     }});
+            factor.levels.push_back(
+                {std::string(info->name), bends | traits_of_pattern(info->name),
+                 [info](Draft& draft) { draft.normal = patterned_normal(*info, draft); }});
     const auto text = [&](std::string name, std::string values) {
         factor.levels.push_back({std::move(name), bends, [values](Draft& draft) {
                                      draft.normal = block("normal", values);
