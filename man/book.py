@@ -47,6 +47,7 @@ DEVELOPS = {"--film", "--exposure", "--key", "--response", "--contrast", "--satu
 
 # Tables that examples of macros read.
 TABLES = (("lamps.csv", "x,y,z,colour\n-1,0.6,0,#ff8800\n0,1.4,0,#ffffff\n1,0.6,0,#3366ff\n"),
+          ("strings.csv", "x,y,z,string\n-1,0.6,0,Left\n0,1.4,0,Right\n1,0.6,0,Right\n"),
           ("film.csv", "255,80,0,0,255,0,80,80,255\n0,0,255,255,255,0,255,0,0\n"))
 
 

@@ -102,6 +102,16 @@ std::string name_of(const Span& span, const SourceStore& sources, const Names& n
     return first;
 }
 
+/// The name that a scene gives, without what has a meaning in names of planes and in options.
+std::string layer_name(std::string name) {
+    for (char& c : name)
+        if (const auto code = static_cast<unsigned char>(c);
+            code < ' ' || code == 127 ||
+            std::string_view(".,=\"\\").find(c) != std::string_view::npos)
+            c = '_';
+    return name;
+}
+
 class LayerWriter {
 public:
     LayerWriter(const Film& film, const FilmFiles& files)
@@ -267,8 +277,11 @@ std::vector<std::string> light_names(const World& world, const SourceStore& sour
     const Names words;
     std::vector<std::string> names;
     std::set<std::string> taken = {"rest"};
-    for (const Span& statement : world.provenance.light_statements) {
-        const std::string called = name_of(statement, sources, words);
+    const Provenance& provenance = world.provenance;
+    for (std::size_t k = 0; k < provenance.light_statements.size(); ++k) {
+        const std::string called = provenance.light_names[k].empty()
+                                       ? name_of(provenance.light_statements[k], sources, words)
+                                       : layer_name(provenance.light_names[k]);
         std::string name = called;
         for (int i = 2; !taken.insert(name).second; ++i) name = message(called, "_", i);
         names.push_back(std::move(name));

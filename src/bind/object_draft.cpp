@@ -15,6 +15,13 @@ const ItemInfo GroupSettings::vocabulary = described<GroupSettings>([] {
                              "light sources outside of the group light its objects as well"});
 });
 
+const ItemInfo UnionSettings::vocabulary = described<UnionSettings>([] {
+    return schema<UnionSettings>(
+        "union", "Objects and lights as one.",
+        Field<UnionSettings>{"light_name", &UnionSettings::light_name, item,
+                             "the name of its light in --layers lights"});
+});
+
 void ObjectDraft::take(const Object& from) {
     switches = from.switches();
     declared_switches = switches;

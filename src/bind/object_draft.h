@@ -16,6 +16,13 @@ struct GroupSettings {
     static const ItemInfo vocabulary;
 };
 
+/// Fields of a union and its relatives beside its objects.
+struct UnionSettings {
+    std::string light_name;
+
+    static const ItemInfo vocabulary;
+};
+
 /// The form and the appearance of an object while its block is read.
 struct ObjectDraft {
     explicit ObjectDraft(Binder& binder) : binder(binder), texture(binder.default_texture) {}

@@ -261,8 +261,16 @@ private:
         const bool group = element_.word == "light_group"_word;
         if (together) draft_.made.edit().form = Union{{}, {}, {}, csg(), group};
         ContentReader content(block_, draft_, kind);
-        if (group) return read_light_group(content);
-        read_with(element_.body, content);
+        UnionSettings settings;
+        ItemReader names(block_, UnionSettings::vocabulary, &settings);
+        if (group)
+            read_light_group(content, names);
+        else if (together)
+            read_with(element_.body, content, names);
+        else
+            read_with(element_.body, content);
+        if (!settings.light_name.empty()) name_light(std::move(settings.light_name));
+        if (group) return;
         if (draft_.cutaway) may_be_cut(block_, *draft_.made);
         if (draft_.cutaway && !draft_.textured && !block_.broken)
             cut_away(std::get<Union>(draft_.made.edit().form), block_.binder.default_texture);
@@ -277,10 +285,19 @@ private:
                               message("there is no object in this ", block_.quoted())));
     }
 
-    [[gnu::noinline]] void read_light_group(ContentReader& content) {
+    /// Names all light in the union that has no name yet.
+    [[gnu::noinline]] void name_light(std::string name) {
+        Union& together = std::get<Union>(draft_.made.edit().form);
+        together.light_name = make_handle<std::string>(std::move(name));
+        for (auto* lights : {&together.lights, &together.free_lights})
+            for (PlacedLight& light : *lights)
+                if (!light.light_name) light.light_name = together.light_name;
+    }
+
+    [[gnu::noinline]] void read_light_group(ContentReader& content, ItemReader& names) {
         GroupSettings settings;
         ItemReader fields(block_, GroupSettings::vocabulary, &settings);
-        read_with(element_.body, content, fields);
+        read_with(element_.body, content, fields, names);
         std::get<Union>(draft_.made.edit().form).global_lights = settings.global_lights;
     }
 

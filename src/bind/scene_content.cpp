@@ -15,8 +15,8 @@ void SceneContent::add(ObjectHandle object) {
 }
 
 void SceneContent::add(const PlacedLight& light) {
-    scene.lights.push_back(
-        {light.light, light.span, nullptr, light.projected_through, light.photons});
+    scene.lights.push_back({light.light, light.span, nullptr, light.projected_through,
+                            light.photons, light.light_name});
     if (light.looks_like) add(light.looks_like);
 }
 

@@ -237,6 +237,8 @@ std::vector<std::string> modifiers_of(const Object& object) {
     for (std::size_t i = 0; i < Switches::vocabulary.fields.size(); ++i)
         if (std::get<double>(Switches::vocabulary.get(&object.switches(), i)) != 0)
             result.emplace_back(Switches::vocabulary.fields[i].name);
+    if (const auto* together = std::get_if<Union>(&object.form); together && together->light_name)
+        result.push_back(message("light_name ", written(*together->light_name, FieldType::text)));
     if (object.photons) result.push_back(block_text(*object.photons));
     if (object.part_textures && !object.part_textures->list.empty() && is_mesh(object))
         result.push_back(list_text(object.part_textures->list));

@@ -43,6 +43,7 @@ struct PlacedLight {
     /// points.
     ObjectHandle projected_through = {};
     LightPhotons photons = {};
+    Handle<std::string> light_name = {};  ///< see Union
 };
 
 /// How several objects are combined.
@@ -63,6 +64,9 @@ struct Union {
     bool global_lights = false;  ///< of a light group: other lights light it as well
     bool lamp = false;           ///< stands for a light source and its looks_like
     bool named = false;          ///< of a declared object: an outer light group lights it, too
+    /// The name of all its light in layers, which is that of unions with the same name, too; null:
+    /// the light is named by its statement.
+    Handle<std::string> light_name = {};
 };
 
 /// Spheres that differ only in place and size, as one object of a scene or a union: loops make them

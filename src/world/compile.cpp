@@ -163,7 +163,7 @@ void light_the_sky(World& world) {
     if (world.sky.light.empty()) return;
     Provenance& provenance = world.provenance;
     provenance.statement_of_sky = static_cast<std::uint32_t>(provenance.light_statements.size());
-    provenance.light_statements.push_back(provenance.sky);
+    provenance.add_light_statement(provenance.sky);
 }
 
 /// Divides the light sources into sets.

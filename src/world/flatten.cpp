@@ -61,7 +61,16 @@ public:
     /// kept separately until all are known. `whole`: the object is taken apart, but rays see it as
     /// one, like a union with bounds in POV-Ray.
     void add(const Object& object, const Inherited& outer, bool whole = false) {
-        if (has_needless_bounds(object)) return add(without_bounds(object), outer, true);
+        const auto* together = std::get_if<Union>(&object.form);
+        if (!together || !together->light_name) return add_light_unnamed(object, outer, whole);
+        const auto around = statements_.begin(object.span, together->light_name);
+        add_light_unnamed(object, outer, whole);
+        statements_.begin(around.span, around.name);
+    }
+
+    void add_light_unnamed(const Object& object, const Inherited& outer, bool whole) {
+        if (has_needless_bounds(object))
+            return add_light_unnamed(without_bounds(object), outer, true);
         const bool inert = only_lights_count_ && cannot_emit(object, outer.texture);
         if (inert || is_composite(object)) {
             ++world_.provenance.object_count;
@@ -119,9 +128,12 @@ public:
         LightReach reach{group};
         if (placed.projected_through)
             reach.window = make_handle<Composite>(composite_of(*placed.projected_through, shapes_));
-        // Lights of a group belong to the group's statement.
-        if (group == 0) statements_.begin(placed.span);
+        // Lights of a group belong to the group's statement, unless they have another name.
+        const bool own = group == 0 || placed.light_name;
+        const auto around =
+            own ? statements_.begin(placed.span, placed.light_name) : statements_.current();
         world_.provenance.statement_of_light.push_back(statements_.number());
+        if (own) statements_.begin(around.span, around.name);
         settle(placed.light);
         world_.lights.sources.push_back(std::move(placed.light));
         reach.photons = placed.photons.ways();

@@ -3,12 +3,15 @@
 // object that each primitive belongs to. Written by flatten().
 #pragma once
 
+#include "base/handle.h"
 #include "text/span.h"
 #include "world/geometry.h"
 #include "world/lamp.h"
 
 #include <array>
 #include <map>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,6 +22,8 @@ struct Provenance {
     /// The statements of the scene that made luminaires and lights, and the index of the statement
     /// of each.
     std::vector<Span> light_statements;
+    /// The names that the scene gives to the light of each; empty: none.
+    std::vector<std::string> light_names;
     std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
     std::uint32_t statement_of_sky = 0;  ///< if the sky is a luminaire
     Span sky;                            ///< the statement that made it
@@ -28,6 +33,11 @@ struct Provenance {
     std::vector<Span> object_spans;
     std::size_t object_count = 0;  ///< as the scene counts them
 
+    void add_light_statement(Span statement, std::string name = {}) {
+        light_statements.push_back(statement);
+        light_names.push_back(std::move(name));
+    }
+
     /// Index in light_statements.
     std::uint32_t statement_of(Lamp lamp) const {
         if (lamp.is_sky()) return statement_of_sky;
@@ -35,29 +45,47 @@ struct Provenance {
     }
 };
 
-/// Numbers the statements that make lights, in the order in which they do.
+/// Numbers the statements that make lights, in the order in which they do. Light with a name has
+/// one number, whichever statements make it.
 class LightStatements {
 public:
-    explicit LightStatements(Provenance& provenance) : all_(provenance.light_statements) {}
+    /// A statement, and the name of its light; null: it has none.
+    struct Statement {
+        Span span;
+        Handle<std::string> name;
+    };
 
-    void begin(Span statement) { now_ = statement; }
+    explicit LightStatements(Provenance& provenance) : provenance_(provenance) {}
 
-    /// Number of the current statement. Statements mostly come one after the other.
+    /// Makes this the current statement; returns the one before.
+    Statement begin(Span span, Handle<std::string> name = {}) {
+        numbered_ = numbered_ && span == now_.span && name == now_.name;
+        return std::exchange(now_, {span, std::move(name)});
+    }
+
+    const Statement& current() const { return now_; }
+
+    /// Number of the current statement.
     std::uint32_t number() {
-        if (!all_.empty() && all_[last_] == now_) return last_;
-        const std::pair<SourceId, std::uint64_t> place{now_.source,
-                                                       std::uint64_t{now_.first} << 32 | now_.last};
-        const auto [found, added] =
-            numbers_.try_emplace(place, static_cast<std::uint32_t>(all_.size()));
-        if (added) all_.push_back(now_);
+        if (numbered_) return last_;
+        const std::uint64_t range = std::uint64_t{now_.span.first} << 32 | now_.span.last;
+        const std::string name = now_.name ? *now_.name : std::string();
+        const auto [found, added] = numbers_.try_emplace(
+            now_.name ? Place(name, {}, 0) : Place(name, now_.span.source, range),
+            static_cast<std::uint32_t>(numbers_.size()));
+        if (added) provenance_.add_light_statement(now_.span, name);
+        numbered_ = true;
         return last_ = found->second;
     }
 
 private:
-    std::vector<Span>& all_;
-    Span now_;
+    using Place = std::tuple<std::string, SourceId, std::uint64_t>;
+
+    Provenance& provenance_;
+    Statement now_;
+    bool numbered_ = false;
     std::uint32_t last_ = 0;
-    std::map<std::pair<SourceId, std::uint64_t>, std::uint32_t> numbers_;
+    std::map<Place, std::uint32_t> numbers_;
 };
 
 /// Fills Provenance::object_of and Provenance::object_spans, if wanted.

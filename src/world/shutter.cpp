@@ -8,21 +8,24 @@
 namespace candelabra {
 
 void share_light_statements(World& world, const SourceStore& sources) {
-    using Place = std::tuple<std::string, std::uint32_t, std::uint32_t>;
+    using Place = std::tuple<std::string, std::string, std::uint32_t, std::uint32_t>;
     std::map<Place, std::uint32_t> numbers;
-    std::vector<Span> all;
-    const auto number = [&](const Span& statement) {
-        const Place place{statement.known() ? sources.name(statement.source) : std::string(),
-                          statement.first, statement.last};
+    Provenance all;
+    const auto number = [&](const Span& statement, const std::string& name) {
+        const std::string source =
+            statement.known() ? sources.name(statement.source) : std::string();
+        const Place place = name.empty() ? Place(name, source, statement.first, statement.last)
+                                         : Place(name, {}, 0, 0);
         const auto [found, added] =
-            numbers.try_emplace(place, static_cast<std::uint32_t>(all.size()));
-        if (added) all.push_back(statement);
+            numbers.try_emplace(place, static_cast<std::uint32_t>(numbers.size()));
+        if (added) all.add_light_statement(statement, name);
         return found->second;
     };
     const auto renumber = [&](World& sample) {
         std::vector<std::uint32_t> now;
-        for (const Span& statement : sample.provenance.light_statements)
-            now.push_back(number(statement));
+        const Provenance& own = sample.provenance;
+        for (std::size_t k = 0; k < own.light_statements.size(); ++k)
+            now.push_back(number(own.light_statements[k], own.light_names[k]));
         for (auto* list :
              {&sample.provenance.statement_of_luminaire, &sample.provenance.statement_of_light})
             for (std::uint32_t& statement : *list) statement = now[statement];
@@ -31,8 +34,12 @@ void share_light_statements(World& world, const SourceStore& sources) {
     };
     renumber(world);
     for (World& sample : world.shutter) renumber(sample);
-    for (World& sample : world.shutter) sample.provenance.light_statements = all;
-    world.provenance.light_statements = std::move(all);
+    const auto share = [&](Provenance& own) {
+        own.light_statements = all.light_statements;
+        own.light_names = all.light_names;
+    };
+    for (World& sample : world.shutter) share(sample.provenance);
+    share(world.provenance);
 }
 
 }  // namespace candelabra

@@ -118,6 +118,32 @@ TEST_CASE("layers of light are named by their statements, not by variables of th
                                           "sphere", "Lamps_0", "Lamps_1", "Lamps_1_2", "rest"});
 }
 
+TEST_CASE("unions may name the light that is made in them") {
+    Shell shell;
+    shell.write("named.pov", R"(#version 3.7; global_settings { assumed_gamma 1 }
+        camera { location -4*z look_at 0 } sphere { 0, 1 pigment { rgb 1 } }
+        #declare Lamp = sphere { 0, 0.1 pigment { rgb 1 } finish { emission 9 } }
+        #declare Two = union {
+            object { Lamp translate <2, 2, -2> }
+            light_source { <3, 3, -3>, 0.3 }
+            light_name "Left.1"
+        }
+        object { Two }
+        union {
+            union { object { Lamp translate <-2, 2, -2> } light_name "Left.1" }
+            object { Lamp translate <-1, 2, -2> }
+            light_name "Right side"
+        }
+        light_group { light_source { y*9, 1 } sphere { 2*x, 1 } light_name "Group" })");
+    REQUIRE(shell({shell.path("named.pov"), "-V", "+W4", "+H3", "+O" + shell.path("n.exr"),
+                   "--layers", "lights"}) == 0);
+    std::set<std::string> lights;
+    for (const std::string& name : Planes(shell.path("n.exr")).names())
+        if (name.starts_with("light.") && name.ends_with(".R"))
+            lights.insert(name.substr(6, name.size() - 8));
+    CHECK(lights == std::set<std::string>{"Left_1", "Right side", "Group", "rest"});
+}
+
 TEST_CASE("all layers are there, beside a picture that cannot have them") {
     Shell shell;
     REQUIRE(render(shell, {"+O" + shell.path("a.png"), "--layers", "all"}) == 0);

@@ -192,6 +192,7 @@ TEST_CASE("each macro of the library that is for scenes has help and an example 
     Shell shell;
     shell.library = source + "/stdlib";
     shell.write("lamps.csv", "x,y,z\n-1,0.6,0\n0,1.4,0\n1,0.6,0\n");
+    shell.write("strings.csv", "x,y,z,string\n-1,0.6,0,Left\n0,1.4,0,Right\n1,0.6,0,Right\n");
     shell.write("film.csv", "255,0,0,0,255,0,0,0,255\n0,0,255,255,255,0,255,0,0\n");
     const std::map<std::string, Example> all = examples();
     std::size_t count = 0;

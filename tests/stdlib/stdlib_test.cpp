@@ -124,6 +124,28 @@ TEST_CASE("lamps come from tables", "[stdlib]") {
                     "dim_film.csv\", 0, 5)") == "2.5 0 0 | 0 5 0");
 }
 
+TEST_CASE("groups of lamps have the names of a column's values", "[stdlib]") {
+    const auto names = [](const std::string& column) {
+        const World world = world_of(R"(#version 3.7; plane { y, -99 pigment { rgb 1 } }
+            #include "light_arrays.inc"
+            #declare L = sphere { 0, 0.05 pigment { rgb 1 } finish { emission 3 } }
+            object { Light_Groups(L, "tests/stdlib/tables/strings.csv", ")" +
+                                     column + "\") translate 2*y }");
+        std::string text;
+        for (std::size_t k = 0; k < world.provenance.light_names.size(); ++k) {
+            const auto& all = world.provenance.statement_of_luminaire;
+            text += message(text.empty() ? "" : " ", world.provenance.light_names[k], " ",
+                            std::count(all.begin(), all.end(), k));
+        }
+        return text;
+    };
+    CHECK(names("string") == "Roof 3 Door 2");
+    CHECK(names("floor") == "floor_0 1 floor_2 2 floor_1 2");
+    CHECK(error_of("object { Light_Groups(sphere { 0, 1 }, \"tests/stdlib/tables/strings.csv\", "
+                   "\"strig\") }") ==
+          "error: the header of tests/stdlib/tables/strings.csv names no column strig");
+}
+
 TEST_CASE("tables that do not fit say what is wrong", "[stdlib]") {
     const std::string tables = "\"tests/stdlib/tables/";
     CHECK(error_of("object { Light_From_CSV(sphere { 0, 1 }, " + tables + "unnamed.csv\", 1) }") ==

@@ -53,9 +53,11 @@ TEST_CASE("lights of all shutter samples are counted by the statements that make
         return Span{source, first, first + 4};
     };
     World world, second;
-    world.provenance.light_statements = {span(scene, 0), span(scene, 10)};
+    world.provenance.add_light_statement(span(scene, 0));
+    world.provenance.add_light_statement(span(scene, 10));
     world.provenance.statement_of_luminaire = {1, 0, 1};
-    second.provenance.light_statements = {span(again, 5), span(again, 10)};
+    second.provenance.add_light_statement(span(again, 5));
+    second.provenance.add_light_statement(span(again, 10));
     second.provenance.statement_of_luminaire = {0, 1};
     second.provenance.statement_of_light = {1};
     world.shutter.push_back(std::move(second));
@@ -66,6 +68,19 @@ TEST_CASE("lights of all shutter samples are counted by the statements that make
     CHECK(world.shutter[0].provenance.light_statements == all);
     CHECK(world.shutter[0].provenance.statement_of_luminaire == std::vector<std::uint32_t>{2, 1});
     CHECK(world.shutter[0].provenance.statement_of_light == std::vector<std::uint32_t>{1});
+}
+
+TEST_CASE("light with a name is that light wherever it is made in shutter samples", "[world]") {
+    const SourceStore sources;
+    World world, second;
+    world.provenance.add_light_statement({}, "A");
+    world.provenance.add_light_statement({}, "B");
+    second.provenance.add_light_statement({}, "B");
+    second.provenance.statement_of_luminaire = {0};
+    world.shutter.push_back(std::move(second));
+    share_light_statements(world, sources);
+    CHECK(world.provenance.light_names == std::vector<std::string>{"A", "B"});
+    CHECK(world.shutter[0].provenance.statement_of_luminaire == std::vector<std::uint32_t>{1});
 }
 
 }  // namespace candelabra
