@@ -3,10 +3,13 @@
 
 #include "app/command_line.h"
 #include "app/layers.h"
+#include "app/light_weights.h"
+#include "app/movie.h"
 #include "app/option_store.h"
 #include "app/output.h"
 #include "app/sandbox.h"
 #include "film/develop.h"
+#include "picture/file.h"
 #include "picture/layers.h"
 #include "text/message.h"
 #include "text/nearest.h"
@@ -27,7 +30,15 @@ namespace {
 struct DevelopRequest {
     Options options;
     std::vector<std::string> files;
-    std::string layer;  ///< empty: the picture itself
+    std::string layer;         ///< empty: the picture itself
+    LightWeights weights;      ///< of options `--light`, and of the file once it is read
+    std::string weights_file;  ///< of `--lights`; empty: none
+};
+
+/// A picture that is made of a file.
+struct LitFrame {
+    std::string file, output;
+    LightFactors factors;
 };
 
 /// Whether an option, written as in an INI file, can change the result of develop.
@@ -55,7 +66,9 @@ bool matters_to_develop(std::string_view given) {
                                                                  "--sandbox=",
                                                                  "--key=",
                                                                  "--contrast=",
-                                                                 "--saturation="});
+                                                                 "--saturation=",
+                                                                 "--movie=",
+                                                                 "--frame-rate="});
     return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
 }
 
@@ -79,6 +92,14 @@ DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
             request.layer = arguments[++i];
         else if (argument.starts_with("--layer="))
             request.layer = argument.substr(argument.find('=') + 1);
+        else if (argument == "--light" && has_next)
+            request.weights.add(arguments[++i], diagnostics);
+        else if (argument.starts_with("--light="))
+            request.weights.add(argument.substr(argument.find('=') + 1), diagnostics);
+        else if (argument == "--lights" && has_next)
+            request.weights_file = arguments[++i];
+        else if (argument.starts_with("--lights="))
+            request.weights_file = argument.substr(argument.find('=') + 1);
         else if (names_exr(argument))
             request.files.emplace_back(argument);
         else
@@ -168,7 +189,8 @@ public:
         : request_(request), diagnostics_(diagnostics) {}
 
     /// Develops one file. Returns false after an error has been reported.
-    bool file(const std::string& path) {
+    bool file(const LitFrame& frame) {
+        const std::string& path = frame.file;
         static constexpr auto texts =
             std::to_array<std::string_view>({film_text_name, "ImageDescription"});
         const auto picture = read_layers(path, texts, diagnostics_);
@@ -176,11 +198,12 @@ public:
         FilmFiles files;
         Negative negative;
         if (!film_of_file(path, picture->texts[0].second, files.film) ||
-            !negative_of_file(path, Planes(*picture), files.film, negative))
+            !negative_of_file(path, Planes(*picture), files.film, negative) ||
+            !relit_by(frame, Planes(*picture), negative))
             return false;
         Options options = request_.options;
         options.alpha = !negative.alpha.empty();
-        options.output = output_for(path);
+        options.output = frame.output;
         Output output = output_of(options, diagnostics_);
         if (diagnostics_.failed()) return false;
         if (const std::string& text = picture->texts[1].second; !text.empty())
@@ -253,20 +276,141 @@ private:
         return true;
     }
 
-    /// Returns the path of the output: beside the input, unless the options say otherwise.
-    std::string output_for(const std::string& path) const {
-        namespace fs = std::filesystem;
-        const std::string& said = request_.options.output;
-        if (names_one_file(request_)) return said;
-        fs::path made(path);
-        if (!said.empty()) made = fs::path(said) / made.filename();
-        const PictureType type = request_.options.type.value_or(PictureType::png);
-        return made.replace_extension(extension(type)).string();
+    /// Lights the negative anew. Its smooth edges have been made with the old light.
+    bool relit_by(const LitFrame& frame, const Planes& planes, Negative& negative) {
+        if (frame.factors.empty()) return true;
+        if (!request_.layer.empty() && request_.layer != denoised_layer)
+            return fail(message("weights change the picture, or the layer `", denoised_layer,
+                                "`, and not `", printable(request_.layer), "`"));
+        const std::string before =
+            request_.layer.empty() ? "light." : message(denoised_layer, ".light.");
+        std::vector<std::string> known;
+        for (const std::string& layer : planes.layers())
+            if (layer.starts_with(before)) known.push_back(layer.substr(before.size()));
+        if (known.empty())
+            return fail(message("`", printable(frame.file), "` has no layers of light"),
+                        "render it with --layers lights");
+        if (!add_up(planes, before, known, negative.light))
+            return fail(message("the layers of light in `", printable(frame.file),
+                                "` do not add up to its picture"),
+                        "they do in scenes with assumed_gamma 1");
+        std::vector<LampLight> lamps;
+        for (const auto& [name, factor] : frame.factors) {
+            if (std::ranges::find(known, name) == known.end()) return unknown_lamp(name, known);
+            lamps.push_back({*planes.image(before + name), factor});
+        }
+        relight(negative.light, lamps);
+        if (std::ranges::any_of(lamps, [](const auto& lamp) { return lamp.factor != Vec3(1); }))
+            negative.smooth = Image();
+        return true;
+    }
+
+    /// Whether all layers of light together are the picture, if they are all there.
+    static bool add_up(const Planes& planes, const std::string& before,
+                       const std::vector<std::string>& names, const Image& picture) {
+        constexpr double tolerance = 1e-3;
+        if (std::ranges::find(names, "rest") == names.end()) return true;
+        std::vector<Vec3> sums(picture.pixels.size(), Vec3(0));
+        for (const std::string& name : names) {
+            const Image light = *planes.image(before + name);
+            for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += light.pixels[i];
+        }
+        double error = 0, size = 0;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            error += max_abs_component(sums[i] - picture.pixels[i]);
+            size += max_abs_component(picture.pixels[i]);
+        }
+        return error <= tolerance * size;
+    }
+
+    bool unknown_lamp(const std::string& name, const std::vector<std::string>& known) {
+        const std::string meant =
+            nearest(name, std::vector<std::string_view>(known.begin(), known.end()));
+        std::string all;
+        for (const std::string& each : known)
+            all += message(all.empty() ? "" : ", ", printable(each));
+        return fail(message("there is no light of `", printable(name), "` in the file"),
+                    message(meant.empty() ? "" : message("did you mean `", printable(meant), "`? "),
+                            "there are ", all));
     }
 
     const DevelopRequest& request_;
     Diagnostics& diagnostics_;
 };
+
+/// Returns the path of a picture: beside its file, unless the options say otherwise. `number`: of
+/// the pictures of one file, with leading zeros; empty if it has one.
+std::string output_for(const DevelopRequest& request, const std::string& file,
+                       const std::string& number) {
+    namespace fs = std::filesystem;
+    const std::string& said = request.options.output;
+    if (names_one_file(request)) return said;
+    fs::path made(file);
+    if (!said.empty()) made = fs::path(said) / made.filename();
+    made.replace_filename(made.stem().string() + number);
+    const PictureType type = request.options.type.value_or(PictureType::png);
+    return made.concat(".").concat(extension(type)).string();
+}
+
+/// Returns the pictures that are to be made. Reports weights of other numbers of frames.
+std::vector<LitFrame> frames_of(const DevelopRequest& request, Diagnostics& diagnostics) {
+    const std::size_t rows = request.weights.frames(), files = request.files.size();
+    if (rows > 0 && files > 1 && rows != files)
+        diagnostics.add(
+            error(Fault::option, {},
+                  message("`", printable(request.weights_file), "` has ", rows,
+                          rows == 1 ? " frame" : " frames", ", and there are ", files, " files"))
+                .with_help("one file, or one for each frame"));
+    const std::size_t count = std::max(files, rows);
+    const bool hidden = !request.options.movie.empty() && request.options.output.empty();
+    std::vector<LitFrame> lit;
+    for (std::size_t i = 0; i < count && !diagnostics.failed(); ++i) {
+        const std::string& file = request.files[files == 1 ? 0 : i];
+        std::string number;
+        if (files == 1 && count > 1) {
+            number = std::to_string(i + 1);
+            number.insert(0, std::to_string(count).size() - number.size(), '0');
+        }
+        lit.push_back(
+            {file,
+             hidden ? developed_frame(request.options.movie, i) : output_for(request, file, number),
+             request.weights.of(i)});
+    }
+    // Two pictures must not go to the same file.
+    if (lit.size() > 1 && names_one_file(request))
+        diagnostics.add(error(Fault::option, {}, "several pictures cannot go to one file")
+                            .with_help("-o a folder, with a / at its end"));
+    return lit;
+}
+
+/// Finds problems with the movie before the long work begins.
+void check_movie(const Options& options, Diagnostics& diagnostics) {
+    if (options.movie.empty()) return;
+    const std::string problem = problem_with_destination(options.movie);
+    if (!problem.empty())
+        diagnostics.add(error(Fault::io, {}, problem));
+    else
+        can_make_movie(options.frame_rate, options.movie, diagnostics);
+}
+
+/// Develops all pictures, and joins them to a movie if one is wanted.
+bool develop_frames(const DevelopRequest& request, std::span<const LitFrame> lit,
+                    Diagnostics& diagnostics) {
+    const Options& options = request.options;
+    Developer developer(request, diagnostics);
+    std::vector<std::string> frames;
+    bool good = true;
+    for (const LitFrame& frame : lit) {
+        good = good && developer.file(frame);
+        frames.push_back(frame.output);
+    }
+    if (options.movie.empty()) return good;
+    good = good && make_movie(frames, options.frame_rate, options.movie, diagnostics);
+    std::error_code none;
+    if (options.output.empty())
+        for (const std::string& frame : frames) std::filesystem::remove(frame, none);
+    return good;
+}
 
 }  // namespace
 
@@ -275,27 +419,28 @@ bool develop_file(const std::string& exr, std::string_view layer, const std::str
     DevelopRequest request;
     request.options.output = picture;
     request.layer = layer;
-    return Developer(request, diagnostics).file(exr);
+    return Developer(request, diagnostics).file({exr, picture, {}});
 }
 
 int run_develop(std::span<const std::string_view> arguments, const Console& console) {
     Diagnostics diagnostics;
-    const DevelopRequest request = read_develop_request(arguments, diagnostics);
+    DevelopRequest request = read_develop_request(arguments, diagnostics);
     const auto end = [&](int status) {
         say_errors(console, request.options, diagnostics);
         return status;
     };
-    // Two pictures must not go to the same file.
-    if (!diagnostics.failed() && request.files.size() > 1 && names_one_file(request))
-        diagnostics.add(error(Fault::option, {}, "several pictures cannot go to one file")
-                            .with_help("-o a folder, with a / at its end"));
-    if (!diagnostics.failed())
-        confined(request.options, sandbox_rules(request.options, console.library, request.files),
-                 console, diagnostics);
+    SandboxRules rules = sandbox_rules(request.options, console.library, request.files);
+    if (!request.weights_file.empty()) rules.readable.push_back(request.weights_file);
+    if (!diagnostics.failed()) confined(request.options, rules, console, diagnostics);
     if (diagnostics.failed()) return end(exit_status::usage);
-    Developer developer(request, diagnostics);
-    for (const std::string& file : request.files)
-        if (!developer.file(file)) return end(exit_status::file);
+    // The frames of a movie that are not kept are hidden files of one format.
+    if (!request.options.movie.empty() && request.options.output.empty())
+        request.options.type = PictureType::png;
+    if (!request.weights_file.empty()) request.weights.read(request.weights_file, diagnostics);
+    const std::vector<LitFrame> lit = frames_of(request, diagnostics);
+    check_movie(request.options, diagnostics);
+    if (diagnostics.failed()) return end(exit_status::usage);
+    if (!develop_frames(request, lit, diagnostics)) return end(exit_status::file);
     return end(exit_status::done);
 }
 

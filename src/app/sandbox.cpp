@@ -229,6 +229,11 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library,
     SandboxRules rules;
     rules.readable = system_files(library);
     rules.readable.insert(rules.readable.end(), files.begin(), files.end());
+    rules.programs = !options.movie.empty();
+    if (rules.programs) {
+        rules.readable.push_back(folder_around(find_program("ffmpeg")));
+        rules.writable.push_back(folder_around(options.movie));
+    }
     std::error_code none;
     const std::string& output = options.output;
     if (fs::is_directory(output, none)) {

@@ -11,6 +11,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace candelabra {
@@ -241,6 +242,106 @@ TEST_CASE("any OpenEXR file with colours is developed", "[app][film]") {
     darkroom.write_planes("x.exr", {"depth"});
     CHECK(darkroom({"develop", darkroom.path("x.exr")}) == 3);
     CHECK(has(darkroom.err, "has no colours"));
+}
+
+namespace {
+
+constexpr auto two_lamps = R"(#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <0, 1, -5> look_at 0 film { response agx glare { veil 0.1 } } }
+plane { y, -1 pigment { rgb 0.7 } }
+#declare Top = sphere { <0, 2, 0>, 0.4 pigment { rgb 1 } finish { diffuse 0 emission 8 } }
+#declare Low = sphere { <2, 0, 0>, 0.4 pigment { rgb <1, 0.5, 0> } finish { diffuse 0 emission 5 } }
+#ifndef (No_Top) object { Top } #end
+object { Low }
+)";
+
+}  // namespace
+
+TEST_CASE("develop lights pictures anew by the layers of light", "[app][film]") {
+    Darkroom darkroom;
+    darkroom.write("two.pov", two_lamps);
+    const auto light = [&](const std::string& name, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words = {
+            darkroom.path("two.pov"),  "-V", "+W24", "+H18", "--samples", "4",
+            "+O" + darkroom.path(name)};
+        words.insert(words.end(), more.begin(), more.end());
+        REQUIRE(darkroom(words) == 0);
+    };
+    light("two.exr", {"--layers", "lights"});
+    const std::string as_it_is = darkroom.developed("two.exr");
+    CHECK(darkroom.developed("two.exr", {"--light", "Top=1", "--light=Low=#fff"}) == as_it_is);
+    const std::string dimmed = darkroom.developed("two.exr", {"--light", "Top=0.2,#ff8800"});
+    CHECK(dimmed != as_it_is);
+    darkroom.write("set.json", R"({"Top": "0.2,#ff8800"})");
+    CHECK(darkroom.developed("two.exr", {"--lights", darkroom.path("set.json")}) == dimmed);
+
+    // Frames by the rows of a table, from one file.
+    darkroom.write("set.csv", "Top,Low\n1,1\n0.2 #ff8800,1\n");
+    fs::create_directory(darkroom.path("out"));
+    CHECK(darkroom({"develop", darkroom.path("two.exr"), "-o", darkroom.path("out"), "--lights",
+                    darkroom.path("set.csv")}) == 0);
+    CHECK(darkroom.content("out/two1.png") == as_it_is);
+    CHECK(darkroom.content("out/two2.png") == dimmed);
+    CHECK(darkroom({"develop", darkroom.path("two.exr"), darkroom.path("two.exr"),
+                    darkroom.path("two.exr"), "--lights", darkroom.path("set.csv")}) == 2);
+    CHECK(has(darkroom.err, "has 2 frames, and there are 3 files"));
+
+    CHECK(darkroom({"develop", darkroom.path("two.exr"), "--light", "Tap=0"}) == 3);
+    CHECK(has(darkroom.err, "there is no light of `Tap` in the file"));
+    CHECK(has(darkroom.err, "did you mean `Top`? there are Low, Top, rest"));
+    CHECK(darkroom({"develop", darkroom.path("two.exr"), "--light", "Top=0", "--layer",
+                    "light.Low"}) == 3);
+    CHECK(has(darkroom.err, "weights change the picture"));
+    CHECK(darkroom({"develop", darkroom.path("two.exr"), "--light", "Top"}) == 2);
+    light("plain.exr");
+    CHECK(darkroom({"develop", darkroom.path("plain.exr"), "--light", "Top=0"}) == 3);
+    CHECK(has(darkroom.err, "render it with --layers lights"));
+}
+
+TEST_CASE("a lamp of weight 0 is not there", "[app][film]") {
+    Darkroom darkroom;
+    darkroom.write("two.pov", R"(#version 3.7; global_settings { assumed_gamma 1 }
+        camera { location <0, 1, -5> look_at 0 film { response linear } }
+        plane { y, -1 pigment { rgb 0.7 } }
+        #declare Top = light_source { <0, 3, -2>, rgb <0.3, 0.2, 0.1> }
+        #declare Low = light_source { <3, 1, -1>, rgb <0.1, 0.3, 0.4> }
+        light_source { Top }
+        #ifndef (No_Low) light_source { Low } #end)");
+    const auto light = [&](const std::string& name, const std::string& more) {
+        REQUIRE(darkroom({darkroom.path("two.pov"), "-V", "+W24", "+H18", "-A", "--layers",
+                          "lights", "+O" + darkroom.path(name), more}) == 0);
+    };
+    light("both.exr", "+Q9");
+    light("top.exr", "Declare=No_Low=1");
+    // PNG files tell how they were made, too.
+    const auto shades = [&](const std::string& from, const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"develop", darkroom.path(from), "-o",
+                                          darkroom.path("shades.ppm")};
+        words.insert(words.end(), more.begin(), more.end());
+        REQUIRE(darkroom(words) == 0);
+        const std::string bytes = darkroom.content("shades.ppm");
+        REQUIRE(bytes.size() > 24 * 18 * 3);
+        return bytes.substr(bytes.size() - 24 * 18 * 3);
+    };
+    CHECK(shades("both.exr", {"--light", "Low=0"}) == shades("top.exr", {}));
+    CHECK(shades("both.exr", {}) != shades("top.exr", {}));
+}
+
+TEST_CASE("develop joins pictures to a movie", "[app][film]") {
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) return;
+    Darkroom darkroom;
+    darkroom.write("two.pov", two_lamps);
+    REQUIRE(darkroom({darkroom.path("two.pov"), "-V", "+W16", "+H12", "--layers", "lights",
+                      "+O" + darkroom.path("two.exr")}) == 0);
+    darkroom.write("set.csv", "Top,Low\n1,1\n0,1\n");
+    CHECK(darkroom({"develop", darkroom.path("two.exr"), "--lights", darkroom.path("set.csv"),
+                    "--movie", darkroom.path("film.gif"), "--frame-rate", "10"}) == 0);
+    CHECK(darkroom.err == "");
+    CHECK(darkroom.content("film.gif").starts_with("GIF"));
+    int files = 0;
+    for (const auto& each : fs::directory_iterator(darkroom.folder))
+        files += each.path().extension() == ".png";
+    CHECK(files == 0);
 }
 
 TEST_CASE("pictures lie beside their light, or in a folder", "[app][film]") {

@@ -126,15 +126,15 @@ TEST_CASE("lamps come from tables", "[stdlib]") {
 
 TEST_CASE("groups of lamps have the names of a column's values", "[stdlib]") {
     const auto names = [](const std::string& column) {
-        const World world = world_of(R"(#version 3.7; plane { y, -99 pigment { rgb 1 } }
+        const SharedWorld world = world_of(R"(#version 3.7; plane { y, -99 pigment { rgb 1 } }
             #include "light_arrays.inc"
             #declare L = sphere { 0, 0.05 pigment { rgb 1 } finish { emission 3 } }
             object { Light_Groups(L, "tests/stdlib/tables/strings.csv", ")" +
                                      column + "\") translate 2*y }");
         std::string text;
-        for (std::size_t k = 0; k < world.provenance.light_names.size(); ++k) {
-            const auto& all = world.provenance.statement_of_luminaire;
-            text += message(text.empty() ? "" : " ", world.provenance.light_names[k], " ",
+        for (std::size_t k = 0; k < world->provenance.light_names.size(); ++k) {
+            const auto& all = world->provenance.statement_of_luminaire;
+            text += message(text.empty() ? "" : " ", world->provenance.light_names[k], " ",
                             std::count(all.begin(), all.end(), k));
         }
         return text;
