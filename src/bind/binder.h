@@ -24,6 +24,7 @@ struct DeclaredCamera {
     Camera camera;
     Bump normal;  ///< perturbs the directions of its rays
     FilmSettings film;
+    Handle<Pigment> bokeh;  ///< the opening of its lens as a picture; null: none
 };
 
 /// A material as a value of the language.

@@ -216,6 +216,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"mesh_camera", "camera"},
     {"film", "camera"},
     {"glare", "film"},
+    {"bokeh", "camera"},
     {"looks_like", "light_source"},
     {"projected_through", "light_source"},
 });

@@ -5,6 +5,7 @@
 #include "bind/films.h"
 #include "bind/normals.h"
 #include "bind/objects.h"
+#include "bind/textures.h"
 #include "bind/transforms.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
@@ -198,6 +199,48 @@ private:
     Bump& normal_;
 };
 
+/// Reads bokeh { ... }: numbers, or a pigment.
+class CameraBokeh : public SimpleReader {
+public:
+    CameraBokeh(OpenBlock& block, DeclaredCamera& made) : block_(block), made_(made) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "bokeh"_word) return false;
+        OpenBlock inner(block_.binder, Bokeh::vocabulary.name, element.word_span);
+        inner.item = &Bokeh::vocabulary;
+        ItemReader fields(inner, Bokeh::vocabulary, &view_of(made_.camera).bokeh);
+        made_.bokeh = nullptr;
+        Picture picture(inner, made_.bokeh);
+        inner.read(element.body, picture, fields);
+        block_.broken |= inner.broken;
+        return true;
+    }
+    void add_words(WordList& words) const { words.push_back("bokeh"); }
+
+private:
+    class Picture : public SimpleReader {
+    public:
+        Picture(OpenBlock& block, Handle<Pigment>& pigment) : block_(block), pigment_(pigment) {}
+
+        bool take(const Element& element) {
+            if (element.kind != Element::Kind::block || element.word != "pigment"_word)
+                return false;
+            Pigment read;
+            block_.broken |= !read_pigment(block_.binder, element, read);
+            pigment_ = make_handle<Pigment>(std::move(read));
+            return true;
+        }
+        void add_words(WordList& words) const { words.push_back("pigment"); }
+
+    private:
+        OpenBlock& block_;
+        Handle<Pigment>& pigment_;
+    };
+
+    OpenBlock& block_;
+    DeclaredCamera& made_;
+};
+
 }  // namespace
 
 bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
@@ -216,7 +259,8 @@ bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
     TransformReader moves(block, apply);
     CameraNormal normal(block, made.normal);
     FilmReader film(block, made.film);
-    block.read(element.body, declared, fields, normal, film, moves);
+    CameraBokeh bokeh(block, made);
+    block.read(element.body, declared, fields, normal, film, bokeh, moves);
     if (block.broken) return false;
     const std::string wrong = problem(camera);
     if (!wrong.empty())

@@ -33,6 +33,7 @@ void SceneContent::show(const DeclaredCamera& camera) {
     scene.camera = camera.camera;
     scene.camera_normal = camera.normal;
     scene.film = camera.film;
+    scene.bokeh = camera.bokeh;
 }
 
 }  // namespace candelabra

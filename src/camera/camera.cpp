@@ -232,6 +232,7 @@ Projection projection(const Camera& camera) {
                   view.variance, view.confidence};
         // As in POV-Ray, scaling the camera changes neither its lens nor its focal distance.
         f.lens_radius = 0.25 * view.aperture;
+        f.lens_shape = LensShape(view.bokeh);
         f.focal_distance = length(view.focal_point ? *view.focal_point - f.location : Vec3(0));
         if (f.focal_distance == 0) f.focal_distance = length(f.direction);
     }
@@ -325,10 +326,15 @@ Ray Projection::through_lens(const Ray& ray, Vec2 place) const {
     const double cosine = dot(ray.direction, ahead);
     if (cosine <= 0) return ray;
     const Vec3 sharp = ray.at(focal_distance / cosine);
-    const auto [x, y] = perpendiculars(ahead);
-    const double radius = lens_radius * std::sqrt(place.x), angle = 2 * std::numbers::pi * place.y;
-    const Vec3 start = ray.origin + radius * on_circle(angle, x, y);
-    return {start, unit(sharp - start)};
+    const auto from = [&](const Vec3& start) { return Ray{start, unit(sharp - start)}; };
+    if (lens_shape.is_round()) {
+        const auto [x, y] = perpendiculars(ahead);
+        const double radius = lens_radius * std::sqrt(place.x),
+                     angle = 2 * std::numbers::pi * place.y;
+        return from(ray.origin + radius * on_circle(angle, x, y));
+    }
+    const Vec2 point = lens_radius * lens_shape.point(place);
+    return from(ray.origin + point.x * unit(right) + point.y * unit(up));
 }
 
 Ray Projection::ray(double u, double v) const {

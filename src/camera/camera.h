@@ -6,6 +6,7 @@
 #include "base/handle.h"
 #include "base/ray.h"
 #include "base/transform.h"
+#include "camera/lens_shape.h"
 #include "camera/mesh_camera.h"
 #include "vocabulary/kinds.h"
 
@@ -26,6 +27,7 @@ struct View {
     std::optional<Vec3> look_at;
     std::optional<double> angle;
     double aperture = 0;  ///< points out of focus are blurred; 0: everything is sharp
+    Bokeh bokeh;          ///< their shape
     int blur_samples = 0;
     int max_blur_samples = 0;  ///< 0: blur_samples is the maximum
     std::optional<Vec3> focal_point;
@@ -119,6 +121,7 @@ struct Projection {
     double lens_radius = 0;  ///< 0: pinhole
     double focal_distance = 0;
     BlurRays blur = {};
+    LensShape lens_shape = {};
     Handle<MeshLens> mesh = {};  ///< generates the rays; null: ray() does
 
     bool blurs() const { return lens_radius > 0 && blur.most > 1; }
@@ -129,7 +132,8 @@ struct Projection {
     Vec3 normal_place(double u, double v) const;
 
     /// A ray that starts at another point of the lens and meets the given one in the plane of
-    /// focus. The point is uniform on the lens if `place` is uniform in [0, 1)^2.
+    /// focus. The point is uniform on the lens, or distributed as its shape says, if `place` is
+    /// uniform in [0, 1)^2.
     Ray through_lens(const Ray&, Vec2 place) const;
 
     /// Ray through (u, v): (-1/2, -1/2) is the bottom left corner, (1/2, 1/2) the top right. The

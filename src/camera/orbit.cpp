@@ -76,6 +76,14 @@ std::string lens_script(const Projection& camera) {
     return message("cylinder ", type, " angle ", across);
 }
 
+/// A picture is not known as text any more, so the place for it is marked.
+std::string bokeh_script(const LensShape& shape) {
+    if (shape.is_picture()) return "  // bokeh { pigment { ... } } as in the scene\n";
+    if (shape.is_round()) return {};
+    return message("  bokeh { blades ", shape.blades().blades, " angle ",
+                   shortened(shape.blades().angle), " }\n");
+}
+
 std::string blur_script(const Projection& camera) {
     if (!camera.blurs()) return {};
     constexpr double apertures = 4;  // per radius
@@ -83,7 +91,8 @@ std::string blur_script(const Projection& camera) {
     return message("  aperture ", shortened(apertures * camera.lens_radius), " blur_samples ",
                    camera.blur.least, ", ", camera.blur.most, "\n  focal_point ",
                    vector_script(sharp), " variance ", static_cast<float>(camera.blur.variance),
-                   " confidence ", static_cast<float>(camera.blur.confidence), "\n");
+                   " confidence ", static_cast<float>(camera.blur.confidence), "\n",
+                   bokeh_script(camera.lens_shape));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr auto surface = std::array{
 constexpr auto surroundings =
     std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary, &Media::vocabulary,
                &Scattering::vocabulary};
-constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
+constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary, &Bokeh::vocabulary};
 constexpr auto films = std::array{&FilmSettings::vocabulary, &Glare::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary,

@@ -114,12 +114,22 @@ Camera with_stated_width(Camera camera, double version) {
     return camera;
 }
 
+/// The shape of the lens; empty for a round one.
+std::string bokeh_text(const Scene& scene) {
+    const Bokeh& bokeh = std::visit([](const View& view) { return view.bokeh; }, scene.camera);
+    const Bokeh usual;
+    if (!scene.bokeh && bokeh.blades == usual.blades && bokeh.angle == usual.angle) return {};
+    return message(" bokeh { ", written_fields(Bokeh::vocabulary, &bokeh),
+                   scene.bokeh ? dump(*scene.bokeh) : std::string(), " }");
+}
+
 std::string camera_text(const Scene& scene) {
     const Camera camera = with_stated_width(scene.camera, scene.language_version);
     const Transform& transform =
         std::visit([](const View& view) -> const Transform& { return view.transform; }, camera);
     return message("camera { ", item_text(camera), dump(scene.camera_normal),
-                   scene.film.on ? " " : "", film_text(scene.film), matrix_text(transform), " }\n");
+                   scene.film.on ? " " : "", film_text(scene.film), bokeh_text(scene),
+                   matrix_text(transform), " }\n");
 }
 
 /// Writes the light without its `looks_like`, which is an object of its own.

@@ -142,6 +142,7 @@ struct Scene {
     Camera camera;
     Bump camera_normal;         ///< perturbs the directions of camera rays
     FilmSettings film;          ///< of the camera
+    Handle<Pigment> bokeh;      ///< the opening of its lens as a picture; null: none
     bool camera_given = false;  ///< false: the camera is the default
     Background background;
     std::optional<SkySphere> sky;

@@ -165,7 +165,6 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     // not available in this version
     {"albedo", "finish { diffuse albedo 0.5 }", "amounts as shares of all light"},
     {"anisotropy", "finish { anisotropy 0.5 }", "not available in this version"},
-    {"bokeh", "camera { ... bokeh { ... } }", "not available in this version"},
     {"iff", "image_map { iff \"x.iff\" }", "a kind of pictures that is not available"},
     {"composite", "composite { objects }", "the name of a union in the oldest scenes"},
     {"dtag", "object { ... dtag }", "without effect"},

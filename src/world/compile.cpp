@@ -83,6 +83,18 @@ void simplify_lights(World& world) {
     for (PointLight& light : world.lights.sources) light.size1 = light.size2 = 0;
 }
 
+/// The brightness of a pigment in the cells of a lens, over the square from 0 to x + y.
+std::vector<double> lens_brightness(const Pigment& pigment, const World& world) {
+    std::vector<double> brightness;
+    for (int row = 0; row < lens_cells; ++row)
+        for (int column = 0; column < lens_cells; ++column)
+            brightness.push_back(grey(
+                evaluate(pigment, Vec3((column + 0.5) / lens_cells, (row + 0.5) / lens_cells, 0),
+                         world.pattern_scene())
+                    .rgb));
+    return brightness;
+}
+
 World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
                 Diagnostics& diagnostics) {
     World world;
@@ -91,6 +103,8 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     if (options.index) world.rules.settings.index = *options.index;
     world.rules.language_version = scene.language_version;
     world.stated_view = {projection(scene.camera), scene.camera_normal, scene.film};
+    if (scene.bokeh && world.stated_view.camera.lens_radius > 0)
+        world.stated_view.camera.lens_shape = LensShape(lens_brightness(*scene.bokeh, world));
     world.sky.background = scene.background;
     if (scene.language_version < 3.7)  // the background was always visible
         world.sky.background.colour.filter = world.sky.background.colour.transmit = 0;

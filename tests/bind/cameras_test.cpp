@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/cameras.h"
 
+#include "scene/dump.h"
 #include "support/script.h"
 
 #include <catch2/catch.hpp>
@@ -43,6 +44,29 @@ TEST_CASE("of several cameras the last one counts", "[bind]") {
     REQUIRE(done.said.size() == 1);
     CHECK(done.said[0].fault == Fault::duplicate);
     CHECK(done.view().location == Vec3(0, 1, 0));
+}
+
+TEST_CASE("the opening of a lens has blades or a picture", "[bind]") {
+    const Script bladed = run(
+        "#version 3.7; camera { location -z aperture 1 blur_samples 9 bokeh { blades 6 angle 15 } "
+        "}");
+    REQUIRE(bladed.text.empty());
+    CHECK(bladed.view().bokeh.blades == 6);
+    CHECK(bladed.view().bokeh.angle == 15);
+    CHECK_FALSE(bladed.scene.bokeh);
+    const Script shown = run(
+        "#version 3.7; #declare C = camera { location -z bokeh { pigment { radial } } } camera { C "
+        "}");
+    REQUIRE(shown.text.empty());
+    CHECK(shown.scene.bokeh);
+    for (const Script* const script : {&bladed, &shown}) {
+        const std::string text = dump(script->scene);
+        CHECK(text.find("bokeh { ") != std::string::npos);
+        CHECK(dump(run(text).scene) == text);
+    }
+    CHECK(complaint("camera { bokeh { blades 65 } }") ==
+          "error out-of-range: `blades` of `bokeh` must be from 0 to 64, but it is 65");
+    CHECK(complaint("camera { bokeh { corners 5 } }").starts_with("error unknown-word"));
 }
 
 TEST_CASE("wrong cameras are told of once", "[bind]") {

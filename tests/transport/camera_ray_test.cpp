@@ -6,6 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace candelabra {
 
 TEST_CASE("the normal of a camera bends its rays as POV-Ray does", "[render]") {
@@ -47,6 +51,33 @@ TEST_CASE("the ray through a pixel's middle has no chance in it", "[render]") {
     other.sample = 7;
     CHECK(ray_through(shot, at, {0.5, 0.5}, Key()).origin !=
           ray_through(shot, at, {0.5, 0.5}, other).origin);
+}
+
+TEST_CASE("rays start where the lens is open", "[render]") {
+    const auto starts = [](const std::string& bokeh) {
+        const Shot shot = shot_of(
+            "camera { location -5*z look_at 0 aperture 4 blur_samples 9 focal_point 0 bokeh { " +
+            bokeh + " } }");
+        std::vector<Vec3> found;
+        for (std::uint32_t sample = 0; sample < 500; ++sample) {
+            Key key;
+            key.sample = sample;
+            found.push_back(ray_through(shot, {3, 2, 8, 6}, {0.5, 0.5}, key).origin);
+        }
+        return found;
+    };
+    for (const Vec3& start : starts("blades 4 angle 45"))  // a square of edges along x and y
+        CHECK(std::max(std::abs(start.x), std::abs(start.y)) < 1 / std::sqrt(2) + 1e-9);
+    double right = 0, above = 0;
+    for (const Vec3& start :
+         starts("pigment { gradient x color_map { [0.5 rgb 0] [0.5 rgb 1] } }")) {
+        CHECK(start.x > 0);
+        CHECK(start.x < 1);
+        right += start.x / 500;
+        above += start.y / 500;
+    }
+    CHECK(right == Approx(0.5).margin(0.06));
+    CHECK(above == Approx(0).margin(0.1));
 }
 
 }  // namespace candelabra
