@@ -237,6 +237,7 @@ private:
         RenderSettings settings;
         settings.film = request_.options.render.film;
         const std::string wrong = settle_film(film, settings);
+        if (!film.on) film = {};  // as without a film: clipped
         film.on = true;
         return wrong.empty() ||
                fail(message("the options do not fit the film of `", printable(path), "`: ", wrong));

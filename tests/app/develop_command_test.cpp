@@ -112,6 +112,16 @@ TEST_CASE("a picture with a film does not depend on shards, threads and stops", 
     CHECK(has(darkroom.err, "exposure was "));
 }
 
+TEST_CASE("light that is developed without its film is clipped", "[app][film]") {
+    Darkroom darkroom;
+    darkroom.picture("filmed.exr", some_samples);
+    const std::string plain = darkroom.developed("filmed.exr", {"--film", "off"});
+    CHECK(plain == darkroom.developed("filmed.exr",
+                                      {"--exposure", "0", "--response", "linear",
+                                       "--white-balance", "0", "--vignette", "0", "--glare", "off"}));
+    CHECK(plain != darkroom.developed("filmed.exr"));
+}
+
 TEST_CASE("a film that changes nothing makes the picture that there is without", "[app][film]") {
     Shell shell;
     const auto pixels = [&](std::vector<std::string> more) {
