@@ -3,9 +3,9 @@
 // while the previous one is rendered. Called by the commands.
 #pragma once
 
-#include "app/animation.h"
 #include "app/console.h"
-#include "app/options.h"
+#include "options/animation.h"
+#include "options/options.h"
 
 namespace candelabra {
 

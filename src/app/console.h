@@ -6,7 +6,7 @@
 
 #include "app/identity.h"
 #include "app/interrupt.h"
-#include "app/options.h"
+#include "options/options.h"
 #include "text/made_files.h"
 #include "text/source.h"
 #include "world/shot.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/develop_command.h"
 
-#include "app/command_line.h"
 #include "app/layers.h"
 #include "app/light_weights.h"
 #include "app/movie.h"
-#include "app/option_store.h"
-#include "app/output.h"
 #include "app/sandbox.h"
 #include "film/develop.h"
+#include "options/command_line.h"
+#include "options/option_store.h"
+#include "options/output.h"
 #include "picture/file.h"
 #include "picture/layers.h"
 #include "text/message.h"

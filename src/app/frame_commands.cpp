@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/frame_commands.h"
 
-#include "app/output.h"
+#include "options/output.h"
 
 #include <filesystem>
 

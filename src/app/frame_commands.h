@@ -2,7 +2,8 @@
 // Runs the shell commands before and after a picture.
 #pragma once
 
-#include "app/options.h"
+#include "app/shell_commands.h"
+#include "options/options.h"
 
 #include <functional>
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "app/console.h"
-#include "app/options.h"
+#include "options/options.h"
 
 #include <atomic>
 #include <condition_variable>

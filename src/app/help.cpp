@@ -5,6 +5,8 @@
 #include "bind/object_functions.h"
 #include "editor/library_guide.h"
 #include "editor/textmate.h"
+#include "options/option_help.h"
+#include "options/option_table.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"
 #include "text/message.h"
@@ -19,62 +21,9 @@
 
 namespace candelabra {
 
-ManualEntry manual_entry(const OptionRow& row) {
-    using enum Takes;
-    const bool valued = row.takes == value;
-    std::string term;
-    const auto add = [&](const std::string& piece) { term += (term.empty() ? "" : ", ") + piece; };
-    if (!row.letters.empty()) {
-        add(message("+", row.letters, row.parameter));
-        if (row.takes == sign || row.takes == sign_and_value) add(message("-", row.letters));
-    }
-    if (!row.keyword.empty()) add(message(row.keyword, "=", valued ? row.parameter : "on"));
-    if (!row.word.empty()) {
-        const std::string_view open = row.takes == maybe_value ? "[=" : valued ? " " : " [";
-        add(row.parameter.empty()
-                ? message("--", row.word)
-                : message("--", row.word, open, row.parameter, valued ? "" : "]"));
-    }
-    if (row.field.empty()) return {term, std::string(row.help)};
-    const Setting setting = find_setting(row.field);
-    if (setting.info().type == FieldType::boolean) return {term, std::string(setting.info().help)};
-    return {term, message(setting.info().help, " (", values(*setting.item, setting.field), ")")};
-}
-
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
-
-std::vector<ManualEntry> entries(bool offered) {
-    std::vector<ManualEntry> result;
-    for (const OptionRow& row : option_table()) {
-        if ((row.unoffered == Unoffered::no) != offered) continue;
-        ManualEntry entry = manual_entry(row);
-        const std::string reason = entry.help.empty() ? "" : ": " + entry.help;
-        if (row.unoffered == Unoffered::ignored) entry.help = "ignored with a warning" + reason;
-        if (row.unoffered == Unoffered::refused) entry.help = "refused with an error" + reason;
-        result.push_back(std::move(entry));
-    }
-    return result;
-}
-
-std::string overview() {
-    return message(
-        short_usage(), "\n", manual(entries(true), ManualForm::text), "\n",
-        wrapped("Switches start with + or - (on or off), in either case of letters; of two the "
-                "later counts. Keyword=value "
-                "says the same in words. -- ends the options: what follows is a file name. Exit "
-                "status: 0 done, 1 error in "
-                "the scene, 2 error in the command line, 3 a file cannot be read or written, 4 "
-                "stopped by a signal, with the state kept.",
-                0),
-        "\n\n",
-        wrapped("--help compatibility lists POV-Ray's other options; --help with a word explains "
-                "it: sphere, finish, union, #for, light_octree, vrotate, +A, --samples, shapes, "
-                "light samplers, Light_Ring, light_arrays.inc ...",
-                0),
-        "\n");
-}
 
 bool same_topic(std::string_view name, std::string_view topic) {
     std::string spaced(topic);
@@ -126,17 +75,6 @@ std::string item_help(std::string_view topic) {
     return text;
 }
 
-std::string option_help(std::string_view topic) {
-    std::string_view bare = topic;
-    bare.remove_prefix(std::min(bare.find_first_not_of("+-"), bare.size()));
-    bare = bare.substr(0, bare.find('='));
-    for (const OptionRow& row : option_table())
-        if (!bare.empty() && (same_letters(row.letters, bare) || same_letters(row.keyword, bare) ||
-                              same_letters(row.word, bare)))
-            return manual(std::array{manual_entry(row)}, ManualForm::text);
-    return {};
-}
-
 std::string macro_help(const LibraryMacro& macro, std::string_view file) {
     const ManualEntry entry = manual_entry(macro, file);
     return message(wrapped(entry.term, 4), "\n  ", wrapped(entry.help, 2), "\n  in ", file,
@@ -163,7 +101,7 @@ std::string library_help(std::string_view topic, const LibraryGuide& library) {
 }
 
 std::vector<std::string_view> topics(const LibraryGuide& library) {
-    std::vector<std::string_view> names = {"options", "compatibility", "warnings"};
+    std::vector<std::string_view> names = {"all", "options", "compatibility", "warnings"};
     for (const ItemGroup& group : catalogue()) {
         names.push_back(group.name);
         for (const ItemInfo* item : group.items) names.push_back(item->name);
@@ -229,13 +167,6 @@ std::vector<ManualEntry> warning_entries() {
         if (!fault.warns_of.empty())
             result.push_back({std::string(fault.name), std::string(fault.warns_of)});
     return result;
-}
-
-OrderedJson json_options(bool offered) {
-    OrderedJson all = OrderedJson::array();
-    for (const ManualEntry& entry : entries(offered))
-        all.push_back({{"option", entry.term}, {"help", entry.help}});
-    return all;
 }
 
 std::string_view class_name(WordClass word_class) {
@@ -315,22 +246,11 @@ std::string settings_help(std::string_view topic) {
 
 std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
 
-std::string short_usage() {
-    return "usage: candelabra [option ...] scene.pov\n"
-           "       candelabra new [--template name] scene.pov\n"
-           "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
-           "       candelabra develop [-o file] [+Fx] [--exposure stops] ... picture.exr ...\n"
-           "       candelabra fmt [--check] [file ...]\n"
-           "       candelabra describe [--json] [part]\n"
-           "       candelabra lsp\n"
-           "Renders a scene written in the manner of POV-Ray, lit by any number of lamps.\n"
-           "candelabra --help lists the options; candelabra-scene(5) describes the language.\n";
-}
-
 std::string help_text(std::string_view topic, const std::string& library,
                       Diagnostics& diagnostics) {
-    if (topic.empty() || same_letters(topic, "options")) return overview();
-    if (same_letters(topic, "compatibility")) return manual(entries(false), ManualForm::text);
+    if (topic.empty()) return short_help();
+    if (same_letters(topic, "all") || same_letters(topic, "options")) return long_help();
+    if (same_letters(topic, "compatibility")) return option_manual(ManualForm::text, false);
     if (same_letters(topic, "warnings")) return manual(warning_entries(), ManualForm::text);
     std::string text = item_help(topic);
     for (const FunctionInfo& each : all_functions())
@@ -346,7 +266,7 @@ std::string help_text(std::string_view topic, const std::string& library,
         const std::string meant = nearest(topic, topics(guide));
         diagnostics.add(
             error(Fault::option, {}, message("there is no help on `", printable(topic), "`"))
-                .with_help(meant.empty() ? "--help lists the options"
+                .with_help(meant.empty() ? "--help all lists the options"
                                          : message("did you mean `", meant, "`?")));
     }
     return text;
@@ -355,8 +275,8 @@ std::string help_text(std::string_view topic, const std::string& library,
 std::string description(std::string_view part, ManualForm form, const std::string& library,
                         Diagnostics& diagnostics) {
     if (part == "items") return manual(catalogue(), form);
-    if (part == "options") return manual(entries(true), form);
-    if (part == "compatibility") return manual(entries(false), form);
+    if (part == "options") return option_manual(form, true);
+    if (part == "compatibility") return option_manual(form, false);
     if (part == "functions") return manual(function_entries(), form);
     if (part == "glossary") return manual(glossary_entries(), form);
     if (part == "library") return manual(library_entries(library), form);
@@ -376,7 +296,7 @@ std::string description(std::string_view part, ManualForm form, const std::strin
     if (form != ManualForm::json) return manual(catalogue(), form);
     OrderedJson all = {{"program", "candelabra"},
                        {"version", CANDELABRA_VERSION},
-                       {"options", json_options(true)},
+                       {"options", OrderedJson::parse(options_as_json(true, "option"))},
                        {"words", json_words()}};
     all["functions"] = OrderedJson::parse(manual(function_entries(), form));
     all["glossary"] = OrderedJson::parse(manual(glossary_entries(), form));

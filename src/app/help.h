@@ -2,7 +2,6 @@
 // The output of --help, --version and --describe, made from the tables of options and items.
 #pragma once
 
-#include "app/option_table.h"
 #include "text/diagnostic.h"
 #include "vocabulary/manual.h"
 
@@ -13,14 +12,9 @@ namespace candelabra {
 
 std::string version_text();
 
-/// Returns a few lines about the purpose and the usage of the program.
-std::string short_usage();
-
-/// Returns the syntax of the option and its meaning.
-ManualEntry manual_entry(const OptionRow&);
-
-/// Returns the list of options, or help on a topic: an option, an item, a group of items, a file of
-/// the library or a macro in it. Reports unknown topics. `library`: its folder, or "".
+/// Returns the usual options, or help on a topic: all, an option, a group of options, an item, a
+/// group of items, a file of the library or a macro in it. Reports unknown topics. `library`: its
+/// folder, or "".
 std::string help_text(std::string_view topic, const std::string& library, Diagnostics&);
 
 /// Returns tables for the manual and for editors. `part`: items, functions, glossary, library (all

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/identity.h"
 
-#include "app/command_line.h"
 #include "app/help.h"
-#include "app/option_table.h"
-#include "app/option_values.h"
 #include "base/video_gamma.h"
+#include "options/command_line.h"
+#include "options/option_table.h"
+#include "options/option_values.h"
 #include "text/message.h"
 #include "text/printable.h"
 #include "text/sha256.h"
@@ -33,11 +33,10 @@ std::string fact_name(const OptionRow& row) {
     return std::string(!row.field.empty() ? row.field : !row.word.empty() ? row.word : row.keyword);
 }
 
-/// Returns the name of the fact whose option has this function.
-std::string fact_of(std::vector<std::string> (*values)(const Options&)) {
-    for (const OptionRow& row : option_table())
-        if (row.values == values) return fact_name(row);
-    return {};
+/// Returns the name of the fact of the option with that long name.
+std::string fact_of(std::string_view long_name) {
+    const OptionRow* row = find_option(long_name);
+    return row ? fact_name(*row) : std::string();
 }
 
 /// Adds the options that change the picture.
@@ -121,12 +120,12 @@ void note_film(Identity& identity, const FilmSettings& film) {
 }
 
 void tell_layers(const Identity& identity, FilmFiles& files) {
-    const auto has = [&](auto* values) { return !fact(identity, fact_of(values)).empty(); };
-    files.denoise = has(in_force::denoise);
+    const auto has = [&](std::string_view name) { return !fact(identity, fact_of(name)).empty(); };
+    files.denoise = has("denoise");
     files.film = film_from_text(fact(identity, std::string(film_mark))).value_or(FilmSettings());
-    files.alpha = has(in_force::alpha);
-    files.layers = read_layer_list(fact(identity, fact_of(in_force::layers)))
-                       .value_or(std::vector<PictureLayer>());
+    files.alpha = has("output-alpha");
+    files.layers =
+        read_layer_list(fact(identity, fact_of("layers"))).value_or(std::vector<PictureLayer>());
     std::string names = fact(identity, "lights");
     while (!names.empty()) {
         const std::size_t end = std::min(names.find(','), names.size());
@@ -142,7 +141,7 @@ void note_lights(Identity& identity, std::span<const std::string> names) {
 }
 
 double file_gamma_of(const Identity& identity) {
-    const std::string said = fact(identity, fact_of(in_force::gamma));
+    const std::string said = fact(identity, fact_of("file-gamma"));
     return number(said).value_or(gamma_called(said).value_or(srgb_gamma));
 }
 

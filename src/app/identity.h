@@ -4,7 +4,8 @@
 // have the same facts, so only these are continued or merged, and differences can be named.
 #pragma once
 
-#include "app/options.h"
+#include "app/layers.h"
+#include "options/options.h"
 #include "session/read_files.h"
 
 #include <string>

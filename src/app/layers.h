@@ -4,6 +4,7 @@
 #pragma once
 
 #include "camera/film_settings.h"
+#include "options/picture_layers.h"
 #include "picture/write.h"
 #include "transport/aovs.h"
 
@@ -19,22 +20,6 @@ class Film;
 struct Negative;
 class SourceStore;
 class World;
-
-enum class PictureLayer { albedo, normal, depth, object, lights, variance, samples, shadow_rays };
-
-struct LayerInfo {
-    PictureLayer layer;
-    std::string_view name;
-    std::string_view help;
-};
-
-/// Returns all layers in the order of PictureLayer.
-std::span<const LayerInfo> all_layers();
-
-/// Parses comma-separated names, or `all`; each layer appears once. Returns nothing if a name is
-/// unknown.
-std::optional<std::vector<PictureLayer>> read_layer_list(std::string_view);
-std::string layer_list(std::span<const PictureLayer>);
 
 /// Outputs made from a film besides its layers.
 struct Extras {

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view usage =
+constexpr std::string_view usage_of_light =
     "candelabra light [--json] [--set n] [-o diagram.svg] file.ies|file.ldt ...";
 constexpr double half_of_maximum = 0.5, tenth_of_maximum = 0.1;
 
@@ -49,7 +49,7 @@ std::optional<LightRequest> asked_by(std::span<const std::string_view> arguments
                                      Diagnostics& diagnostics) {
     LightRequest request;
     const auto fail = [&](const std::string& text) {
-        diagnostics.add(error(Fault::option, {}, text).with_help(std::string(usage)));
+        diagnostics.add(error(Fault::option, {}, text).with_help(std::string(usage_of_light)));
         return std::nullopt;
     };
     for (std::size_t i = 0; i < arguments.size(); ++i) {

@@ -3,9 +3,9 @@
 
 #include "app/checkpoint.h"
 #include "app/layers.h"
-#include "app/option_store.h"
-#include "app/output.h"
 #include "app/sandbox.h"
+#include "options/option_store.h"
+#include "options/output.h"
 #include "picture/file.h"
 #include "text/message.h"
 #include "text/printable.h"

@@ -6,6 +6,7 @@
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "text/shell_word.h"
 
 #include <filesystem>
 #include <system_error>

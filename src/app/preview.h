@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/console.h"
-#include "app/options.h"
+#include "options/options.h"
 
 namespace candelabra {
 

@@ -4,7 +4,6 @@
 #include "text/message.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -68,16 +67,6 @@ void Progress::finish() {
         output_(message("\r", std::string(width_, ' '), "\r"));
     width_ = 0;
     if (for_programs() && fraction_ > shown_) show(clock_());
-}
-
-std::optional<Progress::Style> progress_style(std::string_view name) {
-    using enum Progress::Style;
-    static constexpr auto styles =
-        std::array{std::pair{"none", silent}, std::pair{"plain", lines}, std::pair{"json", json},
-                   std::pair{"alf", alf}, std::pair{"openjd", openjd}};
-    for (const auto& [known, style] : styles)
-        if (name == known) return style;
-    return std::nullopt;
 }
 
 std::string progress_line(Progress::Style style, double fraction, double elapsed) {

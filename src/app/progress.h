@@ -4,10 +4,11 @@
 // it can be tested.
 #pragma once
 
+#include "options/progress_style.h"
+
 #include <cstddef>
 #include <functional>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,16 +16,10 @@ namespace candelabra {
 
 class Progress {
 public:
-    /// The last three are for programs: a JSON object per line, and the formats of RenderMan's
-    /// queues and of Open Job Description.
-    enum class Style { silent, lines, terminal, json, alf, openjd };
+    using Style = ProgressStyle;
+    using Share = ProgressShare;
     using Seconds = std::function<double()>;
     using Output = std::function<void(std::string_view)>;
-
-    /// The part of a whole job that this work is. Only programs are told.
-    struct Share {
-        double first = 0, last = 1;
-    };
 
     Progress(Style style, Seconds clock, Output output, Share share = {0, 1});
 
@@ -51,9 +46,6 @@ private:
     double fraction_ = 0;
     std::size_t width_ = 0;  ///< of the line on the terminal
 };
-
-/// Returns the style with this name for `--progress`, or nothing for another word.
-std::optional<Progress::Style> progress_style(std::string_view name);
 
 /// Returns a line for programs, with its newline.
 std::string progress_line(Progress::Style, double fraction, double elapsed);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render_job.h"
 
-#include "app/region.h"
+#include "app/layers.h"
+#include "options/region.h"
 #include "picture/file.h"
 #include "text/message.h"
 #include "text/printable.h"

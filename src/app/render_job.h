@@ -5,8 +5,8 @@
 
 #include "app/checkpoint.h"
 #include "app/interrupt.h"
-#include "app/output.h"
 #include "app/progress.h"
+#include "options/output.h"
 #include "render/render.h"
 
 #include <cstdint>

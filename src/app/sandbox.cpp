@@ -4,7 +4,7 @@
 #include "app/child.h"
 #include "app/console.h"
 #include "app/library.h"
-#include "app/output.h"
+#include "options/output.h"
 #include "text/scene_folders.h"
 #include "text/written_name.h"
 

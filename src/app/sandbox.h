@@ -5,7 +5,7 @@
 // confines itself once its inputs are known; confinement is irrevocable.
 #pragma once
 
-#include "app/options.h"
+#include "options/options.h"
 
 #include <span>
 #include <string>

@@ -4,8 +4,8 @@
 #include "app/child.h"
 #include "app/console.h"
 #include "text/message.h"
+#include "text/shell_word.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace candelabra {
@@ -55,10 +55,6 @@ std::optional<Outcome> consequence(const CommandSettings& settings, After after,
 }
 
 }  // namespace
-
-bool CommandSettings::any() const {
-    return std::ranges::any_of(all, [](const One& one) { return !one.command.empty(); });
-}
 
 std::string filled_in(std::string_view command, const CommandFacts& facts) {
     std::string text;

@@ -3,6 +3,7 @@
 // written to a file.
 #pragma once
 
+#include "options/stream_settings.h"
 #include "text/opened_file.h"
 
 #include <array>
@@ -12,26 +13,6 @@
 #include <string_view>
 
 namespace candelabra {
-
-enum class Stream {
-    debug,       ///< output of the scene
-    fatal,       ///< errors
-    render,      ///< progress
-    statistics,  ///< the summary
-    warning,
-};
-inline constexpr std::size_t stream_count = 5;
-
-struct StreamSettings {
-    struct One {
-        bool shown = true;  ///< on the console
-        std::string file;   ///< empty: none
-    };
-    std::array<One, stream_count> all;
-
-    One& operator[](Stream stream) { return all[static_cast<std::size_t>(stream)]; }
-    const One& operator[](Stream stream) const { return all[static_cast<std::size_t>(stream)]; }
-};
 
 class Streams {
 public:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of blocks: each word of the language that is not a field of an item, with the blocks
-// that it belongs in, its form, and its readers. The table answers which words make objects, which
-// take braces, which words a scene, #declare and #default take, and which block a misplaced word
-// belongs in.
+// that take it, its form, and its readers. The table answers which words make objects, which take
+// braces, which words a scene, #declare and #default take, which block a misplaced word belongs in,
+// and what completion offers in a block (bind/block_words.h).
 //
 // A new block touches five places:
 //   1. its reader, and the reader of the block around it if it stands in another one;
@@ -34,7 +34,9 @@ struct BlockRow {
     };
 
     std::string_view word;
-    std::string_view homes = {};  ///< space-separated names of enclosing blocks; empty: a scene
+    /// Space-separated names of the blocks that take it, which messages name; behind `|` those that
+    /// take it beside. `object` stands for every block that makes an object. Empty: only a scene.
+    std::string_view homes = {};
     Form form = Form::word;
     /// Reads a block in a scene. Null: the word may not stand in a scene.
     void (*in_scene)(SceneContent&, const Element&) = nullptr;
@@ -42,6 +44,9 @@ struct BlockRow {
     Value (*as_value)(Binder&, const Element&) = nullptr;
     /// Reads the block in #default. Null: not allowed there.
     void (*as_default)(Binder&, const Element&) = nullptr;
+    /// Another block whose words this one takes, or its entries in brackets; `objects`: the words
+    /// that make objects.
+    std::string_view like = {};
 
     bool makes_object() const { return form == Form::object || form == Form::combination; }
 };

@@ -2,6 +2,7 @@
 #include "bind/misplaced.h"
 
 #include "bind/block.h"
+#include "bind/block_words.h"
 #include "bind/blocks.h"
 #include "bind/unbracketed_vector.h"
 #include "interpret/previous.h"
@@ -29,28 +30,6 @@ bool contains(std::string_view list, std::string_view word) {
         if (starts && (last == list.size() || list[last] == ' ')) return true;
     }
     return false;
-}
-
-/// The blocks that the word belongs in; empty for a word that is a block of a scene.
-std::vector<std::string_view> homes(std::string_view word) {
-    std::vector<std::string_view> result;
-    const auto add = [&](std::string_view home) {
-        if (!home.empty() && std::ranges::find(result, home) == result.end())
-            result.push_back(home);
-    };
-    for (const BlockRow& row : block_rows())
-        if (row.word == word)
-            for (std::string_view rest = row.homes; !rest.empty();) add(take_until(rest, " "));
-    for (const ItemGroup& group : catalogue())
-        for (const ItemInfo* item : group.items) {
-            const std::string_view home = group.block.empty() ? item->name : group.block;
-            const auto is_word = [&](const FieldInfo& field) {
-                return field.is_word() && field.name == word;
-            };
-            if (std::ranges::any_of(item->fields, is_word)) add(home);
-            if (item->name == word) add(group.block);
-        }
-    return result;
 }
 
 bool has_word(const WordList& words, std::string_view word) {

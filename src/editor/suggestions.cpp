@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/suggestions.h"
 
+#include "bind/block_words.h"
 #include "bind/object_functions.h"
 #include "editor/hover.h"
 #include "editor/library_guide.h"
@@ -28,37 +29,18 @@ public:
                 add({std::string(word.spelling), Suggestion::directive, "directive", ""});
     }
 
-    /// Adds the fields of the block's item, and its kinds.
+    /// Adds the words that the block takes; an empty name stands for a scene.
     void add_block(std::string_view block) {
-        for (const ItemGroup& group : catalogue())
-            for (const ItemInfo* item : group.items) {
-                if (group.block == block) add_item(*item, group.block);
-                if (item->name != block) continue;
-                for (std::size_t i = 0; i < item->fields.size(); ++i)
-                    if (item->fields[i].is_word())
-                        add({std::string(item->fields[i].name), Suggestion::field, values(*item, i),
-                             std::string(item->fields[i].help)});
-            }
-    }
-
-    /// Adds words that a block accepts besides those of its item, such as those common to all
-    /// objects or textures.
-    void add_common_words(std::string_view block) {
-        for (const auto& [blocks, words] : common_words)
-            if (names_word(blocks, block) || (blocks == object_blocks && is_shape(block)))
-                for (std::string_view rest = words; !rest.empty();) add_word(take_until(rest, " "));
-    }
-
-    /// Adds words outside of all blocks: the shapes, and the other parts of a scene.
-    void add_statements() {
-        for (std::string_view rest = statements; !rest.empty();) add_word(take_until(rest, " "));
-        add_shapes();
-    }
-
-    void add_shapes() {
-        for (const ItemGroup& group : catalogue())
-            if (group.name == "Shapes")
-                for (const ItemInfo* item : group.items) add_item(*item, group.block);
+        for (const BlockWord& each : block_words(block)) {
+            const std::string word(each.word);
+            if (each.field)
+                add({word, Suggestion::field, values(*each.item, *each.field),
+                     std::string(each.item->fields[*each.field].help)});
+            else if (each.item)
+                add_item(*each.item, each.home);
+            else
+                add_word(each.word);
+        }
     }
 
     /// Adds names of the file itself, then of other files, and finally of the library.
@@ -100,39 +82,6 @@ public:
     std::vector<Suggestion> take() { return std::move(all_); }
 
 private:
-    static constexpr std::string_view object_blocks = "object union merge intersection difference";
-    static constexpr std::string_view moves = "translate rotate scale matrix transform";
-    static constexpr std::pair<std::string_view, std::string_view> common_words[] = {
-        {object_blocks,
-         "pigment finish texture normal interior material translate rotate scale matrix transform "
-         "no_shadow no_image no_reflection no_radiosity no_luminaire hollow inverse "
-         "double_illuminate clipped_by bounded_by interior_texture uv_mapping photons"},
-        {"texture", "pigment normal finish texture_map uv_mapping no_bump_scale"},
-        {"material", "texture interior interior_texture"},
-        {"pigment",
-         "rgb rgbt rgbf rgbft srgb color_map pigment_map uv_mapping turbulence warp quick_color"},
-        {"normal", "normal_map slope_map bump_size uv_mapping turbulence warp no_bump_scale"},
-        {"texture pigment normal camera light_source material sky_sphere", moves},
-    };
-    static constexpr std::string_view statements =
-        "camera light_source object union difference intersection merge plane sky_sphere "
-        "background "
-        "fog global_settings light_group";
-
-    static bool names_word(std::string_view list, std::string_view word) {
-        while (!list.empty())
-            if (take_until(list, " ") == word) return true;
-        return false;
-    }
-
-    static bool is_shape(std::string_view block) {
-        for (const ItemGroup& group : catalogue())
-            if (group.name == "Shapes")
-                for (const ItemInfo* item : group.items)
-                    if (item->name == block) return true;
-        return false;
-    }
-
     /// Adds a word of the glossary or of an item.
     void add_word(std::string_view word) {
         if (const GlossaryEntry* entry = glossary_entry(word)) {
@@ -187,11 +136,6 @@ private:
     std::unordered_set<std::string> known_;
 };
 
-bool gathers_objects(std::string_view block) {
-    return block == "object" || block == "union" || block == "merge" || block == "intersection" ||
-           block == "difference" || block == "light_group";
-}
-
 }  // namespace
 
 std::vector<Suggestion> suggestions(Workspace& workspace, const std::string& path,
@@ -210,13 +154,7 @@ std::vector<Suggestion> suggestions(Workspace& workspace, const std::string& pat
         result.add_directives();
     } else {
         const std::vector<NameId> blocks = blocks_around(*file, offset);
-        for (const NameId block : blocks) {
-            result.add_block(workspace.names().spelling(block));
-            result.add_common_words(workspace.names().spelling(block));
-        }
-        if (blocks.empty()) result.add_statements();
-        if (!blocks.empty() && gathers_objects(workspace.names().spelling(blocks.front())))
-            result.add_shapes();
+        result.add_block(blocks.empty() ? "" : workspace.names().spelling(blocks.front()));
         result.add_names(workspace, path);
         result.add_words();
     }

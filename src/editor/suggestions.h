@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Completions of a word that is being typed: fields of the enclosing block, names of the scene's
+// Completions of a word that is being typed: the words of the innermost block, names of the scene's
 // own files, names of the library that are for scenes, words of the language; directives after #,
 // and files in the quotes of #include.
 #pragma once

@@ -49,7 +49,7 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
         F{"sampling_method", &RenderSettings::sampling_method, item,
           "1: one ray through the middle of each pixel, more where pixels differ; 2 and 3: rays "
           "through its corners, and those of its quarters where corners differ; where light is "
-          "left to chance, all are the same",
+          "left to chance, the number changes nothing",
           between(1, 3)},
         F{"antialias_depth", &RenderSettings::antialias_depth, item,
           "a pixel gets so many rays more across and down, or by method 2 is quartered one time "
@@ -60,10 +60,11 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
           "the threshold is for differences of linear values to the power of 1 over this",
           above(0)},
         F{"jitter", &RenderSettings::jitter, flag,
-          "moves those rays at random; off: they are in "
-          "rows"},
+          "moves the additional rays of a pixel at random; off: they form a grid"},
         F{"jitter_amount", &RenderSettings::jitter_amount, item,
-          "how far, in parts of the distance between two of them", at_least(0)},
+          "how far additional rays of a pixel move at random, in parts of the distance between two "
+          "of the grid",
+          at_least(0)},
         F{"samples", &RenderSettings::samples, item,
           "camera rays for each pixel; 0: as many as each needs", between(0, 1e6)},
         F{"noise", &RenderSettings::noise, item,
@@ -72,8 +73,7 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
           "no such bound",
           between(0, 3)},
         F{"shadow_rays", &RenderSettings::shadow_rays, item,
-          "how often luminaires are chosen at each hit; 0: as often as pays",
-          between(0, 1e4)},
+          "how often luminaires are chosen at each hit; 0: as often as pays", between(0, 1e4)},
         F{"quality", &RenderSettings::quality, item,
           "how much is shown: 0 colours, 2 light, 4 shadows, 5 area lights, 6 pigments and what is "
           "behind, 8 reflections and normals, 9 everything",

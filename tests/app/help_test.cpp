@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help.h"
 
-#include "app/option_table.h"
 #include "bind/object_functions.h"
 #include "editor/library_guide.h"
+#include "options/option_help.h"
+#include "options/option_table.h"
 #include "scene/catalogue.h"
 #include "support/shell.h"
 #include "text/ascii.h"
@@ -35,7 +36,7 @@ std::string help(std::string_view topic) {
 }  // namespace
 
 TEST_CASE("the overview names every option that is offered, and no other") {
-    const std::string text = help("");
+    const std::string text = help("all");
     for (const OptionRow& row : option_table()) {
         CAPTURE(row.letters, row.keyword, row.word);
         const std::string term = "  " + manual_entry(row).term;
@@ -59,6 +60,10 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("light_octree"), "threshold"));
     CHECK(has(help("vrotate"), "vrotate("));
     CHECK(has(help("+W"), "+Wn, Width=n"));
+    CHECK(has(help("--width"), "+Wn, Width=n, --width n"));
+    CHECK(has(help("animation options"), "--frames list"));
+    CHECK(has(help(""), "The usual options:"));
+    CHECK(help("options") == help("all"));
     CHECK(has(help("Width"), "+Wn, Width=n"));
     CHECK(has(help("#while"), "#while (condition)"));
     CHECK(has(help("union"), "union { objects modifiers }"));
@@ -66,7 +71,7 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("bokeh"), "not available"));
     CHECK(has(help("max_trace_level"), "in global_settings"));
     CHECK(has(help("--samples"), "--samples n"));
-    CHECK(has(help("compatibility"), "+UF, -UF, Field_Render=on"));
+    CHECK(has(help("compatibility"), "+UF, -UF, Field_Render=on, --field-render"));
     CHECK(has(help("Light_Ring"), "Light_Ring(Lamp, Count, Radius)\n  around y"));
     CHECK(has(help("Light_Ring"), "#include \"light_arrays.inc\""));
     CHECK(has(help("light_arrays.inc"), "Light_Matrix(Lamp, Colours, Radiance, Pitch)"));
@@ -81,7 +86,7 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("Light_Rnig"), "did you mean `Light_Ring`?"));
     CHECK(has(help("shpere"), "did you mean `sphere`?"));
     CHECK(help("shpere") == "! there is no help on `shpere` | did you mean `sphere`?");
-    CHECK(help("qqqqqq") == "! there is no help on `qqqqqq` | --help lists the options");
+    CHECK(help("qqqqqq") == "! there is no help on `qqqqqq` | --help all lists the options");
 }
 
 TEST_CASE("descriptions exist in all parts and forms") {

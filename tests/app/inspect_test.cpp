@@ -11,7 +11,7 @@ namespace candelabra {
 
 namespace {
 
-const std::string scene = R"(#version 3.7;
+const std::string inspected_scene = R"(#version 3.7;
 camera { location -5*z look_at 0 angle 50 }
 sphere { <-1, 0, 0>, 0.8 pigment { rgb <1, 0.5, 0> } finish { ambient 0 diffuse 1 } }
 plane { z, 3 pigment { rgb 1 } finish { ambient 0.5 diffuse 0 } }
@@ -20,15 +20,15 @@ light_source { <-1, 0, -5>, 1 }
 )";
 
 /// A scene with a picture to inspect.
-struct Look {
+struct Inspected {
     Shot shot = compiled();
     SourceStore sources;
     RenderSettings settings;
     RenderState state;
     LightLedger rays;
 
-    Look() {
-        sources.add("scene.pov", scene);
+    Inspected() {
+        sources.add("scene.pov", inspected_scene);
         settings.width = 32;
         settings.height = 24;
         settings.samples = 2;
@@ -39,7 +39,7 @@ struct Look {
         CompileOptions options;
         options.remembers_objects = true;
         Diagnostics diagnostics;
-        return Shot(compile(scene_of(scene), options, diagnostics));
+        return Shot(compile(scene_of(inspected_scene), options, diagnostics));
     }
     Exhibit exhibit() const { return {shot, sources, settings, state.film, rays}; }
 };
@@ -47,7 +47,7 @@ struct Look {
 }  // namespace
 
 TEST_CASE("a pixel tells its colour, object and texture, and who lights it", "[app]") {
-    const Look look;
+    const Inspected look;
     const std::string ball = what_is_under(look.exhibit(), 10, 12);
     INFO(ball);
     const auto says = [&](std::string_view part) { return ball.find(part) != ball.npos; };
@@ -65,7 +65,7 @@ TEST_CASE("a pixel tells its colour, object and texture, and who lights it", "[a
 }
 
 TEST_CASE("layers can be looked at, each in a way that a screen shows", "[app]") {
-    const Look look;
+    const Inspected look;
     const Exhibit shown = look.exhibit();
     const auto colour = [&](std::string_view name, int x, int y) {
         const auto image = view(shown, name);

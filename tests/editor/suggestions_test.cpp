@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/suggestions.h"
 
+#include "bind/block_words.h"
+#include "bind/blocks.h"
+#include "scene/catalogue.h"
 #include "support/edited.h"
 
 #include <algorithm>
+#include <set>
 
 namespace candelabra {
 
@@ -29,6 +33,43 @@ TEST_CASE("what the block takes comes before names, and names before other words
     CHECK(rank("camera { | }", "fisheye") >= 0);
     CHECK(rank("camera { | }", "fisheye") < rank("camera { | }", "sphere"));
     CHECK(rank("#include \"colors.inc\"\n| ", "Orange") >= 0);
+}
+
+TEST_CASE("in every block its own words come first, and those of blocks around it do not") {
+    std::set<std::string> blocks = {""};
+    for (const BlockRow& row : block_rows()) {
+        blocks.emplace(row.word);
+        for (const std::string_view home : homes(row.word)) blocks.emplace(home);
+    }
+    for (const ItemGroup& group : catalogue()) {
+        if (!group.block.empty()) blocks.emplace(group.block);
+        for (const ItemInfo* item : group.items)
+            if (group.block.empty()) blocks.emplace(item->name);
+    }
+    const std::string names = "#declare Bulb = 1; ";
+    for (const std::string& block : blocks) {
+        const std::string braces = block.empty() ? "|" : block + " { | }";
+        for (const std::string& text :
+             {names + braces, names + "camera { film { " + braces + " } }"}) {
+            if (block.empty() && text.size() > names.size() + 1) continue;
+            CAPTURE(text);
+            Edited edited(text);
+            const auto all = suggestions(edited.workspace, edited.path, edited.offset);
+            const auto own = block_words(block);
+            REQUIRE(all.size() > own.size());
+            for (std::size_t i = 0; i < own.size(); ++i) CHECK(all[i].text == own[i].word);
+            CHECK(all[own.size()].text == "Bulb");
+        }
+    }
+    CHECK(rank("camera { | }", "location") == 0);
+    CHECK(rank("camera { film { | } }", "glare") < 20);
+    CHECK(rank("global_settings { | }", "luminaires") < 30);
+    CHECK(rank("interior { | }", "media") < 20);
+    CHECK(rank("media { | }", "scattering") < 30);
+    CHECK(rank("light_source { 0, 1 | }", "looks_like") < 40);
+    CHECK(rank("difference { | }", "cutaway_textures") < 70);
+    CHECK(rank("mesh { triangle { | } }", "texture") < 10);
+    CHECK(rank("union { | }", "light_name") == 0);
 }
 
 TEST_CASE("the block's words come first, then the scene's names, then the library's") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as an INI file that came with a scene: no crash, and a file that permits itself nothing.
-#include "app/options.h"
 #include "fuzz/target.h"
+#include "options/options.h"
 
 #include <cstdlib>
 #include <vector>

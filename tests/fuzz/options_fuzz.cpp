@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any lines as the words of a command line: no crash; and what was said without a mistake is said
 // again by the lines that --create-ini would write.
-#include "app/ini.h"
-#include "app/options.h"
 #include "fuzz/target.h"
+#include "options/ini.h"
+#include "options/options.h"
 
 #include <algorithm>
 #include <cstdlib>

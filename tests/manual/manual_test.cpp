@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pages of the manual that teach: every scene in them renders, every part of a scene fits the
 // scene before it, every command is one, and the example of each library macro works.
-#include "app/options.h"
 #include "editor/library_guide.h"
+#include "options/options.h"
 #include "support/shell.h"
 #include "text/ascii.h"
 

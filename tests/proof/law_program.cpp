@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/option_table.h"
-#include "app/option_values.h"
+#include "options/option_table.h"
+#include "options/option_values.h"
 #include "proof/laws.h"
 #include "scene/settings.h"
 #include "support/shell.h"

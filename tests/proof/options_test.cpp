@@ -2,9 +2,9 @@
 // What the table says of the effects of options is true of all rows: what changes a picture changes
 // its identity, what changes nothing changes no byte, and the recorded command makes the same file.
 #include "app/identity.h"
-#include "app/option_table.h"
-#include "app/option_values.h"
-#include "app/read_words.h"
+#include "options/option_table.h"
+#include "options/option_values.h"
+#include "options/read_words.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>
