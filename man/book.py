@@ -75,6 +75,9 @@ def frame(kind, words):
     if kind == "films":
         if words.startswith("glare"):
             words = "film { exposure auto response agx " + words + " }"
+        if words.startswith("bokeh"):
+            words = ("aperture 1.4 blur_samples 64 focal_point <0, 0.6, -3> film { exposure auto response agx } " +
+                     words)
         return (HEAD + "camera { location <0, 1.8, -5.5> look_at <0, 0.95, 0> angle 46 right 4/3*x\n" + words +
                 " }\n" + NIGHT)
     if kind == "shapes":

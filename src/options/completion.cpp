@@ -71,7 +71,7 @@ std::string for_bash() {
         "    mapfile -t -O \"${#COMPREPLY[@]}\" COMPREPLY < <(\n"
         "        compgen -f -X '!*.@(pov|ini|exr)' -- \"$word\"\n"
         "        compgen -d -S / -- \"$word\"\n"
-        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W 'new merge develop fmt lsp' -- "
+        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W 'new merge develop light fmt lsp' -- "
         "\"$word\")\n"
         "    [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == */ ]] && compopt -o nospace\n"
         "    return 0\n"

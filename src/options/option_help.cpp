@@ -129,6 +129,7 @@ std::string short_usage() {
            "       candelabra new [--template name] scene.pov\n"
            "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
            "       candelabra develop [-o file] [+Fx] [--exposure stops] ... picture.exr ...\n"
+           "       candelabra light [--json] [-o diagram.svg] file.ies ...\n"
            "       candelabra fmt [--check] [file ...]\n"
            "       candelabra describe [--json] [part]\n"
            "       candelabra lsp\n"

@@ -17,8 +17,9 @@ constexpr auto surface = std::array{
 constexpr auto surroundings =
     std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary, &Media::vocabulary,
                &Scattering::vocabulary};
-constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary, &Bokeh::vocabulary};
-constexpr auto films = std::array{&FilmSettings::vocabulary, &Glare::vocabulary};
+constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
+constexpr auto films =
+    std::array{&FilmSettings::vocabulary, &Glare::vocabulary, &Bokeh::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary,
                                      &Radiosity::vocabulary, &PhotonSettings::vocabulary};
@@ -34,7 +35,9 @@ constexpr auto groups = std::array{
               Kinds<Camera>::infos, "camera"},
     ItemGroup{"Parts of cameras", "What mesh_camera has in braces.", parts_of_cameras, "camera"},
     ItemGroup{"Films",
-              "What develops the light of a camera: camera { film { glare { ... } ... } }.", films},
+              "What develops the light of a camera, and the opening of its lens: camera { film { "
+              "glare { ... } ... } bokeh { ... } }.",
+              films},
     ItemGroup{"Lights",
               "Lights without size. Every object whose finish has emission is a luminaire and "
               "lights the scene as well.",

@@ -68,7 +68,7 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("#while"), "#while (condition)"));
     CHECK(has(help("union"), "union { objects modifiers }"));
     CHECK(has(help("camera"), "--help cameras"));
-    CHECK(has(help("bokeh"), "not available"));
+    CHECK(has(help("anisotropy"), "not available"));
     CHECK(has(help("max_trace_level"), "in global_settings"));
     CHECK(has(help("--samples"), "--samples n"));
     CHECK(has(help("compatibility"), "+UF, -UF, Field_Render=on, --field-render"));

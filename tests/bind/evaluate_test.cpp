@@ -89,8 +89,8 @@ TEST_CASE("what makes no scene is told of once", "[bind]") {
     CHECK(complaint("max_trace_level 5") ==
           "warning deprecated: `max_trace_level` belongs into `global_settings`");
     CHECK(run("#version 3.7; max_trace_level 7").scene.settings.max_trace_level == 7);
-    CHECK(complaint("#declare M = bokeh { 1 }") ==
-          "error not-implemented: `bokeh` is not available in this version");
+    CHECK(complaint("#declare M = anisotropy { 1 }") ==
+          "error not-implemented: `anisotropy` is not available in this version");
     CHECK(complaint("#declare S = sphre { 0, 1 }") ==
           "error unknown-word: a scene has no word `sphre`");
     CHECK(complaint("#default { sphere { 0, 1 } }") ==

@@ -31,9 +31,9 @@ TEST_CASE("what has no place in a block is reported once", "[bind]") {
         {"sphere { 0, 1 { } }",
          "error misplaced: braces without a word before them have no place in `sphere`"},
         {"finish", "error misplaced: `finish` has no place in a scene"},
-        {"bokeh { 1, 2 }", "error not-implemented: `bokeh` is not available in this version"},
-        {"sphere { 0, 1 interior { bokeh { 1 } } }",
-         "error not-implemented: `bokeh` is not available in this version"},
+        {"anisotropy { 1, 2 }", "error not-implemented: `anisotropy` is not available in this version"},
+        {"sphere { 0, 1 interior { anisotropy { 1 } } }",
+         "error not-implemented: `anisotropy` is not available in this version"},
         {"sphere { 0, 1 finish { subsurface { translucency -1 } } }",
          "error out-of-range: `translucency` of `subsurface` must be at least 0 in each channel"},
         {"sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }",
@@ -45,7 +45,7 @@ TEST_CASE("what has no place in a block is reported once", "[bind]") {
 TEST_CASE("words of blocks are known, those of what is not available are not", "[bind]") {
     for (const std::string_view word : {"sphere", "union", "warp", "ior", "fog", "tile2"})
         CHECK(known_in_blocks(word));
-    for (const std::string_view word : {"bokeh", "importance", "nothing"})
+    for (const std::string_view word : {"anisotropy", "importance", "nothing"})
         CHECK_FALSE(known_in_blocks(word));
 }
 

@@ -100,8 +100,8 @@ TEST_CASE("wrong objects are told of once", "[bind]") {
           "error misplaced: a declared object comes first in `sphere`, in the place of its values");
     CHECK(complaint("sphere { 0, 1 sphere { 0, 1 } }") ==
           "error misplaced: `sphere` has no place in `sphere`");
-    CHECK(complaint("union { bokeh { 1, 2 } bokeh { 1, 2 } }") ==
-          "error not-implemented: `bokeh` is not available in this version");
+    CHECK(complaint("union { anisotropy { 1, 2 } anisotropy { 1, 2 } }") ==
+          "error not-implemented: `anisotropy` is not available in this version");
     CHECK(complaint("cylinder { 0, 0, 1 }").rfind("error degenerate: ", 0) == 0);
 }
 

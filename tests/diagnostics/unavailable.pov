@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words of POV-Ray that this version has not
 #version 3.7;
-sphere { 0, 1 interior { bokeh { 1 } } }
+sphere { 0, 1 interior { anisotropy { 1 } } }
 light_source { 0, 1 spotlight point_at z radius 10 falloff 20 }
 sphere { 0, 1 texture { pigment { rgb 1 } } texture { pigment { rgbt 0.5 } } }
 global_settings { radiosity { count 100 } }

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 seconds=${1:-60}
-all=(lexer parser evaluate scene http lsp data ini options picture mesh density font state develop)
+all=(lexer parser evaluate scene http lsp data photometry ini options picture mesh density font state develop)
 targets=("${@:2}")
 [ ${#targets[@]} -gt 0 ] || targets=("${all[@]}")
 build=${BUILD_DIR:-build-fuzz}
@@ -19,6 +19,7 @@ for target in "${targets[@]}"; do
     mkdir -p "$corpus"
     case $target in
         lexer | parser | evaluate) seeds=(tests/diagnostics examples/lights) ;;
+        photometry) seeds=(tests/photometry/files) ;;
         picture | mesh | density | font | state | develop) seeds=("$build/tests/fuzz/seeds/$target") ;;
         *) seeds=("tests/fuzz/$target") ;;
     esac

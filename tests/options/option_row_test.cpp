@@ -12,16 +12,24 @@ TEST_CASE("groups stand in the order of their numbers") {
 }
 
 TEST_CASE("a long name is the word, or the keyword with hyphens") {
-    OptionRow row{"Z", "Start_Row"};
-    CHECK(long_name(row) == "start-row");
-    row.word = "first";
-    CHECK(long_name(row) == "first");
-    CHECK(long_name(OptionRow{"Z"}).empty());
+    const auto named = [](std::string_view keyword, std::string_view word) {
+        OptionRow row = {};
+        row.letters = "Z";
+        row.keyword = keyword;
+        row.word = word;
+        return long_name(row);
+    };
+    CHECK(named("Start_Row", "") == "start-row");
+    CHECK(named("Start_Row", "first") == "first");
+    CHECK(named("", "").empty());
 }
 
 TEST_CASE("an unoffered option is taken, warned of, or refused") {
     const auto outcome = [](Unoffered unoffered, bool on) {
-        OptionRow row{"Z", "", "", "", Takes::sign, "because"};
+        OptionRow row = {};
+        row.letters = "Z";
+        row.takes = Takes::sign;
+        row.help = "because";
         row.unoffered = unoffered;
         Options options;
         Diagnostics diagnostics;
