@@ -12,9 +12,9 @@ namespace candelabra {
 double srgb_luminance(const Vec3&);
 
 /// Returns the exposure in stops. With E = 2^stops, the mean of E L / (1 + E L) over the luminances
-/// L of the pixels is that of a grey of luminance `key`, so each pixel counts as one at most. Dark pictures
-/// are brightened less, and by 4 stops at most, so that night stays night: s stops become 4 (1 -
-/// exp(-s / 4)). The result is never below -20. NaN pixels count as black.
+/// L of the pixels is that of a grey of luminance `key`, so each pixel counts as one at most. Dark
+/// pictures are brightened less, and by 4 stops at most, so that night stays night: s stops become
+/// 4 (1 - exp(-s / 4)). The result is never below -20. NaN pixels count as black.
 double stops_asked_by(const Image&, double key);
 
 }  // namespace candelabra

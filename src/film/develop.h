@@ -39,16 +39,17 @@ double vignetted(double share, double distance);
 /// deviation 1.
 double grained(double shown, double size, double chance);
 
-/// Returns light with another contrast: each channel to the power of `contrast`, with a grey of 0.18
-/// kept. Negative light becomes 0 unless the contrast is 1.
+/// Returns light with another contrast: each channel to the power of `contrast`, with a grey of
+/// 0.18 kept. Negative light becomes 0 unless the contrast is 1.
 Vec3 contrasted(const Vec3& light, double contrast);
 
 /// Returns a displayed colour at another distance from the grey of its luminance, within 0 and 1.
 Vec3 saturated(const Vec3& shown, double saturation);
 
 /// Returns linear red, green and blue for a display, from 0 to 1. Applies glare, vignette,
-/// exposure, white balance, contrast, response, saturation and grain, in this order. Values have single precision, as in
-/// files. Precondition: the film is on. The result does not depend on the number of threads.
+/// exposure, white balance, contrast, response, saturation and grain, in this order. Values have
+/// single precision, as in files. Precondition: the film is on. The result does not depend on the
+/// number of threads.
 Image develop(const Negative&, const FilmSettings&, int threads);
 
 }  // namespace candelabra

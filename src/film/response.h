@@ -17,8 +17,8 @@ namespace candelabra {
 /// Their logarithms, from 10 stops below the grey to 6.5 above, go through a curve with a toe and a
 /// shoulder. Half of the mixing is then undone. The result is blended with the colour that has the
 /// curve's value in its greatest channel and the proportions of the light; its share falls from 0.7
-/// to half of that at an exposure of 16. So small saturated lamps keep their colour, and very bright
-/// lights become white whatever their colour.
+/// to half of that at an exposure of 16. So small saturated lamps keep their colour, and very
+/// bright lights become white whatever their colour.
 Vec3 respond(ResponseCurve, const Vec3& exposure);
 
 /// One channel of the filmic and agx curves.

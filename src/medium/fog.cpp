@@ -38,7 +38,8 @@ double column(double height) { return height <= 0 ? height : math::atan(height);
 
 double density(double height) { return height <= 0 ? 1 : 1 / (1 + height * height); }
 
-/// Whether heights have no direction. Then POV-Ray's shares are no numbers, and its picture is black.
+/// Whether heights have no direction. Then POV-Ray's shares are no numbers, and its picture is
+/// black.
 bool is_black(const Fog& fog) { return fog.fog_type == 2 && fog.up == Vec3(0); }
 
 /// Mean density along the ray up to a distance.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Checks the claims of a picture file before a reader is trusted with it: its format, by its first
-// bytes and only among those that the language names and WebP, and whether the file has enough bytes
-// for its stated size. Called before OpenImageIO opens a file, since its readers reserve memory then.
+// bytes and only among those that the language names and WebP, and whether the file has enough
+// bytes for its stated size. Called before OpenImageIO opens a file, since its readers reserve
+// memory then.
 #pragma once
 
 #include <cstddef>

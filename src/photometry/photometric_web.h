@@ -17,7 +17,7 @@ namespace candelabra {
 /// Which direction a pair of angles (V, H) means.
 enum class WebType {
     c,  ///< (sin V cos H, sin V sin H, -cos V): V is 0 straight down, 180 straight up
-    b,  ///< (cos H sin V, -sin H, -cos H cos V): straight down at V = H = 0; V turns about the y axis
+    b,  ///< (cos H sin V, -sin H, -cos H cos V): down at V = H = 0; V turns about the y axis
     a  ///< (cos V cos H, -cos V sin H, sin V): along x at V = H = 0; V is the elevation
 };
 

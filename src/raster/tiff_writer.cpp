@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raster/tiff_writer.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

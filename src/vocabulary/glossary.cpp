@@ -54,8 +54,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "fingers of the left hand curl around the axis"},
     {"scale", "scale <x, y, z>", "stretches from the origin; one number does so in all directions"},
     {"matrix", "matrix <m00, m01, m02, m10, m11, m12, m20, m21, m22, m30, m31, m32>",
-     "the images of the three axes, then that of the origin; the 12 numbers of the inverse may follow, "
-     "as in dumps"},
+     "the images of the three axes, then that of the origin; the 12 numbers of the inverse may "
+     "follow, as in dumps"},
     {"transform", "transform { translate v rotate v scale v matrix m ... [inverse] }",
      "transformations in their order, as one; it may be declared and used by name"},
     // objects

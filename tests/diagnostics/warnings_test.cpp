@@ -42,6 +42,7 @@ const std::map<std::string_view, std::vector<std::string>>& careless() {
         {"no-light", {camera + ball}},
         {"camera-inside", {all + "sphere { 0, 9 }"}},
         {"glowing-dome", {all + "sphere { 0, 9 inverse pigment { rgb 1 } finish { emission 1 } }"}},
+        {"aspect", {light + ball + "camera { location -5*z right 2*x }"}},
         {"user-warning", {all + "#warning \"mind the step\""}},
     };
     return scenes;

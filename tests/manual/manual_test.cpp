@@ -80,7 +80,10 @@ void check_command(const std::string& line) {
     INFO(line);
     std::istringstream stream(line);
     std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
+    for (std::string word; stream >> word;) {
+        std::erase(word, '\'');  // the shell's
+        words.push_back(word);
+    }
     REQUIRE(words.size() > 1);
     CHECK(words[0] == "candelabra");
     if (words[1] == "develop") {  // its options are those of a run, and its own
