@@ -8,6 +8,7 @@
 #include "film/develop.h"
 #include "options/command_line.h"
 #include "options/option_store.h"
+#include "options/option_table.h"
 #include "options/output.h"
 #include "picture/file.h"
 #include "picture/layers.h"
@@ -43,33 +44,15 @@ struct LitFrame {
 
 /// Whether an option, written as in an INI file, can change the result of develop.
 bool matters_to_develop(std::string_view given) {
-    static constexpr auto all = std::to_array<std::string_view>({"Output_File_Name=",
-                                                                 "Output_File_Type=",
-                                                                 "+F",
-                                                                 "Bits_Per_Color=",
-                                                                 "Grayscale_Output=",
-                                                                 "File_Gamma=",
-                                                                 "Verbose=",
-                                                                 "--diagnostics=",
-                                                                 "--warn=",
-                                                                 "Warning_Level=",
-                                                                 "Work_Threads=",
-                                                                 "--film=",
-                                                                 "--exposure=",
-                                                                 "--white-balance=",
-                                                                 "--response=",
-                                                                 "--pixel-filter=",
-                                                                 "--smooth-edges=",
-                                                                 "--glare=",
-                                                                 "--vignette=",
-                                                                 "--grain=",
-                                                                 "--sandbox=",
-                                                                 "--key=",
-                                                                 "--contrast=",
-                                                                 "--saturation=",
-                                                                 "--movie=",
-                                                                 "--frame-rate="});
-    return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
+    static constexpr auto all = std::to_array<std::string_view>(
+        {"Output_File_Name=", "Output_File_Type=", "+F",
+         "Bits_Per_Color=", "Grayscale_Output=", "File_Gamma=", "Verbose=", "--diagnostics=",
+         "--warn=", "Warning_Level=", "Work_Threads=", "--sandbox=", "--movie=", "--frame-rate="});
+    const auto of_film = [&](const OptionRow& row) {
+        return row.group == OptionGroup::film && given.starts_with(message("--", row.word, '='));
+    };
+    return std::ranges::any_of(option_table(), of_film) ||
+           std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
 }
 
 bool names_exr(std::string_view argument) {

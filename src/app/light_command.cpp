@@ -4,7 +4,6 @@
 #include "photometry/polar_diagram.h"
 #include "picture/file.h"
 #include "text/excerpt.h"
-#include "text/loader.h"
 #include "text/message.h"
 #include "text/opened_file.h"
 #include "text/printable.h"
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
-#include <system_error>
 #include <vector>
 
 namespace candelabra {
@@ -81,11 +79,7 @@ std::optional<LightRequest> asked_by(std::span<const std::string_view> arguments
 
 /// Returns the text of a file that is not too large; reports why there is none.
 std::optional<std::string> photometric_text(const std::string& path, Diagnostics& diagnostics) {
-    std::error_code failed;
-    // A pipe could keep the program waiting for ever.
-    if (is_regular_file(path) &&
-        std::filesystem::file_size(path, failed) <= max_photometric_bytes && !failed)
-        if (auto text = disk_reader()(path)) return text;
+    if (auto text = content_of_file(path, max_photometric_bytes)) return text;
     diagnostics.add(error(Fault::io, {}, message("`", printable(path), "` cannot be read"))
                         .with_help("files of up to 16 MiB are read"));
     return std::nullopt;

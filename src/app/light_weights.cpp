@@ -4,6 +4,7 @@
 #include "base/colour.h"
 #include "interpret/csv.h"
 #include "text/ascii.h"
+#include "text/decimal.h"
 #include "text/message.h"
 #include "text/opened_file.h"
 #include "text/printable.h"
@@ -11,12 +12,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <system_error>
 
 namespace candelabra {
 
@@ -37,10 +36,8 @@ std::optional<Vec3> colour_of(std::string_view text) {
 }
 
 std::optional<double> strength_of(std::string_view text) {
-    double value = 0;
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool good = fault == std::errc() && end == text.data() + text.size();
-    return good && std::isfinite(value) && value >= 0 ? std::optional(value) : std::nullopt;
+    const std::optional<double> value = finite_number(text);
+    return value && *value >= 0 ? value : std::nullopt;
 }
 
 /// The factor of a weight's text. Nothing if it is wrong.

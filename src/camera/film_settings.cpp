@@ -3,15 +3,14 @@
 
 #include "base/elementary.h"
 #include "text/ascii.h"
+#include "text/decimal.h"
 #include "text/message.h"
 #include "text/printable.h"
 #include "vocabulary/manual.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 namespace candelabra {
 
@@ -47,13 +46,6 @@ std::string not_among(std::string_view noun, std::string_view name,
                    list_of(names));
 }
 
-std::optional<double> number_in(std::string_view text) {
-    double result = 0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), result);
-    const bool whole = failed == std::errc() && end == text.data() + text.size();
-    return whole && std::isfinite(result) ? std::optional(result) : std::nullopt;
-}
-
 std::string_view without_plus(std::string_view number) {
     return number.substr(number.starts_with('+') ? 1 : 0);
 }
@@ -68,7 +60,7 @@ std::string set_field(const ItemInfo& info, void* item, std::size_t index,
     }
     const std::optional<double> value = change.value == "on"    ? 1
                                         : change.value == "off" ? 0
-                                                                : number_in(change.value);
+                                                                : finite_number(change.value);
     const bool whole = field.type == FieldType::integer;
     if (!value || !field.range.contains(*value) ||
         (whole && (*value != std::trunc(*value) || std::abs(*value) > 0x1p30)))

@@ -4,6 +4,7 @@
 #include "base/video_gamma.h"
 #include "options/completion.h"
 #include "text/ascii.h"
+#include "text/decimal.h"
 #include "text/message.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -11,11 +12,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <system_error>
 
 namespace candelabra {
 
@@ -40,12 +39,7 @@ std::optional<std::variant<double, std::string>> declared_value(std::string_view
 
 std::optional<double> number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-    double result = 0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), result);
-    // from_chars also reads "inf" and "nan".
-    if (failed != std::errc() || end != text.data() + text.size() || !std::isfinite(result))
-        return std::nullopt;
-    return result;
+    return finite_number(text);
 }
 
 std::optional<bool> truth(std::string_view text) {

@@ -175,14 +175,13 @@ WebTable table_of(const LdtHead& head, const Symmetry& stored, const std::vector
 /// Completes the table by Isym, and not by the range of its planes.
 std::string complete(const LdtHead& head, WebTable table, PhotometricFile& file) {
     std::string range;  // LM-63's name of the symmetry, which must be that of Isym
+    if (!rise(table.horizontal)) return "the C angles do not increase";
     if (head.symmetry == 0) {
-        if (!rise(table.horizontal)) return "the C angles do not increase";
         if (table.horizontal.back() > table.horizontal.front() + 360.01)
             return "the C angles go around more than once";
         file.web = closed_web(std::move(table), file.notes);
         return {};
     }
-    if (!rise(table.horizontal)) return "the C angles do not increase";
     std::string problem = complete_table(std::move(table), file.web, range, file.notes);
     static constexpr auto meant = std::to_array<std::string_view>(
         {"", "axial", "bilateral 0-180", "bilateral 90-270", "quadrant"});

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photometry/photometric_text.h"
 
+#include "text/decimal.h"
 #include "text/utf8.h"
-
-#include <charconv>
-#include <cmath>
-#include <system_error>
 
 namespace candelabra {
 
@@ -64,10 +61,7 @@ std::string_view trimmed(std::string_view text) {
 std::optional<double> number_of(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('+')) text.remove_prefix(1);
-    double number = 0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = failed == std::errc() && end == text.data() + text.size();
-    return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+    return finite_number(text);
 }
 
 std::optional<double> NumberStream::next() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <system_error>
 
@@ -24,6 +25,14 @@ bool underflows(std::string_view number) {
         std::from_chars(power.data(), power.data() + power.size(), exponent);
     if (failure == std::errc::result_out_of_range) return negative;
     return magnitude + (negative ? -exponent : exponent) < 0;
+}
+
+std::optional<double> finite_number(std::string_view text) {
+    double number = 0;
+    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), number);
+    // from_chars also reads "inf" and "nan".
+    const bool whole = failed == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace candelabra

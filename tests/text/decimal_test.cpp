@@ -34,4 +34,13 @@ TEST_CASE("numbers beyond a double's range are too small or too large", "[text]"
     }
 }
 
+TEST_CASE("a finite number fills its text") {
+    CHECK(finite_number("1.5") == 1.5);
+    CHECK(finite_number("-2e3") == -2000.0);
+    for (const char* text : {"", "1.5x", " 1", "1 ", "+1", "nan", "inf", "-inf", "1e999", "0x10"}) {
+        CAPTURE(text);
+        CHECK_FALSE(finite_number(text));
+    }
+}
+
 }  // namespace candelabra
