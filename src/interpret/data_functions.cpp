@@ -27,7 +27,8 @@ public:
         if (call_.failed()) return false;
         std::optional<Found> found = evaluator_.load_found(name, call_.place(0));
         // The text is read, and converted to numbers.
-        if (!found || !evaluator_.spend(4 * found->text.size(), call_.place(0))) {
+        constexpr std::uint64_t each_byte = 12;
+        if (!found || !evaluator_.spend(each_byte * found->text.size(), call_.place(0))) {
             call_.fail_silently();
             return false;
         }
@@ -147,7 +148,7 @@ Value csv_file(FunctionCall& call) {
                             message("cells are separated by one sign and may stand in double "
                                     "quotes; read_csv(name, options) takes ",
                                     csv_words));
-    constexpr std::uint64_t each_string = 150;
+    constexpr std::uint64_t each_string = 300;
     if (!evaluator.spend(each_string * table->cells.size(), call.place(0)))
         return call.fail_silently();
     file.warn_of(*table);
@@ -162,7 +163,7 @@ Value json_file(FunctionCall& call) {
     DataText file(call, evaluator);
     if (call.count() > 1) call.text(1);
     if (call.failed() || !file.load()) return Absence::broken;
-    constexpr std::uint64_t each_value = 100;
+    constexpr std::uint64_t each_value = 500;
     const auto values =
         std::ranges::count_if(file.text(), [](char c) { return c == ',' || c == '[' || c == '{'; });
     if (!evaluator.spend(each_value * static_cast<std::uint64_t>(values), call.place(0)))
