@@ -14,6 +14,7 @@
 #include "app/preview.h"
 #include "app/sandbox.h"
 #include "app/scene_run.h"
+#include "app/share_command.h"
 #include "app/shell_commands.h"
 #include "app/streams.h"
 #include "options/completion.h"
@@ -32,6 +33,7 @@
 #include <array>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -137,6 +139,10 @@ constexpr auto commands = std::to_array<Command>({
      "picture.exr ...\n"
      "Makes pictures that people look at of the light in OpenEXR files; candelabra-develop(1) "
      "says more.\n"},
+    {"share", run_share,
+     "usage: candelabra share [-o page.html] [option ...] scene.pov|picture.exr\n"
+     "Makes a page to share: a picture whose lamps can be dimmed and coloured in any browser. "
+     "Options\nare those of a picture; section PAGES TO SHARE of candelabra(1) says more.\n"},
     {"light",
      [](std::span<const std::string_view> arguments, const Console& console) {
          bound_memory();
@@ -187,6 +193,10 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     }
     Diagnostics diagnostics;
     Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
+    return run_with(std::move(options), console, std::move(diagnostics));
+}
+
+int run_with(Options options, const Console& console, Diagnostics diagnostics) {
     // Measured once, before the run has allocated memory.
     if (!options.memory_bytes) options.memory_bytes = usual_memory_limit();
     const auto end_with_errors = [&](int status) {

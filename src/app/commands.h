@@ -13,4 +13,7 @@ namespace candelabra {
 /// status.
 int run(std::span<const std::string_view> arguments, const Console&);
 
+/// Carries out the options. Returns the exit status. `diagnostics`: of reading the options.
+int run_with(Options, const Console&, Diagnostics diagnostics);
+
 }  // namespace candelabra

@@ -2,6 +2,7 @@
 #include "app/develop_command.h"
 
 #include "app/layers.h"
+#include "app/light_file.h"
 #include "app/light_weights.h"
 #include "app/movie.h"
 #include "app/sandbox.h"
@@ -11,17 +12,13 @@
 #include "options/option_table.h"
 #include "options/output.h"
 #include "picture/file.h"
-#include "picture/layers.h"
 #include "text/message.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <filesystem>
-#include <set>
 #include <system_error>
 
 namespace candelabra {
@@ -89,11 +86,7 @@ DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
             others.push_back(argument);
     }
     request.options = read_options(others, diagnostics);
-    for (const auto& [row, given] : request.options.given)
-        if (!matters_to_develop(given))
-            diagnostics.add(warning(
-                Fault::option, {},
-                message("`", printable(given), "` is ignored: nothing is rendered any more")));
+    warn_of_options_of_rendering(request.options, diagnostics);
     if (request.options.scene)
         diagnostics.add(error(
             Fault::option, {},
@@ -114,58 +107,6 @@ bool names_one_file(const DevelopRequest& request) {
     return !said.empty() && !said.ends_with('/') && !std::filesystem::is_directory(said, none);
 }
 
-/// The planes of a file by name.
-class Planes {
-public:
-    explicit Planes(const LayeredPicture& picture) : picture_(picture) {}
-
-    const ChannelPlane* find(std::string_view name) const {
-        const auto found = std::ranges::find(picture_.planes, name, &ChannelPlane::name);
-        return found == picture_.planes.end() || found->whole ? nullptr : &*found;
-    }
-
-    /// Returns the planes "R", "G" and "B" of a layer as a picture, or its grey plane "Y".
-    std::optional<Image> image(const std::string& layer) const {
-        const std::string before = layer.empty() ? "" : layer + ".";
-        std::array<const ChannelPlane*, 3> found = {find(before + "R"), find(before + "G"),
-                                                    find(before + "B")};
-        if (const ChannelPlane* grey = find(before + "Y"); grey && !found[0])
-            found = {grey, grey, grey};
-        if (!found[0] || !found[1] || !found[2]) return std::nullopt;
-        Image image(picture_.width, picture_.height);
-        for (std::size_t i = 0; i < image.pixels.size(); ++i)
-            image.pixels[i] = {value(*found[0], i), value(*found[1], i), value(*found[2], i)};
-        return image;
-    }
-
-    std::vector<double> alpha(const std::string& layer) const {
-        std::vector<double> alpha;
-        if (const ChannelPlane* plane = find(layer.empty() ? "A" : layer + ".A"))
-            // Files of other programs may exceed 1; NaN becomes 0.
-            for (std::size_t i = 0; i < plane->bits.size(); ++i)
-                alpha.push_back(std::fmin(1, std::fmax(0, value(*plane, i))));
-        return alpha;
-    }
-
-    /// Returns the names of the layers that image() accepts, each once, in file order.
-    std::vector<std::string> layers() const {
-        std::vector<std::string> names;
-        for (const ChannelPlane& plane : picture_.planes) {
-            const std::size_t dot = plane.name.rfind('.');
-            const std::string name = dot == plane.name.npos ? "" : plane.name.substr(0, dot);
-            if (std::ranges::find(names, name) == names.end() && image(name)) names.push_back(name);
-        }
-        return names;
-    }
-
-private:
-    static double value(const ChannelPlane& plane, std::size_t pixel) {
-        return std::bit_cast<float>(plane.bits[pixel]);
-    }
-
-    const LayeredPicture& picture_;
-};
-
 class Developer {
 public:
     Developer(const DevelopRequest& request, Diagnostics& diagnostics)
@@ -174,22 +115,21 @@ public:
     /// Develops one file. Returns false after an error has been reported.
     bool file(const LitFrame& frame) {
         const std::string& path = frame.file;
-        static constexpr auto texts =
-            std::to_array<std::string_view>({film_text_name, "ImageDescription"});
-        const auto picture = read_layers(path, texts, diagnostics_);
-        if (!picture) return false;
+        const auto file = LightFile::read(path, diagnostics_);
+        if (!file) return false;
+        const auto film = film_of(*file, request_.options, diagnostics_);
+        if (!film) return false;
         FilmFiles files;
+        files.film = *film;
         Negative negative;
-        if (!film_of_file(path, picture->texts[0].second, files.film) ||
-            !negative_of_file(path, Planes(*picture), files.film, negative) ||
-            !relit_by(frame, Planes(*picture), negative))
+        if (!negative_of_file(*file, files.film, negative) || !relit_by(frame, *file, negative))
             return false;
         Options options = request_.options;
         options.alpha = !negative.alpha.empty();
         options.output = frame.output;
         Output output = output_of(options, diagnostics_);
         if (diagnostics_.failed()) return false;
-        if (const std::string& text = picture->texts[1].second; !text.empty())
+        if (const std::string& text = file->description(); !text.empty())
             output.format.description = command_for(text, output.format);
         files.path = output.path;
         files.format = output.format;
@@ -208,33 +148,15 @@ private:
         return false;
     }
 
-    /// Reads the film that the file records and applies the changes of the options.
-    bool film_of_file(const std::string& path, const std::string& text, FilmSettings& film) {
-        if (const auto told = film_from_text(text))
-            film = *told;
-        else
-            diagnostics_.add(warning(Fault::io, {},
-                                     message("`", printable(path),
-                                             "` tells of a film that this version does not know, "
-                                             "and is developed as if it had none")));
-        RenderSettings settings;
-        settings.film = request_.options.render.film;
-        const std::string wrong = settle_film(film, settings);
-        if (!film.on) film = {};  // as without a film: clipped
-        film.on = true;
-        return wrong.empty() ||
-               fail(message("the options do not fit the film of `", printable(path), "`: ", wrong));
-    }
-
-    bool negative_of_file(const std::string& path, const Planes& planes, const FilmSettings& film,
-                          Negative& negative) {
+    bool negative_of_file(const LightFile& file, const FilmSettings& film, Negative& negative) {
+        const std::string& path = file.path();
         std::string layer = request_.layer;
-        auto light = planes.image(layer);
-        const std::vector<std::string> names = planes.layers();
+        auto light = file.image(layer);
+        const std::vector<std::string> names = file.layers();
         if (!light && layer.empty() && !names.empty()) {
             // Files of other programs may have no picture besides their layers.
             layer = names.front();
-            light = planes.image(layer);
+            light = file.image(layer);
         }
         if (!light) {
             const std::string meant =
@@ -251,60 +173,33 @@ private:
         }
         const bool quiet = layer == denoised_layer;
         negative.light = std::move(*light);
-        negative.alpha = planes.alpha(quiet ? std::string() : layer);
+        negative.alpha = file.alpha(quiet ? std::string() : layer);
         if (film.smooths_edges() && (quiet || layer.empty()))
-            negative.smooth = planes
-                                  .image(quiet ? message(denoised_layer, '.', smooth_layer)
+            negative.smooth = file.image(quiet ? message(denoised_layer, '.', smooth_layer)
                                                : std::string(smooth_layer))
                                   .value_or(Image());
         return true;
     }
 
     /// Lights the negative anew. Its smooth edges have been made with the old light.
-    bool relit_by(const LitFrame& frame, const Planes& planes, Negative& negative) {
+    bool relit_by(const LitFrame& frame, const LightFile& file, Negative& negative) {
         if (frame.factors.empty()) return true;
         if (!request_.layer.empty() && request_.layer != denoised_layer)
             return fail(message("weights change the picture, or the layer `", denoised_layer,
                                 "`, and not `", printable(request_.layer), "`"));
         const std::string before =
             request_.layer.empty() ? "light." : message(denoised_layer, ".light.");
-        std::vector<std::string> known;
-        for (const std::string& layer : planes.layers())
-            if (layer.starts_with(before)) known.push_back(layer.substr(before.size()));
-        if (known.empty())
-            return fail(message("`", printable(frame.file), "` has no layers of light"),
-                        "render it with --layers lights");
-        if (!add_up(planes, before, known, negative.light))
-            return fail(message("the layers of light in `", printable(frame.file),
-                                "` do not add up to its picture"),
-                        "they do in scenes with assumed_gamma 1");
+        const auto known = lamps_of(file, before, negative.light, diagnostics_);
+        if (!known) return false;
         std::vector<LampLight> lamps;
         for (const auto& [name, factor] : frame.factors) {
-            if (std::ranges::find(known, name) == known.end()) return unknown_lamp(name, known);
-            lamps.push_back({*planes.image(before + name), factor});
+            if (std::ranges::find(*known, name) == known->end()) return unknown_lamp(name, *known);
+            lamps.push_back({*file.image(before + name), factor});
         }
         relight(negative.light, lamps);
         if (std::ranges::any_of(lamps, [](const auto& lamp) { return lamp.factor != Vec3(1); }))
             negative.smooth = Image();
         return true;
-    }
-
-    /// Whether all layers of light together are the picture, if they are all there.
-    static bool add_up(const Planes& planes, const std::string& before,
-                       const std::vector<std::string>& names, const Image& picture) {
-        constexpr double tolerance = 1e-3;
-        if (std::ranges::find(names, "rest") == names.end()) return true;
-        std::vector<Vec3> sums(picture.pixels.size(), Vec3(0));
-        for (const std::string& name : names) {
-            const Image light = *planes.image(before + name);
-            for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += light.pixels[i];
-        }
-        double error = 0, size = 0;
-        for (std::size_t i = 0; i < sums.size(); ++i) {
-            error += max_abs_component(sums[i] - picture.pixels[i]);
-            size += max_abs_component(picture.pixels[i]);
-        }
-        return error <= tolerance * size;
     }
 
     bool unknown_lamp(const std::string& name, const std::vector<std::string>& known) {
@@ -397,6 +292,14 @@ bool develop_frames(const DevelopRequest& request, std::span<const LitFrame> lit
 }
 
 }  // namespace
+
+void warn_of_options_of_rendering(const Options& options, Diagnostics& diagnostics) {
+    for (const auto& [row, given] : options.given)
+        if (!matters_to_develop(given))
+            diagnostics.add(warning(
+                Fault::option, {},
+                message("`", printable(given), "` is ignored: nothing is rendered any more")));
+}
 
 bool develop_file(const std::string& exr, std::string_view layer, const std::string& picture,
                   Diagnostics& diagnostics) {

@@ -17,4 +17,7 @@ int run_develop(std::span<const std::string_view> arguments, const Console&);
 bool develop_file(const std::string& exr, std::string_view layer, const std::string& picture,
                   Diagnostics&);
 
+/// Warns of each option that was given and means the rendering of a picture.
+void warn_of_options_of_rendering(const Options&, Diagnostics&);
+
 }  // namespace candelabra

@@ -183,12 +183,13 @@ void add_scene_folders(SandboxRules& rules, const SceneFolders& folders) {
 }
 
 /// Adds the folder of the picture. Files in a folder that is too wide are not readable because of
-/// it, unless frames and films read what the run itself makes.
+/// it, unless frames, films and pages read what the run itself makes.
 void add_picture_folder(SandboxRules& rules, const Options& options, const std::string& picture) {
     const std::string folder = folder_around(picture);
     const auto real = path_without_links(folder);
     const bool wide = real && is_wide(*real);
-    const bool reads_frames = options.animation.final_frame || options.animation.initial_frame;
+    const bool reads_frames =
+        options.animation.final_frame || options.animation.initial_frame || !options.page.empty();
     if (!wide || reads_frames) return rules.writable.push_back(folder);
     rules.written.push_back(folder);
     // What the scene has written it may read again.

@@ -62,9 +62,7 @@ public:
     Vec3 operator()(const Image& light, int x, int y) const {
         const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(light.width) +
                            static_cast<std::size_t>(x);
-        const double right = 2 * (x + 0.5) - light.width, down = 2 * (y + 0.5) - light.height;
-        const double corner = math::hypot(light.width, light.height);
-        const double falls = vignetted(film_.vignette, math::hypot(right, down) / corner);
+        const double falls = vignetted_at(film_.vignette, light, x, y);
         const double alpha = negative_.alpha.empty() ? 1 : negative_.alpha[pixel];
         const bool clear = alpha > 0 && alpha < 1;
         const Vec3 exposed = balance_(light.pixels[pixel] * (exposure_ * falls));
@@ -121,6 +119,12 @@ double vignetted(double share, double distance) {
     const double fourth_power = 1 / ((1 + distance * distance) * (1 + distance * distance));
     constexpr double lost_in_corners = 0.75;
     return 1 - share * (1 - fourth_power) / lost_in_corners;
+}
+
+double vignetted_at(double share, const Image& image, int x, int y) {
+    const double right = 2 * (x + 0.5) - image.width, down = 2 * (y + 0.5) - image.height;
+    const double corner = math::hypot(image.width, image.height);
+    return vignetted(share, math::hypot(right, down) / corner);
 }
 
 double grained(double shown, double size, double chance) {

@@ -33,6 +33,8 @@ double exposure_of(const Negative&, const FilmSettings&);
 /// at a distance of 1. It is the fourth power of a cosine, scaled to the fraction that corners
 /// lose.
 double vignetted(double share, double distance);
+/// The same for a pixel.
+double vignetted_at(double share, const Image&, int x, int y);
 
 /// Returns the value of a pixel of many grains, each developed or not. Its mean is `shown`, its
 /// standard deviation size * sqrt(shown * (1 - shown)). `chance`: a random number with mean 0 and

@@ -44,21 +44,15 @@ double bent(double x, double way, double room, double power) {
     return scale * steep / math::pow(1 + math::pow(steep, power), 1 / power);
 }
 
-/// Fraction of each channel that is mixed from all channels before the curve, and unmixed after it.
-constexpr double mixed_in = 0.2, taken_back = 0.1;
-
 Vec3 mixed(const Vec3& c, double share) {
     return (1 - share) * c + Vec3(share * (c.x + c.y + c.z) / 3);
 }
-
-/// Share of the colour that has the proportions of the light: its maximum, and the exposure of the
-/// greatest channel at which it is half of that.
-constexpr double kept_in_proportion = 0.7, half_kept_exposure = 16;
 
 /// Light whose channels are finite, so that they can be compared by division.
 constexpr double agx_most = 1e30;
 
 Vec3 agx(const Vec3& exposure) {
+    const auto [mixed_in, taken_back, kept_in_proportion, half_kept_exposure] = agx_mixing;
     const Vec3 light = glm::clamp(exposure, Vec3(0), Vec3(agx_most));
     Vec3 made = mixed(light, mixed_in);
     for (int i = 0; i < 3; ++i) made[i] = agx_curve(made[i]);

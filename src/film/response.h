@@ -21,6 +21,15 @@ namespace candelabra {
 /// bright lights become white whatever their colour.
 Vec3 respond(ResponseCurve, const Vec3& exposure);
 
+/// The numbers of agx. Shares of each channel that are mixed from all channels before the curve and
+/// unmixed after it; the greatest share of the colour that has the proportions of the light; the
+/// exposure of the greatest channel at which it is half of that.
+struct AgxMixing {
+    double mixed_in = 0.2, taken_back = 0.1;
+    double kept_in_proportion = 0.7, half_kept_exposure = 16;
+};
+inline constexpr AgxMixing agx_mixing;
+
 /// One channel of the filmic and agx curves.
 double filmic_curve(double exposure);
 double agx_curve(double exposure);

@@ -71,7 +71,8 @@ std::string for_bash() {
         "    mapfile -t -O \"${#COMPREPLY[@]}\" COMPREPLY < <(\n"
         "        compgen -f -X '!*.@(pov|ini|exr)' -- \"$word\"\n"
         "        compgen -d -S / -- \"$word\"\n"
-        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W 'new merge develop light fmt lsp' -- "
+        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W 'new merge develop share light fmt lsp' "
+        "-- "
         "\"$word\")\n"
         "    [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == */ ]] && compopt -o nospace\n"
         "    return 0\n"
@@ -124,6 +125,7 @@ std::string for_fish() {
         "complete -c candelabra -n __fish_is_first_arg -a merge -d 'joins the states of shards'\n"
         "complete -c candelabra -n __fish_is_first_arg -a develop -d 'develops light in OpenEXR "
         "files'\n"
+        "complete -c candelabra -n __fish_is_first_arg -a share -d 'makes a page to share'\n"
         "complete -c candelabra -n __fish_is_first_arg -a fmt -d 'lays out scene files'\n"
         "complete -c candelabra -n __fish_is_first_arg -a lsp -d 'helps an editor with scenes'\n";
     for (const Spelling& each : spellings()) {

@@ -129,10 +129,10 @@ std::string short_usage() {
            "       candelabra new [--template name] scene.pov\n"
            "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
            "       candelabra develop [-o file] [+Fx] [--exposure stops] ... picture.exr ...\n"
+           "       candelabra share [-o page.html] [option ...] scene.pov|picture.exr\n"
            "       candelabra light [--json] [-o diagram.svg] file.ies ...\n"
            "       candelabra fmt [--check] [file ...]\n"
-           "       candelabra describe [--json] [part]\n"
-           "       candelabra lsp\n"
+           "       candelabra lsp | describe [--json] [part]\n"
            "Renders a scene written in the manner of POV-Ray, lit by any number of lamps.\n"
            "candelabra --help lists the options; candelabra-scene(5) describes the language.\n";
 }

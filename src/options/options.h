@@ -61,6 +61,7 @@ struct Options {
     bool strange_names = false;  ///< an INI file that is not the user's own names output files
     std::string output;          ///< as given: a file, a folder, "-" or empty
     bool to_file = true;
+    std::string page;  ///< that is made of the picture, beside it; empty: none
     std::optional<PictureType> type;
     std::optional<int> bits;
     bool compressed = false;

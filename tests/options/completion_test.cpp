@@ -51,7 +51,7 @@ TEST_CASE("bash completes options, scenes and folders") {
     std::ifstream out(folder / "out");
     std::string line;
     for (const char* expected :
-         {"--sampling-method --samples", "scene.pov sub/", "Width=", "merge"}) {
+         {"--sampling-method --samples", "scene.pov sub/ share", "Width=", "merge"}) {
         std::getline(out, line);
         CHECK(line == expected);
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The picture on its canvas: where it is, how large, and what it is compared with. Coarse pictures
 // have fewer pixels and are drawn as large as the whole one.
-"use strict";
-const element = id => document.getElementById(id);
 const stage = element("stage"), canvas = element("picture"), divider = element("divider");
 const view = { x: 0, y: 0, zoom: 1, fits: true };
 const now = { width: 0, height: 0, columns: 0, generation: 0, image: null };

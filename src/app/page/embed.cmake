@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes a C++ source of the preview's page: cmake -DFOLDER=src/app/page -DOUTPUT=page.cpp -P embed.cmake
-set(text "// Made of src/app/page.\n#include \"app/preview_page.h\"\n\nnamespace candelabra {\n\n")
+# Makes a C++ source of the preview's page, and of pages to share: cmake -DFOLDER=src/app/page -DOUTPUT=page.cpp -P embed.cmake
+set(text "// Made of src/app/page.\n#include \"app/preview_page.h\"\n#include \"app/share_page.h\"\n\nnamespace candelabra {\n\n")
 function(embed name)
   set(content "")
   foreach(file ${ARGN})
@@ -11,7 +11,10 @@ function(embed name)
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 embed(preview_page index.html)
-embed(preview_style style.css)
-embed(preview_script canvas.js hand.js panels.js page.js)
+embed(preview_style common.css style.css)
+embed(preview_script widgets.js canvas.js hand.js panels.js page.js)
 embed(preview_icon icon.svg)
+embed(share_frame share.html)
+embed(share_style common.css share.css)
+embed(share_script widgets.js share.js)
 file(WRITE ${OUTPUT} "${text}}  // namespace candelabra\n")

@@ -1,46 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panels: lamps, film, camera, sliders of the scene, what is under a pixel, the report.
-let held = null;  // what a hand is on keeps its value, whatever the program says
-addEventListener("pointerdown", event => { held = event.target.closest("input") || null; }, true);
-addEventListener("pointerup", () => { held = null; }, true);
-
-function toast(text) {
-  element("toast").textContent = text;
-  element("toast").hidden = false;
-  clearTimeout(toast.over);
-  toast.over = setTimeout(() => { element("toast").hidden = true; }, 2500);
-}
-
-function make(tag, properties = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-}
-
-function setValue(input, value) {
-  if (input !== held && document.activeElement !== input) input.value = value;
-  else if (input !== held && input.type === "range") input.value = value;
-}
-
-// A slider with its name and value. `show`: the value in words.
-function slider(name, help, range, send, show = value => value) {
-  const input = make("input", { type: "range", ...range });
-  const output = make("output");
-  const row = make("label", { className: "slider", title: help || "" },
-                   make("span", { textContent: name }), output, input);
-  input.setAttribute("aria-label", name);
-  input.addEventListener("input", () => {
-    output.value = show(Number(input.value));
-    send(Number(input.value));
-  });
-  row.set = value => {
-    if (input === held) return;
-    setValue(input, value);
-    output.value = show(value);
-  };
-  return row;
-}
-
 async function copy(address, name) {
   const text = await (await fetch(address)).text();
   try {
@@ -54,68 +13,11 @@ async function copy(address, name) {
 }
 
 // Lamps.
-const linear = byte => {
-  const value = byte / 255;
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
-};
-const encoded = value =>
-  Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
-const hex = colour =>
-  "#" + colour.map(v => encoded(Math.min(1, v)).toString(16).padStart(2, "0")).join("");
-const fromHex = text => [1, 3, 5].map(i => linear(parseInt(text.slice(i, i + 2), 16)));
-const greatestStrength = 4;
-
 function lampRow(lamp, index) {
-  const on = make("input", { type: "checkbox", title: "On or off" });
-  const colour = make("input", { type: "color", title: "Colour of its light" });
-  const strength = make("input", { type: "range", min: 0, max: greatestStrength, step: 0.01 });
-  const output = make("output"), share = make("i");
-  const only = make("button", { textContent: "Only", title: "This lamp alone, or all again" });
-  for (const [input, says] of [[on, "on"], [colour, "colour"], [strength, "strength"]])
-    input.setAttribute("aria-label", `${lamp.name}: ${says}`);
   const send = sender("/dim");
-  let usual = 1;  // the strength to which it is switched on
-  const row = make("div", { className: "lamp" }, on,
-                   make("span", { className: "name", textContent: lamp.name }), output, colour,
-                   strength, make("div", { className: "share" }, share),
-                   make("span", { className: "from" }));
-  strength.style.gridColumn = "1 / 4";
-  row.insertBefore(only, strength.nextSibling);
-  only.style.cssText = "height: 1.4rem; padding: 0 .4rem; font-size: .75rem";
-  linkify(row.lastChild, lamp.statement);
-  const tell = () => {
-    const [red, green, blue] = fromHex(colour.value);
-    output.value = Number(strength.value).toFixed(2) + "×";
-    row.classList.toggle("off", Number(strength.value) === 0);
-    send({ lamp: index, strength: strength.value, red, green, blue });
-  };
-  const put = value => {
-    if (Number(strength.value) > 0) usual = Number(strength.value);
-    strength.value = value;
-    on.checked = value > 0;
-    tell();
-  };
-  on.addEventListener("change", () => put(on.checked ? usual : 0));
-  strength.addEventListener("input", () => {
-    on.checked = Number(strength.value) > 0;
-    tell();
-  });
-  colour.addEventListener("input", tell);
-  only.addEventListener("click", () => {
-    const alone = lampRows.every(each => each === row || !each.lit());
-    for (const each of lampRows) each.put(alone || each === row ? 1 : 0);
-  });
-  row.put = put;
-  row.lit = () => Number(strength.value) > 0;
-  row.set = (lamp, most) => {
-    setValue(strength, lamp.strength);
-    setValue(colour, hex(lamp.colour));
-    output.value = Number(strength.value).toFixed(2) + "×";
-    on.checked = Number(strength.value) > 0;
-    row.classList.toggle("off", !on.checked);
-    const grey = Math.max(...lamp.shown);
-    share.style.width = (most > 0 ? 100 * grey / most : 0) + "%";
-  };
+  const row = lampCard(lamp.name, (strength, [red, green, blue]) =>
+    send({ lamp: index, strength, red, green, blue }), () => lampRows);
+  linkify(row.from, lamp.statement);
   return row;
 }
 
@@ -128,7 +30,8 @@ function showLamps(lamps, apart) {
     element("lamps").replaceChildren(...(apart ? lampRows : []));
   }
   const most = Math.max(0, ...lamps.map(lamp => Math.max(...lamp.shown)));
-  lamps.forEach((lamp, i) => lampRows[i].set(lamp, most));
+  lamps.forEach((lamp, i) => lampRows[i].set(
+    lamp.strength, lamp.colour, most > 0 ? Math.max(...lamp.shown) / most : 0));
   element("lamps-hint").hidden = apart;
   element("lamps-reset").parentElement.hidden = !apart;
   if (!apart && lamps.length > 0)
@@ -143,7 +46,6 @@ const develop = name => {
   const send = sender("/develop");
   return value => send({ name, value });
 };
-const stops = value => (value > 0 ? "+" : "") + value.toFixed(2) + " stops";
 const share = value => (100 * value).toFixed(0) + " %";
 function selectOf(name, options, send) {
   const select = make("select", {}, ...options.map(each => new Option(each)));
@@ -278,16 +180,6 @@ function showPanelButton() {
 element("panel-button").addEventListener("click", () => {
   document.body.classList.toggle("without-panels");
   showPanelButton();
-});
-function useTheme(name) {
-  document.documentElement.dataset.theme = name;
-}
-const dark = matchMedia("(prefers-color-scheme: dark)");
-useTheme(localStorage.getItem("theme") || (dark.matches ? "dark" : "light"));
-element("theme").addEventListener("click", () => {
-  const name = document.documentElement.dataset.theme === "dark" ? "light" : "dark";
-  localStorage.setItem("theme", name);
-  useTheme(name);
 });
 element("help").addEventListener("click", () => element("keys").showModal());
 element("keys-close").addEventListener("click", () => element("keys").close());

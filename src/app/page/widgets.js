@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the pages are made of: sliders, cards of lamps, colours, light and dark. For the preview's
+// page and for pages to share.
+"use strict";
+const element = id => document.getElementById(id);
+let held = null;  // what a hand is on keeps its value, whatever the program says
+addEventListener("pointerdown", event => { held = event.target.closest("input") || null; }, true);
+addEventListener("pointerup", () => { held = null; }, true);
+
+function toast(text) {
+  element("toast").textContent = text;
+  element("toast").hidden = false;
+  clearTimeout(toast.over);
+  toast.over = setTimeout(() => { element("toast").hidden = true; }, 2500);
+}
+
+function make(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+function setValue(input, value) {
+  if (input !== held && document.activeElement !== input) input.value = value;
+  else if (input !== held && input.type === "range") input.value = value;
+}
+
+// A slider with its name and value. `show`: the value in words.
+function slider(name, help, range, send, show = value => value) {
+  const input = make("input", { type: "range", ...range });
+  const output = make("output");
+  const row = make("label", { className: "slider", title: help || "" },
+                   make("span", { textContent: name }), output, input);
+  input.setAttribute("aria-label", name);
+  input.addEventListener("input", () => {
+    output.value = show(Number(input.value));
+    send(Number(input.value));
+  });
+  row.set = value => {
+    if (input === held) return;
+    setValue(input, value);
+    output.value = show(value);
+  };
+  return row;
+}
+
+// Colours: of light from 0 on, and of screens as #rrggbb.
+const linear = byte => {
+  const value = byte / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+};
+const encoded = value =>
+  Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
+const hex = colour =>
+  "#" + colour.map(v => encoded(Math.min(1, v)).toString(16).padStart(2, "0")).join("");
+const fromHex = text => [1, 3, 5].map(i => linear(parseInt(text.slice(i, i + 2), 16)));
+const stops = value => (value > 0 ? "+" : "") + value.toFixed(2) + " stops";
+
+// A lamp with its strength and its colour, of which `send` is told. `all`: the cards beside it.
+const greatestStrength = 4;
+function lampCard(name, send, all) {
+  const on = make("input", { type: "checkbox", title: "On or off" });
+  const colour = make("input", { type: "color", title: "Colour of its light" });
+  const strength = make("input", { type: "range", min: 0, max: greatestStrength, step: 0.01 });
+  const output = make("output"), share = make("i"), from = make("span", { className: "from" });
+  const only = make("button", { textContent: "Only", className: "only",
+                                title: "This lamp alone, or all again" });
+  for (const [input, says] of [[on, "on"], [colour, "colour"], [strength, "strength"]])
+    input.setAttribute("aria-label", `${name}: ${says}`);
+  let usual = 1;  // the strength to which it is switched on
+  const row = make("div", { className: "lamp" }, on,
+                   make("span", { className: "name", textContent: name, title: name }), output, colour,
+                   strength, only, make("div", { className: "share" }, share), from);
+  const show = () => {
+    output.value = Number(strength.value).toFixed(2) + "×";
+    row.classList.toggle("off", Number(strength.value) === 0);
+  };
+  const tell = () => {
+    show();
+    send(Number(strength.value), fromHex(colour.value));
+  };
+  const put = value => {
+    if (Number(strength.value) > 0) usual = Number(strength.value);
+    strength.value = value;
+    on.checked = value > 0;
+    tell();
+  };
+  on.addEventListener("change", () => put(on.checked ? usual : 0));
+  strength.addEventListener("input", () => {
+    on.checked = Number(strength.value) > 0;
+    tell();
+  });
+  colour.addEventListener("input", tell);
+  only.addEventListener("click", () => {
+    const alone = all().every(each => each === row || !each.lit());
+    for (const each of all()) each.put(alone || each === row ? 1 : 0);
+  });
+  row.from = from;
+  row.put = put;
+  row.lit = () => Number(strength.value) > 0;
+  row.set = (value, light, part) => {  // part: of the brightest lamp's light
+    setValue(strength, value);
+    setValue(colour, hex(light));
+    on.checked = Number(strength.value) > 0;
+    show();
+    share.style.width = 100 * part + "%";
+  };
+  return row;
+}
+
+// Light or dark. Some browsers keep nothing for pages from a file.
+function useTheme(name) {
+  document.documentElement.dataset.theme = name;
+}
+function kept(name) {
+  try { return localStorage.getItem(name); } catch { return null; }
+}
+useTheme(kept("theme") || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));
+element("theme").addEventListener("click", () => {
+  const name = document.documentElement.dataset.theme === "dark" ? "light" : "dark";
+  try { localStorage.setItem("theme", name); } catch { /* it lasts as long as the page */ }
+  useTheme(name);
+});
