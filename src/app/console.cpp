@@ -4,9 +4,12 @@
 #include "app/diagnostics_json.h"
 #include "text/excerpt.h"
 
+#include <string>
+
 namespace candelabra {
 
 void say(const Console& console, Stream stream, std::string_view text, std::string_view plain) {
+    if (console.heard) console.heard(stream, plain);
     if (console.sorted)
         console.sorted(stream, text, plain);
     else
@@ -20,9 +23,12 @@ void say(const Console& console, const Options& options, const Diagnostic& said,
         diagnostic.with_note(
             "no standard library was found beside the program; the variable CANDELABRA_STDLIB can "
             "name its folder");
-    if (options.diagnostics_as_json) return console.err(to_json(diagnostic, sources));
-    say(console, diagnostic.severity == Severity::error ? Stream::fatal : Stream::warning,
-        format(diagnostic, sources, console.coloured), format(diagnostic, sources, false));
+    const Stream stream = diagnostic.severity == Severity::error ? Stream::fatal : Stream::warning;
+    const std::string plain = format(diagnostic, sources, false);
+    if (!options.diagnostics_as_json)
+        return say(console, stream, format(diagnostic, sources, console.coloured), plain);
+    if (console.heard) console.heard(stream, plain);
+    console.err(to_json(diagnostic, sources));
 }
 
 void say_errors(const Console& console, const Options& options, const Diagnostics& diagnostics) {

@@ -60,6 +60,9 @@ struct Console {
     /// Output by stream, if options sort it. If empty, all goes to err. `plain`: the text without
     /// colours.
     std::function<void(Stream, std::string_view text, std::string_view plain)> sorted;
+    /// Receives all messages of diagnostics and of the scene, whatever their form for err. May be
+    /// empty.
+    std::function<void(Stream, std::string_view plain)> heard;
     bool terminal = false;  ///< err can rewrite its line
     bool coloured = false;
     std::string library;      ///< folder of the standard library; empty: none

@@ -2,6 +2,7 @@
 #include "app/preview.h"
 
 #include "app/animation_run.h"
+#include "app/heard.h"
 #include "app/library.h"
 #include "app/preview_answers.h"
 #include "app/preview_stage.h"
@@ -12,8 +13,14 @@
 #include "web/server.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
 namespace candelabra {
 
@@ -48,7 +55,11 @@ public:
             diagnostics_.add(
                 error(Fault::io, {}, message("port ", *options_.preview_port, " cannot be had"))
                     .with_help("--preview 0 takes any that is free"));
-        say_errors(console_, options_, diagnostics_);
+        Console console = console_;
+        console.heard = [this](Stream stream, std::string_view text) {
+            of_options_.take(stream, text);
+        };
+        say_errors(console, options_, diagnostics_);
         if (diagnostics_.failed()) return exit_status::file;
         serve(&server);
         console_.err(message("preview: http://localhost:", server.port(), "/\n"));
@@ -65,15 +76,22 @@ private:
     /// Renders the scene until it changes.
     void render() {
         Console console = console_;
-        std::string said;
-        console.sorted = {};  // all output is captured
-        console.err = [&](std::string_view text) { said += text; };
+        Heard heard = of_options_;
+        console.heard = [&](Stream stream, std::string_view text) { heard.take(stream, text); };
+        Printed output;
+        console.sorted = [&](Stream stream, std::string_view text, std::string_view plain) {
+            output.push_back({stream, std::string(text), std::string(plain)});
+        };
+        console.err = [&](std::string_view text) {
+            output.push_back({std::nullopt, std::string(text), std::string(text)});
+        };
         console.out = [](std::string_view) {};
-        console.terminal = console.coloured = false;
+        console.terminal = false;
         console.interrupts.listening = nullptr;
         console.interrupts.take = [this] { return left() ? Interrupt::stop : Interrupt::none; };
         console.stage = [&](const Staged& staged) {
-            desk_.stand([](Standing& standing) { standing.errors.clear(); });
+            desk_.hear(heard);
+            print(output);
             render_on_stage(staged, desk_, {[this] { return left(); }, [this] { return ends(); }});
         };
         console.files_read = [this](const std::vector<ReadFile>& files) { remember(files); };
@@ -86,13 +104,34 @@ private:
         });
         Diagnostics diagnostics = diagnostics_.fresh();
         const int status = run_scene(options_as_turned(), console, diagnostics);
+        print(output);
         if (status == exit_status::done) return;
         desk_.questions().close();
+        desk_.hear(heard);
         desk_.stand([&](Standing& standing) {
-            standing.errors = diagnostics.failed() ? said : std::string();
-            standing.line = said.substr(0, said.find('\n'));  // the first error
+            standing.line = heard.errors.substr(0, heard.errors.find('\n'));  // the first error
             standing.busy = false;
         });
+    }
+
+    /// A text for the terminal, of a stream or of none.
+    struct Words {
+        std::optional<Stream> stream;
+        std::string text, plain;
+        friend bool operator==(const Words&, const Words&) = default;
+    };
+    using Printed = std::vector<Words>;
+
+    /// Prints what a run has said, unless the run before has said the same, as with each move of a
+    /// slider.
+    void print(const Printed& output) {
+        if (output == printed_) return;
+        printed_ = output;
+        for (const Words& words : output)
+            if (words.stream && console_.sorted)
+                console_.sorted(*words.stream, words.text, words.plain);
+            else
+                console_.err(words.text);
     }
 
     Options options_as_turned() {
@@ -187,6 +226,8 @@ private:
     std::mutex look_;
     std::atomic<double> look_at_ = 0;
     std::atomic<bool> ending_ = false, file_changed_ = false;
+    Heard of_options_;  ///< the messages of the command line
+    Printed printed_;
     PreviewDesk desk_;  ///< the last member: its thread uses the others
 };
 

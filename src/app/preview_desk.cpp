@@ -206,7 +206,10 @@ std::string PreviewDesk::status() const {
                          {"height", picture_.height},
                          {"columns", picture_.columns},
                          {"line", standing_.line},
-                         {"errors", standing_.errors},
+                         {"errors", heard_.errors},
+                         {"warnings", heard_.warnings},
+                         {"more_warnings", heard_.more_warnings},
+                         {"said", heard_.said},
                          {"progress", standing_.progress},
                          {"samples", standing_.samples},
                          {"noise", standing_.noise},
@@ -275,6 +278,14 @@ void PreviewDesk::stand(const std::function<void(Standing&)>& change) {
     {
         const std::lock_guard lock(mutex_);
         change(standing_);
+    }
+    told();
+}
+
+void PreviewDesk::hear(Heard heard) {
+    {
+        const std::lock_guard lock(mutex_);
+        heard_ = std::move(heard);
     }
     told();
 }

@@ -3,6 +3,7 @@
 // picture with its state. All functions are thread-safe.
 #pragma once
 
+#include "app/heard.h"
 #include "app/preview_darkroom.h"
 #include "app/render_queries.h"
 #include "camera/orbit.h"
@@ -31,7 +32,6 @@ struct LampLine {
 /// The state of the picture.
 struct Standing {
     std::string line;          ///< in words
-    std::string errors;        ///< of the scene; the picture is then an older one
     double progress = 0;       ///< fraction of the work
     double samples = 0;        ///< mean per pixel
     double noise = 0;          ///< standard deviation of the mean in display values, 0 to 1
@@ -75,6 +75,8 @@ public:
     bool turned() const { return turned_; }
     void show(std::shared_ptr<const Plate>, std::shared_ptr<const PlateFrame>);
     void stand(const std::function<void(Standing&)>& change);
+    /// Tells what has been said of the scene. With errors the picture is an older one.
+    void hear(Heard);
     /// `base`: the camera of the scene.
     void show_scene(const Sight& base, const FilmSettings&, std::vector<LampLine>, bool lit_apart);
     int next_generation() { return ++generation_; }
@@ -98,6 +100,7 @@ private:
     std::vector<Knob> knobs_;
     std::map<std::string, double> set_;  ///< values of knobs, by name
     Standing standing_;
+    Heard heard_;
     ScreenPicture picture_;
     int pictures_ = 0;
     std::optional<Sight> base_;

@@ -368,7 +368,6 @@ private:
         const double done =
             staged_.options.time ? spent / *staged_.options.time : static_cast<double>(done_);
         desk_.stand([&](Standing& standing) {
-            standing.errors.clear();
             standing.line = message(film.width(), " x ", film.height());
             standing.progress = finished ? 1 : std::clamp(done, 0.0, 1.0);
             standing.samples = samples / pixels;

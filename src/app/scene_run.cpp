@@ -163,8 +163,11 @@ private:
         if (settings.source.path == "-")
             settings.source.text = std::string(std::istreambuf_iterator<char>(std::cin), {});
         settings.evaluation.print = [this](std::string_view text) {
-            if (options_.diagnostics_as_json) return console_.err(debug_to_json(text));
-            candelabra::say(console_, Stream::debug, marked(text));
+            if (options_.diagnostics_as_json) {
+                if (console_.heard) console_.heard(Stream::debug, printable_lines(text));
+                return console_.err(debug_to_json(text));
+            }
+            candelabra::say(console_, Stream::debug, marked(text), printable_lines(text));
             if (!text.empty()) line_is_open_ = !text.ends_with('\n');
         };
         session_.emplace(std::move(settings), diagnostics_);

@@ -106,6 +106,7 @@ def look():
     good = open(scene).read()
     open(scene, "w").write(good + "sphere { 0, 1 pigmnt }")
     until("an error", lambda s: "pigmnt" in s["errors"] and "^" in s["errors"])
+    assert any("`+BS16` is ignored" in each for each in status()["warnings"]), status()["warnings"]
     before = status()["generation"]
     open(scene, "w").write(good + " ")
     until("a new picture", lambda s: s["generation"] > before and s["progress"] == 1 and not s["errors"])

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each warning that there is a name for: a scene that provokes it, and that the name switches it
 // off.
+#include "app/heard.h"
 #include "support/shell.h"
 #include "text/diagnostic.h"
 
@@ -48,6 +49,20 @@ const std::map<std::string_view, std::vector<std::string>>& careless() {
     return scenes;
 }
 
+/// Runs the scene and returns what front ends hear: the page of the preview, for one.
+Heard heard_of(Shell& shell, const std::vector<std::string>& scene,
+               const std::vector<std::string>& options) {
+    shell.write("careless.pov", "#version 3.7;\n" + scene[0] + "\n");
+    std::vector<std::string> arguments = options;
+    arguments.insert(arguments.end(), scene.begin() + 1, scene.end());
+    arguments.insert(arguments.end(), {shell.path("careless.pov"), "--check"});
+    Heard heard;
+    shell.heard = [&](Stream stream, std::string_view text) { heard.take(stream, text); };
+    CHECK(shell(arguments) == 0);
+    shell.heard = {};
+    return heard;
+}
+
 bool warned(Shell& shell, const std::vector<std::string>& scene, std::string_view name,
             const std::vector<std::string>& switches) {
     shell.write("careless.pov", "#version 3.7;\n" + scene[0] + "\n");
@@ -58,18 +73,24 @@ bool warned(Shell& shell, const std::vector<std::string>& scene, std::string_vie
     return shell.err.find("warning[" + std::string(name) + "]") != std::string::npos;
 }
 
+/// A folder in which all scenes of careless() warn.
+struct Workshop : Shell {
+    Workshop() {
+        write("mixed.csv", "x\n1\n2\nn/a\n");
+        std::filesystem::create_directories(path("library"));
+        write("library/foreign.inc", "#declare Mine = 1;");
+        library = path("library");
+        write("foreign.inc", "");
+        const std::string another = "the mark of another scene";
+        REQUIRE(::setxattr(path("foreign.inc").c_str(), "user.candelabra.scene", another.data(),
+                           another.size(), 0) == 0);
+    }
+};
+
 }  // namespace
 
 TEST_CASE("each warning has a name, which switches it", "[diagnostics]") {
-    Shell shell;
-    shell.write("mixed.csv", "x\n1\n2\nn/a\n");
-    std::filesystem::create_directories(shell.path("library"));
-    shell.write("library/foreign.inc", "#declare Mine = 1;");
-    shell.library = shell.path("library");
-    shell.write("foreign.inc", "");
-    const std::string another = "the mark of another scene";
-    REQUIRE(::setxattr(shell.path("foreign.inc").c_str(), "user.candelabra.scene", another.data(),
-                       another.size(), 0) == 0);
+    Workshop shell;
     for (const FaultInfo& info : all_faults()) {
         if (info.warns_of.empty()) continue;
         INFO(info.name);
@@ -79,6 +100,34 @@ TEST_CASE("each warning has a name, which switches it", "[diagnostics]") {
         CHECK(warned(shell, scene->second, name, {}));
         CHECK_FALSE(warned(shell, scene->second, name, {"--warn", "no-" + name}));
         CHECK(warned(shell, scene->second, name, {"--warn", "none," + name}));
+    }
+}
+
+TEST_CASE("each front end hears each warning as the terminal shows it", "[diagnostics]") {
+    Workshop shell;
+    for (const FaultInfo& info : all_faults()) {
+        if (info.warns_of.empty()) continue;
+        INFO(info.name);
+        const std::vector<std::string>& scene = careless().at(info.name);
+        const std::string start = "warning[" + std::string(info.name) + "]";
+        const Heard heard = heard_of(shell, scene, {});
+        std::string all;
+        for (const std::string& each : heard.warnings) all += each;
+        CHECK(all.find(start) != std::string::npos);
+        CHECK(shell.err.find(all) != std::string::npos);
+        // Programs that read messages as JSON do not keep them from other front ends.
+        const Heard beside_json = heard_of(shell, scene, {"--diagnostics", "json"});
+        CHECK(beside_json.warnings == heard.warnings);
+        CHECK(shell.err.find("\"name\":\"" + std::string(info.name) + "\"") != std::string::npos);
+    }
+}
+
+TEST_CASE("front ends hear what a scene says", "[diagnostics]") {
+    Workshop shell;
+    const std::vector<std::string> scene = {all + "#debug \"so it is\""};
+    for (const char* form : {"text", "json"}) {
+        CAPTURE(form);
+        CHECK(heard_of(shell, scene, {"--diagnostics", form}).said.starts_with("so it is"));
     }
 }
 

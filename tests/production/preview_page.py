@@ -39,7 +39,7 @@ for (const path of ["picture.png", "save.png", "icon.svg", "manual/"]) {
 
 # Whether two boxes that are to lie beside each other share a place.
 OVERLAP = """(() => {
-  const boxes = ["header", "#stage", "#panels", "footer", "#errors"].map(each => document.querySelector(each))
+  const boxes = ["header", "#stage", "#panels", "footer", "#messages"].map(each => document.querySelector(each))
     .filter(each => each.checkVisibility()).map(each => [each.id || each.tagName, each.getBoundingClientRect()])
     .filter(([, box]) => box.width > 0 && box.height > 0);
   return boxes.flatMap(([a, p], i) => boxes.slice(i + 1).filter(([, q]) =>
@@ -134,6 +134,29 @@ def look(browser, address, shots, scene):
             check(f"no scrolling at {width}", browser.run("document.documentElement.scrollWidth <= innerWidth"))
             shot(f"{width}_{theme}")
     browser.size(1280, 800)
+    # Warnings in a bar that can be folded, with links, and what the scene says.
+    text = Path(scene).read_text()
+    check("no messages", browser.run("element('warnings').hidden && element('panel-console').hidden"))
+    Path(scene).write_text(text + '#debug "so it is"\n#warning "<b>mind</b> the step"\nunion { }\n')
+    browser.until("!element('warnings').hidden && !element('panel-console').hidden")
+    check("two warnings", browser.run("element('warnings').querySelector('summary').textContent") == "2 warnings")
+    browser.run("element('warnings').open = true")
+    told = browser.run("element('warnings').querySelector('pre').textContent")
+    check("warnings are told: " + told, "warning[user-warning]" in told and "warning[no-effect]" in told and
+          "<b>mind</b>" in told)
+    links = browser.run("[...element('warnings').querySelectorAll('a')].map(each => each.href)")
+    check(f"warnings have links: {links}", f"vscode://file{scene}:9" in links)
+    check("the console says", "so it is" in browser.run("element('said').textContent"))
+    check("nothing overlaps with warnings", browser.run(OVERLAP) == "")
+    shot("warnings")
+    browser.size(390, 844, True)
+    time.sleep(0.3)
+    check("nothing overlaps with warnings on a phone", browser.run(OVERLAP) == "")
+    shot("warnings_phone")
+    browser.size(1280, 800)
+    check("lamps are saved", '"Lamp": {' in browser.run("lampsAsJson(lampsNow)"))
+    Path(scene).write_text(text)
+    browser.until("element('warnings').hidden && element('panel-console').hidden")
     # A mistake, below which the old picture stays.
     text = Path(scene).read_text()
     Path(scene).write_text(text + "sphere { 0, Sise }\n")

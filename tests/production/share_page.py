@@ -90,7 +90,7 @@ def look(shared, shots):
     run("cards[0].put(0.25)")
     run("cards[1].querySelector('input[type=color]').value = '#4080ff'")
     run("cards[1].querySelector('input[type=color]').dispatchEvent(new Event('input'))")
-    saved = run("lampsAsJson()")
+    saved = run("lampsAsJson(lampsOf(lights[active]))")
     check("the lamps are saved", json.loads(saved)["Sign"] == {"strength": 1, "colour": "#4080ff"})
     (shared.folder / "set.json").write_text(saved)
     shared.agree("relit", "--lights", "set.json")

@@ -30,6 +30,7 @@ struct Shell {
     std::string out, err, library;
     Interrupts interrupts;
     std::function<bool(const SandboxRules&)> confine;
+    std::function<void(Stream, std::string_view)> heard;
 
     Shell() {
         std::filesystem::create_directories(folder);
@@ -55,6 +56,7 @@ struct Shell {
         console.library = library;
         console.interrupts = interrupts;
         console.confine = confine;
+        console.heard = heard;
         const std::vector<std::string_view> views(arguments.begin(), arguments.end());
         return run(views, console);
     }

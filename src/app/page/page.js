@@ -12,9 +12,23 @@ function inWords(seconds) {
   return `${Math.floor(seconds / 3600)} h ${Math.round(seconds % 3600 / 60)} min left`;
 }
 
+// A text with links to the scene, if it is another one.
+function showText(target, text) {
+  if (target.textContent !== text) linkify(target, text);
+}
+function showMessages(status) {
+  showText(element("errors"), status.errors);
+  const count = status.warnings.length + status.more_warnings, bar = element("warnings");
+  bar.hidden = count === 0;
+  bar.querySelector("summary").textContent = count === 1 ? "1 warning" : `${count} warnings`;
+  const more = status.more_warnings > 0 ? `\n… and ${status.more_warnings} more\n` : "";
+  showText(bar.querySelector("pre"), status.warnings.join("\n") + more);
+  element("panel-console").hidden = status.said === "";
+  showText(element("said"), status.said);
+}
+
 function showStanding(status) {
-  const text = element("errors");
-  if (text.textContent !== status.errors) text.textContent = status.errors;
+  showMessages(status);
   const state = status.errors ? "mistake in the scene" : status.paused ? "paused"
     : status.progress === 1 ? "finished" : status.busy ? "rendering" : "";
   element("status").textContent = [status.line, state].filter(part => part).join(" · ");

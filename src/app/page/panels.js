@@ -29,6 +29,7 @@ function showLamps(lamps, apart) {
     lampRows = lamps.map(lampRow);
     element("lamps").replaceChildren(...(apart ? lampRows : []));
   }
+  lampsNow = lamps;
   const most = Math.max(0, ...lamps.map(lamp => Math.max(...lamp.shown)));
   lamps.forEach((lamp, i) => lampRows[i].set(
     lamp.strength, lamp.colour, most > 0 ? Math.max(...lamp.shown) / most : 0));
@@ -39,6 +40,9 @@ function showLamps(lamps, apart) {
       "There are too many lamps for a picture of this size: make it smaller, or group them.";
 }
 element("lamps-reset").addEventListener("click", () => post("/dim", { reset: "all" }));
+let lampsNow = [];
+element("lamps-save").addEventListener("click", () =>
+  saveFile(lampsAsJson(lampsNow), element("scene").textContent.replace(/\.\w+$/, "") + ".json"));
 
 // Film.
 const film = {};
@@ -127,21 +131,22 @@ element("editor").append(...Object.keys(editors).map(name => new Option(name)));
 element("editor").value = localStorage.getItem("editor") || "VS Code";
 element("editor").addEventListener("change", () => {
   localStorage.setItem("editor", element("editor").value);
-  linkify(element("picked"), element("picked").textContent);
+  for (const name of ["picked", "errors", "said"])
+    linkify(element(name), element(name).textContent);
 });
 let folder = "";
 function linkify(target, text) {
   const start = editors[element("editor").value];
   target.replaceChildren();
   let last = 0;
-  for (const match of text.matchAll(/([^\s:]+):(\d+)(?=: )/g)) {
+  for (const match of text.matchAll(/([^\s:]+):(\d+)(?=: |:\d)/g)) {
     target.append(text.slice(last, match.index));
     last = match.index + match[0].length;
     const path = match[1].startsWith("/") ? match[1] : folder + "/" + match[1];
     target.append(start ? make("a", { href: `${start}${encodeURI(path)}:${match[2]}`,
                                       textContent: match[0] }) : match[0]);
   }
-  target.append(text.slice(last));
+  if (last < text.length) target.append(text.slice(last));
 }
 async function pick(x, y) {
   if (x < 0 || y < 0 || x >= now.width || y >= now.height) return;

@@ -314,24 +314,13 @@ addEventListener("keydown", event => {
   if (key === "s") element("split").click();
 });
 
-function save(blob, name) {
-  const address = URL.createObjectURL(blob);
-  make("a", { href: address, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(address), 10000);
-}
 element("save").addEventListener("click", () => {
   refresh(1);
-  canvas.toBlob(blob => save(blob, facts.name + ".png"));
+  canvas.toBlob(blob => saveFile(blob, facts.name + ".png"));
 });
-// The lamps as `develop --lights` reads them.
-function lampsAsJson() {
-  return JSON.stringify(Object.fromEntries(facts.names.map((name, k) => {
-    const { strength, colour } = lights[active].lamps[k];
-    return [name, { strength, colour: hex(colour) }];
-  })), null, 1);
-}
+const lampsOf = light => facts.names.map((name, k) => ({ name, ...light.lamps[k] }));
 element("save-lamps").addEventListener("click", () =>
-  save(new Blob([lampsAsJson()], { type: "application/json" }), facts.name + ".json"));
+  saveFile(lampsAsJson(lampsOf(lights[active])), facts.name + ".json"));
 
 const breath = () => new Promise(resolve => setTimeout(resolve, 0));
 async function unfold() {

@@ -108,6 +108,18 @@ function lampCard(name, send, all) {
   return row;
 }
 
+// Saves bytes or a text as a file of this browser.
+function saveFile(content, name) {
+  const address = URL.createObjectURL(new Blob([content]));
+  make("a", { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+}
+// Lamps of a name, a strength and a colour as `develop --lights` reads them.
+function lampsAsJson(lamps) {
+  return JSON.stringify(Object.fromEntries(lamps.map(({ name, strength, colour }) =>
+    [name, { strength, colour: hex(colour) }])), null, 1) + "\n";
+}
+
 // Light or dark. Some browsers keep nothing for pages from a file.
 function useTheme(name) {
   document.documentElement.dataset.theme = name;
