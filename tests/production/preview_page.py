@@ -171,6 +171,17 @@ def look(browser, address, shots, scene):
     return [each for each in browser.errors if "manual" not in str(each)]
 
 
+def watch(browser, address):
+    """Frames of an animation, played."""
+    browser.go(address)
+    browser.until("document.readyState === 'complete' && element('status').textContent.includes('finished')")
+    browser.run("window.frames = new Set(); const showing = showKnobs; showKnobs = knobs => { showing(knobs); "
+                "window.frames.add(knobs.find(isFrame).value); }; player.button.click()")
+    browser.until("[1, 2, 3].every(each => window.frames.has(each))")
+    browser.run("player.button.click()")
+    check("it stops", browser.run("!player.plays && player.button.textContent === 'Play'"))
+
+
 def main():
     if not shutil.which("chromium"):
         print("skipped: chromium is not installed")
@@ -207,6 +218,14 @@ def main():
             after = browser.run("fetch('/status').then(answer => answer.text())")
             keep = '"moved":false', '"relit":false', '"film_changed":false'
             check("another site has changed nothing", all(each in before and each in after for each in keep))
+            run.terminate()
+            run.wait(30)
+            run = subprocess.Popen([program, "scene.pov", "+W64", "+H48", "--samples", "2", "+KFF3", "--preview", "0"],
+                                   stderr=subprocess.PIPE, text=True, cwd=folder)
+            said = ""
+            while not said.startswith("preview: "):
+                said = run.stderr.readline()
+            watch(browser, said.split()[-1])
         finally:
             if browser:
                 browser.end()

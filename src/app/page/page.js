@@ -61,6 +61,7 @@ function apply(status) {
   showLamps(status.lamps, status.lit_apart);
   showFilm(status.film);
   showKnobs(status.knobs);
+  playOn(status);
   element("denoise").checked = status.denoise;
   element("camera-reset").disabled = !status.moved;
   element("film-reset").disabled = !status.film_changed;

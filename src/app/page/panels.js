@@ -107,6 +107,25 @@ element("film-copy").addEventListener("click", () => copy("/film", "Film"));
 element("camera-copy").addEventListener("click", () => copy("/camera", "Camera"));
 element("camera-reset").addEventListener("click", resetCamera);
 
+// Frames one behind the other, each as soon as the whole picture of the last one can be seen.
+const isFrame = knob => knob.name === "frame_number";
+const player = { plays: false, after: -1, button: make("button", { textContent: "Play" }) };
+player.button.addEventListener("click", () => {
+  player.plays = !player.plays;
+  player.after = -1;
+  player.button.textContent = player.plays ? "Stop" : "Play";
+  if (player.plays) playOn(player.last);
+});
+function playOn(status) {
+  player.last = status;
+  const frame = status.knobs.find(isFrame);
+  const seen = status.generation > player.after && status.columns === status.width;
+  if (!player.plays || !frame || !seen || status.errors) return;
+  player.after = status.generation;
+  const next = frame.value + frame.step;
+  post("/turn", { name: frame.name, value: next > frame.high ? frame.low : next });
+}
+
 // The scene's own sliders.
 let knownKnobs = "", knobRows = [];
 function showKnobs(knobs) {
@@ -119,6 +138,7 @@ function showKnobs(knobs) {
                     value => send({ name: knob.name, value }), value => +value.toPrecision(6));
     });
     element("knobs").replaceChildren(...knobRows);
+    if (knobs.some(isFrame)) element("knobs").append(player.button);
     element("panel-knobs").hidden = knobs.length === 0;
   }
   knobs.forEach((knob, i) => knobRows[i].set(knob.value));
