@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/order.h"
+#include "base/parallel.h"
 #include "lighting/pick.h"
 
 #include <algorithm>
@@ -51,24 +52,18 @@ public:
     HierarchyBuilder(std::vector<Item> items, Cost cost)
         : items_(std::move(items)), cost_(std::move(cost)) {}
 
-    /// Calls visit(first, middle, end) for each node, depth first, with the range of its items and
-    /// the first one of its second half; for leaves, which have one item, middle is end. Halves
-    /// come after their node. The tree is never much deeper than halved_below levels plus those of
-    /// a balanced one, for any arrangement of luminaires.
+    /// Calls visit(node, first, middle, end) for each node, with its number in depth-first order,
+    /// the range of its items and the first one of its second half; for leaves, which have one
+    /// item, middle is end. Halves come after their node. Several threads call it (0: one per
+    /// core); with one, all nodes come in order. The tree does not depend on their number, and is
+    /// never much deeper than halved_below levels plus those of a balanced one, for any arrangement
+    /// of luminaires.
     template <class Visit>
-    void build(const Visit& visit) {
-        std::vector<Work> waiting;
-        if (!items_.empty()) waiting.push_back({0, items_.size(), 0});
-        while (!waiting.empty()) {
-            const Work work = waiting.back();
-            waiting.pop_back();
-            const std::size_t middle = work.count() > 1 ? divide(work) : work.end;
-            visit(work.first, middle, work.end);
-            if (work.count() == 1) continue;
-            // The second half waits while the first is processed.
-            waiting.push_back({middle, work.end, work.depth + 1});
-            waiting.push_back({work.first, middle, work.depth + 1});
-        }
+    void build(int threads, const Visit& visit) {
+        if (items_.empty()) return;
+        const Work all{0, items_.size(), 0, 0};
+        if (all.count() <= together) threads = 1;
+        run_on_threads(threads, [&] { build(all, threads, visit); });
     }
 
     /// In the order of the hierarchy's leaves, once it is built.
@@ -79,9 +74,13 @@ private:
     /// not make an endless tree.
     static constexpr int halved_below = 64;
 
+    /// Nodes with at most this number of items are built by one thread.
+    static constexpr std::size_t together = 4096;
+
     struct Work {
         std::size_t first, end;
         int depth;
+        std::size_t node;
 
         std::size_t count() const { return end - first; }
     };
@@ -105,6 +104,24 @@ private:
         int axis = -1;
         int bin = 0;  ///< first one of the second half
     };
+
+    template <class Visit>
+    void build(const Work& work, int threads, const Visit& visit) {
+        const std::size_t middle = work.count() > 1 ? divide(work) : work.end;
+        visit(work.node, work.first, middle, work.end);
+        if (work.count() == 1) return;
+        // A part of n items has 2n - 1 nodes.
+        const Work first{work.first, middle, work.depth + 1, work.node + 1},
+            second{middle, work.end, work.depth + 1, work.node + 2 * first.count()};
+        if (work.count() <= together) {
+            build(first, 1, visit);
+            build(second, 1, visit);
+        } else {
+            run_both(
+                threads, [&] { build(first, threads, visit); },
+                [&] { build(second, threads, visit); });
+        }
+    }
 
     int bin_of(const Item& item, const Extent& extent, int axis) const {
         const Number from_low = cost_.place(item, axis) - extent.low[axis];

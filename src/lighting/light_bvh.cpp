@@ -50,9 +50,9 @@ double importance(const LightNode& node, const Receiver& point) {
 
 }  // namespace
 
-BuiltLightBvh::BuiltLightBvh(const ChoosableLights& lights, const LightBvh& settings)
-    : nodes_(build_light_hierarchy(lights)), leaf_of_(lights.size()) {
-    if (settings.mis) tree_ = LightTree(lights);
+BuiltLightBvh::BuiltLightBvh(const ChoosableLights& lights, const LightBvh& settings, int threads)
+    : nodes_(build_light_hierarchy(lights, threads)), leaf_of_(lights.size()) {
+    if (settings.mis) tree_ = LightTree(lights, threads);
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         if (nodes_[i].leaf) leaf_of_[nodes_[i].second] = i;
 }
@@ -110,8 +110,8 @@ std::size_t BuiltLightBvh::memory_bytes() const {
            tree_.memory_bytes();
 }
 
-BuiltLightBvh build(const LightBvh& settings, const LightScene& scene, int) {
-    return scene.lights ? BuiltLightBvh(*scene.lights, settings) : BuiltLightBvh();
+BuiltLightBvh build(const LightBvh& settings, const LightScene& scene, int threads) {
+    return scene.lights ? BuiltLightBvh(*scene.lights, settings, threads) : BuiltLightBvh();
 }
 
 }  // namespace candelabra

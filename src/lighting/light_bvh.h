@@ -15,7 +15,8 @@ namespace candelabra {
 
 class BuiltLightBvh {
 public:
-    explicit BuiltLightBvh(const ChoosableLights&, const LightBvh& = {});
+    /// `threads`: 0: one per core; the result does not depend on it.
+    explicit BuiltLightBvh(const ChoosableLights&, const LightBvh& = {}, int threads = 1);
     BuiltLightBvh() = default;
 
     /// The answer at one receiver. If paired, directions are also sampled from the BSDF.

@@ -109,7 +109,7 @@ void fill_in(std::vector<LightNode>& nodes, std::span<const LightBounds> lights,
 
 }  // namespace
 
-std::vector<LightNode> build_light_hierarchy(const ChoosableLights& choosable) {
+std::vector<LightNode> build_light_hierarchy(const ChoosableLights& choosable, int threads) {
     std::vector<LightBounds> lights;
     std::vector<Cluster> leaves;
     std::vector<LightIndex> order(choosable.size());
@@ -120,17 +120,15 @@ std::vector<LightNode> build_light_hierarchy(const ChoosableLights& choosable) {
         leaves.push_back(
             {b.box, {b.axis, b.axis != Vec3(0) && b.evenness == 0 ? 0 : pi}, b.intensity});
     }
-    std::vector<LightNode> nodes;
-    nodes.reserve(2 * order.size());
+    std::vector<LightNode> nodes(order.empty() ? 0 : 2 * order.size() - 1);
     HierarchyBuilder<OrientationCost> builder(std::move(order), {lights, leaves});
-    builder.build([&](std::size_t first, std::size_t middle, std::size_t end) {
-        LightNode node;
-        node.leaf = middle == end;
-        // A part of n luminaires has 2n - 1 nodes.
-        node.second = node.leaf ? builder.items()[first]
-                                : static_cast<std::uint32_t>(nodes.size() + 2 * (middle - first));
-        nodes.push_back(node);
-    });
+    builder.build(
+        threads, [&](std::size_t own, std::size_t first, std::size_t middle, std::size_t end) {
+            LightNode& node = nodes[own];
+            node.leaf = middle == end;
+            node.second = node.leaf ? builder.items()[first]
+                                    : static_cast<std::uint32_t>(own + 2 * (middle - first));
+        });
     fill_in(nodes, lights, leaves);
     return nodes;
 }

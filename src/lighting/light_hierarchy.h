@@ -23,7 +23,8 @@ struct LightNode {
     bool leaf = false;
 };
 
-/// Nodes depth first, parents before children; none if there are no luminaires.
-std::vector<LightNode> build_light_hierarchy(const ChoosableLights&);
+/// Nodes depth first, parents before children; none if there are no luminaires. `threads`: 0: one
+/// per core; the result does not depend on it.
+std::vector<LightNode> build_light_hierarchy(const ChoosableLights&, int threads = 1);
 
 }  // namespace candelabra

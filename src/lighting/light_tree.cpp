@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_tree.h"
 
+#include "base/function_ref.h"
+#include "base/parallel.h"
 #include "lighting/hierarchy_builder.h"
 #include "lighting/tuning.h"
 
@@ -82,76 +84,101 @@ std::array<std::int8_t, 3> in_bytes(const Vec3& v, double unit) {
 
 /// The median centre, from at most about a thousand luminaires: a few far ones do not take the
 /// others' precision.
-Vec3 middle_of(std::span<const LightBounds> lights) {
+Vec3 middle_of(const ChoosableLights& lights) {
     constexpr std::size_t enough = 1024;
     const std::size_t step = 1 + lights.size() / enough;
-    std::vector<double> places;
+    std::array<std::vector<double>, 3> places;
+    for (std::size_t i = 0; i < lights.size(); i += step) {
+        const Vec3 centre = lights.bounds(static_cast<LightIndex>(i)).centre;
+        for (int axis = 0; axis < 3; ++axis) places[axis].push_back(centre[axis]);
+    }
     Vec3 result;
     for (int axis = 0; axis < 3; ++axis) {
-        places.clear();
-        for (std::size_t i = 0; i < lights.size(); i += step)
-            places.push_back(lights[i].centre[axis]);
-        std::ranges::sort(places);
-        result[axis] = places[places.size() / 2];
+        std::vector<double>& along = places[axis];
+        std::ranges::sort(along);
+        result[axis] = along[along.size() / 2];
     }
     return result;
+}
+
+/// Lights that one thread takes at a time.
+constexpr std::size_t batch = 4096;
+
+/// Calls use(part, light) for each of `count` lights; the lights of a part in order.
+void for_batches(std::size_t count, int threads,
+                 FunctionRef<void(std::size_t part, LightIndex)> use) {
+    const std::size_t parts = (count + batch - 1) / batch;
+    run_parallel(parts, parts > 1 ? threads : 1, [&](std::size_t part) {
+        for (std::size_t i = part * batch; i < std::min((part + 1) * batch, count); ++i)
+            use(part, static_cast<LightIndex>(i));
+    });
 }
 
 }  // namespace
 
 class LightTreeBuilder {
 public:
-    LightTreeBuilder(LightTree& tree, const ChoosableLights& choosable)
-        : tree_(tree), choosable_(choosable) {
-        std::vector<LightBounds> lights;
-        lights.reserve(choosable.size());
+    LightTreeBuilder(LightTree& tree, const ChoosableLights& choosable, int threads)
+        : tree_(tree), choosable_(choosable), threads_(threads) {
+        const std::size_t count = choosable.size();
+        intensities_.resize(count);
+        std::vector<Box> boxes((count + batch - 1) / batch);
+        for_batches(count, threads, [&](std::size_t part, LightIndex light) {
+            const LightBounds b = choosable.bounds(light);
+            boxes[part] = join(boxes[part], b.box);
+            intensities_[light] = b.intensity;
+        });
         Box all;
-        double sum = 0, least = INFINITY;
-        for (LightIndex light = 0; light < choosable.size(); ++light) {
-            lights.push_back(choosable.bounds(light));
-            all = join(all, lights.back().box);
-            sum += lights.back().intensity;
-            if (lights.back().intensity > 0) least = std::fmin(least, lights.back().intensity);
+        for (const Box& part : boxes) all = join(all, part);
+        double least = INFINITY;
+        for (const double intensity : intensities_) {
+            total_ += intensity;
+            if (intensity > 0) least = std::fmin(least, intensity);
         }
-        if (least < wide_range * sum) tree_.intensities_.resize(2 * lights.size() - 1);
-        tree_.origin_ = middle_of(lights);
+        if (least < wide_range * total_) tree_.intensities_.resize(2 * count - 1);
+        tree_.origin_ = middle_of(choosable);
         tree_.size_ = std::fmax(max_abs_component(all.low - tree_.origin_),
                                 max_abs_component(all.high - tree_.origin_));
-        std::vector<TreeItem> items;
-        items.reserve(lights.size());
-        for (const LightBounds& light : lights) {
-            TreeItem item{};
-            for (int axis = 0; axis < 3; ++axis) {
-                item.low[axis] = below(light.box.low[axis] - tree_.origin_[axis]);
-                item.high[axis] = -below(tree_.origin_[axis] - light.box.high[axis]);
-            }
-            item.intensity = sum > 0 ? static_cast<float>(light.intensity / sum) : 0;
-            item.light = static_cast<LightIndex>(items.size());
-            items.push_back(item);
-        }
-        total_ = sum;
-        build(std::move(items));
-        finish();
+        build(items());
+        run_on_threads(count > together ? threads : 1, [&] { finish(); });
     }
 
 private:
+    /// Nodes with at most this number of lights are finished by one thread.
+    static constexpr std::uint32_t together = 4096;
+
     /// Returns a number of single precision that is surely below x.
     static float below(double x) {
         return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
     }
 
-    void build(std::vector<TreeItem> items) {
-        tree_.nodes_.reserve(2 * items.size());
-        HierarchyBuilder<TreeCost> builder(std::move(items), {});
-        builder.build([&](std::size_t first, std::size_t middle, std::size_t end) {
-            TreeCost::Sum all;
-            for (std::size_t i = first; i < end; ++i) TreeCost::add(all, builder.items()[i]);
-            LightTreeNode node;
-            node.low = all.low;
-            node.high = all.high;
-            node.first_half = middle < end ? static_cast<std::uint32_t>(middle - first) : 0;
-            tree_.nodes_.push_back(node);
+    std::vector<TreeItem> items() const {
+        std::vector<TreeItem> items(choosable_.size());
+        for_batches(items.size(), threads_, [&](std::size_t, LightIndex light) {
+            const Box box = choosable_.bounds(light).box;
+            TreeItem& item = items[light];
+            for (int axis = 0; axis < 3; ++axis) {
+                item.low[axis] = below(box.low[axis] - tree_.origin_[axis]);
+                item.high[axis] = -below(tree_.origin_[axis] - box.high[axis]);
+            }
+            item.intensity = total_ > 0 ? static_cast<float>(intensities_[light] / total_) : 0;
+            item.light = light;
         });
+        return items;
+    }
+
+    void build(std::vector<TreeItem> items) {
+        tree_.nodes_.resize(2 * items.size() - 1);
+        HierarchyBuilder<TreeCost> builder(std::move(items), {});
+        builder.build(
+            threads_, [&](std::size_t own, std::size_t first, std::size_t middle, std::size_t end) {
+                TreeCost::Sum all;
+                for (std::size_t i = first; i < end; ++i) TreeCost::add(all, builder.items()[i]);
+                LightTreeNode& node = tree_.nodes_[own];
+                node.low = all.low;
+                node.high = all.high;
+                node.first_half = middle < end ? static_cast<std::uint32_t>(middle - first) : 0;
+            });
         tree_.place_of_.resize(builder.items().size());
         tree_.order_.reserve(builder.items().size());
         for (const TreeItem& item : builder.items()) {
@@ -160,12 +187,19 @@ private:
         }
     }
 
+    /// Calls first and second, which finish the halves of a cluster.
+    template <class First, class Second>
+    void finish_both(const LightCluster& cluster, const First& first, const Second& second) const {
+        if (cluster.count > together) return run_both(threads_, first, second);
+        first();
+        second();
+    }
+
     void finish() {
-        std::vector<double> intensities;
-        intensities.reserve(tree_.order_.size());
-        for (const LightIndex light : tree_.order_)
-            intensities.push_back(choosable_.bounds(light).intensity);
-        tree_.strengths_ = WeightedPlaces(intensities);
+        std::vector<double> in_order;
+        in_order.reserve(tree_.order_.size());
+        for (const LightIndex light : tree_.order_) in_order.push_back(intensities_[light]);
+        tree_.strengths_ = WeightedPlaces(in_order);
         if (tree_.strengths_.total() > 0)
             tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
         shine(tree_.root());
@@ -178,9 +212,12 @@ private:
     Falloff fall_off(const LightCluster& cluster) {
         Falloff result;
         if (cluster.count > 1) {
-            const auto [first, second] = tree_.halves(cluster);
-            const Falloff before = fall_off(first);
-            result = join(before, fall_off(second));
+            const auto halves = tree_.halves(cluster);
+            Falloff first, second;
+            finish_both(
+                cluster, [&] { first = fall_off(halves.first); },
+                [&] { second = fall_off(halves.second); });
+            result = join(first, second);
         } else {
             result = choosable_.falloff(tree_.order_[cluster.first]);
         }
@@ -198,9 +235,12 @@ private:
             sum = {rest * b.axis, b.intensity * b.bent_normal, flat ? rest : 0,
                    flat ? rest * (flat_evenness + b.evenness) : rest, b.intensity};
         } else {
-            const auto [first, second] = tree_.halves(cluster);
-            const Shine before = shine(first);
-            sum = join(before, shine(second));
+            const auto halves = tree_.halves(cluster);
+            Shine first, second;
+            finish_both(
+                cluster, [&] { first = shine(halves.first); },
+                [&] { second = shine(halves.second); });
+            sum = join(first, second);
         }
         if (!tree_.intensities_.empty()) tree_.intensities_[cluster.node] = sum.all;
         const bool plain = !(sum.flat > 0) && sum.bent_normal == Vec3(0);
@@ -216,11 +256,13 @@ private:
 
     LightTree& tree_;
     const ChoosableLights& choosable_;
+    int threads_;
+    std::vector<double> intensities_;  ///< of the lights, in their own order
     double total_ = 0;
 };
 
-LightTree::LightTree(const ChoosableLights& lights) {
-    if (lights.size() > 0) LightTreeBuilder(*this, lights);
+LightTree::LightTree(const ChoosableLights& lights, int threads) {
+    if (lights.size() > 0) LightTreeBuilder(*this, lights, threads);
 }
 
 Box LightTree::box(const LightCluster& c) const {

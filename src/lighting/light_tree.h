@@ -35,7 +35,8 @@ struct LightCluster {
 class LightTree {
 public:
     LightTree() = default;
-    explicit LightTree(const ChoosableLights&);
+    /// `threads`: 0: one per core; the result does not depend on it.
+    explicit LightTree(const ChoosableLights&, int threads = 1);
 
     std::uint32_t lights() const { return static_cast<std::uint32_t>(order_.size()); }
     LightCluster root() const { return {0, 0, lights()}; }

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -57,7 +58,8 @@ int checked_depth_at(const std::vector<double>& places) {
     std::vector<int> depths = {0};
     int deepest = 0;
     std::size_t nodes = 0;
-    builder.build([&](std::size_t first, std::size_t middle, std::size_t end) {
+    builder.build(1, [&](std::size_t node, std::size_t first, std::size_t middle, std::size_t end) {
+        CHECK(node == nodes);
         REQUIRE(!expected.empty());
         CHECK(expected.back() == std::pair(first, end));
         const int depth = depths.back();
@@ -93,8 +95,30 @@ TEST_CASE("a hierarchy has each item in one leaf, and its nodes depth first", "[
 TEST_CASE("a hierarchy is cut where its parts cost least", "[lighting]") {
     HierarchyBuilder<LengthCost> builder(items_at({0, 9, 0.5, 10, 1}), {});
     std::vector<std::size_t> middles;
-    builder.build([&](std::size_t, std::size_t middle, std::size_t) { middles.push_back(middle); });
+    builder.build(1, [&](std::size_t, std::size_t, std::size_t middle, std::size_t) {
+        middles.push_back(middle);
+    });
     CHECK(middles.front() == 3);
+}
+
+TEST_CASE("a hierarchy does not depend on the number of threads", "[lighting]") {
+    Draw draw(2);
+    std::vector<double> places;
+    for (int i = 0; i < 30000; ++i) places.push_back(std::floor(draw.number() * 1000));
+    const auto built = [&](int threads) {
+        HierarchyBuilder<LengthCost> builder(items_at(places), {});
+        std::vector<std::array<std::size_t, 3>> nodes(2 * places.size() - 1);
+        builder.build(
+            threads, [&](std::size_t node, std::size_t first, std::size_t middle, std::size_t end) {
+                nodes[node] = {first, middle, end};
+            });
+        std::vector<LightIndex> order;
+        for (const LengthCost::Item& item : builder.items()) order.push_back(item.number);
+        return std::pair(nodes, order);
+    };
+    const auto one = built(1);
+    CHECK(built(4) == one);
+    CHECK(built(0) == one);
 }
 
 TEST_CASE("items in geometric progression do not make an endless hierarchy", "[lighting]") {
