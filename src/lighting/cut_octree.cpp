@@ -53,23 +53,24 @@ struct BuiltCutOctree::State {
     std::optional<Vec3> eye;
     /// Maximum size of small cells, at distance 1 from the eye if there is one.
     double coarse = 0;
-    double view = 0;  ///< see LightScene
+    double view = 0, even = 0;  ///< see LightScene
     Box cube;
     std::atomic<Cell*> root;
     std::atomic<Cell*> air;  ///< for points between surfaces
     Cell above, above_air;   ///< parents of the two roots
     std::atomic<std::size_t> cells = 0, bytes = 0;
 
-    State(const LightOctree& of_scene, const LightScene& scene)
+    State(const LightOctree& of_scene, const LightScene& scene, int threads)
         : settings(of_scene),
           rule{settings.eta, entries_for(settings.cut, *scene.lights)},
           lights(scene.lights),
-          tree(*lights),
+          tree(*lights, threads),
           survey(*lights, tree, {scene.eye, scene.axis}, settings.outlook),
           eye(scene.eye),
           coarse(std::clamp(tuning::coarse_pixels * scene.pixel, tuning::min_coarse,
                             tuning::greatest_coarse)),
-          view(scene.view) {
+          view(scene.view),
+          even(scene.even) {
         above_air.in_air = true;
         LightBounds all;
         all.box = tree.box(tree.root());
@@ -88,8 +89,8 @@ BuiltCutOctree::BuiltCutOctree(BuiltCutOctree&&) noexcept = default;
 BuiltCutOctree& BuiltCutOctree::operator=(BuiltCutOctree&&) noexcept = default;
 BuiltCutOctree::~BuiltCutOctree() = default;
 
-BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& scene)
-    : state_(scene.count() > 0 ? std::make_unique<State>(settings, scene) : nullptr) {}
+BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& scene, int threads)
+    : state_(scene.count() > 0 ? std::make_unique<State>(settings, scene, threads) : nullptr) {}
 
 const LightTree& BuiltCutOctree::tree() const { return state_->tree; }
 
@@ -181,6 +182,7 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
     double by_direction = weights_.total > 0 && survey ? survey->by_direction : 0;
     const double noise = survey ? survey->noise * weights_.total : -1;
     if (noise >= 0) ray_ = {survey->irradiance * weights_.total, noise};
+    if (octree_.state_->even > 0 && !survey) cut_->share_evenly(octree_.state_->even, weights_);
     if (query.lobes.count > 0) cut_->weigh_answers(receiver_, query.lobes, weights_);
     if (!bsdf_) return;  // directions are not wanted
     const bool as_scattered = survey && survey->as_scattered;

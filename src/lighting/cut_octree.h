@@ -21,7 +21,8 @@ class BuiltCutOctree {
 public:
     class At;
 
-    BuiltCutOctree(const LightOctree&, const LightScene&);
+    /// `threads`: 0: one per core; the result does not depend on it.
+    BuiltCutOctree(const LightOctree&, const LightScene&, int threads = 1);
     BuiltCutOctree(BuiltCutOctree&&) noexcept;
     BuiltCutOctree& operator=(BuiltCutOctree&&) noexcept;
     ~BuiltCutOctree();

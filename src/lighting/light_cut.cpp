@@ -304,6 +304,23 @@ void LightCut::weigh_answers(const Receiver& point, const BsdfLobes& lobes,
     result.total = total(result, rows_);
 }
 
+void LightCut::share_evenly(double share, CutWeights& result) const {
+    const auto weights = std::span(result.weight).first(entries());
+    const auto lit = std::ranges::count_if(weights, [](float weight) { return weight > 0; });
+    if (lit == 0) return;
+    const auto each = static_cast<float>(share * result.total / static_cast<double>(lit));
+    for (std::size_t first = 0; first < rows_; first += block) {
+        Rows rows;
+        for (std::size_t i = 0; i < block; ++i) {
+            const float weight = result.weight[first + i];
+            rows[i] = weight > 0 ? weight + each : 0;
+        }
+        std::ranges::copy(rows, result.weight.begin() + static_cast<std::ptrdiff_t>(first));
+        result.block_sum[first / block] = sum(rows);
+    }
+    result.total = total(result, rows_);
+}
+
 void LightCut::scale(std::span<const float> factors) {
     for (std::size_t i = 0; i < entries(); ++i) column(strength)[i] *= factors[i];
 }

@@ -36,6 +36,8 @@ public:
     /// Turns weights at a point into those of the light that a glossy surface reflects to the
     /// viewer.
     void weigh_answers(const Receiver&, const BsdfLobes&, CutWeights&) const;
+    /// Adds a share of the total to the weights, evenly to all entries that have any.
+    void share_evenly(double share, CutWeights&) const;
     /// Multiplies the weight of each entry by a factor above 0.
     void scale(std::span<const float> factors);
     /// Returns the entry at which the running sum of the weights passes target, which is in [0,

@@ -24,6 +24,9 @@ struct LightScene {
     /// If all rays of the camera are parallel: one of them, from the plane in which they start.
     std::optional<Ray> axis = {};
     double pixel = 0.004;  ///< angle of a pixel of the picture, in radians
+    /// Fraction of the choices that a cell without a survey divides evenly among the entries of its
+    /// cut: a defence against lights that are bright, near and occluded.
+    double even = 0;
 
     std::size_t count() const { return lights ? lights->size() : 0; }
 };

@@ -40,7 +40,7 @@ static_assert(are_strategies<BuiltLightSampler>);
 /// The light octree's cells have cuts or, if the settings say so, the paper's lists.
 inline BuiltLightSampler build(const LightOctree& settings, const LightScene& scene, int threads) {
     if (settings.paper) return BuiltPaperOctree(settings.as_in_paper(), scene, threads);
-    return BuiltCutOctree(settings, scene);
+    return BuiltCutOctree(settings, scene, threads);
 }
 
 /// Builds the strategy of the settings. The result does not depend on the number of threads (0: one

@@ -5,6 +5,8 @@
 
 #include "vocabulary/kinds.h"
 
+#include <optional>
+
 namespace candelabra {
 
 /// POV-Ray's method: all reflections and refractions of a ray, and direct light from the lights.
@@ -15,7 +17,7 @@ struct PovRay {
 /// indirect light.
 struct PathTraced {
     int bounces = 8;
-    int reflected_luminaires = 5000;
+    std::optional<int> reflected_luminaires;  ///< unset: as many as pay
 
     static const ItemInfo vocabulary;
 };

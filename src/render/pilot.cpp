@@ -13,6 +13,10 @@ namespace candelabra {
 
 namespace {
 
+/// Number of samples that are taken at each place that is tried.
+constexpr int samples_of_place = 4;
+/// Cost of a light path with its reflected luminaires, in rays.
+constexpr double rays_of_light_path = 6;
 /// Cost of a camera ray, with shading and the weights of luminaires, in shadow rays.
 constexpr double cost_of_camera_ray = 1.2;
 constexpr int max_pilot_rays = 4;
@@ -27,6 +31,13 @@ constexpr int max_across = 16;
 constexpr int pixels_for_each = 4;
 
 double squared(double x) { return x * x; }
+
+Pilot tried(const Shot& shot, const RenderSettings& settings, const std::optional<SentLight>& sent,
+            const std::function<bool()>& cancelled) {
+    const PilotNoise noise = pilot_noise(shot, settings, sent, cancelled);
+    const HitNoise& hits = noise.of_hits;
+    return {{best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0}, is_quiet(noise)};
+}
 
 double displayed(double radiance) { return from_linear(std::fmax(radiance, 0), display_gamma); }
 
@@ -68,13 +79,14 @@ void try_pixel(Integrator& integrator, const Shot& shot, const RenderSettings& s
 }  // namespace
 
 PilotNoise pilot_noise(const Shot& shot, const RenderSettings& settings,
-                       const std::optional<SentLight>& sent,
-                       const std::function<bool()>& cancelled) {
+                       const std::optional<SentLight>& sent, const std::function<bool()>& cancelled,
+                       const ShadowRays& rays) {
     const int columns = std::clamp(settings.width / pixels_for_each, 1, max_across),
               rows = std::clamp(settings.height / pixels_for_each, 1, max_across);
     std::vector<PilotNoise> noise(static_cast<std::size_t>(rows));
     run_parallel(noise.size(), settings.threads, [&](std::size_t row) {
-        Integrator integrator(shot, {.sent = sent, .max_rays = max_rays_of_pilot});
+        Integrator integrator(shot,
+                              {.shadow_rays = rays, .sent = sent, .max_rays = max_rays_of_pilot});
         const WorkWatch watch(cancelled);
         try {
             for (int column = 0; column < columns && !(cancelled && cancelled()); ++column)
@@ -83,7 +95,9 @@ PilotNoise pilot_noise(const Shot& shot, const RenderSettings& settings,
         } catch (const WorkEnded&) {
             return;
         }
-        noise[row].of_hits = integrator.ledger().noise;
+        const LightLedger& ledger = integrator.ledger();
+        noise[row].of_hits = ledger.noise;
+        noise[row].rays = ledger.camera + ledger.shadow + ledger.scattered;
     });
     PilotNoise sum;
     for (const PilotNoise& each : noise) {
@@ -92,6 +106,7 @@ PilotNoise pilot_noise(const Shot& shot, const RenderSettings& settings,
         sum.shown += each.shown;
         sum.places += each.places;
         sum.of_hits += each.of_hits;
+        sum.rays += each.rays;
     }
     sum.of_camera = std::fmax(sum.of_camera, 0);
     return sum;
@@ -105,17 +120,42 @@ int best_shadow_rays(const PilotNoise& noise) {
     return static_cast<int>(std::lround(std::clamp(rays, 1.0, most)));
 }
 
+bool paths_pay(const PilotNoise& reflected, const PilotNoise& paths, double sending) {
+    if (reflected.places == 0 || paths.places == 0) return false;
+    const auto rays = [](const PilotNoise& noise) {
+        return static_cast<double>(noise.rays) / (samples_of_place * noise.places);
+    };
+    return paths.of_light * rays(paths) < reflected.of_light * (rays(reflected) + sending);
+}
+
 bool is_quiet(const PilotNoise& noise) {
     return noise.places > 0 && noise.shown < noise.places * squared(quiet_deviation);
 }
 
 Pilot pilot(const Shot& shot, const RenderSettings& settings, const std::optional<SentLight>& sent,
             const std::function<bool()>& cancelled) {
-    if (settings.shadow_rays > 0) return {settings.shadow_rays};
-    if (!shot.world->facts.light_is_drawn || shot.view.camera.mesh) return {1};
-    const PilotNoise noise = pilot_noise(shot, settings, sent, cancelled);
-    const HitNoise& hits = noise.of_hits;
-    return {{best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0}, is_quiet(noise)};
+    const bool tries = shot.world->facts.light_is_drawn && !shot.view.camera.mesh;
+    const auto* traced = std::get_if<PathTraced>(&shot.world->rules.settings.integrator);
+    if (!tries || !traced || traced->reflected_luminaires || !sent || !sent->reflected) {
+        if (settings.shadow_rays > 0) return {settings.shadow_rays};
+        return tries ? tried(shot, settings, sent, cancelled) : Pilot{1};
+    }
+    SentLight without = *sent;
+    without.reflected = nullptr;
+    const auto with_rays = [&](const SentLight& way) {
+        return settings.shadow_rays > 0 ? Pilot{settings.shadow_rays}
+                                        : tried(shot, settings, way, cancelled);
+    };
+    const Pilot reflected = with_rays(*sent);
+    Pilot by_paths = with_rays(without);
+    by_paths.by_paths = true;
+    const PilotNoise of_reflected =
+                         pilot_noise(shot, settings, sent, cancelled, reflected.shadow_rays),
+                     of_paths =
+                         pilot_noise(shot, settings, without, cancelled, by_paths.shadow_rays);
+    const double sending =
+        rays_of_light_path * sent->reflected->count() / static_cast<double>(shot.pixels);
+    return paths_pay(of_reflected, of_paths, sending) ? by_paths : reflected;
 }
 
 }  // namespace candelabra

@@ -16,8 +16,8 @@ bool follows_shadow_rays(const Shot& shot, const RenderSettings& settings) {
 }
 
 /// Returns the number of samples that the noise of the light needs. `rays`: number of shadow rays
-/// at each hit, where relevant.
-int usual_samples(const World& world, const RenderSettings& settings, int rays) {
+/// at each hit, where relevant. `quiet`: there is hardly any noise.
+int usual_samples(const World& world, const RenderSettings& settings, int rays, bool quiet) {
     constexpr int first_for_noise = 16;
     if (settings.noise > 0)
         return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
@@ -26,7 +26,7 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
     // With more shadow rays per sample, fewer samples suffice.
     constexpr int least = 4, to_middle = 16, min_in_media = 2;
     if (!settings.antialias) {
-        if (!world.facts.left_to_chance) return 1;
+        if (!world.facts.left_to_chance || quiet) return 1;
         if (world.facts.differs_by_light) return std::max(least, to_middle / rays);
         return world.photon_targets.empty() ? min_in_media : least;
     }
@@ -50,17 +50,21 @@ RenderPlan plan_of(const Shot& shot, const RenderSettings& settings) {
 std::optional<RenderPlan> plan_of(const Shot& shot, const RenderSettings& settings,
                                   const SentLight& sent, const std::function<bool()>& cancelled) {
     const World& world = *shot.world;
-    const Pilot tried = pilot(shot, settings, sent, cancelled);
+    Pilot tried = pilot(shot, settings, sent, cancelled);
     if (cancelled && cancelled()) return {};
+    SentLight used = sent;
+    if (tried.by_paths) used.reflected = nullptr;
     const int shared = follows_shadow_rays(shot, settings) ? tried.shadow_rays.usual : 1;
     const bool quiet = tried.quiet && !world.lights.sources.empty() && world.sky.light.empty();
+    const bool single = quiet && !settings.antialias && follows_shadow_rays(shot, settings);
+    if (single && settings.shadow_rays == 0) tried.shadow_rays = {};
     const SampleRule rule =
         choose_rule({settings, shot.view.camera, shot.view.film, world.rules.settings.assumed_gamma,
                      world.facts.left_to_chance, quiet});
-    const FirstSamples wanted{usual_samples(world, settings, shared),
+    const FirstSamples wanted{usual_samples(world, settings, shared, single),
                               least_samples(shot, settings)};
     const int samples = std::visit([&](const auto& each) { return each.first(wanted); }, rule);
-    return RenderPlan{shot, settings, tried.shadow_rays, sent, static_cast<std::uint32_t>(samples),
+    return RenderPlan{shot, settings, tried.shadow_rays, used, static_cast<std::uint32_t>(samples),
                       rule};
 }
 

@@ -123,7 +123,7 @@ bool PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex, cons
 bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double distance) const {
     if (path.taken.cosine > 0) {
         const double there = std::abs(dot(path.ray.direction, unit(hit.normal)));
-        const double share = reflected_.share(path.taken.cosine, there, distance);
+        const double share = reflected_.share(hit.position, path.taken.cosine, there, distance);
         path.taken.by_reflected = uniform(path.key, Purpose::near_reflection) < share;
         path.taken.cosine = 0;
     }

@@ -8,6 +8,14 @@
 
 namespace candelabra {
 
+namespace {
+
+double share_within(double bound, double geometry) {
+    return geometry > bound ? bound / geometry : 1;
+}
+
+}  // namespace
+
 Vec3 ReflectedLight::operator()(const ArrivingLight& at, int reflections, const Key& key) {
     const ReflectedSet& set = current();
     const Key own = key.branched(Branch::reflected);
@@ -21,21 +29,21 @@ Vec3 ReflectedLight::operator()(const ArrivingLight& at, int reflections, const 
         set.sampler);
     Vec3 sum(0);
     for (const LightPick& pick : samples_.picks) {
-        const ReflectedLuminaire& luminaire = set.list[pick.light];
-        if (luminaire.reflections <= reflections) sum += from(pick, luminaire, at, own);
+        if (set.list[pick.light].reflections <= reflections) sum += from(pick, set, at, own);
     }
     return sum;
 }
 
-double ReflectedLight::share(double cosine, double other_cosine, double distance) const {
-    const double geometry = cosine * other_cosine / (distance * distance);
-    return geometry > source().bound() ? source().bound() / geometry : 1;
+double ReflectedLight::share(const Vec3& from, double cosine, double other_cosine,
+                             double distance) const {
+    return share_within(source().bound(from), cosine * other_cosine / (distance * distance));
 }
 
 /// Light of one reflected luminaire. Clear surfaces occlude it, too: paths go through these by
 /// themselves.
-Vec3 ReflectedLight::from(const LightPick& pick, const ReflectedLuminaire& luminaire,
-                          const ArrivingLight& at, const Key& key) const {
+Vec3 ReflectedLight::from(const LightPick& pick, const ReflectedSet& set, const ArrivingLight& at,
+                          const Key& key) const {
+    const ReflectedLuminaire& luminaire = set.list[pick.light];
     const Vertex& vertex = at.layer.vertex;
     const Vec3 offset = luminaire.position - vertex.position();
     const double distance = length(offset);
@@ -45,8 +53,9 @@ Vec3 ReflectedLight::from(const LightPick& pick, const ReflectedLuminaire& lumin
     const double cosine = dot(direction, normal), there = -dot(direction, luminaire.normal);
     if (!(cosine > 0 && there > 0)) return Vec3(0);
     const Vec3 response = at.layer.scatterer.evaluate(direction, diffuse_terms, 0);
-    const Vec3 light = luminaire.power * (there * share(cosine, there, distance) /
-                                          (std::numbers::pi * distance * distance));
+    const double geometry = cosine * there / (distance * distance);
+    const double share = share_within(set.bounds[pick.light], geometry);
+    const Vec3 light = luminaire.power * (there * share / (std::numbers::pi * distance * distance));
     if (response * light == Vec3(0)) return Vec3(0);
     ++at.ledger.shadow;
     const Vec3 left = ShadowRay(at, direction, key).left_by_air(distance, luminaire.tolerance);

@@ -24,8 +24,11 @@ constexpr std::size_t kept_generations =
 /// Number of light paths that one thread follows at a time, and that are followed to find the
 /// bound.
 constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
-/// Maximum fraction of a uniformly lit surface's light that one reflected luminaire may contribute.
-constexpr double kappa = 1.0 / 16;
+/// Maximum fraction of a uniformly lit surface's light that one reflected luminaire may contribute,
+/// by their number in the whole scene and by that about it: "Indirect light".
+constexpr double kappa = 1.0 / 16, kappa_there = 1.0 / 16;
+/// See LightScene: "Indirect light".
+constexpr double even_share = 0.05;
 /// Length of the bent normal: for the strategy, a reflected luminaire shines on both sides, and a
 /// little more on its own.
 constexpr double lean = 0.25;
@@ -60,6 +63,15 @@ private:
     std::vector<LightBounds> bounds_;
 };
 
+/// Number of light paths in a generation. If the scene leaves it open, it follows the number of
+/// pixels, so that the paths are a small part of the work in small pictures as well.
+std::uint32_t paths_of(const PathTraced& wanted, const Shot& shot) {
+    if (wanted.reflected_luminaires)
+        return static_cast<std::uint32_t>(*wanted.reflected_luminaires);
+    constexpr std::uint64_t pixels_for_each = 16, fewest = 500, most = 5000;
+    return static_cast<std::uint32_t>(std::clamp(shot.pixels / pixels_for_each, fewest, most));
+}
+
 }  // namespace
 
 std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const Shot& shot, int seed,
@@ -70,10 +82,9 @@ std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const Shot& shot, i
         world.lights.luminaires.empty() || world.rules.quality < quality_full ||
         !world.photon_targets.empty())
         return nullptr;
-    auto made = std::make_shared<ReflectedLuminaires>(
-        shot, static_cast<std::uint32_t>(wanted->reflected_luminaires), wanted->bounces, seed,
-        threads);
-    return made->bound() > 0 ? made : nullptr;
+    auto made = std::make_shared<ReflectedLuminaires>(shot, paths_of(*wanted, shot),
+                                                      wanted->bounces, seed, threads);
+    return made->any() ? made : nullptr;
 }
 
 ReflectedLuminaires::ReflectedLuminaires(const Shot& shot, std::uint32_t count, int max_reflections,
@@ -100,32 +111,39 @@ std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& path
         });
 }
 
-/// Sets the bound so that one reflected luminaire contributes at most a fraction kappa where their
-/// density is average. The scale is the median distance between successive reflections of a path.
+/// Finds the bound from light paths that light nothing else. In the whole scene, the scale is the
+/// median distance between successive reflections of a path.
 void ReflectedLuminaires::find_bound() {
     const std::vector<ReflectedLuminaire> tried =
         sent(LightPaths(shot_, std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
     std::vector<double> distances;
-    for (std::size_t i = 1; i < tried.size(); ++i)
-        if (tried[i].reflections == tried[i - 1].reflections + 1)
+    std::vector<Vec3> positions;
+    for (std::size_t i = 0; i < tried.size(); ++i) {
+        positions.push_back(tried[i].position);
+        if (i > 0 && tried[i].reflections == tried[i - 1].reflections + 1)
             distances.push_back(length(tried[i].position - tried[i - 1].position));
+    }
     if (distances.empty()) return;
     const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
     put_nth(distances.begin(), middle, distances.end());
-    const double usual = *middle;
-    const double number = static_cast<double>(tried.size()) * count_ / pilot_paths;
-    if (usual > 0) bound_ = kappa * number / (usual * usual);
+    const double usual = *middle, share = static_cast<double>(count_) / pilot_paths;
+    if (!(usual > 0)) return;
+    greatest_bound_ = kappa * share * static_cast<double>(tried.size()) / (usual * usual);
+    per_density_ = kappa_there * share;
+    density_ = ReflectionDensity(std::move(positions));
 }
 
 ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     ReflectedSet set;
     set.list = sent(paths_, count_, mix(seed_ ^ mix(number + 1)));
-    const double radius = 1 / std::sqrt(bound_);
+    for (const ReflectedLuminaire& each : set.list) set.bounds.push_back(bound(each.position));
+    const double radius = 1 / std::sqrt(greatest_bound_);
     // Occlusion is not surveyed, as a generation is soon over. The surfaces that they light are
     // those on which they lie.
     LightOctree octree;
     octree.alone = true;
     LightScene scene{std::make_shared<ReflectedChoices>(set.list, radius)};
+    scene.even = even_share;
     const Projection& camera = shot_.view.camera;
     if (!camera.parallel) scene.eye = camera.location;
     set.sampler = build(LightSampler(octree), scene, threads_);

@@ -8,13 +8,17 @@
 
 #include "transport/generations.h"
 #include "transport/light_path.h"
+#include "transport/reflection_density.h"
+
+#include <cmath>
 
 namespace candelabra {
 
 /// The reflected luminaires of one generation, and the strategy that chooses among them.
 struct ReflectedSet {
     std::vector<ReflectedLuminaire> list;
-    BuiltLightSampler sampler;  ///< chooses among them
+    std::vector<double> bounds;  ///< of each: see ReflectedLuminaires::bound()
+    BuiltLightSampler sampler;   ///< chooses among them
 };
 
 class ReflectedLuminaires {
@@ -32,9 +36,16 @@ public:
 
     std::shared_ptr<const ReflectedSet> generation(std::uint32_t number);
 
-    /// Bound of the geometry term of reflected luminaires; light beyond it is found by paths. It is
-    /// derived from light paths that light nothing else. 0: reflected luminaires light nothing.
-    double bound() const { return bound_; }
+    /// Whether light is reflected from surface to surface at all.
+    bool any() const { return !density_.empty(); }
+    /// Bound of the geometry term of reflected luminaires at a place of a surface; light beyond it
+    /// is found by paths. So none of them counts for more than a small part of the light that the
+    /// scene, and the surface about it, sends out. Precondition: any().
+    double bound(const Vec3& place) const {
+        return std::fmin(greatest_bound_, per_density_ * density_.at(place));
+    }
+    /// Number of light paths in a generation.
+    std::uint32_t count() const { return count_; }
 
 private:
     std::vector<ReflectedLuminaire> sent(const LightPaths&, std::uint32_t count,
@@ -48,7 +59,8 @@ private:
     std::uint32_t count_;
     std::uint64_t seed_;
     int threads_;
-    double bound_ = 0;
+    ReflectionDensity density_;  ///< of light paths that light nothing else
+    double greatest_bound_ = 0, per_density_ = 0;
     Generations<ReflectedSet> generations_;
 };
 

@@ -14,10 +14,10 @@ struct NoMember {};
 template <class T>
 using Member =
     std::variant<double T::*, int T::*, bool T::*, Vec2 T::*, Vec3 T::*, Vec4 T::*, Colour T::*,
-                 std::string T::*, std::optional<double> T::*, std::optional<Vec2> T::*,
-                 std::optional<Vec3> T::*, std::vector<double> T::*, std::vector<Vec2> T::*,
-                 std::vector<Vec3> T::*, std::vector<Ball> T::*, std::vector<Face> T::*,
-                 Handle<Formula> T::*, NoMember>;
+                 std::string T::*, std::optional<int> T::*, std::optional<double> T::*,
+                 std::optional<Vec2> T::*, std::optional<Vec3> T::*, std::vector<double> T::*,
+                 std::vector<Vec2> T::*, std::vector<Vec3> T::*, std::vector<Ball> T::*,
+                 std::vector<Face> T::*, Handle<Formula> T::*, NoMember>;
 
 /// One parameter of the item T.
 template <class T>

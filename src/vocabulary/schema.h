@@ -44,7 +44,7 @@ template <class V>
 constexpr FieldType type_of(bool colour) {
     if constexpr (std::is_same_v<V, double> || std::is_same_v<V, std::optional<double>>)
         return FieldType::number;
-    else if constexpr (std::is_same_v<V, int>)
+    else if constexpr (std::is_same_v<V, int> || std::is_same_v<V, std::optional<int>>)
         return FieldType::integer;
     else if constexpr (std::is_same_v<V, bool>)
         return FieldType::boolean;
@@ -76,8 +76,8 @@ constexpr FieldType type_of(bool colour) {
 
 template <class V>
 constexpr bool is_optional =
-    std::is_same_v<V, std::optional<double>> || std::is_same_v<V, std::optional<Vec2>> ||
-    std::is_same_v<V, std::optional<Vec3>>;
+    std::is_same_v<V, std::optional<int>> || std::is_same_v<V, std::optional<double>> ||
+    std::is_same_v<V, std::optional<Vec2>> || std::is_same_v<V, std::optional<Vec3>>;
 
 template <class T>
 constexpr FieldInfo describe(const Field<T>& field) {
@@ -100,7 +100,7 @@ constexpr FieldInfo describe(const Field<T>& field) {
 
 template <class V>
 void store(V& to, const FieldValue& value) {
-    if constexpr (std::is_same_v<V, int>)
+    if constexpr (std::is_same_v<V, int> || std::is_same_v<V, std::optional<int>>)
         to = static_cast<int>(std::get<double>(value));
     else if constexpr (std::is_same_v<V, bool>)
         to = std::get<double>(value) > 0;
@@ -118,6 +118,8 @@ template <class V>
 FieldValue load(const V& from) {
     if constexpr (std::is_same_v<V, int> || std::is_same_v<V, bool>)
         return static_cast<double>(from);
+    else if constexpr (std::is_same_v<V, std::optional<int>>)
+        return from ? FieldValue(static_cast<double>(*from)) : FieldValue();
     else if constexpr (is_optional<V>)
         return from ? FieldValue(*from) : FieldValue();
     else

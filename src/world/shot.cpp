@@ -131,6 +131,8 @@ Shot::Shot(SharedWorld seen, const ShotSettings& settings)
 Shot::Shot(SharedWorld seen, const ShotSettings& settings, Placed placed)
     : world(std::move(seen)),
       view(view_of(world->stated_view, placed(world->stated_view.camera))),
+      pixels(static_cast<std::uint64_t>(settings.width) *
+             static_cast<std::uint64_t>(settings.height)),
       near(near_camera_and_lamps(*world, view.camera)) {
     if (settings.quick)
         choose_quickly(*this);

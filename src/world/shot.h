@@ -9,6 +9,7 @@
 #include "scene/settings.h"
 #include "world/world.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace candelabra {
@@ -49,6 +50,7 @@ struct Shot {
 
     SharedWorld world;
     WorldView view;
+    std::uint64_t pixels;            ///< of the picture
     Box near;                        ///< where media deserve most effort; empty if there are none
     std::vector<Vec3> bent_normals;  ///< see find_bent_normals()
     BuiltLightSampler sampler;       ///< chooses among the luminaires

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A room that is lit through a door, by lamps in the next one, with all bounces of light.
 #version 3.7;
-#ifndef (Reflected) #declare Reflected = 5000; #end
 #ifdef (Rival) global_settings { light_sampler { light_bvh { mis } } } #end
-global_settings { assumed_gamma 1 integrator { path_traced { bounces 8 reflected_luminaires Reflected } } }
+global_settings { assumed_gamma 1 integrator { path_traced { bounces 8 #ifdef (Reflected) reflected_luminaires Reflected #end } } }
 camera { location <0.5, 1.6, 0.5> look_at <3.6, 1.1, 3> angle 75 right 4/3*x }
 #declare Matt = finish { ambient 0 diffuse 1 };
 // Two rooms of 4 by 4 m and 4 by 4 m with a door between them; the lamps are in the other one.

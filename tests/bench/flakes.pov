@@ -4,10 +4,9 @@
 #version 3.7;
 #include "sphereflake.inc"
 #ifndef (Bounces) #declare Bounces = 8; #end
-#ifndef (Reflected) #declare Reflected = 5000; #end
 global_settings {
     assumed_gamma 1
-    integrator { path_traced { bounces Bounces reflected_luminaires Reflected } }
+    integrator { path_traced { bounces Bounces #ifdef (Reflected) reflected_luminaires Reflected #end } }
 }
 camera { location <0, -10, 7> sky z right -4/3*x up y angle 50 look_at <0, 0, 0.7> }
 #default { finish { ambient 0 diffuse 1 } }

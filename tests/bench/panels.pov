@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A room of 12 by 9 metres under 108 panels, with all bounces of light.
 #version 3.7;
-#ifndef (Reflected) #declare Reflected = 5000; #end
 #ifdef (Rival) global_settings { light_sampler { light_bvh { mis } } } #end
-global_settings { assumed_gamma 1 integrator { path_traced { bounces 8 reflected_luminaires Reflected } } }
+global_settings { assumed_gamma 1 integrator { path_traced { bounces 8 #ifdef (Reflected) reflected_luminaires Reflected #end } } }
 camera { location <0.5, 1.7, 0.4> look_at <8, 1.2, 7> angle 75 right 4/3*x }
 #declare Matt = finish { ambient 0 diffuse 1 };
 box { <0,0,0>, <12,3,9> pigment { rgb <0.75,0.72,0.66> } finish { Matt } inverse }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Streets between houses with 8000 lamps, with all bounces of light.
 #version 3.7;
-#ifndef (Reflected) #declare Reflected = 5000; #end
 #ifdef (Rival) global_settings { light_sampler { light_bvh { mis } } } #end
-global_settings { assumed_gamma 1 integrator { path_traced { bounces 8 reflected_luminaires Reflected } } }
+global_settings { assumed_gamma 1 integrator { path_traced { bounces 8 #ifdef (Reflected) reflected_luminaires Reflected #end } } }
 camera { location <-30, 14, -30> look_at <20, 4, 20> angle 60 right 4/3*x }
 #declare Matt = finish { ambient 0 diffuse 1 };
 #declare R = seed(5);

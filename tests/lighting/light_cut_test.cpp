@@ -43,6 +43,24 @@ TEST_CASE("a cut holds every luminaire once", "[lighting]") {
         }
 }
 
+TEST_CASE("a part of the weights is shared evenly by the entries that have any", "[lighting]") {
+    const std::vector<Luminaire> luminaires = lamps(200);
+    const LightTree tree(*choices(luminaires));
+    const LightCut cut(tree, *choices(luminaires), cell, {1e-9, 100});
+    const Receiver point{Vec3(0.2, 0.1, 0), Vec3(0, 1, 0), Horizon::one_side};
+    CutWeights before, after;
+    cut.weigh(point, before);
+    cut.weigh(point, after);
+    cut.share_evenly(0.2, after);
+    CHECK(after.total == Approx(1.2 * before.total));
+    std::size_t lit = 0;
+    for (std::size_t i = 0; i < cut.entries(); ++i) lit += before.weight[i] > 0 ? 1 : 0;
+    REQUIRE((lit > 20 && lit < cut.entries()));
+    const double each = 0.2 * before.total / static_cast<double>(lit);
+    for (std::size_t i = 0; i < cut.entries(); ++i)
+        CHECK(after.weight[i] == Approx(before.weight[i] > 0 ? before.weight[i] + each : 0));
+}
+
 TEST_CASE("more entries make less noise, and the bound is kept where they suffice", "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(200);
     const LightTree tree(*choices(luminaires));

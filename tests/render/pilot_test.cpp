@@ -84,4 +84,43 @@ TEST_CASE("the number of shadow rays is as the settings say", "[render]") {
     CHECK(pilot(one, small(true)).shadow_rays.usual == 1);
 }
 
+TEST_CASE("paths pay if they make less noise in the same time", "[render]") {
+    PilotNoise reflected = noise_of(1, 0), paths = noise_of(2, 0);
+    CHECK_FALSE(paths_pay(reflected, paths, 0));  // nothing was tried
+    reflected.places = paths.places = 10;
+    reflected.rays = paths.rays = 400;
+    CHECK_FALSE(paths_pay(reflected, paths, 0));
+    CHECK_FALSE(paths_pay(reflected, paths, 9));
+    CHECK(paths_pay(reflected, paths, 11));
+    reflected.rays = 900;
+    CHECK(paths_pay(reflected, paths, 0));
+}
+
+TEST_CASE("reflected luminaires are left out where paths pay, unless the scene asks for them",
+          "[render]") {
+    const auto by_paths = [](const std::string& said, const std::string& scene, int size) {
+        const Shot shot =
+            square_shot(world_of("#version 3.7; global_settings { integrator { "
+                                 "path_traced { " +
+                                 said + " } } } #default { finish { ambient 0 } } " + scene),
+                        size);
+        RenderSettings settings = small(true);
+        settings.width = settings.height = size;
+        return pilot(shot, settings, SentLight::of(shot, 0, 1)).by_paths;
+    };
+    // All light of a room comes by way of its ceiling; a yard is lit by its lamps.
+    const std::string room =
+        "camera { location <0, 1, -2.5> look_at <0, 0.5, 0> } box { <-3, 0, -3>, <3, 3, 3> pigment "
+        "{ rgb 0.8 } } disc { <0, 2.2, 0>, y, 1 pigment { rgb 0 } } sphere { <0, 2.5, 0>, 0.1 "
+        "pigment { rgb 1 } finish { diffuse 0 emission 90 } }";
+    const std::string yard =
+        "camera { location <0, 3, -6> look_at 0 } box { <-20, -1, -20>, <20, 0, 20> pigment { rgb "
+        "0.3 } } #for (I, -3, 3) box { <I, 0, 0>, <I + 0.5, 1, 1> pigment { rgb 0.3 } } sphere { "
+        "<I, 2, -1>, 0.1 pigment { rgb 1 } finish { diffuse 0 emission 9 } } #end";
+    CHECK_FALSE(by_paths("", room, 64));
+    // In a tiny picture, to send the light would take longer than all paths.
+    CHECK(by_paths("", yard, 16));
+    CHECK_FALSE(by_paths("reflected_luminaires 500", yard, 16));
+}
+
 }  // namespace candelabra

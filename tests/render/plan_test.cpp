@@ -57,4 +57,23 @@ TEST_CASE("each pixel sees all moments of the shutter, also in light without noi
     CHECK(plan_of(Shot(std::make_shared<World>(std::move(moving))), settings).samples == 7);
 }
 
+TEST_CASE("a small glow does not change the number of samples without antialiasing", "[render]") {
+    const auto samples = [](double glow) {
+        RenderSettings settings = small(0);
+        settings.antialias = false;
+        settings.shadow_rays = 0;
+        const Shot shot = shot_of(
+            "#version 3.7; camera { location <0, 2, -5> look_at 0 } "
+            "light_source { <3, 5, -5>, 1 } plane { y, -1 pigment { rgb 0.5 "
+            "} } sphere { 0, 1 pigment { rgb 0.8 } finish { emission " +
+            std::to_string(glow) + " } }");
+        const RenderPlan plan = plan_of(shot, settings);
+        if (plan.samples == 1) CHECK(plan.shadow_rays.usual == 1);
+        return plan.samples;
+    };
+    CHECK(samples(0) == 1);
+    CHECK(samples(0.05) == 1);
+    CHECK(samples(20) >= 4);
+}
+
 }  // namespace candelabra

@@ -47,6 +47,22 @@ TEST_CASE("reflected luminaires are there where a scene asks for them and has lu
                       "rgbt 1 } interior { ior 1.5 } photons { target reflection on } }"));
 }
 
+TEST_CASE("light paths are as many as the scene says, or follow the size of the picture",
+          "[transport]") {
+    const auto count = [](const std::string& said, int size) {
+        const Shot shot =
+            square_shot(world_of("#version 3.7; global_settings { integrator { path_traced { " +
+                                 said + " } } } " + lamps_in_room + bare_room),
+                        size);
+        return reflected_luminaires_of(shot, 0, 1)->count();
+    };
+    CHECK(count("reflected_luminaires 700", 32) == 700);
+    CHECK(count("reflected_luminaires 700", 640) == 700);
+    CHECK(count("", 32) == 500);
+    CHECK(count("", 160) == 1600);
+    CHECK(count("", 640) == 5000);
+}
+
 TEST_CASE("a closed body that glows and reflects is a furnace inside, whatever its shape",
           "[transport]") {
     // L = 0.4 + 0.6 L.
