@@ -185,6 +185,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"integrator", "global_settings"},
     {"index", "global_settings"},
     {"luminaires", "global_settings"},
+    {"photometry", "global_settings"},
     {"radiosity", "global_settings"},
     {"subsurface", "finish global_settings"},
 

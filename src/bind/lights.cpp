@@ -114,6 +114,10 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     }
     const bool modern = binder.evaluator.version() >= modern_version;
     placed.light.fades_from_source = modern;
+    if (std::string wrong = measure(placed.light); !wrong.empty())
+        block.report(
+            error(Fault::misplaced, element.word_span, std::move(wrong))
+                .with_help("light_source { 2*y rgb kelvin(2700) intensity candela(1000) }"));
     if (is_aimless(placed.light)) {
         placed.light.colour = Vec3(0);
         block.report(warning(Fault::degenerate, element.word_span,

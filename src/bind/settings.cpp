@@ -181,6 +181,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     auto index = index_block(block, settings.index);
     auto integrator = integrator_block(block, settings.integrator);
     LuminairesReader luminaires(block, settings);
+    ItemBlock photometry(block, PhotometricUnits::vocabulary, &settings.photometry);
     ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
                          &settings.subsurface.on, "radiosity");
     ItemBlock radiosity(block, Radiosity::vocabulary, &settings.radiosity, &settings.radiosity.on,
@@ -188,8 +189,13 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     radiosity.without_effect(words_of_cache, "light is gathered without a cache");
     ItemBlock photons(block, PhotonSettings::vocabulary, &settings.photons, &settings.photons.on);
     photons.without_effect(words_of_map, "photons are shot anew again and again");
-    block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface, radiosity,
-               photons);
+    block.read(element.body, luminaires, fields, sampler, index, integrator, photometry, subsurface,
+               radiosity, photons);
+    if (!binder.evaluator.set_light_units(settings.light_units()))
+        block.report(error(Fault::misplaced, element.word_span,
+                           "amounts of light have been converted by other units before")
+                         .with_help("put `global_settings { photometry { unit 0.01 } }` before the "
+                                    "first lumen(), candela(), lux(), nit() or watt()"));
     check_photons(block, settings.photons, element.word_span);
     settings.max_trace_level = std::max(settings.max_trace_level, 1);
     if (fields.given("noise_generator"))

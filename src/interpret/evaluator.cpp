@@ -60,6 +60,16 @@ Value Evaluator::value_of(const Element& element) {
 }
 double Evaluator::version() const { return state_->version; }
 void Evaluator::set_working_gamma(double gamma) { state_->working_gamma = gamma; }
+double Evaluator::working_gamma() const { return state_->working_gamma; }
+const LightUnits& Evaluator::use_light_units() {
+    state_->light_units_used = true;
+    return state_->light_units;
+}
+bool Evaluator::set_light_units(const LightUnits& units) {
+    if (state_->light_units_used && units != state_->light_units) return false;
+    state_->light_units = units;
+    return true;
+}
 bool Evaluator::version_given() const { return state_->version_given; }
 const RunFacts& Evaluator::facts() const { return state_->facts; }
 bool Evaluator::in_library(Span span) const { return state_->in_library(span); }

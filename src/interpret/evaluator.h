@@ -11,6 +11,7 @@
 #include "interpret/limits.h"
 #include "interpret/scene_noise.h"
 #include "interpret/value.h"
+#include "photometry/light_units.h"
 #include "syntax/tree.h"
 #include "text/diagnostic.h"
 #include "text/loader.h"
@@ -150,6 +151,11 @@ public:
     bool has_foreign_strings() const;
     /// Sets the gamma that assumed_gamma states. From here on srgb colours are converted to it.
     void set_working_gamma(double);
+    double working_gamma() const;
+    /// What amounts of light are in the scene's numbers. use_light_units() notes that a function
+    /// has asked, after which set_light_units() returns false for other units and does nothing.
+    const LightUnits& use_light_units();
+    [[nodiscard]] bool set_light_units(const LightUnits&);
     /// Whether `#version` has occurred.
     bool version_given() const;
     const RunFacts& facts() const;

@@ -5,6 +5,7 @@
 #include "base/elementary.h"
 #include "interpret/array_data.h"
 #include "interpret/data_functions.h"
+#include "interpret/light_functions.h"
 #include "interpret/number_functions.h"
 #include "interpret/string_functions.h"
 #include "text/message.h"
@@ -141,6 +142,10 @@ constexpr auto table = std::array{
                  General(bits_or)},
     FunctionInfo{"bitwise_xor", 1, FunctionInfo::any, "a, ...", "bits that an odd number has",
                  General(bits_xor)},
+    FunctionInfo{"candela", 1, 1, "amount",
+                 "luminous intensity as the colour that light falling with the square of the "
+                 "distance has at 1: light_source { 2*y intensity candela(1000) }",
+                 General(light_of_candela)},
     FunctionInfo{"ceil", 1, 1, "x", "the next whole number, upwards",
                  Unary([](double x) { return std::ceil(x); })},
     FunctionInfo{"chr", 1, 1, "code", "the character with this code", General(character)},
@@ -171,11 +176,25 @@ constexpr auto table = std::array{
     FunctionInfo{"floor", 1, 1, "x", "the next whole number, downwards",
                  Unary([](double x) { return std::floor(x); })},
     FunctionInfo{"int", 1, 1, "x", "x without its fraction", Unary(to_integer)},
+    FunctionInfo{"kelvin", 1, 2, "temperature[, locus]",
+                 "colour of light, with luminance 1: of a glowing body, or with \"daylight\" of "
+                 "daylight, whose white is 6504",
+                 General(colour_of_kelvin)},
     FunctionInfo{"ln", 1, 1, "x", "natural logarithm", General(natural_logarithm)},
     FunctionInfo{"log", 1, 1, "x", "logarithm to base 10", General(decimal_logarithm)},
+    FunctionInfo{"lumen", 1, 1, "amount",
+                 "luminous flux as radiance times area: emission lumen(800) / area, or luminaire { "
+                 "flux lumen(800) }",
+                 General(light_of_lumens)},
+    FunctionInfo{"lux", 1, 1, "amount",
+                 "illuminance as the colour of a light_source that does not fade",
+                 General(light_of_lux)},
     FunctionInfo{"max", 1, FunctionInfo::any, "a, ...", "the greatest", General(greatest)},
     FunctionInfo{"min", 1, FunctionInfo::any, "a, ...", "the least", General(least)},
     FunctionInfo{"mod", 2, 2, "a, b", "remainder of a / b, with the sign of a", General(remainder)},
+    FunctionInfo{"nit", 1, 1, "amount",
+                 "luminance, in candela per square metre, as the radiance of an emission",
+                 General(light_of_nits)},
     FunctionInfo{"pow", 2, 2, "base, exponent", "base to the power of the exponent",
                  General(power)},
     FunctionInfo{"prod", 4, 4, "i, first, last, e", "product, in functions only", General(not_yet)},
@@ -225,6 +244,14 @@ constexpr auto table = std::array{
                  General(vector_text)},
     FunctionInfo{"vturbulence", 4, 4, "lambda, omega, octaves, point", "sum of noises as a vector",
                  General(vector_turbulence)},
+    FunctionInfo{
+        "watt", 2, 2, "power, efficacy",
+        "luminous flux of an electric power, by its lumens per watt: about 12 for filament "
+        "lamps, 100 for LED lamps",
+        General(light_of_watts)},
+    FunctionInfo{"wavelength", 1, 1, "nanometres",
+                 "colour of light of one wavelength, 380 to 780, with luminance 1",
+                 General(colour_of_wavelength)},
 };
 
 }  // namespace

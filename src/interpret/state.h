@@ -387,6 +387,8 @@ struct Evaluator::State {
     /// The innermost last. They stay here if evaluation ends early: a report names one.
     std::vector<OpenLoop> loops;
     double working_gamma = 1;  ///< of colours, set by assumed_gamma
+    LightUnits light_units;
+    bool light_units_used = false;  ///< a function has converted an amount of light
     std::uint64_t steps = 0;
     std::uint64_t objects = 0;
     std::uint64_t placed = 0;                      ///< objects in the scene with all their parts

@@ -4,9 +4,11 @@
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "base/transform.h"
+#include "photometry/light_colour.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace candelabra {
 
@@ -31,6 +33,12 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
           "`#version 3.8` on 1 / distance^fade_power"},
         F{"fade_power", &PointLight::fade_power, item,
           "how fast it fades: 2 is nature's way; 0 or less: it does not"},
+        F{"intensity", &PointLight::intensity, item,
+          "luminous intensity, as candela(1000): it falls with the square of the distance, and the "
+          "colour counts as a hue only",
+          above(0)},
+        F{"flux", &PointLight::flux, item,
+          "the same by the luminous flux in all directions, as lumen(800)", above(0)},
         F{"shadowless", &PointLight::shadowless, flag,
           "nothing stops its light, no cone either; gives no highlights"},
         F{"media_attenuation", &PointLight::media_attenuation, flag,
@@ -97,7 +105,49 @@ double in_beam(const PointLight& light, double away) {
     return share;
 }
 
+/// Steradians that a light with full strength in all directions of its cone would fill to have the
+/// same flux.
+double filled_steradians(const PointLight& light) {
+    using std::numbers::pi;
+    if (light.kept_to() != cone) return 4 * pi;
+    const LightConeShape shape = cone_shape(light);
+    constexpr int parts = 4096;  // even, for Simpson's rule
+    // By the angle, in which strong tightness is not as narrow as in its cosine.
+    const double edges[] = {0, math::acos(std::clamp(shape.bright, 0.0, 1.0)), pi / 2};
+    double sum = 0;
+    for (int piece = 0; piece < 2; ++piece) {
+        const double step = (edges[piece + 1] - edges[piece]) / parts;
+        for (int i = 0; i <= parts; ++i) {
+            const auto [sine, cosine] = math::sin_cos(edges[piece] + i * step);
+            const double weight = i == 0 || i == parts ? 1 : i % 2 == 1 ? 4 : 2;
+            sum += weight * step / 3 * sine * in_cone(light, shape, cosine);
+        }
+    }
+    return 2 * pi * sum;
+}
+
 }  // namespace
+
+std::string measure(PointLight& light) {
+    if (!light.is_measured()) return {};
+    if (light.intensity && light.flux) return "`intensity` and `flux` say the same: give one";
+    if (light.along_axis())
+        return "`intensity` and `flux` need light that spreads, but the rays of this one are "
+               "parallel";
+    if (light.fade_distance != 0 || (light.fade_power != 0 && light.fade_power != 2))
+        return "a light with an `intensity` or a `flux` falls with the square of the distance: it "
+               "takes no `fade_distance` and no `fade_power`";
+    if (light.colour == Vec3(0)) light.colour = Vec3(1);
+    const double luminance = light_luminance(light.colour);
+    if (!(luminance > 0)) return "the colour of a light with an `intensity` must not be negative";
+    const double steradians = light.flux ? filled_steradians(light) : 1;
+    if (!(steradians > 0)) return "the cone of this light is empty, so it cannot have a `flux`";
+    const double most = light.flux ? *light.flux / steradians : *light.intensity;
+    light.colour *= most / luminance;
+    light.fade_power = 2;
+    light.fades_from_source = true;
+    return {};
+}
 
 bool is_aimless(const PointLight& light) {
     return (light.beam == cone || light.along_axis()) && light.point_at == light.location;

@@ -6,6 +6,7 @@
 #include "vocabulary/kinds.h"
 
 #include <optional>
+#include <string>
 
 namespace candelabra {
 
@@ -40,6 +41,10 @@ struct PointLight {
     double tightness = 0;
     double fade_distance = 0;
     double fade_power = 0;
+    /// In units of LightUnits: the light falls with the square of the distance then, and the colour
+    /// as given is only a hue. See measure().
+    std::optional<double> intensity;
+    std::optional<double> flux;
     bool shadowless = false;
     bool media_attenuation = false;  ///< fog attenuates its light on the way to a surface
     bool media_interaction = true;   ///< if false, fog does not attenuate it in any case
@@ -59,6 +64,7 @@ struct PointLight {
 
     static const ItemInfo vocabulary;
 
+    bool is_measured() const { return intensity || flux; }
     bool is_area() const { return size1 * size2 > 1; }
     /// Whether all of its light is parallel to the axis.
     bool along_axis() const { return parallel || beam == parallel_beam; }
@@ -69,6 +75,10 @@ struct PointLight {
 
 /// Returns the unit direction of a cone, a beam or parallel light.
 Vec3 axis_of(const PointLight&);
+
+/// Gives a light with a stated intensity or flux the colour and the fading that follow. Other lights
+/// stay. A light without a colour is white. Returns an error as a sentence, or an empty string.
+std::string measure(PointLight&);
 
 /// Prepares a light that does not change any more, so that it is evaluated faster.
 void settle(PointLight&);

@@ -21,8 +21,9 @@ constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
 constexpr auto films =
     std::array{&FilmSettings::vocabulary, &Glare::vocabulary, &Bokeh::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
-constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary,
-                                     &Radiosity::vocabulary, &PhotonSettings::vocabulary};
+constexpr auto settings = std::array{&GlobalSettings::vocabulary, &PhotometricUnits::vocabulary,
+                                     &SubsurfaceSettings::vocabulary, &Radiosity::vocabulary,
+                                     &PhotonSettings::vocabulary};
 constexpr auto photons_of_objects = std::array{&ObjectPhotons::vocabulary};
 constexpr auto photons_of_lights = std::array{&LightPhotons::vocabulary};
 

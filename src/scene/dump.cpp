@@ -67,6 +67,9 @@ std::string settings_text(const Scene& scene) {
         luminaires("above ", settings.luminaires_above);
     else if (settings.luminaires_said && !settings.ambient_luminaires)
         luminaires("emission");
+    if (settings.photometry != PhotometricUnits())
+        text += message(text.empty() ? "" : " ", "photometry { ",
+                        written_fields(PhotometricUnits::vocabulary, &settings.photometry), " }");
     if (settings.subsurface.on) {
         const std::string fields =
             written_fields(SubsurfaceSettings::vocabulary, &settings.subsurface);

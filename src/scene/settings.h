@@ -8,6 +8,7 @@
 #include "method/photons.h"
 #include "method/radiosity.h"
 #include "method/settings.h"
+#include "photometry/light_units.h"
 #include "surface/subsurface.h"
 #include "vocabulary/item_info.h"
 
@@ -31,6 +32,7 @@ struct GlobalSettings {
     double luminaires_above = 0;
     bool luminaires_said = false;   ///< the scene defines luminaires
     double mm_per_unit = 10;        ///< millimetres per scene unit, for translucency
+    PhotometricUnits photometry;    ///< from the block of that name
     SubsurfaceSettings subsurface;  ///< from the block of that name
     Radiosity radiosity;            ///< the same
     PhotonSettings photons;         ///< the same
@@ -40,6 +42,11 @@ struct GlobalSettings {
     IntegratorSettings integrator;  ///< the same
 
     static const ItemInfo vocabulary;
+
+    /// What its numbers are in metres and in candela.
+    LightUnits light_units() const {
+        return {photometry.unit.value_or(mm_per_unit / 1000), photometry.white};
+    }
 };
 
 /// Settings of the run: size, quality and effort. Set by the command line; help and manual are made

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/lights.h"
 
+#include "photometry/light_colour.h"
 #include "support/script.h"
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
 #include <regex>
 
 namespace candelabra {
@@ -29,6 +31,45 @@ TEST_CASE("a light source has its place, colour and words", "[bind]") {
     CHECK(light(done, 1).colour == Vec3(0));
     CHECK(light(done, 2).location == Vec3(3, 0, 0));
     CHECK(done.scene.objects.empty());
+}
+
+TEST_CASE("an intensity makes a light of nature, whose colour is a hue", "[bind]") {
+    // 1000 cd at 2 m give 250 lx, which a surface shows as 250 / (200 pi).
+    const Script done =
+        run("#version 3.7; global_settings { photometry { unit 0.5 } } light_source { 0, rgb 7 "
+            "intensity candela(1000) } light_source { 0 intensity candela(1000) } light_source { "
+            "0, rgb "
+            "kelvin(2700) flux lumen(12566.3706144) }");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 colour = incidence(light(done, i), Vec3(0), Vec3(0, -4, 0)).colour;
+        CHECK(light_luminance(colour) == Approx(250 / (200 * std::numbers::pi)).epsilon(1e-9));
+        if (i < 2) CHECK(colour.r == Approx(colour.b));
+    }
+    CHECK(light(done, 2).colour.r > light(done, 2).colour.g);
+}
+
+TEST_CASE("the flux of a spotlight fills its cone", "[bind]") {
+    // A cone without a soft edge of half angle 60 degrees fills pi steradians.
+    const Script done =
+        run("#version 3.7; light_source { 0, 1 spotlight point_at z radius 60 falloff 60 flux 5 } "
+            "light_source { 0, 1 spotlight point_at z radius 0 falloff 90 tightness 3 flux 5 }");
+    REQUIRE(done.text.empty());
+    CHECK(light(done, 0).colour.g == Approx(5 / std::numbers::pi).epsilon(1e-3));
+    // The edge is soft all the way: the integral of c^3 (3 c^2 - 2 c^3) over the cosine.
+    CHECK(light(done, 1).colour.g ==
+          Approx(5 / (2 * std::numbers::pi * (1.0 / 2 - 2.0 / 7))).epsilon(1e-6));
+}
+
+TEST_CASE("an intensity that cannot be is refused", "[bind]") {
+    for (const char* const words :
+         {"intensity 3 flux 3", "intensity 3 parallel", "flux 2 cylinder point_at x",
+          "intensity 2 fade_distance 3", "intensity 0", "flux -1"}) {
+        CAPTURE(words);
+        const Script done = run(std::string("#version 3.7; light_source { y, 1 ") + words + " }");
+        CHECK(done.text.find("error") != std::string::npos);
+    }
 }
 
 TEST_CASE("of shadowless and kinds with shadows the last word holds, as in POV-Ray", "[bind]") {

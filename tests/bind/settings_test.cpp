@@ -25,6 +25,26 @@ TEST_CASE("colours by srgb are in the space of the assumed_gamma before them", "
     CHECK(done.scene.settings.ambient_light.x == Approx(0.49621).epsilon(1e-4));
 }
 
+TEST_CASE("photometry states a unit of length and the luminance of white", "[bind]") {
+    const auto units = [](const std::string& settings) {
+        const Script done = run("#version 3.7; global_settings { " + settings + " }");
+        INFO(done.text);
+        REQUIRE(done.text.empty());
+        return done.scene.settings.light_units();
+    };
+    CHECK(units("") == LightUnits{0.01, 200});
+    CHECK(units("mm_per_unit 1000") == LightUnits{1, 200});
+    CHECK(units("photometry { unit 0.5 white 80 } mm_per_unit 3") == LightUnits{0.5, 80});
+    const Script late =
+        run("#version 3.7; #declare L = lumen(800); global_settings { photometry { unit 1 } }");
+    CHECK(late.text.find("have been converted by other units before") != std::string::npos);
+    CHECK(run("#version 3.7; #declare L = nit(1); global_settings { max_trace_level 3 }")
+              .text.empty());
+    CHECK_FALSE(run("#version 3.7; global_settings { photometry { unit 0 } }").text.empty());
+    CHECK(dump(run("#version 3.7; global_settings { photometry { unit 1 } }").scene)
+              .find("photometry { unit 1 }") != std::string::npos);
+}
+
 TEST_CASE("each light sampler can be chosen", "[bind]") {
     for (std::size_t kind = 0; kind < Kinds<LightSampler>::count; ++kind) {
         const std::string name(Kinds<LightSampler>::infos[kind]->name);
