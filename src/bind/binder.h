@@ -55,6 +55,8 @@ struct Binder {
     std::set<std::string, std::less<>> warned = {};
     /// Pictures that have been read, by file and coding.
     std::map<std::pair<std::string, TexelCoding>, Handle<Texels>> pictures = {};
+    /// Webs of photometric files, by file and set of lamps.
+    std::map<std::pair<std::string, int>, Handle<PhotometricWeb>> webs = {};
     /// Contents of font files, by folder and name.
     std::map<std::pair<std::string, std::string>, std::string> fonts = {};
     /// The value of `assumed_gamma`, once the scene has given it.

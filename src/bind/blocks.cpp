@@ -194,6 +194,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     with_words_of("texture", {"interior_texture", "object | material", BlockForm::block}),
     {"material", "object", BlockForm::block, nullptr, part<DeclaredMaterial, read_material>},
     {"interior", "object | material", BlockForm::block, nullptr, part<Interior, read_interior>},
+    {"luminaire", "finish object"},
     {"photons", "object light_source global_settings", BlockForm::block},
     {"scattering", "media", BlockForm::block},
     {"density", "media | density", BlockForm::block, nullptr, density_value},

@@ -5,6 +5,7 @@
 #include "bind/bind.h"
 #include "bind/item_block.h"
 #include "bind/media.h"
+#include "bind/webs.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
 
@@ -187,7 +188,9 @@ bool read_content(OpenBlock& block, const Content& content, Finish& finish) {
     ItemBlock irid(block, Irid::vocabulary, &finish.irid);
     ItemBlock microfacet(block, Microfacet::vocabulary, &finish.microfacet, &finish.microfacet.on);
     SubsurfaceReader subsurface(block, finish.subsurface);
-    block.read(content, declared, microfacet, fields, reflection, irid, subsurface);
+    LampReader lamp(block, finish.lamp);
+    block.read(content, declared, microfacet, fields, reflection, irid, subsurface, lamp);
+    if (lamp.given()) finish.emission = lamp_emission(*finish.lamp, finish.emission);
     return !block.broken;
 }
 

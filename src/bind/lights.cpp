@@ -4,6 +4,7 @@
 #include "bind/item_block.h"
 #include "bind/objects.h"
 #include "bind/transforms.h"
+#include "bind/webs.h"
 #include "interpret/array_data.h"
 
 namespace candelabra {
@@ -114,6 +115,8 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     }
     const bool modern = binder.evaluator.version() >= modern_version;
     placed.light.fades_from_source = modern;
+    load_web(block, placed.light);
+    if (block.broken) return std::nullopt;
     if (std::string wrong = measure(placed.light); !wrong.empty())
         block.report(
             error(Fault::misplaced, element.word_span, std::move(wrong))

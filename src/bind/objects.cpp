@@ -13,6 +13,7 @@
 #include "bind/photons.h"
 #include "bind/texture_list.h"
 #include "bind/transforms.h"
+#include "bind/webs.h"
 #include "csg/solid.h"
 #include "text/message.h"
 
@@ -216,7 +217,10 @@ private:
         switches.repeatable();
         InversionReader inversion(draft_);
         PhotonsReader photons(block_, draft_);
-        block_.read(body, fields..., content, look, clipping, moves, inversion, switches, photons);
+        LampReader lamp(block_, draft_.switches.lamp);
+        block_.read(body, fields..., content, look, clipping, moves, inversion, switches, photons,
+                    lamp);
+        draft_.modified |= lamp.given();
     }
 
     void read_shape(std::size_t kind) {

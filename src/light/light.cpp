@@ -39,6 +39,14 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
           above(0)},
         F{"flux", &PointLight::flux, item,
           "the same by the luminous flux in all directions, as lumen(800)", above(0)},
+        F{"ies", &PointLight::ies, item,
+          "file of IES LM-63 with its intensity by direction, and its flux if none is given"},
+        F{"ldt", &PointLight::ldt, item, "the same of EULUMDAT"},
+        F{"lamp_set", &PointLight::lamp_set, item, "which set of lamps of EULUMDAT counts",
+          between(1, 100)},
+        F{"aim", &PointLight::aim, item, "where the straight down of the file leads"},
+        F{"c0", &PointLight::c0, item, "where the plane C0 of the file lies"},
+        F{"mirrored", &PointLight::mirrored, flag, "the planes C90 and C270 change places"},
         F{"shadowless", &PointLight::shadowless, flag,
           "nothing stops its light, no cone either; gives no highlights"},
         F{"media_attenuation", &PointLight::media_attenuation, flag,
@@ -130,6 +138,10 @@ double filled_steradians(const PointLight& light) {
 
 std::string measure(PointLight& light) {
     if (!light.is_measured()) return {};
+    if (light.web && light.beam == cone)
+        return "a light with a file of intensities has its shape from there: it is no `spotlight`";
+    const double greatest = light.web ? light.web->greatest() * light.per_candela : 0;
+    if (light.web && !(greatest > 0)) return "the file of this light has no light";
     if (light.intensity && light.flux) return "`intensity` and `flux` say the same: give one";
     if (light.along_axis())
         return "`intensity` and `flux` need light that spreads, but the rays of this one are "
@@ -140,9 +152,11 @@ std::string measure(PointLight& light) {
     if (light.colour == Vec3(0)) light.colour = Vec3(1);
     const double luminance = light_luminance(light.colour);
     if (!(luminance > 0)) return "the colour of a light with an `intensity` must not be negative";
-    const double steradians = light.flux ? filled_steradians(light) : 1;
+    const double steradians = light.web    ? light.web->flux() * light.per_candela / greatest
+                              : light.flux ? filled_steradians(light)
+                                           : 1;
     if (!(steradians > 0)) return "the cone of this light is empty, so it cannot have a `flux`";
-    const double most = light.flux ? *light.flux / steradians : *light.intensity;
+    const double most = light.flux ? *light.flux / steradians : light.intensity.value_or(greatest);
     light.colour *= most / luminance;
     light.fade_power = 2;
     light.fades_from_source = true;
@@ -167,12 +181,16 @@ PointLight transformed(PointLight light, const Transform& transform) {
     light.point_at = transform.point(light.point_at);
     light.area1 = transform.direction(light.area1);
     light.area2 = transform.direction(light.area2);
+    if (!light.file().empty()) turn(light, transform);
     return light;
 }
 
 Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.location); }
 
-void settle(PointLight& light) { light.shape = cone_shape(light); }
+void settle(PointLight& light) {
+    light.shape = cone_shape(light);
+    if (light.web) light.aimed = make_handle<AimedWeb>(light);
+}
 
 Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point) {
     const Vec3 offset = from - point;
@@ -194,6 +212,8 @@ Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point
         result.direction = -unit(light.point_at - from);
         result.distance = dot(offset, result.direction);
     }
+    if (light.web)
+        result.colour *= light.aimed ? light.aimed->share(-offset) : AimedWeb(light).share(-offset);
     result.colour *= faded(light, std::abs(result.distance));
     return result;
 }

@@ -3,6 +3,7 @@
 // not use this module.)
 #pragma once
 
+#include "photometry/aimed_web.h"
 #include "vocabulary/kinds.h"
 
 #include <optional>
@@ -29,7 +30,7 @@ struct LightConeShape {
 /// A light source. It lights a perpendicular surface with an irradiance of pi times its colour, so
 /// that the surface shows the colour as its finish says. Without fading, the distance does not
 /// matter.
-struct PointLight {
+struct PointLight : WebPlace {
     Vec3 location = Vec3(0);
     Vec3 colour = Vec3(0);
     int beam = all_around;
@@ -61,10 +62,11 @@ struct PointLight {
     /// it does not fade then.
     bool fades_from_source = false;
     std::optional<LightConeShape> shape = {};  ///< set by settle(); unset: derived at each use
+    Handle<AimedWeb> aimed = {};               ///< set by settle() if there is a web
 
     static const ItemInfo vocabulary;
 
-    bool is_measured() const { return intensity || flux; }
+    bool is_measured() const { return intensity || flux || web; }
     bool is_area() const { return size1 * size2 > 1; }
     /// Whether all of its light is parallel to the axis.
     bool along_axis() const { return parallel || beam == parallel_beam; }
@@ -76,9 +78,9 @@ struct PointLight {
 /// Returns the unit direction of a cone, a beam or parallel light.
 Vec3 axis_of(const PointLight&);
 
-/// Gives a light with a stated intensity or flux the colour and the fading that follow. Other lights
-/// stay. A light without a colour is white. Returns an error as a sentence, or an empty string.
-std::string measure(PointLight&);
+/// Gives a light with a stated intensity or flux the colour and the fading that
+/// follow. Other lights stay. A light without a colour is white. Returns an error as a sentence, or
+/// an empty string.
 
 /// Prepares a light that does not change any more, so that it is evaluated faster.
 void settle(PointLight&);

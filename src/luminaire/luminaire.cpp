@@ -3,6 +3,7 @@
 
 #include "base/colour.h"
 #include "luminaire/area.h"
+#include "luminaire/body_web.h"
 #include "luminaire/brightness.h"
 #include "luminaire/composite.h"
 #include "luminaire/emitter_kind.h"
@@ -26,11 +27,24 @@ constexpr double min_mean = 1e-3;
 
 /// Ratio of the mean luminance, over the surface and both sides, to that of the brightest point.
 double mean_share(const Luminaire& luminaire) {
-    const double sides = luminaire.one_sided ? 0.5 : 1;
+    const double sides =
+        (luminaire.one_sided ? 0.5 : 1) * (luminaire.web ? luminaire.web->mean_share() : 1);
     const auto* e = std::get_if<CompositeEmitter>(&luminaire.emitter);
     if (!luminaire.brightness && !(e && e->mean)) return sides;
     const double mean = luminaire.brightness ? luminaire.brightness->mean() : *e->mean;
     return sides * std::clamp(mean / luminance(luminaire.radiance), min_mean, 1.0);
+}
+
+/// Ratio of the luminance towards a point to that in the brightest direction, roughly: the
+/// luminaire may be large. Lower bound of the ratio to its mean.
+constexpr double least_towards = 0.05;
+double share_towards(const Luminaire& luminaire, const Vec3& point) {
+    const BodyWeb& web = *luminaire.web;
+    const LightBounds around = bounds(luminaire);
+    const Vec3 offset = point - around.centre;
+    const double distance = length(offset), mean = web.mean_share();
+    if (!(distance > 2 * around.radius)) return 1 / mean;
+    return std::fmax(web.factor(offset / distance) / web.greatest() / mean, least_towards);
 }
 
 std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const Receiver& point,
@@ -97,7 +111,7 @@ LightBounds bounds(const Luminaire& luminaire) {
 }
 
 double unoccluded(const Luminaire& luminaire, const Receiver& point) {
-    return mean_share(luminaire) *
+    return mean_share(luminaire) * (luminaire.web ? share_towards(luminaire, point.position) : 1) *
            std::visit(
                [&](const auto& e) { return unoccluded(e, luminance(luminaire.radiance), point); },
                luminaire.emitter);

@@ -91,6 +91,7 @@ struct VolumeEmitter {
     Handle<EmissionGrid> grid;
 };
 
+class BodyWeb;
 class Brightness;
 
 using Emitter =
@@ -109,6 +110,8 @@ struct Luminaire {
     /// Whether light that it emits on its inner side cannot leave it.
     bool keeps_inner_light = false;
     Handle<Brightness> brightness = nullptr;  ///< null: unknown
+    /// How its radiance changes with the direction; null: it does not.
+    Handle<BodyWeb> web = nullptr;
     std::uint32_t primitive;  ///< index of its primitive in the world; for volumes, of one
                               ///< primitive of the enclosing solid
 

@@ -55,6 +55,8 @@ public:
     WebAngles peak() const;
     double greatest() const { return intensity(peak()); }
 
+    friend bool operator==(const PhotometricWeb&, const PhotometricWeb&) = default;
+
 private:
     double at(std::size_t plane, std::size_t row) const {
         return candela_[plane * vertical_.size() + row];

@@ -17,9 +17,9 @@ bool shows(double cosine, double power) { return cosine > 0 && (1 - cosine) * po
 
 }  // namespace
 
-Vec3 own_radiance(const Shading& s, const ShadingRules& rules, bool emission) {
-    return s.colour.rgb * s.opacity *
-           (s.finish->ambient * rules.ambient_light + (emission ? s.finish->emission : Vec3(0)));
+Vec3 own_radiance(const Shading& s, const ShadingRules& rules, double emission) {
+    const Vec3 emitted = emission != 0 ? emission * s.finish->emission : Vec3(0);
+    return s.colour.rgb * s.opacity * (s.finish->ambient * rules.ambient_light + emitted);
 }
 
 Vec3 iridescence(const Shading& s, const ShadingRules& rules, const Vec3& direction) {

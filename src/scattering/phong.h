@@ -7,9 +7,8 @@
 
 namespace candelabra {
 
-/// Radiance towards the viewer without any light. If `emission` is false, that of the finish is
-/// left out.
-Vec3 own_radiance(const Shading&, const ShadingRules&, bool emission = true);
+/// Radiance towards the viewer without any light. `emission` is a factor of the finish's emission.
+Vec3 own_radiance(const Shading&, const ShadingRules&, double emission = 1);
 
 /// Factor of an iridescent finish for light from a direction, or for a reflection towards it.
 Vec3 iridescence(const Shading&, const ShadingRules&, const Vec3& direction);

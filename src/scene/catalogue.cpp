@@ -24,6 +24,7 @@ constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary, &PhotometricUnits::vocabulary,
                                      &SubsurfaceSettings::vocabulary, &Radiosity::vocabulary,
                                      &PhotonSettings::vocabulary};
+constexpr auto lamps = std::array{&LampData::vocabulary};
 constexpr auto photons_of_objects = std::array{&ObjectPhotons::vocabulary};
 constexpr auto photons_of_lights = std::array{&LightPhotons::vocabulary};
 
@@ -56,6 +57,7 @@ constexpr auto groups = std::array{
     ItemGroup{"Surfaces", "How objects answer light, and what is inside of them.", surface},
     ItemGroup{"Surroundings", "What lies around the objects, and between them.", surroundings},
     ItemGroup{"Settings", "What holds for the whole scene.", settings},
+    ItemGroup{"Lamps in numbers", "What luminaire { } has in a finish or an object.", lamps},
     ItemGroup{"Photons of objects", "What photons { } has in an object.", photons_of_objects},
     ItemGroup{"Photons of lights", "What photons { } has in a light_source.", photons_of_lights},
     ItemGroup{"Light samplers",

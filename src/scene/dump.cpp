@@ -253,6 +253,7 @@ std::vector<std::string> modifiers_of(const Object& object) {
     if (const auto* together = std::get_if<Union>(&object.form); together && together->light_name)
         result.push_back(message("light_name ", written(*together->light_name, FieldType::text)));
     if (object.photons) result.push_back(block_text(*object.photons));
+    if (object.lamp) result.push_back(block_text(*object.lamp));
     if (object.part_textures && !object.part_textures->list.empty() && is_mesh(object))
         result.push_back(list_text(object.part_textures->list));
     if (object.part_textures && object.part_textures->interior)

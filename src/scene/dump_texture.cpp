@@ -155,6 +155,8 @@ std::string finish_text(const Finish& finish) {
     add(reflection_text(finish.reflection));
     if (finish.irid.amount != 0)
         add(message("irid { ", written_fields(Irid::vocabulary, &finish.irid), " }"));
+    if (finish.lamp)
+        add(message("luminaire { ", written_fields(LampData::vocabulary, finish.lamp.get()), " }"));
     if (finish.microfacet.on)
         add(message("microfacet { ", written_fields(Microfacet::vocabulary, &finish.microfacet),
                     " }"));

@@ -101,6 +101,8 @@ struct Switches {
     bool double_illuminate = false;
     bool uv_mapping = false;                  ///< textures are evaluated at u and v
     Handle<ObjectPhotons> photons = nullptr;  ///< null: those of the parent, or unspecified
+    /// States the flux of all that glows in it together; null: nothing is stated.
+    Handle<LampData> lamp = nullptr;
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Switches&, const Switches&) = default;

@@ -93,4 +93,16 @@ Box inside_bounds(const T& shape) {
 }
 Box inside_bounds(const BuiltShape& shape);
 
+/// The address of the content that copies of the shape share; null if each has its own.
+inline const void* shared_content(const BuiltShape& shape) {
+    return std::visit(
+        [](const auto& stored) -> const void* {
+            if constexpr (requires { *stored; })
+                return &*stored;
+            else
+                return nullptr;
+        },
+        shape);
+}
+
 }  // namespace candelabra

@@ -2,6 +2,8 @@
 // How a surface responds to light. Meanings and defaults are POV-Ray 3.7's.
 #pragma once
 
+#include "base/handle.h"
+#include "surface/lamp_data.h"
 #include "surface/subsurface.h"
 
 namespace candelabra {
@@ -47,6 +49,8 @@ struct Microfacet {
 struct Finish {
     Vec3 ambient = Vec3(0.1);
     Vec3 emission = Vec3(0);
+    /// States the flux of each object that shows the finish; null: nothing is stated.
+    Handle<LampData> lamp = {};
     bool no_luminaire = false;  ///< its emission is not a luminaire
     double diffuse = 0.6;
     double diffuse_back = 0;  ///< for light from behind

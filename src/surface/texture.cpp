@@ -195,6 +195,28 @@ Handle<Texture> ambient_as_emission(const Handle<Texture>& texture, const Vec3& 
     return result;
 }
 
+Handle<Texture> as_lamp(const Handle<Texture>& texture, const LampData& lamp, bool all) {
+    Handle<Texture> result = texture;
+    if (texture->choice) {
+        TextureMap map = texture->choice->map;
+        for (TextureStop& stop : map) stop.texture = as_lamp(stop.texture, lamp, all);
+        result.edit().choice.edit().map = std::move(map);
+    } else if (all || texture->finish.emission != Vec3(0)) {
+        Finish& finish = result.edit().finish;
+        finish.emission = lamp_emission(lamp, finish.emission);
+    }
+    if (texture->below) result.edit().below = as_lamp(texture->below, lamp, all);
+    return result;
+}
+
+Handle<LampData> stated_lamp(const Texture& texture) {
+    if (texture.choice)
+        for (const TextureStop& stop : texture.choice->map)
+            if (Handle<LampData> found = stated_lamp(*stop.texture)) return found;
+    if (!texture.choice && texture.finish.lamp) return texture.finish.lamp;
+    return texture.below ? stated_lamp(*texture.below) : nullptr;
+}
+
 bool varied(const Texture& texture) {
     return texture.choice || texture.below || texture.pigment.pattern;
 }

@@ -45,6 +45,13 @@ Vec3 lighting_emission(const Texture&);
 /// has none.
 Handle<Texture> ambient_as_emission(const Handle<Texture>&, const Vec3& ambient_light);
 
+/// Returns the texture as that of a lamp: what emits has the colour of the lamp's temperature. If
+/// `all` is true, all finishes emit.
+Handle<Texture> as_lamp(const Handle<Texture>&, const LampData&, bool all);
+
+/// The lamp that a finish of the texture states, the first one of several; null: there is none.
+Handle<LampData> stated_lamp(const Texture&);
+
 /// Whether its emission varies over the surface.
 bool varied(const Texture&);
 

@@ -43,6 +43,11 @@ bool shows_emission(const World& world, const PathState& path, PrimitiveIndex pr
            world.lights.luminaire_of[primitive] == no_primitive;
 }
 
+double shown_emission(const World& world, const PathState& path, PrimitiveIndex primitive) {
+    const Vec3 towards = -path.ray.direction;
+    return shows_emission(world, path, primitive) ? world.output(primitive, &towards) : 0;
+}
+
 PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shading& s) {
     PathState next = path;
     next.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(), Branch::reflection);

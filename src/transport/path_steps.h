@@ -38,6 +38,8 @@ private:
 
 /// Whether the path sees the primitive's emission. It does not if the luminaire was sampled before.
 bool shows_emission(const World&, const PathState&, PrimitiveIndex);
+/// Factor of the emission that a path sees of a primitive's finishes; 0 if it has been counted.
+double shown_emission(const World&, const PathState&, PrimitiveIndex);
 
 /// Continues the path in the mirror direction. The reflectivity is not in its throughput.
 PathState mirrored_path(const PathState&, const Vertex&, const Shading&);

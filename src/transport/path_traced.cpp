@@ -138,7 +138,7 @@ bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double 
 void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
                                   const LayerStack::Seen& layer) {
     const Vec3 own =
-        own_radiance(layer.shading, rules_, shows_emission(world_, seen, vertex.hit.primitive));
+        own_radiance(layer.shading, rules_, shown_emission(world_, seen, vertex.hit.primitive));
     const Shading s = layer.scattering();
     record_seen(ledger_, world_, vertex.hit.primitive, seen.throughput * own);
     sum_ += seen.throughput * own;

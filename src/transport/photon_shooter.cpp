@@ -67,6 +67,7 @@ double light_at(const PointLight& light, const PhotonTarget& target) {
     const Vec3 there = target.centre;
     PointLight plain = light;
     plain.beam = all_around;
+    plain.web = nullptr;
     plain.parallel = light.along_axis();
     const double most = std::abs(grey(incidence(plain, light.location, there).colour));
     const Vec3 offset = there - light.location, axis = axis_of(light);

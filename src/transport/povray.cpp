@@ -70,7 +70,7 @@ Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
 Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex, const Layers& layers) {
     if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
     const LayerStack stack(world_, path, vertex, layers);
-    const bool emission = shows_emission(world_, path, vertex.hit.primitive);
+    const double emission = shown_emission(world_, path, vertex.hit.primitive);
     Vec3 result(0);
     stack.visit([&](const LayerStack::Seen& layer) {
         const Shading& s = layer.shading;
@@ -105,7 +105,7 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex, cons
 /// Radiance that one layer emits and reflects of direct light, before the layers above attenuate
 /// it.
 Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Shading& s,
-                           bool emission) {
+                           double emission) {
     const Vec3 own = own_radiance(s, rules_, emission);
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
     // Gathered light shows no highlights. The last gathering includes light sources; light of

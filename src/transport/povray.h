@@ -36,7 +36,7 @@ private:
     Vec3 follow(const PathState&);
     Vec3 surface(const PathState&, const Hit&);
     Vec3 layered(const PathState&, const Vertex&, const Layers&);
-    Vec3 lit(const PathState&, const Vertex&, const Shading&, bool emission);
+    Vec3 lit(const PathState&, const Vertex&, const Shading&, double emission);
     Vec3 gathered(const PathState&, const Vertex&, const Shading&);
     Vec3 gathered_from(const PathState&, const Vertex&, const Shading&, bool behind);
     Vec3 reflected(const PathState&, const Vertex&, const Shading&, const Vec3& amount,

@@ -14,7 +14,7 @@ bool emits_nothing(const Texture& texture) {
 }  // namespace
 
 bool cannot_emit(const Object& object, const Handle<Texture>* inherited) {
-    if (object.interior && object.interior->luminaire) return false;
+    if (object.lamp || (object.interior && object.interior->luminaire)) return false;
     const Handle<Texture>* own = object.texture ? &object.texture : inherited;
     const auto none_emits = [&](const std::vector<ObjectHandle>& parts) {
         return std::ranges::all_of(
@@ -25,6 +25,24 @@ bool cannot_emit(const Object& object, const Handle<Texture>* inherited) {
     if (const auto* group = std::get_if<Union>(&object.form))
         return group->lights.empty() && !group->children.empty() && none_emits(group->children);
     return own && emits_nothing(**own);
+}
+
+bool emits(const Object& object, const Handle<Texture>* inherited) {
+    const Handle<Texture>* own = object.texture ? &object.texture : inherited;
+    const auto glows = [](const Handle<Texture>& texture) {
+        return greatest_emission(*texture) != Vec3(0);
+    };
+    const auto any_emits = [&](const std::vector<ObjectHandle>& parts) {
+        return std::ranges::any_of(parts,
+                                   [&](const ObjectHandle& part) { return emits(*part, own); });
+    };
+    if (object.part_textures &&
+        (std::ranges::any_of(object.part_textures->list, glows) ||
+         (object.part_textures->interior && glows(object.part_textures->interior))))
+        return true;
+    if (object.clipping && any_emits(object.clipping->clips)) return true;
+    if (const auto* group = std::get_if<Union>(&object.form)) return any_emits(group->children);
+    return own && glows(*own);
 }
 
 }  // namespace candelabra

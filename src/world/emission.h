@@ -11,4 +11,7 @@ namespace candelabra {
 /// `inherited` is the texture of parts without one of their own; null: none.
 bool cannot_emit(const Object&, const Handle<Texture>* inherited);
 
+/// Whether a texture of the object emits light somewhere.
+bool emits(const Object&, const Handle<Texture>* inherited);
+
 }  // namespace candelabra

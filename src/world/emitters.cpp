@@ -21,18 +21,6 @@ namespace {
 /// Maximum number of luminaires with a guide, which takes some time and memory.
 constexpr int max_guides = 64;
 
-/// The address of the content that copies of the shape share; null if each has its own.
-const void* shared_content(const BuiltShape& shape) {
-    return std::visit(
-        [](const auto& stored) -> const void* {
-            if constexpr (requires { *stored; })
-                return &*stored;
-            else
-                return nullptr;
-        },
-        shape);
-}
-
 bool receives_light(const Finish& f) {
     return f.diffuse != 0 || f.diffuse_back != 0 || f.phong != 0 || f.specular != 0 ||
            f.microfacet.on || f.subsurface.translucency != Vec3(0);
@@ -154,6 +142,10 @@ void set_radiance(const World& world, Luminaire& luminaire) {
     if (look.transparent && !luminaire.varying && !luminaire.two_faced)
         luminaire.radiance = emission(*look.texture, Vec3(0), world.pattern_scene(),
                                       [&](const Colour& colour) { return world.opacity(colour); });
+    luminaire.radiance *= world.output(luminaire.primitive, nullptr);
+    if (!world.appearance.output_of.empty())
+        luminaire.web =
+            world.appearance.outputs[world.appearance.output_of[luminaire.primitive]].web;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "csg/assemble.h"
 #include "csg/extent.h"
+#include "shape/watertight.h"
 #include "text/message.h"
 #include "world/corners.h"
 #include "world/emission.h"
@@ -11,6 +12,7 @@
 #include "world/materials.h"
 #include "world/mesh_copies.h"
 #include "world/provenance.h"
+#include "world/stated_lamps.h"
 #include "world/volumes.h"
 
 #include <algorithm>
@@ -71,7 +73,8 @@ public:
     void add_light_unnamed(const Object& object, const Inherited& outer, bool whole) {
         if (has_needless_bounds(object))
             return add_light_unnamed(without_bounds(object), outer, true);
-        const bool inert = only_lights_count_ && cannot_emit(object, outer.texture);
+        const bool inert =
+            only_lights_count_ && outer.lamp == 0 && cannot_emit(object, outer.texture);
         if (inert || is_composite(object)) {
             ++world_.provenance.object_count;
             objects_.begin(object.span);
@@ -96,6 +99,7 @@ public:
         if (row) {
             for (std::size_t i = 0; placed && i < row->spheres.size(); ++i) {
                 objects_.begin(row->spans[i]);
+                begin_lamp(here, material, row->spans[i]);
                 place_sphere(row->spheres[i], here.transform, material, row->spans[i]);
             }
             return;
@@ -104,6 +108,7 @@ public:
         const Shape& shape = std::get<Shape>(object.form);
         const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
         if (!placed) return;
+        begin_lamp(here, material, object.span);
         if (mesh && is_taken_apart(object, **mesh, here, material)) {
             // The faces of one mesh share a material of their own, which distinguishes the mesh
             // from other solids.
@@ -160,6 +165,7 @@ public:
         for (Parted& each : parted_)
             world_.appearance.part_textures[geometry_.primitive(each.kind, each.index)] =
                 std::move(each.textures);
+        if (all_) lamps_.settle(world_, diagnostics_);
         if (!all_ || receives_light(world_)) {
             add_luminaires(world_, glowing_, all_, diagnostics_);
             add_volumes(world_, filled_, all_, diagnostics_);
@@ -197,11 +203,26 @@ private:
         here.said = outer.said | Hidden{object.no_shadow, object.no_image, object.no_reflection,
                                         object.no_radiosity};
         static_cast<Hidden&>(here) = outer | (here.said & outer.heeded);
+        if (object.lamp) {
+            here.lamp = lamps_.begin(object.lamp, here.transform, object.span);
+            here.lamp_data = &object.lamp;
+            here.all_of_lamp = !emits(object, outer.texture);
+        }
         here.no_luminaire |= object.no_luminaire;
         here.double_illuminate |= object.double_illuminate;
         here.hollow |= object.hollow;
         if (object.photons) here.photons = photon_surface(world_, *object.photons, object.span);
         return here;
+    }
+
+    /// Notes which lamp the next primitives belong to: that of an object around them, or one of
+    /// their own, if their finish states its flux.
+    void begin_lamp(const Inherited& here, std::uint32_t material, Span span) {
+        const Handle<LampData>& own = materials_.lamp(material);
+        lamp_ = here.lamp != 0 || !own || !own->has_flux()
+                    ? here.lamp
+                    : lamps_.begin(own, here.transform, span);
+        sealed_ = false;
     }
 
     /// Adds the lights of a light group where the group stands.
@@ -271,6 +292,7 @@ private:
     void add_mesh(const Mesh& mesh, const Transform* transform,
                   const std::vector<std::uint32_t>& materials, Span span) {
         const bool sided = world_.appearance.materials[materials.front()].inner != nullptr;
+        sealed_ = lamp_ != 0 && is_watertight(mesh);
         // Reflection does not change the outer side of a mesh.
         const bool mirrored = transform && transform->determinant() < 0;
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -327,8 +349,14 @@ private:
     /// Collects the materials of a composite's leaves.
     struct LeafVisitor {
         Flattener& flattener;
+        struct OwnLamp {
+            Handle<LampData> data;
+            std::uint32_t number;
+        };
+
         std::vector<Inherited> around;
         bool transparent = false;
+        std::vector<OwnLamp> own_lamps = {};
 
         void enter(const Object& object) {
             around.push_back(flattener.inherit(object, around.back()));
@@ -339,6 +367,15 @@ private:
             flattener.enter_group(*group, around.back());
         }
         void leave() { around.pop_back(); }
+        /// All leaves whose finishes state the same flux are one lamp.
+        std::uint32_t lamp_of(const Inherited& look, std::uint32_t material, Span span) {
+            const Handle<LampData>& own = flattener.materials_.lamp(material);
+            if (look.lamp != 0 || !own || !own->has_flux()) return look.lamp;
+            const auto found = std::ranges::find(own_lamps, own, &OwnLamp::data);
+            if (found != own_lamps.end()) return found->number;
+            own_lamps.push_back({own, flattener.lamps_.begin(own, look.transform, span)});
+            return own_lamps.back().number;
+        }
         void leaf(const Object& object) {
             const Inherited& look = around.back();
             const Handle<Transform>& outside = around[around.size() - 2].transform;
@@ -352,6 +389,7 @@ private:
             transparent |= flattener.world_.appearance.materials[material].transparent;
             flattener.leaf_materials_.push_back(material);
             flattener.leaf_spans_.push_back(object.span);
+            flattener.leaf_lamps_.push_back(lamp_of(look, material, object.span));
             flattener.objects_.placed(PrimitiveKind::leaf);
         }
     };
@@ -370,6 +408,7 @@ private:
         for (std::size_t leaf = first; leaf < leaf_materials_.size(); ++leaf) {
             geometry_.composite_of.push_back(number);
             const Box& seen = composite->leaf_bounds(static_cast<std::uint32_t>(leaf - first));
+            lamp_ = leaf_lamps_[leaf];
             if (!seen.empty())
                 note(PrimitiveKind::leaf, leaf, leaf_materials_[leaf], leaf_spans_[leaf],
                      finite(seen));
@@ -413,6 +452,7 @@ private:
 
     void note_luminaire(PrimitiveKind kind, std::size_t index, std::uint32_t material, Span span) {
         note_volume(kind, index, material, span);
+        if (materials_.emits(material)) lamps_.add(lamp_, kind, index, sealed_);
         if (materials_.glows(material))
             glowing_.push_back(
                 {kind, static_cast<std::uint32_t>(index), span, statements_.number()});
@@ -424,6 +464,10 @@ private:
     std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_,
         leaf_materials_;
     std::vector<Span> leaf_spans_;
+    std::vector<std::uint32_t> leaf_lamps_;
+    StatedLamps lamps_;
+    std::uint32_t lamp_ = 0;                 ///< of the next primitives, in lamps_; 0: none
+    bool sealed_ = false;                    ///< they are faces of a closed mesh
     std::vector<GlowingPrimitive> glowing_;  ///< surfaces
     std::vector<GlowingPrimitive> filled_;   ///< with media that light the scene
     bool idle_volume_said_ = false;

@@ -149,14 +149,15 @@ Vec3 World::passed(const Hit& hit, const Ray& ray) const {
     return candelabra::passed(*this, {t, hit.primitive, hit.normal, hit.part}, ray);
 }
 
-Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point, Side side) const {
+Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point, Side side,
+                     const Vec3* direction) const {
     const PatternScene scene = pattern_scene(primitive, any_part, point);
     Vec3 sum(0);
     for_textures(primitive, any_part, point, side, [&](double weight, const Texture& texture) {
         sum += weight * candelabra::emission(texture, point, scene,
                                              [&](const Colour& colour) { return opacity(colour); });
     });
-    return sum;
+    return sum * output(primitive, direction);
 }
 
 double World::opacity(const Colour& colour) const {

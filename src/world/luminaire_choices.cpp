@@ -22,7 +22,8 @@ double left_on_way(const Ray& ray, double tolerance, double distance, const Ligh
 }  // namespace
 
 bool LuminaireChoices::exact_nearby(LightIndex light) const {
-    return std::holds_alternative<TriangleEmitter>(luminaires_[light].emitter);
+    return !luminaires_[light].web &&
+           std::holds_alternative<TriangleEmitter>(luminaires_[light].emitter);
 }
 
 double LuminaireChoices::arriving(LightIndex light, const SurveyPlace& from, const Vec2& u,

@@ -2,6 +2,7 @@
 // The appearance of a world's surfaces, and their effect on rays. Filled by flatten().
 #pragma once
 
+#include "luminaire/body_web.h"
 #include "medium/interior.h"
 #include "surface/texture.h"
 #include "world/geometry.h"
@@ -43,6 +44,12 @@ struct Material {
     bool stops_light() const { return !transparent && !no_shadow; }
 };
 
+/// What makes the emission of a lamp's textures the light that its data sheet states.
+struct LightOutput {
+    double scale = 1;               ///< factor of the emission
+    Handle<BodyWeb> web = nullptr;  ///< another factor, by direction; null: all alike
+};
+
 /// Textures of the parts of a surface, indexed by the shape's numbers of these parts.
 using TextureList = std::vector<Handle<Texture>>;
 
@@ -52,13 +59,16 @@ struct Appearance {
     std::vector<std::uint32_t> material_of;  ///< per primitive
     /// For meshes that are leaves, by face, and for blobs, by component.
     std::unordered_map<PrimitiveIndex, TextureList> part_textures;
-    bool any_transparent = false;  ///< rays must track the solids that contain them
-    bool any_left_out = false;     ///< some objects are invisible to some rays
-    bool any_scattering = false;   ///< a finish has facets
-    bool any_media = false;        ///< some solid contains media
-    bool any_drawn_media = false;  ///< and samples of these differ
-    bool any_other_light = false;  ///< see WorldFacts
-    bool any_clear = false;        ///< shadow rays may pass through some surface
+    /// The first one changes nothing. See World::output().
+    std::vector<LightOutput> outputs{1};
+    std::vector<std::uint32_t> output_of;  ///< per primitive, in outputs; empty: none has one
+    bool any_transparent = false;          ///< rays must track the solids that contain them
+    bool any_left_out = false;             ///< some objects are invisible to some rays
+    bool any_scattering = false;           ///< a finish has facets
+    bool any_media = false;                ///< some solid contains media
+    bool any_drawn_media = false;          ///< and samples of these differ
+    bool any_other_light = false;          ///< see WorldFacts
+    bool any_clear = false;                ///< shadow rays may pass through some surface
     bool any_keeps_energy = false;
 };
 

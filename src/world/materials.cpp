@@ -2,6 +2,7 @@
 #include "world/materials.h"
 
 #include "surface/quality.h"
+#include "world/radiance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +77,9 @@ std::uint32_t Materials::index(const Inherited& look) {
                   look.no_luminaire,
                   look.double_illuminate,
                   look.hollow,
-                  look.photons};
+                  look.photons,
+                  look.lamp_data ? look.lamp_data->get() : nullptr,
+                  look.all_of_lamp};
     if (last_key_ != key) {
         last_key_ = key;
         const auto next = static_cast<std::uint32_t>(world_.appearance.materials.size());
@@ -88,19 +91,20 @@ std::uint32_t Materials::index(const Inherited& look) {
 }
 
 /// Returns the texture as rendered: with emission instead of ambient if the settings ask for that.
-Handle<Texture> Materials::lit(const Handle<Texture>& texture) const {
+Handle<Texture> Materials::lit(const Handle<Texture>& texture, const Inherited& look) const {
     const GlobalSettings& settings = world_.rules.settings;
-    return simplified(settings.ambient_luminaires
-                          ? ambient_as_emission(texture, settings.ambient_light)
-                          : texture,
-                      world_.rules.quality);
+    Handle<Texture> result = settings.ambient_luminaires
+                                 ? ambient_as_emission(texture, settings.ambient_light)
+                                 : texture;
+    if (look.lamp_data) result = as_lamp(result, **look.lamp_data, look.all_of_lamp);
+    return simplified(result, world_.rules.quality);
 }
 
 void Materials::add(const Inherited& look) {
     Material material;
-    material.texture = lit(*look.texture);
+    material.texture = lit(*look.texture, look);
     const Texture& texture = *material.texture;
-    if (look.inner) material.inner = lit(*look.inner);
+    if (look.inner) material.inner = lit(*look.inner, look);
     material.interior = settled(look.interior ? *look.interior : nullptr, texture);
     if (material.interior && !material.interior->media.empty()) {
         if (world_.rules.quality < quality_full) material.interior.edit().media.clear();
@@ -142,9 +146,15 @@ void Materials::add(const Inherited& look) {
     double emission = max_component(lighting_emission(texture));
     if (material.inner)
         emission = std::max(emission, max_component(lighting_emission(*material.inner)));
+    // The radiance of a lamp whose flux is stated is not known yet.
+    Handle<LampData> lamp = look.lamp_data ? *look.lamp_data : stated_lamp(texture);
+    const bool stated = lamp && lamp->has_flux();
+    const double above = world_.rules.settings.luminaires_above;
     const bool glows = world_.rules.quality >= quality_shadows && !look.no_luminaire &&
-                       emission > world_.rules.settings.luminaires_above;
+                       (stated ? emission > 0 && !std::isinf(above) : emission > above);
     glows_.push_back(glows);
+    emits_.push_back(emission > 0 || greatest_emission(material) != Vec3(0));
+    lamps_.push_back(std::move(lamp));
     material.other_light = material.transparent || material.by_view || look.double_illuminate ||
                            (emission != 0 && !glows) || has_other_light(texture) ||
                            (material.inner && has_other_light(*material.inner));
@@ -157,6 +167,8 @@ std::uint32_t Materials::own(std::uint32_t material) {
     world_.appearance.materials.push_back(Material(world_.appearance.materials[material]));
     world_.appearance.materials.back().solid = number;
     glows_.push_back(glows_[material]);
+    emits_.push_back(emits_[material]);
+    lamps_.push_back(lamps_[material]);
     return number;
 }
 
@@ -182,6 +194,8 @@ void Materials::include(std::uint32_t material, std::uint32_t part) {
     whole.by_view |= other.by_view;
     whole.other_light |= other.other_light;
     glows_[material] = glows_[material] || glows_[part];
+    emits_[material] = emits_[material] || emits_[part];
+    if (!lamps_[material]) lamps_[material] = lamps_[part];
 }
 
 std::uint32_t Materials::of_face(const std::vector<std::uint32_t>& materials, const Face& looks) {
@@ -205,7 +219,7 @@ std::uint32_t Materials::of_parts(const Object& object, const Inherited& look,
     const std::uint32_t result = own(index(look));
     Inherited part = look;
     for (const Handle<Texture>& texture : object.part_textures->list) {
-        list.push_back(lit(world_texture(texture, outside, look.uv)));
+        list.push_back(lit(world_texture(texture, outside, look.uv), look));
         part.texture = &list.back();
         include(result, index(part));
     }

@@ -48,6 +48,10 @@ struct Inherited : Hidden {
     /// Whether this is one of the parts of a composite. As in POV-Ray, a part with its own interior
     /// is a solid of its own: a ray that enters it does not leave it through the others.
     bool of_several = false;
+    /// The lamp around it whose flux is stated: its number in StatedLamps, 0: none; its data.
+    std::uint32_t lamp = 0;
+    const Handle<LampData>* lamp_data = nullptr;
+    bool all_of_lamp = false;  ///< nothing of the lamp has an emission of its own, so all glows
 };
 
 class Materials {
@@ -83,6 +87,10 @@ public:
 
     /// Whether primitives of the material are luminaires.
     bool glows(std::uint32_t material) const { return glows_[material]; }
+    /// The lamp that a finish of the material states; null: none.
+    const Handle<LampData>& lamp(std::uint32_t material) const { return lamps_[material]; }
+    /// Whether the material has an emission, whatever it lights.
+    bool emits(std::uint32_t material) const { return emits_[material]; }
 
 private:
     /// The attributes that define a material.
@@ -94,6 +102,8 @@ private:
         bool no_shadow, no_image, no_reflection, no_radiosity, no_luminaire, double_illuminate,
             hollow;
         PhotonSurface photons;
+        const LampData* lamp;
+        bool all_of_lamp;
 
         friend bool operator==(const Key&, const Key&) = default;
     };
@@ -103,11 +113,12 @@ private:
     using TextureKey = std::tuple<const Texture*, const Transform*, bool>;
 
     void add(const Inherited& look);
-    Handle<Texture> lit(const Handle<Texture>&) const;
+    Handle<Texture> lit(const Handle<Texture>&, const Inherited&) const;
     void include(std::uint32_t material, std::uint32_t part);
 
     World& world_;
-    std::vector<bool> glows_;
+    std::vector<bool> glows_, emits_;
+    std::vector<Handle<LampData>> lamps_;
     std::unordered_map<Key, std::uint32_t, Hash> indices_;
     std::optional<Key> last_key_;
     std::uint32_t last_ = 0;  ///< of last_key_

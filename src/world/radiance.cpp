@@ -15,9 +15,10 @@ Vec3 greatest_emission(const Material& material) {
 
 Vec3 radiance_of(const World& world, const Luminaire& luminaire, const EmittingPoint& point) {
     if (luminaire.is_volume()) return volume_emission(world, luminaire.primitive, point.position);
-    const bool same_everywhere = !luminaire.varying && !luminaire.two_faced;
-    return same_everywhere ? luminaire.radiance
-                           : world.emission(luminaire.primitive, point.position, point.side);
+    const bool same_everywhere = !luminaire.varying && !luminaire.two_faced && !luminaire.web;
+    return same_everywhere
+               ? luminaire.radiance
+               : world.emission(luminaire.primitive, point.position, point.side, &point.direction);
 }
 
 double luminance_at(const World& world, PrimitiveIndex primitive, const Vec3& point) {

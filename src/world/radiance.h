@@ -14,7 +14,7 @@ Vec3 greatest_emission(const Material&);
 struct EmittingPoint {
     Vec3 position;
     Side side;
-    Vec3 direction;  ///< unit, away from the luminaire; finishes emit alike in all directions
+    Vec3 direction;  ///< unit, away from the luminaire
 };
 
 /// The point where a ray meets a luminaire.

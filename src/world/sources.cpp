@@ -34,6 +34,13 @@ Falloff falloff(const PointLight& light) {
     const double dark = light.falloff.value_or(45) * radians_per_degree,
                  bright = light.radius.value_or(30) * radians_per_degree;
     const bool turned = light.is_area() && light.area_illumination;
+    if (light.web && !turned) {
+        const AimedWeb web(light);
+        result.axis = web.aim();
+        result.dark = web.dark();
+        result.bright = std::min(web.bright(), web.dark());
+        return result;
+    }
     if (light.kept_to() != cone || light.parallel || turned) return result;
     // Without a bright part, or with one that is wider than a half space, the cone has no edge but
     // that of the half space.

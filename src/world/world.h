@@ -121,8 +121,18 @@ public:
         return appearance.materials[appearance.material_of[primitive]];
     }
 
-    /// Radiance that one side of the primitive emits at a point of its surface.
-    Vec3 emission(PrimitiveIndex, const Vec3& point, Side) const;
+    /// Radiance that one side of the primitive emits at a point of its surface in a direction, a
+    /// unit vector away from it; null: in the brightest direction.
+    Vec3 emission(PrimitiveIndex, const Vec3& point, Side, const Vec3* direction = nullptr) const;
+
+    /// Factor by which the primitive emits more than its textures say in that direction; null: the
+    /// greatest one.
+    double output(PrimitiveIndex primitive, const Vec3* direction) const {
+        if (appearance.output_of.empty()) return 1;
+        const LightOutput& found = appearance.outputs[appearance.output_of[primitive]];
+        if (!found.web) return found.scale;
+        return found.scale * (direction ? found.web->factor(*direction) : found.web->greatest());
+    }
 
     /// Calls use(share, texture) for each texture that shows on that side at a point of the
     /// surface: a single one, or those of the corners of a mesh's face or of a blob's components.

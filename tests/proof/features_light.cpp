@@ -78,6 +78,16 @@ Factor luminaires() {
                           "0, 0.8 pigment { checker rgb 1, rgb <0.2, 0.4, 1> scale 0.3 } finish { "
                           "diffuse 0 emission @4@ $no_luminaire$ } " +
                               place));
+    levels.push_back(lamp("in lumens", "torus",
+                          "0.6, 0.2 pigment { rgb 1 } finish { diffuse 0 luminaire { flux @9@ "
+                          "temperature 3000 lamp_set 1 aim -y c0 x mirrored } $no_luminaire$ } " +
+                              place,
+                          lengths));
+    levels.push_back(lamp("union in lumens", "union",
+                          "sphere { -0.4*x, 0.4 } box { <0.1, -0.3, -0.3>, <0.6, 0.3, 0.3> "
+                          "scale <1, 2, 1> } " +
+                              glow + "luminaire { flux @12@ } " + place,
+                          lengths));
     levels.push_back(lamp("half clear", "box",
                           "-0.6, 0.6 pigment { rgb 1 transmit 0.5 } finish { diffuse 0 emission "
                           "@4@ $no_luminaire$ } " +
@@ -155,6 +165,10 @@ Factor light_sources() {
         source("spotlight", "spotlight point_at <0, 0.5, 0> radius 12 falloff 20 tightness 5"));
     levels.push_back(
         source("cylinder", "cylinder point_at <0, 0.5, 0> radius 0.8 falloff 1.4", lengths));
+    levels.push_back(source("in candela", "intensity @9@", lengths));
+    levels.push_back(source("spot in lumens",
+                            "flux @20@ spotlight point_at <0, 0.5, 0> radius 20 falloff 30",
+                            lengths));
     levels.push_back(source("parallel", "parallel point_at <0, 0.5, 0>"));
     levels.push_back(source("area", "area_light x, z, 3, 3 adaptive 1 jitter"));
     levels.push_back(

@@ -152,8 +152,6 @@ constexpr auto word_values = std::to_array<WordSample>({
 
 /// Words of files, of newer versions of the language, or that change what the values mean.
 constexpr auto omitted = std::to_array<Sample>({
-    {"light_source", "intensity"},
-    {"light_source", "flux"},
     {"mesh", "file"},
     {"mesh2", "*"},
     {"bicubic_patch", "*"},

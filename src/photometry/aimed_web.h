@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The web of a lamp in a scene: which file it comes from, and how it is turned. Two axes turn it.
+#pragma once
+
+#include "base/handle.h"
+#include "base/transform.h"
+#include "photometry/photometric_web.h"
+
+#include <string>
+
+namespace candelabra {
+
+/// Fields of lamps in the language by which they name and turn a web.
+struct WebPlace {
+    std::string ies = {}, ldt = {};  ///< name of the file, in one of them
+    int lamp_set = 1;                ///< of EULUMDAT, from 1
+    Vec3 aim = Vec3(0, -1, 0);       ///< where the web's straight down (gamma 0) leads
+    Vec3 c0 = Vec3(1, 0, 0);         ///< where the plane C0 lies; its part along `aim` is left out
+    bool mirrored = false;           ///< the planes C90 and C270 are exchanged
+
+    Handle<PhotometricWeb> web = {};  ///< of the file; null: there is none
+    /// Candela in the scene's numbers: see LightUnits::intensity().
+    double per_candela = 1;
+
+    const std::string& file() const { return ies.empty() ? ldt : ies; }
+    friend bool operator==(const WebPlace&, const WebPlace&) = default;
+};
+
+/// Turns the axes with a lamp. A transformation that stretches the lamp only turns its web, and one
+/// that mirrors the lamp mirrors its web.
+void turn(WebPlace&, const Transform&);
+
+/// Whether `aim` and `c0` are two directions.
+bool has_axes(const WebPlace&);
+
+/// A web in the space of the scene.
+class AimedWeb {
+public:
+    /// Preconditions: there is a web, and has_axes().
+    explicit AimedWeb(const WebPlace&);
+
+    /// Intensity in candela in a direction away from the lamp, which need not have unit length.
+    double intensity(const Vec3& direction) const {
+        return web_->intensity({dot(direction, x_), dot(direction, y_), dot(direction, z_)});
+    }
+    /// The greatest intensity in candela.
+    double greatest() const { return greatest_; }
+    /// Share of the greatest intensity; 0 everywhere if the web is dark.
+    double share(const Vec3& direction) const {
+        return greatest_ > 0 ? intensity(direction) / greatest_ : 0;
+    }
+    /// The direction in the scene of one in the web's own frame.
+    Vec3 towards(const Vec3& own) const { return own.x * x_ + own.y * y_ + own.z * z_; }
+    const PhotometricWeb& web() const { return *web_; }
+    /// The unit direction of `aim`.
+    Vec3 aim() const { return -z_; }
+    /// Half angles, in radians, of cones around the aim: outside of `dark` there is no light, and
+    /// outside of `bright` less than half of the greatest intensity.
+    double dark() const { return dark_; }
+    double bright() const { return bright_; }
+
+    friend bool operator==(const AimedWeb&, const AimedWeb&) = default;
+
+private:
+    Handle<PhotometricWeb> web_;
+    Vec3 x_, y_, z_;  ///< the axes of the web's own frame (photometric_web.h), unit
+    double greatest_ = 0;
+    double dark_ = 0, bright_ = 0;
+};
+
+}  // namespace candelabra

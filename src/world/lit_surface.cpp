@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/lit_surface.h"
+
+#include "base/circle.h"
+#include "shape/area.h"
+#include "shape/watertight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace candelabra {
+
+namespace {
+
+/// Points of a surface with a formula: for what differs from place to place, and for normals alone.
+constexpr int many_points = 1 << 14, some_points = 1 << 10;
+/// Lines along each of three axes, in batches, by which surfaces without a formula are found. More
+/// batches follow until the standard error of the area is below a fraction of it.
+constexpr int lines_of_batch = 1 << 12, min_batches = 4, max_batches = 24;
+constexpr double wanted_error = 2e-4;
+
+/// Point i of a sequence that fills the unit square evenly (Roberts' R2).
+Vec2 spread(int i) {
+    const Vec2 at =
+        Vec2(0.5) + static_cast<double>(i) * Vec2(0.7548776662466927, 0.5698402909980532);
+    return at - glm::floor(at);
+}
+
+bool is_open(const Cylinder& c) { return c.open; }
+bool is_open(const Cone& c) { return c.open; }
+bool is_open(const BuiltMesh& m) { return !is_watertight(*m.mesh); }
+template <ShapeKind T>
+bool is_open(const T&) {
+    return !std::is_same_v<T, Sphere> && !std::is_same_v<T, Cuboid>;
+}
+
+SurfacePiece placed_piece(const SurfacePoint& point, double area, const Transform* transform) {
+    if (!transform) return {point.position, point.normal, area};
+    // The length is the area that a unit of the shape's own area becomes.
+    const Vec3 stretched = std::abs(transform->determinant()) * transform->normal(point.normal);
+    const double by = length(stretched);
+    return {transform->point(point.position), stretched / std::fmax(by, 1e-300), area * by};
+}
+
+/// The flat faces of a shape in its own space; none of a curved one.
+std::vector<SurfacePiece> flat_pieces(const BuiltShape& shape) {
+    if (const auto* cuboid = std::get_if<Cuboid>(&shape)) {
+        std::vector<SurfacePiece> faces;
+        const Box box = bounds(*cuboid);
+        const Vec3 size = box.size();
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int sign : {-1, 1}) {
+                SurfacePiece face{box.centre(), Vec3(0),
+                                  size[(axis + 1) % 3] * size[(axis + 2) % 3]};
+                face.position[axis] = sign < 0 ? box.low[axis] : box.high[axis];
+                face.normal[axis] = sign;
+                faces.push_back(face);
+            }
+        return faces;
+    }
+    if (!std::holds_alternative<Disc>(shape)) return {};
+    const SurfacePoint point = sample_area(shape, {0.5, 0.5});
+    return {{point.position, point.normal, surface_area(shape)}};
+}
+
+LitSurface of_area(const BuiltShape& shape, const Transform* transform, const SurfaceUse& use) {
+    LitSurface result;
+    result.open = visit_shape([](const auto& s) { return is_open(s); }, shape);
+    const double own = surface_area(shape);
+    const double scale = transform ? transform->uniform_scale() : 1;
+    const auto add = [&](const SurfacePoint& point, double area) {
+        result.pieces.push_back(placed_piece(point, area, transform));
+        result.area += result.pieces.back().area;
+    };
+    if (!use.places)
+        for (const SurfacePiece& face : flat_pieces(shape))
+            add({face.position, face.normal}, face.area);
+    if (!result.pieces.empty()) return result;
+    const int count = use.places || !(scale > 0) ? many_points : use.normals ? some_points : 1;
+    for (int i = 0; i < count; ++i) add(sample_area(shape, spread(i)), own / count);
+    if (scale > 0) result.area = own * scale * scale;
+    return result;
+}
+
+/// A flat piece for a triangle that glows evenly.
+LitSurface of_triangle(const TrianglePrimitive& t, const SurfaceUse& use) {
+    const Vec3 across = 0.5 * cross(t.corner2 - t.corner1, t.corner3 - t.corner1);
+    const double area = length(across);
+    const Vec3 normal = across / std::fmax(area, 1e-300);
+    LitSurface result{{}, area, !use.sealed};
+    const int count = use.places ? some_points : 1;
+    for (int i = 0; i < count; ++i) {
+        const Vec2 u = spread(i);
+        const double s = std::sqrt(u.x);
+        result.pieces.push_back({t.corner1 + s * (1 - u.y) * (t.corner2 - t.corner1) +
+                                     s * u.y * (t.corner3 - t.corner1),
+                                 normal, area / count});
+    }
+    return result;
+}
+
+/// Lines through a ball along an axis, in both directions.
+struct Lines {
+    Vec3 centre;
+    double radius, reach;
+
+    Ray at(const Vec3& axis, int i) const {
+        const auto [x, y] = perpendiculars(axis);
+        const Vec2 off = radius * (2.0 * spread(i) - Vec2(1));
+        const Vec3 along = i % 2 == 0 ? axis : -axis;
+        return {centre + off.x * x + off.y * y - reach * along, along};
+    }
+    /// The area across that a line stands for if there are so many.
+    double share(double lines) const { return 4 * radius * radius / lines; }
+};
+
+/// Where lines cross a leaf, a piece has the area that a line stands for over the cosine of its
+/// normal. Along three axes at right angles the squares of the cosines add up to 1, so that each
+/// crossing counts by its cosine, and none is large.
+LitSurface by_lines(const Composite& whole, std::uint32_t leaf) {
+    LitSurface result;
+    const Box box = whole.leaf_bounds(leaf);
+    if (box.empty()) return result;
+    const double away = finite(whole.bounds()) ? length(whole.bounds().centre() - box.centre()) +
+                                                     length(whole.bounds().size())
+                                               : 4 * length(box.size());
+    const Lines lines{box.centre(), 0.5 * length(box.size()) * (1 + 1e-9), away};
+    // No face of a shape is likely to lie along these axes.
+    const Vec3 first = unit(Vec3(0.6245, 0.5432, 0.5611));
+    const auto [second, third] = perpendiculars(first);
+    double sum = 0, squares = 0;
+    int batches = 0;
+    for (; batches < max_batches; ++batches) {
+        double batch = 0;
+        for (const Vec3& axis : {first, second, third})
+            for (int i = 0; i < lines_of_batch; ++i) {
+                const Ray line = lines.at(axis, batches * lines_of_batch + i);
+                double nearest = INFINITY;
+                bool from_inside = false;
+                whole.all(
+                    line, Interval{0}, [](std::uint32_t) { return true; },
+                    [&](const Composite::Meeting& met) {
+                        const Vec3 normal = unit(met.normal);
+                        const double cosine = dot(normal, line.direction);
+                        if (met.t < nearest) {
+                            nearest = met.t;
+                            from_inside = cosine > 0;
+                        }
+                        if (met.leaf != leaf) return;
+                        result.pieces.push_back({line.at(met.t), normal, std::abs(cosine)});
+                        batch += std::abs(cosine);
+                    });
+                result.open = result.open || from_inside;
+            }
+        sum += batch;
+        squares += batch * batch;
+        const double n = batches + 1;
+        const double variance = std::fmax(squares - sum * sum / n, 0) / (n * n);
+        if (n >= min_batches && variance <= wanted_error * wanted_error * sum * sum / (n * n)) {
+            ++batches;
+            break;
+        }
+    }
+    const double each = lines.share(static_cast<double>(batches) * lines_of_batch);
+    for (SurfacePiece& piece : result.pieces) piece.area *= each;
+    result.area = sum * each;
+    return result;
+}
+
+LitSurface of_placed(const World& world, const PlacedShape& placed, const SurfaceUse& use) {
+    if (surface_area(placed.shape) > 0) return of_area(placed.shape, placed.transform.get(), use);
+    CompositeBuilder builder(world.rules.settings.index);
+    const PartRef part = builder.add({placed.shape, placed.transform});
+    return by_lines(builder.finish(part), 0);
+}
+
+}  // namespace
+
+LitSurface lit_surface(const World& world, PrimitiveIndex primitive, const SurfaceUse& use) {
+    return world.geometry.visit_primitive(
+        primitive,
+        [&](const SpherePrimitive& s) {
+            return of_area(Sphere{s.centre, s.radius}, nullptr, use);
+        },
+        [&](const TrianglePrimitive& t) { return of_triangle(t, use); },
+        [&](const PlacedShape& placed) { return of_placed(world, placed, use); },
+        [&](const PlacedComposite& placed, std::uint32_t leaf) {
+            return by_lines(*placed.composite, leaf);
+        });
+}
+
+}  // namespace candelabra
