@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/edited_file.h"
 
+#include "syntax/contract_words.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -74,16 +76,33 @@ private:
 
     void macro(std::size_t i) {
         add(i, DeclaredName::macro);
-        list(i + 1, 0, DeclaredName::parameter, true);
+        if (is(i + 1, TokenKind::open_parenthesis)) parameters(i + 2);
+    }
+
+    /// Adds the parameters of a macro, without `optional` and what they accept.
+    void parameters(std::size_t i) {
+        for (; i < file_.tokens.size() && !is(i, TokenKind::close_parenthesis); ++i) {
+            const bool first =
+                is(i - 1, TokenKind::comma) || is(i - 1, TokenKind::open_parenthesis);
+            const bool bound = is(i - 1, TokenKind::less) || is(i - 1, TokenKind::less_equal) ||
+                               is(i - 1, TokenKind::greater) || is(i - 1, TokenKind::greater_equal);
+            const std::string_view word = spelling(i);
+            if (bound || (!first && is_contract_word(word))) continue;
+            if (word == "optional" && is(i + 1, TokenKind::name)) continue;
+            add(i, DeclaredName::parameter, true);
+        }
+    }
+
+    std::string_view spelling(std::size_t i) const {
+        const Token& token = file_.tokens[i];
+        return std::string_view(file_.text).substr(token.first, token.last - token.first);
     }
 
     /// Adds the names of a list in parentheses, except the first `without`.
     void list(std::size_t i, int without, DeclaredName::Kind kind, bool local) {
         if (!is(i, TokenKind::open_parenthesis)) return;
         for (++i; i < file_.tokens.size() && !is(i, TokenKind::close_parenthesis); ++i)
-            // In `optional A`, the first of the two names is not a parameter.
-            if (is(i, TokenKind::name) && !is(i + 1, TokenKind::name) && without-- <= 0)
-                add(i, kind, local);
+            if (is(i, TokenKind::name) && without-- <= 0) add(i, kind, local);
     }
 
     EditedFile& file_;

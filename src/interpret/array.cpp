@@ -261,7 +261,7 @@ Value Evaluator::State::element(const Value& array, Indices& indices, Span span)
     Value at = array;
     for (std::size_t used = 0; used < indices.count;) {
         if (indices.asking && at.absent()) return at;
-        if (indices.asking && !at.array() && !indices.texts.empty()) return Absence::uninitialised;
+        if (indices.asking && !at.array()) return Absence::uninitialised;
         if (!check_array(at, span)) return Absence::broken;
         const std::optional<std::size_t> i = place(*at.array(), indices, used, span);
         if (!i) return Absence::broken;

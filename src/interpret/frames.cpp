@@ -32,6 +32,10 @@ void Evaluator::State::point_at_scene(Diagnostic& diagnostic) const {
                 sources.place(inner.source, inner.first).line));
     diagnostic.span = outer;
     diagnostic.label.clear();
+    // Calls within the library say nothing to who calls it.
+    diagnostic.frames = frames.list(names, sources);
+    std::erase_if(diagnostic.frames,
+                  [&](const Frame& frame) { return in_library(frame.called_at); });
 }
 
 }  // namespace candelabra

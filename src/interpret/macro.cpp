@@ -39,8 +39,11 @@ void Evaluator::State::define_macro(const Tree& tree, const node::Macro& node, N
         for (NodeId parameter = node.parameters; parameter != no_node;
              parameter = tree[parameter].next) {
             const auto& info = tree.get<node::Parameter>(parameter);
-            macro.parameters.push_back({info.name, info.optional});
+            macro.parameters.push_back(
+                {info.name, info.optional,
+                 MacroContract::read(tree, info.contract, names, diagnostics)});
             if (!info.optional) macro.least = macro.parameters.size();
+            if (!macro.parameters.back().contract.empty()) macro.has_contracts = true;
         }
         macro.defined = heading(tree, id, node.name);
     }
@@ -84,6 +87,39 @@ bool Evaluator::State::argument(const Tree& tree, NodeId id, Argument& result) {
     return by_value(walk_expression(tree, id), result);
 }
 
+bool Evaluator::State::keeps_contracts(const MacroData& macro, std::size_t base) {
+    bool kept = true;
+    for (std::size_t i = base; i < arguments.size(); ++i) {
+        const MacroData::Parameter& parameter = macro.parameters[i - base];
+        if (arguments[i].omitted || parameter.contract.empty()) continue;
+        const auto limits = limits_of(parameter, *macro.body.tree, kept);
+        const std::string refusal =
+            limits ? parameter.contract.refusal(*scope.find(parameter.name), *limits) : "";
+        if (limits && refusal.empty()) continue;
+        kept = false;
+        if (limits)
+            report(error(Fault::out_of_range, arguments[i].given,
+                         message('`', names.spelling(parameter.name), "` of `",
+                                 names.spelling(macro.name), "` must be ", refusal))
+                       .pointing(macro.defined, "defined here"));
+    }
+    return kept;
+}
+
+std::optional<std::vector<MacroContract::Limit>> Evaluator::State::limits_of(
+    const MacroData::Parameter& parameter, const Tree& tree, bool kept) {
+    std::vector<MacroContract::Limit> limits;
+    for (const node::Bound& bound : parameter.contract.bounds()) {
+        const auto* name = tree.get_if<node::Name>(bound.value);
+        const Value* named = name ? scope.find(name->name) : nullptr;
+        if (!kept && named && !named->numbers()) return std::nullopt;
+        const std::optional<double> limit = number(tree, bound.value, "a bound");
+        if (!limit) return std::nullopt;
+        limits.push_back({bound.sign, *limit, std::string(name ? names.spelling(name->name) : "")});
+    }
+    return limits;
+}
+
 void Evaluator::State::report_arguments(const MacroData& macro, std::size_t count, const Tree& tree,
                                         NodeId call) {
     const std::size_t least = macro.least, most = macro.parameters.size();
@@ -109,6 +145,7 @@ bool Evaluator::State::pass_values(const Tree& tree, const node::Call& inner, No
     const std::size_t depth = arguments.size();
     call_macro(tree, inner, id, [&](const Element& element) {
         Argument one;
+        one.given = tree.span(id);
         good = by_value(evaluator.value_of(element), one) && good;
         arguments.push_back(one);
     });
@@ -153,6 +190,7 @@ bool Evaluator::State::pass_arguments(const Tree& tree, const node::Call& node, 
             continue;
         }
         Argument one;
+        one.given = tree.span(at);
         good = pass_argument(tree, at, macro, arguments.size() - base, one) && good;
         arguments.push_back(one);
     }
@@ -218,7 +256,12 @@ const MacroData* Evaluator::State::enter_macro(const Tree& tree, const node::Cal
         else
             scope.alias(name, argument.place);
     }
+    const bool kept = !macro->has_contracts || keeps_contracts(*macro, base);
     arguments.resize(base);
+    if (!kept) {
+        scope.leave();
+        return nullptr;
+    }
     frames.push({Frame::macro, macro->name, no_source, tree.span(id)});
     return macro;
 }

@@ -3,7 +3,7 @@
 // as long as the evaluation.
 #pragma once
 
-#include "syntax/tree.h"
+#include "interpret/macro_contract.h"
 
 #include <vector>
 
@@ -13,11 +13,13 @@ struct MacroData {
     struct Parameter {
         NameId name;
         bool optional;
+        MacroContract contract;
     };
 
     NameId name;
     std::vector<Parameter> parameters;
     std::size_t least = 0;  ///< minimum number of arguments
+    bool has_contracts = false;
     Body body;
     Span defined;  ///< from `#macro` to its name
 };

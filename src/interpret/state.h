@@ -246,6 +246,7 @@ struct Evaluator::State {
         Scope::Reference place;
         bool by_value = false;  ///< the cell is a fresh one
         bool omitted = false;   ///< the parameter stays undeclared
+        Span given;             ///< where it stands in the call
     };
     /// Puts a value into a cell of its own. Returns false if the value is broken.
     template <class Given>
@@ -258,6 +259,13 @@ struct Evaluator::State {
     bool pass_values(const Tree&, const node::Call& inner, NodeId);
     /// Computes the arguments and appends them to `arguments`. Returns false after a report.
     bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);
+    /// Whether the arguments from `base` on, bound to the parameters of the macro that is being
+    /// entered, are what these accept. Each that is not is reported.
+    bool keeps_contracts(const MacroData&, std::size_t base);
+    /// The bounds of a parameter as numbers. Nothing after a report, or if a bound is an argument
+    /// that was refused (then not all are `kept`).
+    std::optional<std::vector<MacroContract::Limit>> limits_of(const MacroData::Parameter&,
+                                                               const Tree&, bool kept);
     void report_arguments(const MacroData&, std::size_t count, const Tree&, NodeId call);
     bool gives_nothing(const Tree&, NodeId);
     bool pass_argument(const Tree&, NodeId, const MacroData&, std::size_t place, Argument&);

@@ -134,7 +134,17 @@ struct Describe {
                 {{"parameters", n.parameters}, {"body", n.body}}};
     }
     Description operator()(const node::Parameter& n) const {
-        return {message("parameter ", spell(n.name), n.optional ? ", optional" : ""), {}};
+        return {message("parameter ", spell(n.name), n.optional ? ", optional" : ""),
+                {{"contract", n.contract}}};
+    }
+    Description operator()(const node::Kind& n) const {
+        return {n.dimensions == 0 ? message("kind ", spell(n.word))
+                                  : message("kind ", spell(n.word), " of ", n.dimensions,
+                                            n.dimensions == 1 ? " dimension" : " dimensions"),
+                {}};
+    }
+    Description operator()(const node::Bound& n) const {
+        return {message("bound ", spelling(n.sign)), {{"", n.value}}};
     }
     Description operator()(const node::Include& n) const { return {"#include", {{"", n.file}}}; }
     Description operator()(const node::Default& n) const { return {"#default", {{"", n.body}}}; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/parse_state.h"
 
+#include "syntax/contract_words.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -201,21 +202,34 @@ List ParseState::without_commas(List values, List names) {
     return joined(values, names);
 }
 
-List ParseState::parameter(List list, NameId name, Stretch place) {
-    // `optional` is not reserved. It is the keyword if another name follows it without a comma.
-    if (!list.empty() && !list.comma()) {
-        auto* before = std::get_if<node::Parameter>(&tree[list.last()].content);
-        if (!before->optional && names.spelling(before->name) == "optional") {
-            parameters.erase(before->name);
-            *before = {name, true};
-            tree[list.last()].last = place.last;
-            note_parameter(name, list.last(), place);
-            return list;
-        }
+List ParseState::parameter(List list, NameId name, Stretch place, List contract) {
+    // Words of contracts and `optional` are not reserved. They are keywords beside a name without a
+    // comma.
+    NodeId last = list.empty() || list.comma() ? no_node : list.last();
+    const auto* before = last == no_node ? nullptr : tree.get_if<node::Parameter>(last);
+    if (before && is_contract_word(names.spelling(name))) {
+        agree(last, joined(append({}, add(place, node::Kind{name, 0})), contract), place.last);
+        return list;
     }
-    const NodeId made = add(place, node::Parameter{name, false});
-    note_parameter(name, made, place);
-    return append(list, made);
+    if (before && !before->optional && before->contract == no_node &&
+        names.spelling(before->name) == "optional") {
+        parameters.erase(before->name);
+        tree[last].content = node::Parameter{name, no_node, true};
+        tree[last].last = place.last;
+    } else {
+        last = add(place, node::Parameter{name, no_node, false});
+        list = append(list, last);
+    }
+    note_parameter(name, last, place);
+    agree(last, contract, place.last);
+    return list;
+}
+
+void ParseState::agree(NodeId parameter, List contract, std::uint32_t end) {
+    NodeId* at = &std::get<node::Parameter>(tree[parameter].content).contract;
+    while (*at != no_node) at = &tree[*at].next;
+    *at = contract.first();
+    tree[parameter].last = contract.empty() ? end : tree[contract.last()].last;
 }
 
 void ParseState::note_parameter(NameId name, NodeId id, Stretch place) {

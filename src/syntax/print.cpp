@@ -227,7 +227,17 @@ struct Print {
                 elements(n.body), say("#end")};
     }
     Pieces operator()(const node::Parameter& n) const {
-        return {say(message(n.optional ? "optional " : "", spell(n.name)))};
+        return {say(message(n.optional ? "optional " : "", spell(n.name),
+                            n.contract == no_node ? "" : " ")),
+                blanks(n.contract)};
+    }
+    Pieces operator()(const node::Kind& n) const {
+        std::string text = spell(n.word);
+        for (std::uint32_t i = 0; i < n.dimensions; ++i) text += "[]";
+        return {say(text)};
+    }
+    Pieces operator()(const node::Bound& n) const {
+        return {say(message(spelling(n.sign), " ")), one(n.value)};
     }
     Pieces operator()(const node::Include& n) const { return {say("#include "), one(n.file)}; }
     Pieces operator()(const node::Default& n) const {

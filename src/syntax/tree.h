@@ -200,7 +200,18 @@ struct Macro {
 };
 struct Parameter {
     NameId name;
+    NodeId contract;  ///< a list of Kind and Bound: what an argument must be
     bool optional;
+};
+/// A word of a contract: a kind of value, `whole`, or `or` between two kinds.
+struct Kind {
+    NameId word;
+    std::uint32_t dimensions;  ///< of `array[][]`; 0: any number
+};
+/// `>= 1`
+struct Bound {
+    NodeId value;  ///< a number, a constant or a name
+    Operator sign;
 };
 struct Include {
     NodeId file;
@@ -240,8 +251,8 @@ using NodeContent = std::variant<
     node::Prefixed, node::Colour, node::Channel, node::Array, node::Function, node::Block,
     node::Layers, node::Entry, node::Braces, node::Declare, node::Deprecated, node::Undef, node::If,
     node::Branch, node::Postponed, node::Defined, node::While, node::For, node::Switch, node::Case,
-    node::Break, node::Macro, node::Parameter, node::Include, node::Default, node::Message,
-    node::Version, node::Open, node::Close, node::Read, node::Write>;
+    node::Break, node::Macro, node::Parameter, node::Kind, node::Bound, node::Include,
+    node::Default, node::Message, node::Version, node::Open, node::Close, node::Read, node::Write>;
 
 struct Node {
     std::uint32_t first = 0;  ///< offset in bytes in the tree's source

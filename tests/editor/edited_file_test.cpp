@@ -30,6 +30,8 @@ TEST_CASE("directives declare names") {
         {"#declare deprecated once \"no\" A = 1;", "A "},
         {"#declare (A, B) = (1, 2);", "A B "},
         {"#macro M(A, optional B) A #end", "M() A?- B?- "},
+        {"#macro M(A object or array[], B whole >= C, optional D vector < pi) A #end",
+         "M() A?- B?- D?- "},
         {"#for (I, 1, 10) I #end", "I "},
         {"#fopen F \"x\" read #read (F, A, B) #fclose F", "F| A B "},
         {"#declare A[1] = 2; // #declare B", "A "},

@@ -25,7 +25,8 @@ TEST_CASE("names show their declaration and the comment above it") {
                "in `colors.inc`"));
     CHECK(hovering("Nowhe|re").empty());
     CHECK(hovering("#include \"light_arrays.inc\"\nobject { Light_R|ing(A, 2, 3) }") ==
-          "```pov\nLight_Ring(Lamp, Count, Radius)\n```\naround y, the lamp's +x outwards\n\n"
+          "```pov\nLight_Ring(Lamp object or array[], Count whole >= 1, Radius > 0)\n```\naround "
+          "y, the lamp's +x outwards\n\n"
           "in `light_arrays.inc`");
 }
 

@@ -20,10 +20,15 @@ std::string shown(const std::string& text) {
 
 TEST_CASE("a call that is being typed shows its parameters and which one comes") {
     const std::string library = "#include \"light_arrays.inc\"\nobject { Light_Ring(";
-    CHECK(shown(library + "|") == "Light_Ring(Lamp, Count, Radius): Lamp");
-    CHECK(shown(library + "Bulb, |) }") == "Light_Ring(Lamp, Count, Radius): Count");
+    CHECK(shown(library + "|") ==
+          "Light_Ring(Lamp object or array[], Count whole >= 1, Radius > 0): "
+          "Lamp object or array[]");
+    CHECK(shown(library + "Bulb, |) }") ==
+          "Light_Ring(Lamp object or array[], Count whole >= 1, Radius > 0): "
+          "Count whole >= 1");
     CHECK(shown(library + "sphere { 0, 1 }, 12, |) }") ==
-          "Light_Ring(Lamp, Count, Radius): Radius");
+          "Light_Ring(Lamp object or array[], Count whole >= 1, Radius > 0): "
+          "Radius > 0");
     const std::string own = "#macro Post(Height, Colour) #end\nobject { Post(";
     CHECK(shown(own + "<1, 2, 3>, |) }") == "Post(Height, Colour): Colour");
     CHECK(shown(own + "<1, 2, |") == "Post(Height, Colour): Height");

@@ -82,7 +82,7 @@ TEST_CASE("the block's words come first, then the scene's names, then the librar
     CHECK(rank(text, "Bulb") < rank(text, "Light_Ring"));
     CHECK(rank(text, "Mine") < rank(text, "Light_Ring"));
     CHECK(rank(text, "Light_Ring") < rank(text, "vrotate"));
-    for (const char* aid : {"Light_Rule", "I_", "Light_Arrays_Inc_Temp", "Light_Column"})
+    for (const char* aid : {"Light_Nth_", "I_", "Light_Arrays_Inc_Temp", "Light_Column"})
         CHECK(rank(text, aid) == -1);
     CHECK(rank("#declare Bulb = 1; |", "camera") < rank("#declare Bulb = 1; |", "Bulb"));
     CHECK(rank("#declare Bulb = 1; |", "sphere") < rank("#declare Bulb = 1; |", "Bulb"));
@@ -95,7 +95,7 @@ TEST_CASE("a library macro is suggested with its parameters and what it does") {
     const auto all = suggestions(edited.workspace, edited.path, edited.offset);
     const auto ring = std::ranges::find(all, "Light_Ring", &Suggestion::text);
     REQUIRE(ring != all.end());
-    CHECK(ring->detail == "Light_Ring(Lamp, Count, Radius)");
+    CHECK(ring->detail == "Light_Ring(Lamp object or array[], Count whole >= 1, Radius > 0)");
     CHECK(ring->help == "around y, the lamp's +x outwards");
 }
 

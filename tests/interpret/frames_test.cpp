@@ -49,7 +49,6 @@ TEST_CASE("what is wrong in the library is told of where the scene calls it", "[
           "  | ^^^^^^^^\n"
           "  |\n"
           "  = this comes from the library: lamps.inc:2\n"
-          "  = in macro `Rule`, called at lib/lamps.inc:4:1\n"
           "  = in macro `Lamps`, called at main.pov:3:1\n");
     CHECK(said_with_library("#include \"lamps.inc\"\n#include \"own.inc\"\nOwn(0)\n")
               .find("--> own.inc:2:1\n") != std::string::npos);

@@ -130,7 +130,7 @@ TEST_CASE("groups of lamps have the names of a column's values", "[stdlib]") {
             #include "light_arrays.inc"
             #declare L = sphere { 0, 0.05 pigment { rgb 1 } finish { emission 3 } }
             object { Light_Groups(L, "tests/stdlib/tables/strings.csv", ")" +
-                                     column + "\") translate 2*y }");
+                                           column + "\") translate 2*y }");
         std::string text;
         for (std::size_t k = 0; k < world->provenance.light_names.size(); ++k) {
             const auto& all = world->provenance.statement_of_luminaire;
@@ -181,10 +181,56 @@ TEST_CASE("tables that do not fit say what is wrong", "[stdlib]") {
 }
 
 TEST_CASE("a light array that cannot be meant says the rule", "[stdlib]") {
-    const Evaluated result = evaluated(
-        "#version 3.7; #include \"light_arrays.inc\" object { Light_Ring(sphere { 0, 1 }, 0, 3) }");
+    const auto [call, rule] = GENERATE(table<std::string, std::string>({
+        {"Light_Ring(sphere { 0, 1 }, 0, 3)",
+         "`Count` of `Light_Ring` must be a whole number of at least 1, but it is 0"},
+        {"Light_Ring(2, 3, 3)",
+         "`Lamp` of `Light_Ring` must be an object or an array of 1 dimension, but it is 2"},
+        {"Light_Grid(sphere { 0, 1 }, <2, 1, 1>, 0)",
+         "Light_Grid: Pitch.x must not be 0 where there is more than one lamp"},
+        {"Light_Line(sphere { 0, 1 }, 3, x, x)",
+         "Light_Line: Start and End must be different points"},
+        {"Light_String(sphere { 0, 1 }, 3, array[2] { x, x }, 0)",
+         "Light_Along: Track must not be a single point"},
+        {"Light_Facade(sphere { 0, 1 }, sphere { 0, 1 }, 2, 1, 1.5, 1)",
+         "`Share` of `Light_Facade` must be a number from 0 to 1, but it is 1.5"},
+    }));
+    INFO(call);
+    const Evaluated result =
+        evaluated("#version 3.7; #include \"light_arrays.inc\" object { " + call + " }");
     CHECK(result.failed);
-    CHECK(result.diagnostics.find("must be a whole number from 1") != std::string::npos);
+    CHECK(result.diagnostics.find(rule) != std::string::npos);
+}
+
+namespace {
+
+/// A letter for each shape in the object: `a` if it throws no shadow, else `b`.
+std::string kinds_of_lamps(const Object& object) {
+    const auto* parts = std::get_if<Union>(&object.form);
+    if (!parts) return object.no_shadow ? "a" : "b";
+    std::string kinds;
+    for (const ObjectHandle& part : parts->children) kinds += kinds_of_lamps(*part);
+    return kinds;
+}
+
+}  // namespace
+
+TEST_CASE("lamps of an array are taken in turn by every light array", "[stdlib]") {
+    const auto call =
+        GENERATE("Light_Positions(L, P)", "Light_Grid(L, <2, 2, 1>, 3)", "Light_Line(L, 4, x, y)",
+                 "Light_Ring(L, 4, 3)", "Light_Helix(L, 4, 3, 1, 1)", "Light_Sphere(L, 4, 3)",
+                 "Light_String(L, 4, P, 0.1)", "Light_Spline_String(L, 4, P, 0.1)",
+                 "Light_Scatter(L, 4, 0, 20, 1, 1)", "Light_Facade(L, L, 2, 1, 1, 1)",
+                 "Light_Street(L, 2, 3, 4)");
+    INFO(call);
+    const Scene scene =
+        scene_of(std::string("#version 3.7; #include \"light_arrays.inc\"\n"
+                             "#declare L = array[2] { box { -1, 1 no_shadow }, box { -1, 1 } };\n"
+                             "#declare P = array[4] { x, y, z, x + y }; object { ") +
+                 call + " }");
+    std::string kinds;
+    for (const ObjectHandle& object : scene.objects) kinds += kinds_of_lamps(*object);
+    CHECK(kinds == "abab");
 }
 
 TEST_CASE("library macros and functions give what POV-Ray 3.7's give", "[stdlib]") {
