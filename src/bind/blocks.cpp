@@ -252,6 +252,8 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"reflection", "finish"},
     {"reflection_exponent", "finish"},
     {"mesh_camera", "camera"},
+    {"location", "camera"},
+    {"direction", "camera"},
     {"film", "camera"},
     {"glare", "film"},
     {"bokeh", "camera"},

@@ -182,6 +182,33 @@ private:
     Vec3 looked_at_ = Vec3(0, 0, 1);
 };
 
+/// Reads the functions of a user_defined camera: location { ... } and direction { ... }.
+class UserRays : public SimpleReader {
+public:
+    UserRays(OpenBlock& block, Camera& camera) : block_(block), camera_(camera) {}
+
+    bool take(const Element& element) {
+        auto* user = std::get_if<UserDefinedCamera>(&camera_);
+        if (!user || element.kind != Element::Kind::block ||
+            (element.word != "location"_word && element.word != "direction"_word))
+            return false;
+        OpenBlock inner(block_.binder, block_.spelling(element.word), element.word_span);
+        inner.form = "{ function { ... } function { ... } function { ... } }";
+        inner.item = &CameraFunctions::vocabulary;
+        CameraFunctions& functions = element.word == "location"_word ? user->from : user->towards;
+        functions = {};
+        ItemReader fields(inner, CameraFunctions::vocabulary, &functions);
+        inner.read(element.body, fields);
+        block_.broken |= inner.broken;
+        return true;
+    }
+    void add_words(WordList&) const {}
+
+private:
+    OpenBlock& block_;
+    Camera& camera_;
+};
+
 /// Reads normal { ... }.
 class CameraNormal : public SimpleReader {
 public:
@@ -260,7 +287,8 @@ bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
     CameraNormal normal(block, made.normal);
     FilmReader film(block, made.film);
     CameraBokeh bokeh(block, made);
-    block.read(element.body, declared, fields, normal, film, bokeh, moves);
+    UserRays rays(block, camera);
+    block.read(element.body, declared, rays, fields, normal, film, bokeh, moves);
     if (block.broken) return false;
     const std::string wrong = problem(camera);
     if (!wrong.empty())

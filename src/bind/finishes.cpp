@@ -181,7 +181,6 @@ private:
 template <class Content>
 bool read_content(OpenBlock& block, const Content& content, Finish& finish) {
     block.item = &Finish::vocabulary;
-    block.ignored = "use_alpha";
     auto declared = named<Finish>(block, [&](const Handle<Finish>& other) { finish = *other; });
     FinishFields fields(block, finish);
     ReflectionReader reflection(block, finish.reflection);

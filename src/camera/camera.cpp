@@ -95,6 +95,11 @@ const ItemInfo CylinderCamera::vocabulary = described<CylinderCamera>([] {
 const ItemInfo MeshCamera::vocabulary = described<MeshCamera>(
     [] { return camera_schema<MeshCamera>("mesh_camera", "Rays from the faces of meshes."); });
 
+const ItemInfo UserDefinedCamera::vocabulary = described<UserDefinedCamera>([] {
+    return camera_schema<UserDefinedCamera>("user_defined",
+                                            "Rays by functions of the place in the picture.");
+});
+
 const ItemInfo SphericalCamera::vocabulary = described<SphericalCamera>([] {
     return camera_schema<SphericalCamera>(
         "spherical", "All around: longitude to the right, latitude upwards.",
@@ -125,6 +130,7 @@ Lens lens_of(const CylinderCamera& camera) {
 }
 Lens lens_of(const SphericalCamera&) { return Lens::spherical; }
 Lens lens_of(const MeshCamera&) { return Lens::mesh; }
+Lens lens_of(const UserDefinedCamera&) { return Lens::functions; }
 
 /// `sizes`: the visible width of parallel rays may depend on the distance from the camera to
 /// look_at.
@@ -141,6 +147,8 @@ Projection untransformed(const View& view, Lens lens, bool sizes = true) {
     const bool narrows = view.angle && *view.angle > 0;
     f.angle = (narrows ? *view.angle : lens == Lens::spherical ? 360 : 90) * radians_per_degree;
     f.vertical_angle = f.angle / 2;
+    // As in POV-Ray, there is nothing to see then.
+    if (narrows && flat && f.direction == Vec3(0)) f.right = f.up = Vec3(0);
     if (narrows && flat)
         f.direction = unit(f.direction) *
                       (0.5 * length(f.right) / math::tan(0.5 * *view.angle * radians_per_degree));
@@ -206,6 +214,8 @@ std::string problem(const Camera& camera) {
     if (view.look_at && *view.look_at == view.location)
         return "`look_at` must not be the camera's own location";
     const Lens lens = std::visit([](const auto& c) { return lens_of(c); }, camera);
+    if (lens == Lens::functions && view.angle)
+        return "`angle` has no place beside the functions of a `user_defined` camera";
     if (view.angle && *view.angle >= 180 && (lens == Lens::flat || lens == Lens::parallel))
         return "`angle` of a flat picture must be below 180 degrees";
     return {};
@@ -213,6 +223,7 @@ std::string problem(const Camera& camera) {
 
 bool is_flattened(const Camera& camera) {
     const Lens lens = std::visit([](const auto& c) { return lens_of(c); }, camera);
+    if (lens == Lens::functions) return false;
     const Projection f = untransformed(view_of(camera), lens);
     if (lens != Lens::spherical) return dot(cross(f.right, f.up), f.direction) == 0;
     return f.right == Vec3(0) || f.up == Vec3(0) || f.direction == Vec3(0);
@@ -241,6 +252,13 @@ Projection projection(const Camera& camera) {
     f.right = view.transform.direction(f.right);
     f.up = view.transform.direction(f.up);
     if (const auto* meshes = std::get_if<MeshCamera>(&camera)) f.mesh = lens_of_meshes(*meshes, f);
+    if (const auto* user = std::get_if<UserDefinedCamera>(&camera)) {
+        f.from = user->from;
+        f.towards = user->towards;
+        f.parallel = f.from.given();
+        if (f.from.given()) f.location = f.from.at(0, 0);
+        if (f.towards.given()) f.direction = f.towards.at(0, 0);
+    }
     return f;
 }
 
@@ -312,6 +330,18 @@ Vec3 spherical(const Projection& f, double u, double v) {
     return turned(lifted, unit(f.up), u * f.angle);
 }
 
+bool all_finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// A zero or non-finite vector sends no ray, as in POV-Ray.
+Ray by_functions(const Projection& f, double u, double v) {
+    const Vec3 start = f.from.given() ? f.from.at(u, v) : f.location;
+    const Vec3 towards = f.towards.given() ? f.towards.at(u, v) : f.direction;
+    if (!all_finite(start) || !all_finite(towards)) return {f.location, Vec3(0)};
+    return {start, unit(towards)};
+}
+
 }  // namespace
 
 double BlurRays::allowed(int rays) const {
@@ -375,6 +405,8 @@ Ray Projection::ray(double u, double v) const {
                     unit(math::sin(v * angle) * above + math::cos(v * angle) * ahead)};
         case Lens::spherical:
             return from_here(spherical(*this, u, v));
+        case Lens::functions:
+            return by_functions(*this, u, v);
     }
     return {location, ahead};
 }
@@ -407,6 +439,7 @@ Vec3 Projection::normal_place(double u, double v) const {
         case Lens::flat:
         case Lens::parallel:
         case Lens::mesh:
+        case Lens::functions:
             break;
     }
     return {u, v, 0};

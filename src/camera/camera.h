@@ -6,6 +6,7 @@
 #include "base/handle.h"
 #include "base/ray.h"
 #include "base/transform.h"
+#include "camera/camera_functions.h"
 #include "camera/lens_shape.h"
 #include "camera/mesh_camera.h"
 #include "vocabulary/kinds.h"
@@ -81,9 +82,17 @@ struct MeshCamera : View {
 
     static const ItemInfo vocabulary;
 };
+/// Rays that functions of the place in the picture give, as in POV-Ray 3.8. The transform of the
+/// camera and `look_at` do not apply to what functions give.
+struct UserDefinedCamera : View {
+    CameraFunctions from;     ///< where rays start; not given: at `location`
+    CameraFunctions towards;  ///< where they go; not given: along `direction`
+
+    static const ItemInfo vocabulary;
+};
 /// All cameras; the first is the default of a block without a type.
 using Camera = std::variant<Perspective, Orthographic, Fisheye, UltraWideAngle, Omnimax, Panoramic,
-                            CylinderCamera, SphericalCamera, MeshCamera>;
+                            CylinderCamera, SphericalCamera, MeshCamera, UserDefinedCamera>;
 
 /// How points of the picture become directions. The cylinders are numbered from the first.
 enum class Lens : std::uint8_t {
@@ -98,7 +107,8 @@ enum class Lens : std::uint8_t {
     cylinder3,
     cylinder4,
     spherical,
-    mesh  ///< see Projection::mesh
+    mesh,       ///< see Projection::mesh
+    functions,  ///< see Projection::from and towards
 };
 
 /// Number of rays of a blurred pixel: as many as its mean needs for the requested accuracy.
@@ -123,6 +133,8 @@ struct Projection {
     BlurRays blur = {};
     LensShape lens_shape = {};
     Handle<MeshLens> mesh = {};  ///< generates the rays; null: ray() does
+    /// Of a user_defined camera; `location` and `direction` are those of the middle.
+    CameraFunctions from = {}, towards = {};
 
     bool blurs() const { return lens_radius > 0 && blur.most > 1; }
 

@@ -52,6 +52,7 @@ std::string lens_script(const Projection& camera) {
     switch (camera.lens) {
         case Lens::flat:
         case Lens::mesh:
+        case Lens::functions:
             return "perspective";
         case Lens::parallel:
             return "orthographic";
@@ -150,7 +151,9 @@ Sight Orbit::place(const Sight& given) const {
     return now;
 }
 
-bool can_orbit(const Projection& camera) { return camera.lens != Lens::mesh && !camera.mesh; }
+bool can_orbit(const Projection& camera) {
+    return camera.lens != Lens::mesh && !camera.mesh && camera.lens != Lens::functions;
+}
 
 std::string camera_script(const Sight& sight) {
     const Projection& camera = sight.camera;

@@ -45,7 +45,8 @@ Vec3 reflectivity(const Shading& s, double ior_ratio) {
                                ? (r.falloff == 1 ? 1 - cosine : math::pow(1 - cosine, r.falloff))
                            : cosine < 0 ? 1
                                         : fresnel(cosine, 1 / ior_ratio);
-    const Vec3 amount = r.least + (r.greatest - r.least) * grazing;
+    const double shown = s.finish->use_alpha ? s.opacity : 1;
+    const Vec3 amount = shown * (r.least + (r.greatest - r.least) * grazing);
     return r.metallic == 0 ? amount : amount * metal_tint(s.colour.rgb, r.metallic, cosine);
 }
 

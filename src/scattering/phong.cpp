@@ -51,8 +51,9 @@ Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, 
     Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - crand);
     if (back || !terms.highlights || (f.phong <= 0 && f.specular <= 0)) return result;
 
-    const Vec3 tint =
+    const Vec3 metal =
         f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
+    const Vec3 tint = f.use_alpha ? s.opacity * metal : metal;
     if (f.phong > 0) {
         const double alignment = dot(mirrored(s.view, s.normal), to_light);
         if (shows(alignment, f.phong_size))

@@ -17,7 +17,7 @@ constexpr auto surface = std::array{
 constexpr auto surroundings =
     std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary, &Media::vocabulary,
                &Scattering::vocabulary};
-constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
+constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary, &CameraFunctions::vocabulary};
 constexpr auto films =
     std::array{&FilmSettings::vocabulary, &Glare::vocabulary, &Bokeh::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
@@ -35,7 +35,8 @@ constexpr auto groups = std::array{
     ItemGroup{"Cameras",
               "The type is the first word in camera { }; perspective when there is none.",
               Kinds<Camera>::infos, "camera"},
-    ItemGroup{"Parts of cameras", "What mesh_camera has in braces.", parts_of_cameras, "camera"},
+    ItemGroup{"Parts of cameras", "What mesh_camera and user_defined have in braces.",
+              parts_of_cameras, "camera"},
     ItemGroup{"Films",
               "What develops the light of a camera, and the opening of its lens: camera { film { "
               "glare { ... } ... } bokeh { ... } }.",

@@ -126,13 +126,24 @@ std::string bokeh_text(const Scene& scene) {
                    scene.bokeh ? dump(*scene.bokeh) : std::string(), " }");
 }
 
+std::string user_rays_text(const Camera& camera) {
+    const auto* user = std::get_if<UserDefinedCamera>(&camera);
+    if (!user) return {};
+    const auto block = [](std::string_view word, const CameraFunctions& functions) {
+        if (!functions.given()) return std::string();
+        return message(' ', word, " { ", written_fields(CameraFunctions::vocabulary, &functions),
+                       " }");
+    };
+    return block("location", user->from) + block("direction", user->towards);
+}
+
 std::string camera_text(const Scene& scene) {
     const Camera camera = with_stated_width(scene.camera, scene.language_version);
     const Transform& transform =
         std::visit([](const View& view) -> const Transform& { return view.transform; }, camera);
-    return message("camera { ", item_text(camera), dump(scene.camera_normal),
-                   scene.film.on ? " " : "", film_text(scene.film), bokeh_text(scene),
-                   matrix_text(transform), " }\n");
+    return message("camera { ", item_text(camera), user_rays_text(camera),
+                   dump(scene.camera_normal), scene.film.on ? " " : "", film_text(scene.film),
+                   bokeh_text(scene), matrix_text(transform), " }\n");
 }
 
 /// Writes the light without its `looks_like`, which is an object of its own.

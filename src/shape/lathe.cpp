@@ -182,7 +182,7 @@ std::string problem(const Lathe& lathe) {
 Box bounds(const BuiltLathe& lathe) { return lathe.bounds; }
 
 /// See count_work(): parts whose bounds are compared.
-constexpr std::size_t parts_of_step = 8;
+constexpr std::size_t parts_of_lathe_step = 8;
 
 void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
     const double speed = length(ray.direction);
@@ -196,7 +196,7 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
                                          : dot(centre - ray.origin, d);
     const Ray near{ray.origin + start * d, d};
     const LatheRay seen(near.origin, d);
-    count_long_work(lathe.parts.size() / parts_of_step);
+    count_long_work(lathe.parts.size() / parts_of_lathe_step);
     for (const BuiltLathe::Part& part : lathe.parts) {
         if (!seen.comes_near(part)) continue;
         meet(seen, part, [&](const Meeting& m) {
@@ -219,7 +219,7 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
 bool inside(const BuiltLathe& lathe, const Vec3& point) {
     const double radius = math::hypot(point.x, point.z);
     bool result = false;
-    count_long_work(lathe.parts.size() / parts_of_step);
+    count_long_work(lathe.parts.size() / parts_of_lathe_step);
     for (const BuiltLathe::Part& part : lathe.parts) {
         if (!part.heights.contains(point.y) || radius > part.radii.max) continue;
         const CurvePiece& piece = part.piece;

@@ -68,6 +68,8 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
         F{"metallic", &Finish::metallic, item,
           "tints highlights with the pigment; 1 when no number follows"},
         F{"crand", &Finish::crand, item, "graininess: diffuse light varies by this much"},
+        F{"use_alpha", &Finish::use_alpha, flag,
+          "reflection, phong and specular fade as the pigment becomes clear (POV-Ray 3.8)"},
         F{"conserve_energy", &Finish::conserve_energy, flag,
           "what is reflected does not also pass through"},
         F{"ior", &Finish::ior, item, "index of refraction, as scenes before version 3.1 have it",

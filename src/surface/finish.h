@@ -62,6 +62,7 @@ struct Finish {
     double crand = 0;
     double metallic = 0;
     bool conserve_energy = false;
+    bool use_alpha = false;  ///< where it is clear, it reflects and shines less
     double ior = 0;  ///< replaces the interior's index; 0: unset
     /// For the top layer, an exponent that replaces the interior's caustics; below 0: unset.
     double caustics = -1;

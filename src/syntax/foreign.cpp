@@ -64,7 +64,6 @@ constexpr auto foreign_names = std::array{
     ForeignName{"intensity", "a light is as bright as its colour: rgb 2"},
     ForeignName{"brightness", "a light is as bright as its colour: rgb 2"},
     ForeignName{"transparency", "what is half clear has a colour like rgbt <1, 0, 0, 0.5>"},
-    ForeignName{"user_defined", "cameras of functions are not available in this version"},
     ForeignName{"halo", "POV-Ray 3.1 replaced it by `media`: hollow interior { media { ... } }"},
     ForeignName{"atmosphere", "POV-Ray 3.1 replaced it by `media`: media { scattering { ... } }"},
 };

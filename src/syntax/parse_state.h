@@ -153,7 +153,8 @@ struct ParseState {
     List word_first(NameId word, Stretch, List rest);
     /// Joins the parameters of a function with commas, `a, b`, and without, `c d`.
     List without_commas(List values, List names);
-    /// Adds a parameter with its contract; or, behind another without a comma, what is said of that.
+    /// Adds a parameter with its contract; or, behind another without a comma, more of that one's
+    /// contract.
     List parameter(List list, NameId name, Stretch, List contract);
     /// Adds to what an argument must be.
     void agree(NodeId parameter, List contract, std::uint32_t end);

@@ -305,7 +305,7 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
                    {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)});
     const Vec3& normal = drawn.normal;
     const Receiver entry{target.centre + target.radius * normal, normal, Horizon::one_side};
-    Vec3 start, direction, radiance(0);
+    Vec3 start(0), direction(0), radiance(0);
     double density = drawn.density * pick.expected / picks;
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         const auto drawn = searched->draw(entry.position, place_on_light(key));

@@ -28,8 +28,8 @@ sphere { <0.3, 1.2, 0>, 0.4 pigment { rgb 1 } finish { ambient 0 diffuse 0 emiss
 plane { y, -1 pigment { checker rgb 1, rgb <1, 0, 0> } finish { ambient 0 } }
 )";
 
-struct Darkroom : Shell {
-    Darkroom() { write("film.pov", filmed_scene); }
+struct DevelopRun : Shell {
+    DevelopRun() { write("film.pov", filmed_scene); }
 
     std::string picture(const std::string& name, std::vector<std::string> more = {}) {
         more.insert(more.end(), {path("film.pov"), "-V", "+W40", "+H36", "+O" + path(name)});
@@ -63,7 +63,7 @@ const std::vector<std::string> some_samples = {"--samples", "5"};
 }  // namespace
 
 TEST_CASE("what is developed later has the bytes of what was developed at once", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     const std::string at_once = darkroom.picture("a.png", some_samples);
     darkroom.picture("a.exr", some_samples);
     CHECK(darkroom.developed("a.exr") == at_once);
@@ -89,7 +89,7 @@ TEST_CASE("what is developed later has the bytes of what was developed at once",
 }
 
 TEST_CASE("a picture with a film does not depend on shards, threads and stops", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     const std::vector<std::string> samples = {"--samples", "24"};
     const std::string whole = darkroom.picture("a.png", samples);
     for (const char* shard : {"1/3", "2/3", "3/3"}) {
@@ -113,7 +113,7 @@ TEST_CASE("a picture with a film does not depend on shards, threads and stops", 
 }
 
 TEST_CASE("light that is developed without its film is clipped", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     darkroom.picture("filmed.exr", some_samples);
     const std::string plain = darkroom.developed("filmed.exr", {"--film", "off"});
     const std::vector<std::string> neutral = {"--exposure",      "0",  "--response", "linear",
@@ -133,7 +133,7 @@ TEST_CASE("a film that changes nothing makes the picture that there is without",
     };
     CHECK(pixels({"--film", "on"}) == pixels({}));
     CHECK(pixels({"--film", "on", "--exposure", "1"}) != pixels({}));
-    Darkroom darkroom;
+    DevelopRun darkroom;
     darkroom.picture("on.exr", {"--samples", "2", "--pixel-filter", "box"});
     darkroom.picture("off.exr", {"--samples", "2", "--film", "off"});
     Diagnostics diagnostics;
@@ -202,7 +202,7 @@ plane { y, -1 pigment { rgb 0.5 } finish { ambient 0.1 } }
 }
 
 TEST_CASE("an alpha of any numbers is developed", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     const float infinite = std::numeric_limits<float>::infinity();
     const std::array alphas = {infinite, 7.0F, 0.5F, -1.0F, std::nanf(""), -infinite};
     LayeredPicture picture{static_cast<int>(alphas.size()), 1, {}, {}};
@@ -226,7 +226,7 @@ TEST_CASE("an alpha of any numbers is developed", "[app][film]") {
 }
 
 TEST_CASE("any OpenEXR file with colours is developed", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     const auto shades = [&](std::vector<std::string> more = {}) {
         more.insert(more.begin(),
                     {"develop", darkroom.path("x.exr"), "+FP", "-o", darkroom.path("x.ppm")});
@@ -269,7 +269,7 @@ object { Low }
 }  // namespace
 
 TEST_CASE("develop lights pictures anew by the layers of light", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     darkroom.write("two.pov", two_lamps);
     const auto light = [&](const std::string& name, const std::vector<std::string>& more = {}) {
         std::vector<std::string> words = {
@@ -310,7 +310,7 @@ TEST_CASE("develop lights pictures anew by the layers of light", "[app][film]") 
 }
 
 TEST_CASE("a lamp of weight 0 is not there", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     darkroom.write("two.pov", R"(#version 3.7; global_settings { assumed_gamma 1 }
         camera { location <0, 1, -5> look_at 0 film { response linear } }
         plane { y, -1 pigment { rgb 0.7 } }
@@ -340,7 +340,7 @@ TEST_CASE("a lamp of weight 0 is not there", "[app][film]") {
 
 TEST_CASE("develop joins pictures to a movie", "[app][film]") {
     if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) return;
-    Darkroom darkroom;
+    DevelopRun darkroom;
     darkroom.write("two.pov", two_lamps);
     REQUIRE(darkroom({darkroom.path("two.pov"), "-V", "+W16", "+H12", "--layers", "lights",
                       "+O" + darkroom.path("two.exr")}) == 0);
@@ -356,7 +356,7 @@ TEST_CASE("develop joins pictures to a movie", "[app][film]") {
 }
 
 TEST_CASE("pictures lie beside their light, or in a folder", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     darkroom.write_planes("x.exr", {"B", "G", "R"});
     darkroom.write_planes("y.exr", {"B", "G", "R"});
     CHECK(darkroom({"develop", darkroom.path("x.exr"), darkroom.path("y.exr")}) == 0);
@@ -373,7 +373,7 @@ TEST_CASE("pictures lie beside their light, or in a folder", "[app][film]") {
 }
 
 TEST_CASE("develop says what it cannot do", "[app][film]") {
-    Darkroom darkroom;
+    DevelopRun darkroom;
     CHECK(darkroom({"develop", "--help"}) == 0);
     CHECK(has(darkroom.out, "usage: candelabra develop"));
     CHECK(darkroom({"develop"}) == 2);

@@ -72,7 +72,8 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("max_trace_level"), "in global_settings"));
     CHECK(has(help("--samples"), "--samples n"));
     CHECK(has(help("compatibility"), "+UF, -UF, Field_Render=on, --field-render"));
-    CHECK(has(help("Light_Ring"), "Light_Ring(Lamp object or array[], Count whole >= 1, Radius > 0)\n"));
+    CHECK(has(help("Light_Ring"),
+              "Light_Ring(Lamp object or array[], Count whole >= 1, Radius > 0)\n"));
     CHECK(has(help("Light_Ring"), "#include \"light_arrays.inc\""));
     CHECK(has(help("light_arrays.inc"), "Light_Matrix("));
     const std::string arrays = help("light_arrays.inc");

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const two_lamps = R"(#version 3.7; global_settings { assumed_gamma 1 }
+const char* const two_lit_balls = R"(#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <0, 2, -6> look_at 0 }
 #default { finish { ambient 0 } }
 plane { y, -1 pigment { rgb 0.8 } finish { reflection 0.2 } }
@@ -61,7 +61,7 @@ struct Planes {
 };
 
 int render(Shell& shell, std::vector<std::string> more) {
-    shell.write("lamps.pov", two_lamps);
+    shell.write("lamps.pov", two_lit_balls);
     more.insert(more.end(), {shell.path("lamps.pov"), "-V", "+W24", "+H18", "--samples", "3"});
     return shell(more);
 }

@@ -118,6 +118,35 @@ TEST_CASE("a mesh_camera has its meshes in braces", "[bind]") {
           std::string::npos);
 }
 
+TEST_CASE("a user_defined camera has functions for its rays", "[bind]") {
+    const std::string both =
+        "camera { user_defined location { function { x*4 } function { y*3 } function { -5 } } "
+        "direction { function { u } function { v*v } function { 1 } } rotate 90*y }";
+    const Script done = run("#version 3.7; " + both);
+    REQUIRE(done.text.empty());
+    const Projection camera = projection(done.scene.camera);
+    CHECK(camera.ray(0.25, -0.5).origin == Vec3(1, -1.5, -5));
+    CHECK(camera.ray(0.25, -0.5).direction == unit(Vec3(0.25, 0.25, 1)));
+
+    // What is no function is the camera's own, and is moved with it.
+    const Projection turned = projection(
+        run("#version 3.7; camera { user_defined location { function { 1 } function { 2 } "
+            "function { x/(x - 0.25) } } direction z rotate 90*y }")
+            .scene.camera);
+    CHECK(length(turned.ray(0, 0).direction - Vec3(1, 0, 0)) < 1e-12);
+    CHECK(turned.ray(0, 0).origin == Vec3(1, 2, 0));
+    // Where a function has no value there is no ray.
+    CHECK(turned.ray(0.25, 0).direction == Vec3(0));
+
+    CHECK(complaint("camera { user_defined direction { function { x } } }") ==
+          "error missing: `direction` needs `y` and `z`");
+    CHECK(complaint("camera { user_defined angle 30 }") ==
+          "error degenerate: `angle` has no place beside the functions of a `user_defined` camera");
+    CHECK(complaint("camera { location { function { x } function { x } function { x } } }") != "");
+    // The word stays a name for scenes that declare it.
+    CHECK(run("#version 3.7; #declare user_defined = 1; sphere { 0, user_defined }").text.empty());
+}
+
 TEST_CASE("a shutter has its time and its moments", "[bind]") {
     const Script done = run("#version 3.7; camera { shutter 0.5, 12 }");
     REQUIRE(done.text.empty());

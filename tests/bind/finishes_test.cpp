@@ -26,6 +26,8 @@ TEST_CASE("a finish has its words, and may be declared", "[bind]") {
     CHECK(finish_of("metallic specular 1").specular == 1);
     CHECK(finish_of("metallic 0.25").metallic == 0.25);
     CHECK(finish_of("conserve_energy").conserve_energy);
+    CHECK(finish_of("use_alpha").use_alpha);
+    CHECK_FALSE(finish_of("use_alpha off").use_alpha);
 }
 
 TEST_CASE("a block of reflection changes only what it says", "[bind]") {

@@ -17,7 +17,7 @@ struct MisplacedCase {
 }  // namespace
 
 TEST_CASE("what has no place in a block is reported once", "[bind]") {
-    const auto [script, expected] = GENERATE(values<MisplacedCase>({
+    const auto [script, expected] = GENERATE(Catch::Generators::values<MisplacedCase>({
         {"sphere { 0, 1 trnslate x scale 2 }",
          "error unknown-word: `sphere` has no word `trnslate`"},
         {"sphre { 0, 1 }", "error unknown-word: a scene has no word `sphre`"},
@@ -31,7 +31,8 @@ TEST_CASE("what has no place in a block is reported once", "[bind]") {
         {"sphere { 0, 1 { } }",
          "error misplaced: braces without a word before them have no place in `sphere`"},
         {"finish", "error misplaced: `finish` has no place in a scene"},
-        {"anisotropy { 1, 2 }", "error not-implemented: `anisotropy` is not available in this version"},
+        {"anisotropy { 1, 2 }",
+         "error not-implemented: `anisotropy` is not available in this version"},
         {"sphere { 0, 1 interior { anisotropy { 1 } } }",
          "error not-implemented: `anisotropy` is not available in this version"},
         {"sphere { 0, 1 finish { subsurface { translucency -1 } } }",

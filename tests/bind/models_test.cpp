@@ -26,7 +26,7 @@ TEST_CASE("spheres that are alike become a row", "[bind]") {
         std::vector<std::size_t> lengths;  ///< 0: no row
     };
     // The first two passes analyse the block.
-    const auto [script, lengths] = GENERATE(values<Case>({
+    const auto [script, lengths] = GENERATE(Catch::Generators::values<Case>({
         {"#for (I, 1, 9) sphere { I, 1 } #end", {0, 0, 7}},
         {"#for (I, 1, 9) sphere { I, 1 pigment { rgb 1 } } #end", {0, 0, 7}},
         {"#for (I, 1, 4) sphere { I, 1 } box { 0, I } #end", {0, 0, 0, 0, 1, 0, 1, 0}},

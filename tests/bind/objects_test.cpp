@@ -12,7 +12,7 @@
 namespace candelabra {
 
 TEST_CASE("every shape can be written, declared, and copied", "[bind]") {
-    const std::string shape = GENERATE(values<std::string>(
+    const std::string shape = GENERATE(Catch::Generators::values<std::string>(
         {"sphere { 0, 1 }", "box { 0, 1 }", "plane { y, 0 }", "disc { 0, y, 1 }",
          "cylinder { 0, y, 1 }", "cone { 0, 1, y, 0 }", "triangle { 0, x, y }",
          "smooth_triangle { 0, z, x, z, y, z }",
@@ -115,7 +115,7 @@ TEST_CASE("objects nest thousands deep, but not without end", "[bind]") {
 }
 
 TEST_CASE("declared objects inside each other count as well", "[bind]") {
-    const std::string loop = GENERATE(values<std::string>({
+    const std::string loop = GENERATE(Catch::Generators::values<std::string>({
         "#declare A = union { A sphere { I, 1 } }",
         "#declare A = intersection { A sphere { I, 1 } translate x }",
         "#declare A = sphere { I, 1 clipped_by { A } }",

@@ -128,6 +128,14 @@ TEST_CASE("a camera with vectors in one plane sees stripes or nothing", "[camera
     rays_of(SphericalCamera{});
 }
 
+TEST_CASE("with an angle and no direction there is nothing to see", "[camera]") {
+    Perspective camera;
+    camera.direction = Vec3(0);
+    CHECK(projection(camera).ray(0.3, 0.2).direction != Vec3(0));
+    camera.angle = 40;
+    CHECK(projection(camera).ray(0.3, 0.2).direction == Vec3(0));
+}
+
 TEST_CASE("a focal point in the camera's place is as none", "[camera]") {
     Perspective camera;
     camera.aperture = 1;

@@ -50,7 +50,7 @@ Factor cameras() {
     Factor factor{"camera", {}};
     for (const ItemInfo* info : items_of("Cameras")) {
         const std::string name(info->name);
-        if (name == "mesh_camera") continue;
+        if (name == "mesh_camera" || name == "user_defined") continue;
         // As in POV-Ray, a mirrored camera of this kind does not see the mirrored scene.
         const unsigned traits = name == "spherical" ? directions : no_trait;
         factor.levels.push_back({name, traits, [name](Draft& draft) {
@@ -72,6 +72,13 @@ Factor cameras() {
         {"mesh_camera", hides, [](Draft& draft) {
              draft.lens =
                  "mesh_camera { 1, 0 mesh { triangle { <-2, 0, -4>, <2, 0, -4>, <0, 3, -4> } } }";
+         }});
+    // What functions give is not moved with the camera.
+    factor.levels.push_back(
+        {"user_defined", hides | directions | lengths, [](Draft& draft) {
+             draft.lens =
+                 "user_defined location { function { x/9 } function { 1 + y/9 } function { -4 } } "
+                 "direction { function { x } function { y - 0.1*x*x } function { 1 } }";
          }});
     return factor;
 }

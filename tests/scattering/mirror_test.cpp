@@ -31,6 +31,15 @@ TEST_CASE("reflection goes from straight on to grazing", "[render]") {
     CHECK(reflectivity(b.shading, 1 / 1.5).x == Approx(0.04));
 }
 
+TEST_CASE("with use_alpha a clear surface reflects less", "[scattering]") {
+    MirrorBench b;
+    b.finish.reflection = {Vec3(0.4), Vec3(0.4), false, 1, 1, 0};
+    b.shading.opacity = 0.25;
+    CHECK(reflectivity(b.shading, 1).x == Approx(0.4));
+    b.finish.use_alpha = true;
+    CHECK(reflectivity(b.shading, 1).x == Approx(0.1));
+}
+
 TEST_CASE("rays are bent by Snell's law, and reflected where they cannot be", "[scattering]") {
     MirrorBench b;
     const Vec3 inside = refracted_direction(b.shading, 1 / 1.5);

@@ -45,6 +45,19 @@ TEST_CASE("light from below the horizon counts only for both_sides", "[render]")
     CHECK(finish_response(b.shading, Vec3(0, -1, 0)).x == Approx(0.48));
 }
 
+TEST_CASE("with use_alpha highlights of a clear surface are weaker", "[scattering]") {
+    for (const bool phong : {true, false}) {
+        Bench b;
+        b.finish.diffuse = 0;
+        b.shading.opacity = 0.25;
+        (phong ? b.finish.phong : b.finish.specular) = 0.8;
+        const Vec3 mirror = unit(Vec3(0, 1, 1));
+        CHECK(finish_response(b.shading, mirror).x == Approx(0.8));
+        b.finish.use_alpha = true;
+        CHECK(finish_response(b.shading, mirror).x == Approx(0.2));
+    }
+}
+
 TEST_CASE("highlights are brightest in the mirror direction", "[render]") {
     Bench b;
     b.finish.diffuse = 0;

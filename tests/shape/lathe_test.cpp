@@ -42,7 +42,7 @@ TEST_CASE("lathes are met where POV-Ray meets them", "[shape]") {
 }
 
 TEST_CASE("a lathe of straight lines is a pair of cones, for rays of any rise", "[shape]") {
-    const BuiltLathe top = build({linear_curve, {{0, 0}, {1, 1}, {0, 2}}});
+    const BuiltLathe top = build(Lathe{linear_curve, {{0, 0}, {1, 1}, {0, 2}}});
     const Cone lower{Vec3(0), 0, y, 1, true}, upper{y, 1, 2.0 * y, 0, true};
     Draw draw(4);
     for (int i = 0; i < 2000; ++i) {
@@ -87,11 +87,11 @@ TEST_CASE("smooth lathes are met on their surface, for rays of any rise", "[shap
 }
 
 TEST_CASE("the inside of a lathe is between curve and axis", "[shape]") {
-    const BuiltLathe top = build({linear_curve, {{0, 0}, {1, 1}, {0, 2}}});
+    const BuiltLathe top = build(Lathe{linear_curve, {{0, 0}, {1, 1}, {0, 2}}});
     CHECK(inside(top, Vec3(0.5, 0.9, 0)));
     CHECK(inside(top, Vec3(0.5, 1, 0)));
     CHECK_FALSE(inside(top, Vec3(1.1, 1, 0)));
-    const BuiltLathe ring = build({linear_curve, {{1, 0}, {2, 1}, {3, 0}}});
+    const BuiltLathe ring = build(Lathe{linear_curve, {{1, 0}, {2, 1}, {3, 0}}});
     CHECK_FALSE(inside(ring, Vec3(1, 0.5, 0)));
     CHECK(inside(ring, Vec3(2, 0.5, 0)));
     CHECK_FALSE(inside(ring, Vec3(2.6, 0.5, 0)));

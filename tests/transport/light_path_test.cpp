@@ -26,7 +26,7 @@ Vec3 power_after(std::span<const ReflectedLuminaire> all, int reflections) {
     return sum;
 }
 
-const std::string lamp =
+const std::string small_lamp =
     "sphere { <1, 0.5, -1>, 0.25 pigment { rgb 1 } finish { diffuse 0 emission <8, 4, 2> } }\n";
 
 }  // namespace
@@ -34,7 +34,7 @@ const std::string lamp =
 TEST_CASE("in a closed room light keeps its power times the albedo at each reflection",
           "[transport]") {
     const Shot shot = shot_of(
-        "#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
+        "#version 3.7; #default { finish { ambient 0 } }\n" + small_lamp +
         "box { <-3, -2, -4>, <4, 3, 5> pigment { rgb <0.5, 0.8, 0.2> } finish { diffuse 1 } }");
     const auto found = sent_into(shot, 3, 40000);
     // Radiance times area of a glowing sphere, which is its power over pi.
@@ -50,7 +50,7 @@ TEST_CASE("in a closed room light keeps its power times the albedo at each refle
 }
 
 TEST_CASE("reflected luminaires shine to the side from which light has come", "[transport]") {
-    const Shot shot = shot_of("#version 3.7; #default { finish { ambient 0 } }\n" + lamp +
+    const Shot shot = shot_of("#version 3.7; #default { finish { ambient 0 } }\n" + small_lamp +
                               "plane { y, 0 pigment { rgb 0.7 } finish { diffuse 1 } }");
     const auto found = sent_into(shot, 8, 500);
     REQUIRE_FALSE(found.empty());
@@ -63,7 +63,7 @@ TEST_CASE("reflected luminaires shine to the side from which light has come", "[
 TEST_CASE("light that clear surfaces let pass is as a shadow ray finds it", "[transport]") {
     const auto floor_lit = [](const std::string& pane) {
         const Shot shot =
-            shot_of("#version 3.7; #default { finish { ambient 0 } }\n" + lamp + pane +
+            shot_of("#version 3.7; #default { finish { ambient 0 } }\n" + small_lamp + pane +
                     "disc { -2*y, y, 4 pigment { rgb 1 } finish { diffuse 1 } }");
         return power_after(sent_into(shot, 1, 40000), 1);
     };
