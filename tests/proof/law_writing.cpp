@@ -24,11 +24,11 @@ std::vector<Element> around(std::string before, Element object, std::string behi
 }
 
 /// Ways of writing an object.
-struct Way {
+struct Rewriting {
     const char* name;
     std::vector<Element> (*write)(const Element&);
 };
-constexpr Way ways[] = {
+constexpr Rewriting ways[] = {
     {"declared",
      [](const Element& object) { return around("#declare Thing =", object, "object { Thing }"); }},
     {"a macro",
@@ -72,7 +72,7 @@ Claims other_writing(const Script& script, Dice& dice) {
     if (!objects.empty()) {
         const std::size_t chosen = dice.pick(objects);
         const Element& object = script.elements[chosen];
-        const Way& way = ways[dice.below(std::size(ways))];
+        const Rewriting& way = ways[dice.below(std::size(ways))];
         const bool light = object.head == "light_source" || object.head == "light_group";
         if (!light || &way < ways + 4)
             picture_of(way.name, rewritten(script, chosen, way.write(object)));
