@@ -6,8 +6,8 @@
 
 #include "base/image.h"
 #include "camera/film_settings.h"
-#include "picture/layers.h"
 #include "options/options.h"
+#include "picture/layers.h"
 
 #include <optional>
 #include <string>

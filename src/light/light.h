@@ -78,9 +78,10 @@ struct PointLight : WebPlace {
 /// Returns the unit direction of a cone, a beam or parallel light.
 Vec3 axis_of(const PointLight&);
 
-/// Gives a light with a stated intensity or flux the colour and the fading that
-/// follow. Other lights stay. A light without a colour is white. Returns an error as a sentence, or
-/// an empty string.
+/// Gives a light with a stated intensity or flux the colour and the fading that follow. Other
+/// lights stay. A light without a colour is white. Returns an error as a sentence, or an empty
+/// string.
+std::string measure(PointLight&);
 
 /// Prepares a light that does not change any more, so that it is evaluated faster.
 void settle(PointLight&);

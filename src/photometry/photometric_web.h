@@ -18,7 +18,7 @@ namespace candelabra {
 enum class WebType {
     c,  ///< (sin V cos H, sin V sin H, -cos V): V is 0 straight down, 180 straight up
     b,  ///< (cos H sin V, -sin H, -cos H cos V): down at V = H = 0; V turns about the y axis
-    a  ///< (cos V cos H, -cos V sin H, sin V): along x at V = H = 0; V is the elevation
+    a   ///< (cos V cos H, -cos V sin H, sin V): along x at V = H = 0; V is the elevation
 };
 
 /// A direction in which a table has an intensity.

@@ -134,9 +134,8 @@ Factor options() {
     factor.levels.push_back({"luminaires above", aside | nonlinear, [](Draft& draft) {
                                  draft.settings.push_back(words("luminaires above 0.5"));
                              }});
-    factor.levels.push_back({"photometry", aside, [](Draft& draft) {
-                                 set(draft, "photometry", "unit 0.5 white 120");
-                             }});
+    factor.levels.push_back({"photometry", aside,
+                             [](Draft& draft) { set(draft, "photometry", "unit 0.5 white 120"); }});
     factor.levels.push_back({"deep", aside, [](Draft& draft) {
                                  draft.settings.push_back(
                                      words("max_trace_level 12 adc_bailout 0.001"));
