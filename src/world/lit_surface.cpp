@@ -16,8 +16,10 @@ namespace {
 /// Points of a surface with a formula: for what differs from place to place, and for normals alone.
 constexpr int many_points = 1 << 14, some_points = 1 << 10;
 /// Lines along each of three axes, in batches, by which surfaces without a formula are found. More
-/// batches follow until the standard error of the area is below a fraction of it.
-constexpr int lines_of_batch = 1 << 12, min_batches = 4, max_batches = 24;
+/// batches follow until the standard error of the area is below a fraction of it. A surface that
+/// fills little of its bounds gets more, since few lines cross it.
+constexpr int lines_of_batch = 1 << 12, min_batches = 4, usual_batches = 24, max_batches = 120;
+constexpr std::size_t enough_pieces = 50'000;
 constexpr double wanted_error = 2e-4;
 
 /// Point i of a sequence that fills the unit square evenly (Roberts' R2).
@@ -131,7 +133,11 @@ LitSurface by_lines(const Composite& whole, std::uint32_t leaf) {
     const auto [second, third] = perpendiculars(first);
     double sum = 0, squares = 0;
     int batches = 0;
-    for (; batches < max_batches; ++batches) {
+    const auto wants_more = [&] {
+        return batches < usual_batches ||
+               (batches < max_batches && result.pieces.size() < enough_pieces);
+    };
+    for (; wants_more(); ++batches) {
         double batch = 0;
         for (const Vec3& axis : {first, second, third})
             for (int i = 0; i < lines_of_batch; ++i) {

@@ -77,6 +77,9 @@ std::vector<Case> cases() {
          "<0,1,0>, <1,1,0>, <2,1,0>, <3,1,0>, <0,2,0>, <1,2,0>, <2,2,0>, <3,2,0>, <0,3,0>, "
          "<1,3,0>, <2,3,0>, <3,3,0> }",
          9, true},
+        {"parametric { function { u }, function { 0 }, function { v } <0, 0>, <2, 3> "
+         "contained_by { box { -1, 4 } } max_gradient 2 }",
+         6, true},
         {"difference { sphere { 0, 1 } plane { y, 0 inverse } }", -1},
         {"intersection { sphere { 0, 1 } box { <0, -2, -2>, 2 } }", 3 * pi},
         {"sphere { 0, 1 clipped_by { plane { y, 0 } } }", 2 * pi, true},
