@@ -30,13 +30,13 @@ double ellipsoid(double a, double b, double c) {
     return 4 * sum * (pi / steps) * (pi / 2 / steps);
 }
 
-struct Case {
+struct AreaCase {
     const char* object;
     double area;
     bool open = false;
 };
 
-std::vector<Case> cases() {
+std::vector<AreaCase> area_cases() {
     const double slant = std::sqrt(1 + 9);
     return {
         {"sphere { 1, 2 }", 16 * pi},
@@ -112,7 +112,7 @@ Total total(const std::string& object, bool places) {
 }  // namespace
 
 TEST_CASE("the area of a luminaire is right within a thousandth, whatever its shape", "[world]") {
-    for (const Case& each : cases()) {
+    for (const AreaCase& each : area_cases()) {
         if (each.area < 0) continue;
         CAPTURE(each.object);
         for (const bool places : {false, true}) {
