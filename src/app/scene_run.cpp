@@ -167,7 +167,7 @@ private:
                 if (console_.heard) console_.heard(Stream::debug, printable_lines(text));
                 return console_.err(debug_to_json(text));
             }
-            candelabra::say(console_, Stream::debug, marked(text), printable_lines(text));
+            candelabra::say(console_, Stream::debug, marked(text));
             if (!text.empty()) line_is_open_ = !text.ends_with('\n');
         };
         session_.emplace(std::move(settings), diagnostics_);

@@ -91,15 +91,22 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
     return wants_operand(last_.kind) ? std::optional(between) : std::nullopt;
 }
 
-/// Whether the token is an unreserved word that takes a possibly negative number, in its own block:
-/// `film { exposure -1 }`.
+/// Whether the token is an unreserved word that takes a possibly negative value, in its own block:
+/// `film { exposure -1 }`, `luminaire { ies "a.ies" aim -y }`.
 bool Brackets::is_signed_word(const Token& token) const {
-    if (token.kind != TokenKind::name || !in_braces() || spelling(token) != "exposure")
-        return false;
+    if (token.kind != TokenKind::name || !in_braces()) return false;
+    const bool exposes = spelling(token) == "exposure";
+    const bool aims = spelling(token) == "aim" || spelling(token) == "c0";
+    if (!exposes && !aims) return false;
+    const std::size_t inside = open_.back().token.last;
+    // Old scenes may begin a light source with a vector of that name.
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::string_view ahead = text_.substr(inside, token.first - inside);
+    if (aims && ahead.find_first_not_of(blanks) == ahead.npos) return false;
     std::string_view before = text_.substr(0, open_.back().token.first);
-    while (!before.empty() && std::string_view(" \t\r\n").find(before.back()) != before.npos)
-        before.remove_suffix(1);
-    return before.ends_with("film");
+    while (!before.empty() && blanks.find(before.back()) != blanks.npos) before.remove_suffix(1);
+    return exposes ? before.ends_with("film")
+                   : before.ends_with("luminaire") || before.ends_with("light_source");
 }
 
 /// Whether the directive that has just begun is the left operand of an operator, as in

@@ -61,7 +61,6 @@ constexpr auto foreign_names = std::array{
     ForeignName{"then", "an #if needs no `then`: #if (A) ... #else ... #end"},
     ForeignName{"do", "a loop is written #while (A) ... #end"},
     ForeignName{"begin", "a directive needs no `begin`: #if (A) ... #end"},
-    ForeignName{"intensity", "a light is as bright as its colour: rgb 2"},
     ForeignName{"brightness", "a light is as bright as its colour: rgb 2"},
     ForeignName{"transparency", "what is half clear has a colour like rgbt <1, 0, 0, 0.5>"},
     ForeignName{"halo", "POV-Ray 3.1 replaced it by `media`: hollow interior { media { ... } }"},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace candelabra {
 
@@ -16,6 +17,17 @@ namespace {
 constexpr std::size_t divided_from = 32;
 /// Minimum width of a part, as a fraction of that of the whole: positions may coincide.
 constexpr double narrowest = 1e-6;
+
+/// Where sorted positions are farthest apart along an axis, in the middle half of them: surfaces
+/// with space between them come apart. Returns the index of the position behind the gap.
+std::size_t widest_gap(std::span<const Vec3> sorted, int axis) {
+    const std::size_t count = sorted.size();
+    std::size_t best = count / 2;
+    const auto gap = [&](std::size_t i) { return sorted[i][axis] - sorted[i - 1][axis]; };
+    for (std::size_t i = count / 4; i <= count - count / 4; ++i)
+        if (gap(i) > gap(best)) best = i;
+    return best;
+}
 
 }  // namespace
 
@@ -45,12 +57,9 @@ void ReflectionDensity::divide(std::vector<Vec3>& positions, std::size_t first, 
         parts_[own].density = static_cast<double>(end - first) / (longest * middle);
         return;
     }
-    const std::size_t middle = first + (end - first) / 2;
-    const auto at = [&](std::size_t i) {
-        return positions.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    put_nth(at(first), at(middle), at(end),
-            [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
+    std::span<Vec3> part(positions.data() + first, end - first);
+    sort_stably(part, {}, [axis](const Vec3& each) { return each[axis]; });
+    const std::size_t middle = first + widest_gap(part, axis);
     parts_[own].axis = static_cast<std::int8_t>(axis);
     parts_[own].border = positions[middle][axis];
     divide(positions, first, middle, greatest);

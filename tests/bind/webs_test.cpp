@@ -38,6 +38,21 @@ TEST_CASE("a light source with a file has its intensity, its flux, or a stated o
     CHECK(colour_below("flux lumen(6.283185307)") == Approx(1));
 }
 
+TEST_CASE("axes of a file may begin with a sign", "[bind]") {
+    const Script source = with_file("light_source { 0, 1 ies \"a.ies\" aim -z c0 -x }");
+    INFO(source.text);
+    REQUIRE(source.text.empty());
+    CHECK(source.scene.lights.at(0).light.aim == Vec3(0, 0, -1));
+    CHECK(source.scene.lights.at(0).light.c0 == Vec3(-1, 0, 0));
+    const Script lamp = with_file(
+        "sphere { 0, 1 pigment { rgb 1 } finish { luminaire { ies \"a.ies\" aim -z c0 -x } } }");
+    INFO(lamp.text);
+    REQUIRE(lamp.text.empty());
+    CHECK(lamp.texture().finish.lamp->aim == Vec3(0, 0, -1));
+    // Old scenes may have a vector of such a name.
+    CHECK(run("#version 3.7; #declare aim = y; light_source { aim - 2*x, 1 }").text.empty());
+}
+
 TEST_CASE("lamps of one file share its table", "[bind]") {
     const Script done = with_file(
         "light_source { 0, 1 ies \"a.ies\" } light_source { x, 1 ies \"a.ies\" rotate 90*y } "

@@ -179,7 +179,7 @@ TEST_CASE("the tutorial's scenes render, and its commands are commands", "[manua
 }
 
 TEST_CASE("the scenes of the page about lights render", "[manual]") {
-    check_page("candelabra-lights.7", 6);
+    check_page("candelabra-lights.7", 7);
 }
 
 TEST_CASE("the scenes of the page for those from POV-Ray render", "[manual]") {

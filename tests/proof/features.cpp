@@ -45,9 +45,10 @@ Script staged(Draft& draft) {
     Script script;
     Element object = tested_object(draft);
     object.inner.push_back(words("translate <-0.2, 0.9, 0>"));
-    Element camera = needed(block("camera", draft.lens,
-                                  {needed(words("location <0, 2.2, -5>")),
-                                   needed(words("look_at <0, 0.7, 0>")), words("angle 45")}));
+    Element camera = needed(
+        block("camera", draft.lens,
+              {needed(words("location <0, 2.2, -5>")), needed(words("look_at <0, 0.7, 0>"))}));
+    if (!draft.lens.starts_with("user_defined")) camera.inner.push_back(words("angle 45"));
     camera.inner.insert(camera.inner.end(), draft.camera.begin(), draft.camera.end());
     script.elements = {
         needed(block("#default", "finish { ambient 0 }")),

@@ -75,6 +75,7 @@ TEST_CASE("lamps with a file light a floor by the inverse square law", "[statist
                                          "{ " +
                                          web + " } translate " + at + " }",
                                      128);
+            CAPTURE(found / expected);
             // Parts of a ring hide each other.
             if (concave)
                 CHECK((found < 1.02 * expected && found > 0.5 * expected));

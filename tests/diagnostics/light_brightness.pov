@@ -1,0 +1,1 @@
+light_source { <0, 10, 0>, rgb 1 brightness 2 }

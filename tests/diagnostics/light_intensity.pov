@@ -1,1 +1,0 @@
-light_source { <0, 10, 0>, rgb 1 intensity 2 }
