@@ -36,9 +36,9 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
         F{"intensity", &PointLight::intensity, item,
           "luminous intensity, as candela(1000): it falls with the square of the distance, and the "
           "colour counts as a hue only",
-          above(0)},
+          at_least(0)},
         F{"flux", &PointLight::flux, item,
-          "the same by the luminous flux in all directions, as lumen(800)", above(0)},
+          "the same by the luminous flux in all directions, as lumen(800)", at_least(0)},
         F{"ies", &PointLight::ies, item,
           "file of IES LM-63 with its intensity by direction, and its flux if none is given"},
         F{"ldt", &PointLight::ldt, item, "the same of EULUMDAT"},

@@ -12,7 +12,7 @@ const ItemInfo LampData::vocabulary = described<LampData>([] {
         "luminaire", "A lamp by its data sheet: how bright it glows follows from its area.",
         F{"flux", &LampData::flux, item,
           "luminous flux that leaves its surface, as lumen(800); without it, that of the file",
-          above(0)},
+          at_least(0)},
         F{"temperature", &LampData::temperature, item,
           "colour temperature of its light in kelvin, 2700 for warm white",
           between(min_planck, max_planck)},

@@ -18,14 +18,20 @@ constexpr std::size_t divided_from = 32;
 /// Minimum width of a part, as a fraction of that of the whole: positions may coincide.
 constexpr double narrowest = 1e-6;
 
-/// Where sorted positions are farthest apart along an axis, in the middle half of them: surfaces
-/// with space between them come apart. Returns the index of the position behind the gap.
-std::size_t widest_gap(std::span<const Vec3> sorted, int axis) {
+/// Where sorted positions are divided: in the middle; or at the widest gap along the axis, in the
+/// middle half of them, if it is a good part of their extent, so that surfaces with space between
+/// them come apart. Returns the index of the first position behind.
+std::size_t division(std::span<const Vec3> sorted, int axis) {
     const std::size_t count = sorted.size();
+    constexpr double good_part = 0.25;
     std::size_t best = count / 2;
+    double widest = good_part * (sorted.back()[axis] - sorted.front()[axis]);
     const auto gap = [&](std::size_t i) { return sorted[i][axis] - sorted[i - 1][axis]; };
     for (std::size_t i = count / 4; i <= count - count / 4; ++i)
-        if (gap(i) > gap(best)) best = i;
+        if (gap(i) > widest) {
+            widest = gap(i);
+            best = i;
+        }
     return best;
 }
 
@@ -59,7 +65,7 @@ void ReflectionDensity::divide(std::vector<Vec3>& positions, std::size_t first, 
     }
     std::span<Vec3> part(positions.data() + first, end - first);
     sort_stably(part, {}, [axis](const Vec3& each) { return each[axis]; });
-    const std::size_t middle = first + widest_gap(part, axis);
+    const std::size_t middle = first + division(part, axis);
     parts_[own].axis = static_cast<std::int8_t>(axis);
     parts_[own].border = positions[middle][axis];
     divide(positions, first, middle, greatest);

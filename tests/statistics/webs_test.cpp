@@ -74,7 +74,7 @@ TEST_CASE("lamps with a file light a floor by the inverse square law", "[statist
                                          " pigment { rgb <1, 0.8, 0.6> } luminaire "
                                          "{ " +
                                          web + " } translate " + at + " }",
-                                     128);
+                                     concave ? 1024 : 128);
             CAPTURE(found / expected);
             // Parts of a ring hide each other.
             if (concave)
