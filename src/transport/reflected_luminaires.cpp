@@ -26,7 +26,7 @@ constexpr std::size_t kept_generations =
 constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
 /// Maximum fraction of a uniformly lit surface's light that one reflected luminaire may contribute,
 /// by their number in the whole scene and by that about it: "Indirect light".
-constexpr double kappa = 1.0 / 16, kappa_there = 1.0 / 16;
+constexpr double kappa = 1.0 / 16, kappa_there = 1.0 / 10;
 /// See LightScene: "Indirect light".
 constexpr double even_share = 0.05;
 /// Length of the bent normal: for the strategy, a reflected luminaire shines on both sides, and a

@@ -60,7 +60,9 @@ void ReflectionDensity::divide(std::vector<Vec3>& positions, std::size_t first, 
         const double longest = std::fmax(size[axis], narrowest * greatest),
                      middle = std::fmax(size.x + size.y + size.z - size[axis] - least,
                                         narrowest * greatest);
-        parts_[own].density = static_cast<double>(end - first) / (longest * middle);
+        // Positions lie up to half of their spacing within the surface that they stand for.
+        const double across = std::sqrt(static_cast<double>(end - first)) - 1;
+        parts_[own].density = across * across / (longest * middle);
         return;
     }
     std::span<Vec3> part(positions.data() + first, end - first);
