@@ -231,9 +231,14 @@ int share_scene(const ShareRequest& request, const std::string& page, const Cons
     const int status = run_with(options, console, diagnostics.fresh());
     if (status != exit_status::done) return status;
     const bool made = make_page(options.output, page, request.options, console, diagnostics);
+    if (!made) {
+        console.err(message("the light of the scene is kept in `", printable(options.output),
+                            "`, from which share makes a page as well\n"));
+        return exit_status::file;
+    }
     std::error_code none;
     fs::remove(options.output, none);
-    return made ? exit_status::done : exit_status::file;
+    return exit_status::done;
 }
 
 }  // namespace

@@ -113,6 +113,8 @@ TEST_CASE("share says what it cannot do") {
     CHECK(shell.share({shell.path("many.pov"), "+W8", "+H6", "-o", shell.path("m.html")}) ==
           exit_status::file);
     CHECK(has(shell.err, "a page has up to 32 lamps, and there are 42"));
+    CHECK(has(shell.err, "is kept in"));
+    CHECK(fs::exists(shell.path(".m.share.exr")));
 }
 
 TEST_CASE("the sandbox of share lets the page be written where it goes") {

@@ -62,10 +62,20 @@ TEST_CASE("the flux of a spotlight fills its cone", "[bind]") {
           Approx(5 / (2 * std::numbers::pi * (1.0 / 2 - 2.0 / 7))).epsilon(1e-6));
 }
 
+TEST_CASE("a light may be dimmed to nothing", "[bind]") {
+    for (const char* words : {"intensity 0", "flux 0"}) {
+        const Script done =
+            run(std::string("#version 3.7; light_source { 0, rgb 1 ") + words + " }");
+        REQUIRE(done.text.empty());
+        CHECK(done.scene.lights.at(0).light.colour == Vec3(0));
+    }
+    CHECK(run("#version 3.7; sphere { 0, 1 pigment { rgb 1 } luminaire { flux 0 } }").text.empty());
+}
+
 TEST_CASE("an intensity that cannot be is refused", "[bind]") {
     for (const char* const words :
          {"intensity 3 flux 3", "intensity 3 parallel", "flux 2 cylinder point_at x",
-          "intensity 2 fade_distance 3", "intensity 0", "flux -1"}) {
+          "intensity 2 fade_distance 3", "intensity -1", "flux -1"}) {
         CAPTURE(words);
         const Script done = run(std::string("#version 3.7; light_source { y, 1 ") + words + " }");
         CHECK(done.text.find("error") != std::string::npos);
