@@ -5,6 +5,7 @@
 #include "base/elementary.h"
 #include "base/transform.h"
 #include "photometry/light_colour.h"
+#include "photometry/web_fields.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ namespace candelabra {
 
 const ItemInfo PointLight::vocabulary = described<PointLight>([] {
     using F = Field<PointLight>;
+    using Web = WebFields<PointLight>;
     return schema<PointLight>(
         "light_source", "A light: a point, a cone, a beam, or a grid of points.",
         F{"location", &PointLight::location, positional, "where it is"},
@@ -39,14 +41,7 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
           at_least(0)},
         F{"flux", &PointLight::flux, item,
           "the same by the luminous flux in all directions, as lumen(800)", at_least(0)},
-        F{"ies", &PointLight::ies, item,
-          "file of IES LM-63 with its intensity by direction, and its flux if none is given"},
-        F{"ldt", &PointLight::ldt, item, "the same of EULUMDAT"},
-        F{"lamp_set", &PointLight::lamp_set, item, "which set of lamps of EULUMDAT counts",
-          between(1, 100)},
-        F{"aim", &PointLight::aim, item, "where the straight down of the file leads"},
-        F{"c0", &PointLight::c0, item, "where the plane C0 of the file lies"},
-        F{"mirrored", &PointLight::mirrored, flag, "the planes C90 and C270 change places"},
+        Web::ies, Web::ldt, Web::lamp_set, Web::aim, Web::c0, Web::mirrored,
         F{"shadowless", &PointLight::shadowless, flag,
           "nothing stops its light, no cone either; gives no highlights"},
         F{"media_attenuation", &PointLight::media_attenuation, flag,

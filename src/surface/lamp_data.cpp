@@ -2,12 +2,14 @@
 #include "surface/lamp_data.h"
 
 #include "photometry/light_colour.h"
+#include "photometry/web_fields.h"
 #include "vocabulary/schema.h"
 
 namespace candelabra {
 
 const ItemInfo LampData::vocabulary = described<LampData>([] {
     using F = Field<LampData>;
+    using Web = WebFields<LampData>;
     return schema<LampData>(
         "luminaire", "A lamp by its data sheet: how bright it glows follows from its area.",
         F{"flux", &LampData::flux, item,
@@ -16,14 +18,7 @@ const ItemInfo LampData::vocabulary = described<LampData>([] {
         F{"temperature", &LampData::temperature, item,
           "colour temperature of its light in kelvin, 2700 for warm white",
           between(min_planck, max_planck)},
-        F{"ies", &LampData::ies, item,
-          "file of IES LM-63 with its intensity by direction, and its flux if none is given"},
-        F{"ldt", &LampData::ldt, item, "the same of EULUMDAT"},
-        F{"lamp_set", &LampData::lamp_set, item, "which set of lamps of EULUMDAT counts",
-          between(1, 100)},
-        F{"aim", &LampData::aim, item, "where the straight down of the file leads"},
-        F{"c0", &LampData::c0, item, "where the plane C0 of the file lies"},
-        F{"mirrored", &LampData::mirrored, flag, "the planes C90 and C270 change places"});
+        Web::ies, Web::ldt, Web::lamp_set, Web::aim, Web::c0, Web::mirrored);
 });
 
 Vec3 lamp_emission(const LampData& lamp, const Vec3& emission) {
