@@ -298,6 +298,11 @@ bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
                              "`direction`, `right` and `up` lie in one plane: this camera sees "
                              "stripes, or nothing")
                          .with_help(block.help()));
+    const auto* user = std::get_if<UserDefinedCamera>(&camera);
+    if (user && user->look_at && user->towards.given())
+        block.report(warning(Fault::no_effect, element.word_span,
+                             "`look_at` has no effect: functions say where the rays go")
+                         .with_help(block.help()));
     return !block.broken;
 }
 

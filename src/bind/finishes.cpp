@@ -189,6 +189,10 @@ bool read_content(OpenBlock& block, const Content& content, Finish& finish) {
     SubsurfaceReader subsurface(block, finish.subsurface);
     LampReader lamp(block, finish.lamp);
     block.read(content, declared, microfacet, fields, reflection, irid, subsurface, lamp);
+    if (finish.use_alpha && finish.microfacet.on)
+        block.report(warning(Fault::no_effect, block.span,
+                             "`use_alpha` has no effect on `microfacet`: over a clear pigment its "
+                             "facets reflect as they are"));
     if (lamp.given()) finish.emission = lamp_emission(*finish.lamp, finish.emission);
     return !block.broken;
 }

@@ -81,6 +81,12 @@ TEST_CASE("albedo is turned into amounts when the finish is complete", "[bind]")
     CHECK(finish_of("irid { 0.25 thickness 0.3 turbulence 0 }").irid == Irid{0.25, 0.3, 0});
 }
 
+TEST_CASE("use_alpha does not reach facets, and says so", "[bind]") {
+    CHECK(complaint("sphere { 0, 1 finish { use_alpha microfacet { } } }")
+              .starts_with("warning no-effect: `use_alpha` has no effect on `microfacet`"));
+    CHECK(run("#version 3.7; sphere { 0, 1 finish { use_alpha } }").text.empty());
+}
+
 TEST_CASE("wrong finishes are told of once", "[bind]") {
     CHECK(complaint("sphere { 0, 1 finish { reflection } }") ==
           "error missing: `reflection` of `finish` needs a colour or a block");
