@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/animation_run.h"
 
-#include "app/checkpoint.h"
 #include "app/develop_command.h"
 #include "app/frame_commands.h"
 #include "app/frame_run.h"
-#include "app/layers.h"
 #include "app/movie.h"
 #include "app/scene_run.h"
 #include "app/shell_commands.h"
 #include "options/memory_limit.h"
 #include "options/output.h"
+#include "output/layers.h"
 #include "picture/file.h"
 #include "picture/flaw.h"
+#include "production/checkpoint.h"
 #include "text/message.h"
 #include "text/printable.h"
 

@@ -3,7 +3,7 @@
 // while the previous one is rendered. Called by the commands.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 #include "options/animation.h"
 #include "options/options.h"
 

@@ -9,21 +9,22 @@
 #include "app/light_command.h"
 #include "app/lsp.h"
 #include "app/merge.h"
-#include "app/mesh_export.h"
 #include "app/new_scene.h"
 #include "app/preview.h"
 #include "app/sandbox.h"
 #include "app/scene_run.h"
 #include "app/share_command.h"
 #include "app/shell_commands.h"
-#include "app/streams.h"
+#include "console/streams.h"
 #include "options/completion.h"
 #include "options/ini.h"
 #include "options/memory_limit.h"
 #include "options/option_help.h"
 #include "options/option_table.h"
 #include "options/option_values.h"
+#include "output/mesh_export.h"
 #include "picture/file.h"
+#include "production/version.h"
 #include "text/loader.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -44,7 +45,7 @@ namespace {
 
 std::string explanation(const Options& options, const std::string& library,
                         Diagnostics& diagnostics) {
-    if (options.task == Task::version) return version_text();
+    if (options.task == Task::version) return message(program_name(), "\n");
     if (options.task == Task::completion) return completion(options.topic).value_or("");
     if (options.task == Task::help) return help_text(options.topic, library, diagnostics);
     return description(options.topic, options.form, library, diagnostics);

@@ -2,7 +2,7 @@
 // The commands of the program: rendering, checks, dumps, help. All output goes through the console.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 
 #include <span>
 #include <string_view>

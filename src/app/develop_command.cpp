@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/develop_command.h"
 
-#include "app/layers.h"
-#include "app/light_file.h"
-#include "app/light_weights.h"
 #include "app/movie.h"
 #include "app/sandbox.h"
 #include "film/develop.h"
@@ -11,6 +8,9 @@
 #include "options/option_store.h"
 #include "options/option_table.h"
 #include "options/output.h"
+#include "output/layers.h"
+#include "output/light_file.h"
+#include "output/light_weights.h"
 #include "picture/file.h"
 #include "text/message.h"
 #include "text/nearest.h"

@@ -2,7 +2,7 @@
 // `candelabra develop`: makes pictures for display from the radiance in OpenEXR files.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 
 #include <span>
 #include <string_view>

@@ -2,7 +2,7 @@
 // `candelabra fmt`: formats scenes.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 
 #include <span>
 #include <string_view>

@@ -5,7 +5,7 @@
 // animation.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 #include "options/options.h"
 
 #include <atomic>

@@ -7,6 +7,7 @@
 #include "editor/textmate.h"
 #include "options/option_help.h"
 #include "options/option_table.h"
+#include "production/version.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"
 #include "text/message.h"
@@ -244,8 +245,6 @@ std::string settings_help(std::string_view topic) {
 
 }  // namespace
 
-std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
-
 std::string help_text(std::string_view topic, const std::string& library,
                       Diagnostics& diagnostics) {
     if (topic.empty()) return short_help();
@@ -295,7 +294,7 @@ std::string description(std::string_view part, ManualForm form, const std::strin
     }
     if (form != ManualForm::json) return manual(catalogue(), form);
     OrderedJson all = {{"program", "candelabra"},
-                       {"version", CANDELABRA_VERSION},
+                       {"version", version()},
                        {"options", OrderedJson::parse(options_as_json(true, "option"))},
                        {"words", json_words()}};
     all["functions"] = OrderedJson::parse(manual(function_entries(), form));

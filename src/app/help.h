@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The output of --help, --version and --describe, made from the tables of options and items.
+// The output of --help and --describe, made from the tables of options and items.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -9,8 +9,6 @@
 #include <string_view>
 
 namespace candelabra {
-
-std::string version_text();
 
 /// Returns the usual options, or help on a topic: all, an option, a group of options, an item, a
 /// group of items, a file of the library or a macro in it. Reports unknown topics. `library`: its

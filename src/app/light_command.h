@@ -2,7 +2,7 @@
 // `candelabra light`: what a photometric file (IES LM-63, EULUMDAT) says of its luminaire.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 #include "photometry/photometric_file.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -2,7 +2,7 @@
 // `candelabra lsp`: the language server between standard input and output, for editors.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 #include "editor/framing.h"
 
 #include <optional>

@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "app/library.h"
 #include "app/sandbox.h"
-#include "app/signals.h"
+#include "console/signals.h"
 #include "text/message.h"
 
 #include <cerrno>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/merge.h"
 
-#include "app/checkpoint.h"
-#include "app/layers.h"
 #include "app/sandbox.h"
 #include "options/option_store.h"
 #include "options/output.h"
+#include "output/layers.h"
 #include "picture/file.h"
+#include "production/checkpoint.h"
 #include "text/message.h"
 #include "text/printable.h"
 #include "transport/aovs.h"

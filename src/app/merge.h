@@ -4,7 +4,7 @@
 // added one by one, so any number needs no more memory than two.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 
 #include <span>
 #include <string_view>

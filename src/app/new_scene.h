@@ -3,7 +3,7 @@
 // the standard library.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 
 #include <span>
 #include <string>

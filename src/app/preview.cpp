@@ -2,12 +2,12 @@
 #include "app/preview.h"
 
 #include "app/animation_run.h"
-#include "app/heard.h"
 #include "app/library.h"
-#include "app/preview_answers.h"
-#include "app/preview_stage.h"
 #include "app/scene_run.h"
-#include "app/stats.h"
+#include "console/heard.h"
+#include "output/stats.h"
+#include "preview/answers.h"
+#include "preview/renderer.h"
 #include "text/loader.h"
 #include "text/message.h"
 #include "web/server.h"
@@ -36,12 +36,12 @@ public:
           animation_(animation),
           console_(console),
           diagnostics_(diagnostics),
-          desk_([this] { wake(); }) {
+          state_([this] { wake(); }) {
         options_.to_file = false;
         options_.task = Task::render;
         options_.progress = "none";
         options_.layers.clear();  // the page shows layers in its own way
-        if (options_.denoise) desk_.denoise(true);
+        if (options_.denoise) state_.denoise(true);
     }
 
     int run() {
@@ -49,7 +49,7 @@ public:
         const PreviewFacts facts{page_with(token, *options_.scene), *options_.scene,
                                  manual_folder(directory_of(own_path()))};
         WebServer server(*options_.preview_port, token, [&](const WebRequest& request) {
-            return answer_of(request, facts, desk_);
+            return answer_of(request, facts, state_);
         });
         if (server.port() == 0)
             diagnostics_.add(
@@ -66,7 +66,7 @@ public:
         if (console_.interrupts.listening) console_.interrupts.listening(true);
         while (!ending_) {
             render();
-            while (!left()) desk_.rest(rest_milliseconds);
+            while (!left()) state_.rest(rest_milliseconds);
         }
         serve(nullptr);
         return exit_status::done;
@@ -89,28 +89,28 @@ private:
         console.terminal = false;
         console.interrupts.listening = nullptr;
         console.interrupts.take = [this] { return left() ? Interrupt::stop : Interrupt::none; };
-        console.stage = [&](const Staged& staged) {
-            desk_.hear(heard);
+        console.preview = [&](const ReadyScene& scene) {
+            state_.hear(heard);
             print(output);
-            render_on_stage(staged, desk_, {[this] { return left(); }, [this] { return ends(); }});
+            render_preview(scene, state_, {[this] { return left(); }, [this] { return ends(); }});
         };
         console.files_read = [this](const std::vector<ReadFile>& files) { remember(files); };
         remember({{*options_.scene, {}}});
-        desk_.stand([](Standing& standing) {
-            standing.progress = 0;
-            standing.seconds_left = -1;
-            standing.line = "reading the scene";
-            standing.busy = true;
+        state_.set_status([](RenderStatus& status) {
+            status.progress = 0;
+            status.seconds_left = -1;
+            status.line = "reading the scene";
+            status.busy = true;
         });
         Diagnostics diagnostics = diagnostics_.fresh();
         const int status = run_scene(options_as_turned(), console, diagnostics);
         print(output);
         if (status == exit_status::done) return;
-        desk_.questions().close();
-        desk_.hear(heard);
-        desk_.stand([&](Standing& standing) {
-            standing.line = heard.errors.substr(0, heard.errors.find('\n'));  // the first error
-            standing.busy = false;
+        state_.questions().close();
+        state_.hear(heard);
+        state_.set_status([&](RenderStatus& status) {
+            status.line = heard.errors.substr(0, heard.errors.find('\n'));  // the first error
+            status.busy = false;
         });
     }
 
@@ -139,7 +139,7 @@ private:
         const std::string text = disk_reader()(*options_.scene).value_or("");
         std::vector<Knob> all = knobs(text);
         if (animation_) all.push_back(frames());
-        for (const auto& [name, value] : desk_.take_knobs(all))
+        for (const auto& [name, value] : state_.take_knobs(all))
             if (name != frame_knob) options.declares.push_back({name, value});
         if (animation_) choose_frame(options);
         return options;
@@ -156,7 +156,7 @@ private:
 
     void choose_frame(Options& options) const {
         const std::vector<AnimationFrame>& all = animation_->frames;
-        const double wanted = desk_.knob(frame_knob, frames().value);
+        const double wanted = state_.knob(frame_knob, frames().value);
         const auto chosen = std::ranges::find_if(
             all, [&](const AnimationFrame& frame) { return frame.number >= wanted; });
         set_frame(options.facts, options.animation, *animation_,
@@ -165,7 +165,7 @@ private:
 
     /// Whether the scene is outdated or the preview ends. Cheap; may be called by any thread.
     bool left() {
-        if (desk_.turned()) return true;
+        if (state_.turned()) return true;
         look();
         return ending_ || file_changed_;
     }
@@ -228,7 +228,7 @@ private:
     std::atomic<bool> ending_ = false, file_changed_ = false;
     Heard of_options_;  ///< the messages of the command line
     Printed printed_;
-    PreviewDesk desk_;  ///< the last member: its thread uses the others
+    PreviewState state_;  ///< the last member: its thread uses the others
 };
 
 }  // namespace

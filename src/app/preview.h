@@ -3,7 +3,7 @@
 // or a file that it reads changes. Called by the commands.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 #include "options/options.h"
 
 namespace candelabra {

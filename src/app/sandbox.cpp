@@ -2,8 +2,8 @@
 #include "app/sandbox.h"
 
 #include "app/child.h"
-#include "app/console.h"
 #include "app/library.h"
+#include "console/console.h"
 #include "options/output.h"
 #include "text/scene_folders.h"
 #include "text/written_name.h"

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene_run.h"
 
-#include "app/depfile.h"
-#include "app/diagnostics_json.h"
-#include "app/file_lock.h"
-#include "app/index_slice.h"
-#include "app/layers.h"
 #include "app/library.h"
-#include "app/light_report.h"
-#include "app/mesh_export.h"
-#include "app/progress.h"
-#include "app/render_job.h"
-#include "app/stats.h"
-#include "app/world_report.h"
 #include "base/deep_stack.h"
+#include "console/diagnostics_json.h"
+#include "console/progress.h"
 #include "options/memory_limit.h"
 #include "options/output.h"
 #include "options/region.h"
+#include "output/depfile.h"
+#include "output/index_slice.h"
+#include "output/layers.h"
+#include "output/light_report.h"
+#include "output/mesh_export.h"
+#include "output/stats.h"
+#include "output/world_report.h"
 #include "picture/file.h"
+#include "production/file_lock.h"
+#include "production/render_job.h"
 #include "scene/dump.h"
 #include "session/session.h"
 #include "syntax/dump.h"
@@ -152,7 +152,7 @@ private:
         if (options_.task == Task::export_mesh) settings.evaluation.only = options_.mesh_object;
         // Pictures record the files that they were made from; checks need not.
         settings.notes_files = options_.task == Task::render;
-        settings.remembers_objects = console_.stage || aovs_for(options_.layers, false).surface;
+        settings.remembers_objects = console_.preview || aovs_for(options_.layers, false).surface;
         return settings;
     }
 
@@ -220,7 +220,7 @@ private:
         if (say_diagnostics()) return exit_status::scene;
         if (options_.task == Task::dump_index) return say(index_slice(*world));
         if (dumps) return say(report(*world));
-        if (console_.stage) return look_at(world, fitting);
+        if (console_.preview) return look_at(world, fitting);
         const Shot shot(world, ShotSettings::of(options_.render));
         statistics_.compile = time_now() - statistics_.compile;
         return is_check() ? finish(shot) : render_picture(shot, fitting);
@@ -276,12 +276,12 @@ private:
         return film;
     }
 
-    /// Passes the scene to the console's stage, which renders it.
+    /// Passes the scene to the preview, which renders it.
     int look_at(const SharedWorld& world, const Output& output) {
         const std::vector<std::string> lights = light_names(*world, sources());
         const WorldView& view = world->stated_view;
-        console_.stage({world, sources(), options_, output.format,
-                        film_of_frame(film_in(view.camera, view.film)), lights});
+        console_.preview({world, sources(), options_, output.format,
+                          film_of_frame(film_in(view.camera, view.film)), lights});
         return exit_status::done;
     }
 

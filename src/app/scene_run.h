@@ -3,7 +3,7 @@
 // commands and, for each frame, by animations.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 #include "options/options.h"
 
 namespace candelabra {

@@ -3,7 +3,7 @@
 // OpenEXR file with the light of its lamps.
 #pragma once
 
-#include "app/console.h"
+#include "console/console.h"
 
 #include <cstddef>
 #include <span>

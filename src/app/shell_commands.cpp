@@ -2,7 +2,7 @@
 #include "app/shell_commands.h"
 
 #include "app/child.h"
-#include "app/console.h"
+#include "console/console.h"
 #include "text/message.h"
 #include "text/shell_word.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of light in few bytes, for pages that show them in a browser (src/app/page/share.js has
-// the decoder). Each channel is kept as a logarithm, which has 16 bits when it is read. The
+// Pictures of light in few bytes, for pages that show them in a browser (src/preview/page/share.js
+// has the decoder). Each channel is kept as a logarithm, which has 16 bits when it is read. The
 // pictures lose what is finer than a step.
 //
 // A value v becomes log2(1 + 64 v). Brightness (R + 2 G + B) / 4 and the colours R - B and

@@ -110,11 +110,6 @@ TEST_CASE("descriptions exist in all parts and forms") {
     CHECK(diagnostics.error_count() == 1);
 }
 
-TEST_CASE("name and version") {
-    CHECK(version_text().starts_with("Candelabra "));
-    CHECK(version_text().back() == '\n');
-}
-
 namespace {
 
 /// Returns the manual page of scenes with its parts included.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sandbox.h"
 
-#include "app/checkpoint.h"
 #include "bind/evaluate.h"
+#include "production/checkpoint.h"
 #include "support/folder.h"
 #include "support/shell.h"
 #include "text/loader.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each warning that there is a name for: a scene that provokes it, and that the name switches it
 // off.
-#include "app/heard.h"
+#include "console/heard.h"
 #include "support/shell.h"
 #include "text/diagnostic.h"
 

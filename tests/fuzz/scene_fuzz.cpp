@@ -2,11 +2,11 @@
 // The whole way from any bytes to a picture of 16x12 pixels, which is denoised and, where the scene
 // has a film, developed: no crash, and no pixel that is not a number. Rendering is stopped after a
 // while, since nothing limits how long a picture may take.
-#include "app/film_images.h"
-#include "app/layers.h"
 #include "bind/evaluate.h"
 #include "film/develop.h"
 #include "fuzz/target.h"
+#include "output/film_images.h"
+#include "output/layers.h"
 #include "render/render.h"
 #include "world/compile.h"
 #include "world/review.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A state whose bytes are changed: any bytes as a file, or changes (place and value, three bytes
 // each) of a sound one. No crash; what is read fits together.
-#include "app/checkpoint.h"
 #include "fuzz/target.h"
 #include "fuzz/written_file.h"
+#include "production/checkpoint.h"
 
 #include <cstdlib>
 

@@ -47,10 +47,12 @@ std::vector<fs::path> files_below(const fs::path& folder, const std::set<std::st
     return files;
 }
 
+/// The modules. src/packaging has files for desktops, editors and packagers, and no source.
 std::vector<fs::path> folders_of_source() {
     std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(root / "src"))
-        if (entry.is_directory()) folders.push_back(entry.path());
+        if (entry.is_directory() && entry.path().filename() != "packaging")
+            folders.push_back(entry.path());
     return folders;
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options/option_values.h"
 
-#include "app/identity.h"
 #include "options/command_line.h"
 #include "options/option_table.h"
 #include "options/output.h"
 #include "options/read_words.h"
+#include "production/identity.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>

@@ -7,7 +7,7 @@ set -uo pipefail
 
 program=$(realpath "$1")
 root=$(realpath "$(dirname "$0")/../..")
-own=$root/src/app/packaging
+own=$root/src/packaging
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0

@@ -93,7 +93,7 @@ const vscode = {
 };
 const load = Module._load;
 Module._load = (name, ...rest) => (name === "vscode" ? vscode : load(name, ...rest));
-const extension = require(path.join(__dirname, "../../src/app/packaging/vscode/extension.js"));
+const extension = require(path.join(__dirname, "../../src/packaging/vscode/extension.js"));
 
 async function until(what, test) {
   for (let i = 0; i < 300; ++i) {
@@ -205,7 +205,7 @@ function expanded(body) {
   await until("a mistake in the preview", () => panel.sent.some(state => state.errors.includes("shpere")));
   panel.dispose();
 
-  const own = path.join(__dirname, "../../src/app/packaging/vscode");
+  const own = path.join(__dirname, "../../src/packaging/vscode");
   const facts = JSON.parse(fs.readFileSync(path.join(own, "package.json")));
   for (const { command } of facts.contributes.commands) assert(commands[command], command);
   const [matcher] = facts.contributes.problemMatchers;

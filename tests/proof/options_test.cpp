@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the table says of the effects of options is true of all rows: what changes a picture changes
 // its identity, what changes nothing changes no byte, and the recorded command makes the same file.
-#include "app/identity.h"
 #include "options/option_table.h"
 #include "options/option_values.h"
 #include "options/read_words.h"
+#include "production/identity.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>

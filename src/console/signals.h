@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Receives the signals that ask a rendering to stop (SIGINT, SIGTERM, SIGHUP) or to write its state
+// (SIGUSR1) on a thread of its own, so that no handler and no global is needed. While nothing
+// listens, the first three end the program as usual, and SIGUSR1 is ignored. Construct it first in
+// main(), since threads that already exist would not block these signals.
+#pragma once
+
+#include "console/interrupt.h"
+
+#include <atomic>
+#include <csignal>
+#include <thread>
+
+namespace candelabra {
+
+class Signals {
+public:
+    Signals();
+    Signals(const Signals&) = delete;
+    Signals& operator=(const Signals&) = delete;
+    ~Signals();
+
+    Interrupts interrupts();
+
+private:
+    void wait();
+    void arrived(int signal);
+
+    sigset_t taken_;
+    std::atomic<Interrupt> asked_ = Interrupt::none;
+    std::atomic<bool> listening_ = false;
+    std::atomic<bool> ending_ = false;
+    std::thread thread_;
+};
+
+}  // namespace candelabra

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output/film_images.h"
+
+#include "film/denoise.h"
+#include "film/film.h"
+#include "output/layers.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace candelabra {
+
+namespace {
+
+/// Returns the mean of three consecutive sums.
+Vec3 mean_of(const Film& film, std::size_t pixel, std::size_t first) {
+    const PixelSum& sums = film.pixels()[pixel];
+    const auto extra = film.extra(pixel).subspan(first, 3);
+    return {sums.mean_of(extra[0].value()), sums.mean_of(extra[1].value()),
+            sums.mean_of(extra[2].value())};
+}
+
+std::vector<double> alpha_of(const Film& film) {
+    std::vector<double> alpha;
+    alpha.reserve(film.pixels().size());
+    for (std::size_t i = 0; i < film.pixels().size(); ++i) {
+        const PixelSum& pixel = film.pixels()[i];
+        const bool seen = pixel.weight() > 0;
+        alpha.push_back(seen ? 1 - pixel.mean_of(film.extra(i)[0].value()) : 0);
+    }
+    return alpha;
+}
+
+}  // namespace
+
+Image smooth_image(const Film& film, const FilmFiles& files) {
+    const std::size_t first = files.aovs().first_smooth();
+    const double factor = files.film.exposure_factor();
+    Image image(film.width(), film.height());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = expanded(mean_of(film, i, first), factor);
+    return image;
+}
+
+QuietFilm denoised_film(const Film& film, const FilmFiles& files) {
+    const Aovs aovs = files.aovs();
+    NoisyPicture noisy{film.image(), Image(film.width(), film.height()), {}, {}, {}, {}};
+    if (aovs.lights) noisy.parts.assign(files.lights.size(), noisy.variance);
+    noisy.albedo = noisy.normal = noisy.variance;
+    for (std::size_t i = 0; i < film.pixels().size(); ++i) {
+        const Vec3 mean = noisy.light.pixels[i];
+        const double samples = film.pixels()[i].samples;
+        noisy.variance.pixels[i] =
+            glm::max(mean_of(film, i, aovs.first_square()) - mean * mean, Vec3(0)) /
+            std::max(samples - 1, 1.0);
+        noisy.albedo.pixels[i] = mean_of(film, i, aovs.albedo());
+        noisy.normal.pixels[i] = mean_of(film, i, aovs.normal());
+        for (std::size_t k = 0; k < noisy.parts.size(); ++k)
+            noisy.parts[k].pixels[i] = mean_of(film, i, aovs.first_light() + 3 * k);
+        const double depth = film.extra(i)[aovs.depth()].value();
+        noisy.depth.push_back(depth > 0 ? depth : std::numeric_limits<double>::infinity());
+    }
+    // The compressed samples are averaged with the same weights, so that edges stay smooth.
+    if (aovs.smooth) noisy.parts.push_back(smooth_image(film, files));
+    QuietPicture made = denoised(noisy, files.threads);
+    QuietFilm quiet{std::move(made.light), {}, std::move(made.parts)};
+    if (aovs.smooth) {
+        quiet.smooth = std::move(quiet.lights.back());
+        quiet.lights.pop_back();
+    }
+    return quiet;
+}
+
+Negative negative_of(const Film& film, const FilmFiles& files) {
+    if (!is_developed(files))
+        return {film.image(), {}, files.alpha ? alpha_of(film) : std::vector<double>()};
+    Negative negative{linear(film.image(), files.format), {}, {}};
+    if (files.aovs().smooth) negative.smooth = linear(smooth_image(film, files), files.format);
+    if (files.alpha)
+        for (const double each : alpha_of(film)) negative.alpha.push_back(static_cast<float>(each));
+    return negative;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "production/checkpoint.h"
+
+#include "base/random.h"
+#include "picture/layers.h"
+#include "picture/write.h"
+#include "text/message.h"
+#include "text/printable.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <functional>
+#include <sstream>
+
+namespace candelabra {
+
+namespace {
+
+constexpr auto texts =
+    std::to_array<std::string_view>({"candelabraIdentity", "candelabraShare", "candelabraState"});
+constexpr auto channels = std::array{"R", "G", "B"};
+
+/// A plane with 32 bits of the sums of each pixel.
+struct StatePart {
+    std::string name;
+    std::function<std::uint32_t(const Film&, std::size_t pixel)> get;
+    std::function<void(Film&, std::size_t pixel, std::uint32_t bits)> set;
+};
+
+/// Returns a part that is stored in the pixel's own sums.
+template <class Get, class Set>
+StatePart own_part(std::string name, const Get& get, const Set& set) {
+    return {std::move(name),
+            [get](const Film& film, std::size_t i) { return get(film.pixels()[i]); },
+            [set](Film& film, std::size_t i, std::uint32_t bits) { set(film.pixels()[i], bits); }};
+}
+
+using Counts = std::array<std::uint64_t, 3>;
+
+StatePart half_of(Counts PixelSum::*sums, std::size_t channel, int half, std::string name) {
+    const int shift = 32 * half;
+    return own_part(
+        std::move(name),
+        [=](const PixelSum& p) { return static_cast<std::uint32_t>((p.*sums)[channel] >> shift); },
+        [=](PixelSum& p, std::uint32_t bits) {
+            (p.*sums)[channel] |= std::uint64_t{bits} << shift;
+        });
+}
+
+/// Returns a part for one word of a sum besides those of the picture.
+StatePart extra_part(std::size_t which, int word) {
+    return {message("extra.", which, ".", word),
+            [=](const Film& film, std::size_t i) { return film.extra(i)[which].word(word); },
+            [=](Film& film, std::size_t i, std::uint32_t bits) {
+                film.extra(i)[which].set_word(word, bits);
+            }};
+}
+
+constexpr std::string_view negative_plane = "negative";
+
+/// Lists the parts of a state. `negative`: some samples were subtracted, which happens only with
+/// wide filters.
+std::vector<StatePart> parts(std::size_t aovs, bool negative) {
+    std::vector<StatePart> all;
+    const auto add_number = [&](std::string name, std::uint32_t PixelSum::*number) {
+        all.push_back(own_part(
+            std::move(name), [=](const PixelSum& p) { return p.*number; },
+            [=](PixelSum& p, std::uint32_t bits) { p.*number = bits; }));
+    };
+    add_number("samples", &PixelSum::samples);
+    add_number("target", &PixelSum::target);
+    add_number("shadow_rays", &PixelSum::shadow_rays);
+    if (negative) add_number(std::string(negative_plane), &PixelSum::negative);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        for (int i = 0; i < 4; ++i)
+            all.push_back(own_part(
+                message("sum.", channels[c], i),
+                [=](const PixelSum& p) { return p.radiance[c].word(i); },
+                [=](PixelSum& p, std::uint32_t bits) { p.radiance[c].set_word(i, bits); }));
+        for (int i = 0; i < 2; ++i) {
+            all.push_back(half_of(&PixelSum::display, c, i, message("shown.", channels[c], i)));
+            all.push_back(
+                half_of(&PixelSum::display_squared, c, i, message("squares.", channels[c], i)));
+        }
+    }
+    for (std::size_t which = 0; which < aovs; ++which)
+        for (int word = 0; word < 4; ++word) all.push_back(extra_part(which, word));
+    return all;
+}
+
+/// Returns the number of sums per pixel besides those of the picture.
+std::size_t extras_in(const LayeredPicture& picture) {
+    const auto planes = std::ranges::count_if(
+        picture.planes, [](const ChannelPlane& plane) { return plane.name.starts_with("extra."); });
+    return static_cast<std::size_t>(planes) / 4;
+}
+
+bool has_negative(const LayeredPicture& picture) {
+    return std::ranges::find(picture.planes, negative_plane, &ChannelPlane::name) !=
+           picture.planes.end();
+}
+
+bool has_negative(const Film& film) {
+    return std::ranges::any_of(film.pixels(),
+                               [](const PixelSum& pixel) { return pixel.negative > 0; });
+}
+
+/// Returns a checksum of all state planes in order, or nothing if a plane is missing.
+std::optional<std::uint64_t> checksum(const LayeredPicture& picture) {
+    std::uint64_t sum = mix(static_cast<std::uint64_t>(picture.width));
+    for (const StatePart& part : parts(extras_in(picture), has_negative(picture))) {
+        const auto plane = std::ranges::find(picture.planes, part.name, &ChannelPlane::name);
+        if (plane == picture.planes.end()) return std::nullopt;
+        for (const std::uint32_t bits : plane->bits) sum = mix(sum ^ bits);
+    }
+    return sum;
+}
+
+std::string share_text(const Checkpoint& checkpoint) {
+    const PictureShard& shard = checkpoint.state.shard;
+    const Region& r = shard.region;
+    return message(r.left, ' ', r.top, ' ', r.right, ' ', r.bottom, ' ', shard.first_tile, ' ',
+                   shard.tile_step, ' ', shard.first_sample, ' ', checkpoint.samples, ' ',
+                   checkpoint.all_samples);
+}
+
+/// Maximum number of samples in one pixel; the sums would overflow with more.
+constexpr std::uint32_t max_in_pixel = std::uint32_t{1} << 31;
+
+/// Whether the sums of all pixels can result from their numbers of samples.
+bool are_possible(const Film& film) {
+    constexpr std::uint64_t white = std::uint64_t{1} << 20;
+    return std::ranges::all_of(film.pixels(), [](const PixelSum& pixel) {
+        const std::uint64_t n = pixel.samples;
+        const auto within = [&](std::size_t c) {
+            return pixel.display[c] <= n * white && pixel.display_squared[c] <= n * white * white &&
+                   pixel.display_squared[c] <= white * pixel.display[c];
+        };
+        // Beyond 2^24 samples the sums of squares may wrap around at 2^64.
+        const bool shown = n >= std::uint64_t{1} << 24 || (within(0) && within(1) && within(2));
+        return shown && pixel.negative <= n && n <= max_in_pixel && pixel.target <= max_in_pixel;
+    });
+}
+
+/// Reads the text attributes. Returns false if they are not those of a state.
+bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint64_t& sum) {
+    checkpoint.identity = identity_from(picture.texts[0].second);
+    PictureShard& shard = checkpoint.state.shard;
+    Region& r = shard.region;
+    shard.width = picture.width;
+    std::istringstream first(picture.texts[1].second), second(picture.texts[2].second);
+    first >> r.left >> r.top >> r.right >> r.bottom >> shard.first_tile >> shard.tile_step >>
+        shard.first_sample >> checkpoint.samples >> checkpoint.all_samples;
+    second >> checkpoint.state.rounds >> checkpoint.finished >> sum;
+    const bool tiles = shard.first_tile >= 0 && shard.first_tile < shard.tile_step &&
+                       shard.tile_step <= max_shards;
+    const bool samples = checkpoint.samples <= checkpoint.all_samples &&
+                         shard.first_sample <= checkpoint.all_samples - checkpoint.samples;
+    const bool region = r.left >= 0 && r.top >= 0 && r.left <= r.right && r.top <= r.bottom &&
+                        r.right <= picture.width && r.bottom <= picture.height;
+    const bool counts =
+        checkpoint.all_samples <= max_in_pixel && checkpoint.state.rounds <= max_in_pixel;
+    return first && second && !checkpoint.identity.empty() && tiles && samples && region && counts;
+}
+
+}  // namespace
+
+std::optional<std::string> encode(const Checkpoint& checkpoint, Diagnostics& diagnostics) {
+    const Film& film = checkpoint.state.film;
+    LayeredPicture picture{film.width(), film.height(), {}, {}};
+    for (int c = 0; c < 3; ++c) {
+        ChannelPlane plane{channels[static_cast<std::size_t>(c)], false, {}};
+        for (const PixelSum& pixel : film.pixels())
+            plane.bits.push_back(std::bit_cast<std::uint32_t>(finite_float(pixel.mean()[c])));
+        picture.planes.push_back(std::move(plane));
+    }
+    for (const StatePart& part : parts(film.aovs(), has_negative(film))) {
+        ChannelPlane plane{part.name, true, {}};
+        plane.bits.reserve(film.pixels().size());
+        for (std::size_t i = 0; i < film.pixels().size(); ++i)
+            plane.bits.push_back(part.get(film, i));
+        picture.planes.push_back(std::move(plane));
+    }
+    picture.texts = {
+        {std::string(texts[0]), to_text(checkpoint.identity)},
+        {std::string(texts[1]), share_text(checkpoint)},
+        {std::string(texts[2]), message(checkpoint.state.rounds, ' ', checkpoint.finished ? 1 : 0,
+                                        ' ', *checksum(picture))}};
+    return encode(picture, diagnostics);
+}
+
+std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics& diagnostics) {
+    const auto picture = read_layers(path, texts, diagnostics);
+    if (!picture) return std::nullopt;
+    const auto fail = [&](std::string_view why) {
+        diagnostics.add(error(Fault::io, {}, message("`", printable(path), "` ", why)));
+        return std::nullopt;
+    };
+    Checkpoint checkpoint;
+    std::uint64_t sum = 0;
+    if (!read_texts(*picture, checkpoint, sum)) return fail("is no state of a picture");
+    if (checksum(*picture) != sum) return fail("is damaged: its sums are not those that it had");
+    Film& film = checkpoint.state.film;
+    film = Film(picture->width, picture->height, extras_in(*picture));
+    for (const StatePart& part : parts(film.aovs(), has_negative(*picture))) {
+        const auto plane = std::ranges::find(picture->planes, part.name, &ChannelPlane::name);
+        for (std::size_t i = 0; i < plane->bits.size(); ++i) part.set(film, i, plane->bits[i]);
+    }
+    if (!are_possible(film)) return fail("is damaged: no samples add up to its sums");
+    return checkpoint;
+}
+
+}  // namespace candelabra

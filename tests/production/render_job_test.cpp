@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "production/render_job.h"
+
+#include "picture/file.h"
+#include "production/checkpoint.h"
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <random>
+#include <thread>
+
+namespace candelabra {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Runs with +C until the picture is finished, stopping each run at a random poll of the interrupts
+/// (one poll per 16 samples). Returns the number of stops.
+int stop_and_go(Shell& shell, std::vector<std::string> arguments, std::mt19937& random) {
+    arguments.insert(arguments.end(), {shell.path("lit.pov"), "-V", "+C"});
+    std::atomic<int> left = 0;
+    shell.interrupts.take = [&] { return --left > 0 ? Interrupt::none : Interrupt::stop; };
+    int stops = 0;
+    for (;; ++stops) {
+        left = static_cast<int>(random() % 100);
+        const int status = shell(arguments);
+        if (status == exit_status::done) break;
+        REQUIRE(status == exit_status::stopped);
+        REQUIRE(stops < 300);
+    }
+    shell.interrupts.take = nullptr;
+    return stops;
+}
+
+}  // namespace
+
+TEST_CASE("a picture that is stopped at random moments and continued has the same bytes") {
+    Shell shell;
+    std::mt19937 random(5);
+    const std::vector<std::vector<std::string>> ways = {
+        {"--samples", "7"}, {}, {"-A", "--seed", "4"}, {"--noise", "0.3", "+SR3", "+EC9"}};
+    for (const std::vector<std::string>& way : ways) {
+        std::vector<std::string> all = way;
+        all.insert(all.end(), {"+W32", "+H24", "+O" + shell.path("a.png")});
+        std::vector<std::string> plain = all;
+        plain.insert(plain.end(), {shell.path("lit.pov"), "-V"});
+        REQUIRE(shell(plain) == 0);
+        const std::string whole = shell.content("a.png");
+        fs::remove(shell.path("a.png"));
+        CHECK(stop_and_go(shell, all, random) > 1);
+        CHECK(shell.content("a.png") == whole);
+        CHECK_FALSE(fs::exists(shell.path("a.png.state.exr")));
+    }
+}
+
+TEST_CASE("a state is written when it is asked for, and the work goes on") {
+    Shell shell;
+    int calls = 0;
+    std::string seen;
+    shell.interrupts.take = [&] {
+        ++calls;
+        if (calls == 15) seen = shell.content("a.png.state.exr");
+        return calls == 5 ? Interrupt::save : Interrupt::none;
+    };
+    CHECK(shell.render({"-V", "+WT1", "+O" + shell.path("a.png")}) == 0);
+    CHECK(seen.size() > 100);
+    CHECK_FALSE(fs::exists(shell.path("a.png.state.exr")));
+}
+
+TEST_CASE("a stop that comes while another thread is asked to save is not lost") {
+    Shell shell;
+    std::atomic<int> calls = 0;
+    shell.interrupts.take = [&] {
+        const int call = calls++;
+        if (call == 1) return Interrupt::stop;
+        if (call > 0) return Interrupt::none;
+        const auto pause = std::chrono::milliseconds(20);
+        for (int i = 0; i < 50 && calls < 2; ++i) std::this_thread::sleep_for(pause);
+        std::this_thread::sleep_for(pause);
+        return Interrupt::save;
+    };
+    CHECK(shell({shell.path("lit.pov"), "-V", "+W64", "+H48", "--samples", "4", "+WT2",
+                 "+O" + shell.path("a.png")}) == exit_status::stopped);
+}
+
+TEST_CASE("one ray without end obeys a stop, the time and a bound") {
+    Shell shell;
+    shell.write("mirrors.pov", R"(
+        #version 3.7;
+        global_settings { assumed_gamma 1 max_trace_level 256 adc_bailout 0 }
+        camera { location <0, 0, -3> look_at 0 } light_source { <3, 4, -5>, 1 }
+        box { -9, 9 pigment { rgbt 0.9 } finish { reflection 1 } interior { ior 1.5 } }
+        sphere { 0, 1 pigment { rgbt 1 } finish { reflection 1 } interior { ior 1.2 } }
+    )");
+    std::vector<std::string> all = {shell.path("mirrors.pov"), "-A", "+WT1", "+W1", "+H1",
+                                    "+O" + shell.path("a.png")};
+    CHECK(shell(all) == exit_status::done);
+    CHECK(has(shell.err, "warning[recursion-limit]"));
+    CHECK(has(shell.err, "the first is in the pixel 0, 0"));
+    CHECK(has(shell.err, "adc_bailout"));
+    all[3] = "+W99";
+    all[4] = "+H99";
+    int calls = 0;
+    shell.interrupts.take = [&] { return ++calls > 3 ? Interrupt::stop : Interrupt::none; };
+    CHECK(shell(all) == exit_status::stopped);
+    CHECK(calls < 9);
+    CHECK(fs::exists(shell.path("a.png.state.exr")));
+    shell.interrupts.take = nullptr;
+    all.insert(all.end(), {"--time", "0.1"});
+    CHECK(shell(all) == exit_status::done);
+}
+
+TEST_CASE("what cannot be kept is said") {
+    Shell shell;
+    shell.interrupts.take = [] { return Interrupt::stop; };
+    CHECK(shell.render({"-F"}) == exit_status::stopped);
+    CHECK(has(shell.err, "there is no place for a state"));
+}
+
+TEST_CASE("what a state says of wanted samples is bounded by what a run would want") {
+    Shell shell;
+    const std::vector<std::string> arguments = {
+        shell.path("lit.pov"),     "-V", "+C", "+W8", "+H6", "--samples", "3",
+        "+O" + shell.path("a.png")};
+    REQUIRE(shell(arguments) == 0);
+    const std::string whole = shell.content("a.png");
+    shell.interrupts.take = [] { return Interrupt::stop; };
+    REQUIRE(shell(arguments) == exit_status::stopped);
+    shell.interrupts.take = nullptr;
+    const std::string path = shell.path("a.png.state.exr");
+    Diagnostics diagnostics;
+    auto state = read_checkpoint(path, diagnostics);
+    REQUIRE(state);
+    for (PixelSum& pixel : state->state.film.pixels()) pixel.target = 1u << 30;
+    state->state.rounds = std::max(1u, state->state.rounds);
+    const auto bytes = encode(*state, diagnostics);
+    REQUIRE(bytes);
+    REQUIRE(write_file(path, *bytes, diagnostics));
+    CHECK(shell(arguments) == 0);
+    CHECK(shell.content("a.png") == whole);
+}
+
+}  // namespace candelabra
