@@ -3,6 +3,8 @@
 #include "proof/features.h"
 #include "proof/items.h"
 
+#include <algorithm>
+
 namespace candelabra::proof {
 
 namespace {
@@ -186,6 +188,15 @@ Factor light_sources() {
                           Element light =
                               block("light_source", "<-2, 3, -2.5>, rgb @0.8@",
                                     drawn_words(*items_of("Lights").front(), draft.dice, 0.2));
+                          const auto has = [](std::string_view word) {
+                              return [word](const Element& each) {
+                                  return each.values.starts_with(word);
+                              };
+                          };
+                          // Parallel light has no intensity.
+                          if (std::ranges::any_of(light.inner, has("parallel")))
+                              for (const char* word : {"intensity", "flux"})
+                                  std::erase_if(light.inner, has(word));
                           add_lamp(draft, std::move(light));
                       }});
     return factor;

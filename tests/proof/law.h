@@ -37,6 +37,7 @@ struct Claim {
     Bound bound = Bound::equal;
     double constant = 0;      ///< of an empty sum
     double tolerance = 2e-3;  ///< share of the light that does not count
+    int effort = 1;           ///< factor of samples, for differences that are small beside the noise
 };
 
 struct Law {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proof/laws.h"
 
+#include <algorithm>
+
 namespace candelabra::proof {
 
 namespace {
@@ -9,7 +11,38 @@ namespace {
 /// one does not count.
 const std::string paths = "path_traced bounces 25 reflected_luminaires 0";
 
+bool has_block(const std::vector<Element>& elements, std::string_view head) {
+    return std::ranges::any_of(elements, [&](const Element& each) { return each.head == head; });
+}
+
+/// Clear, with a mirror on it: a photon that meets it goes on in one of several ways.
+void make_glassy(Draft& draft) {
+    draft.pigment = block("pigment", "rgb <0.9, 0.8, 0.7> transmit 0.8");
+    if (draft.finish.values.find("reflection") == std::string::npos)
+        draft.finish.values += " reflection 0.3";
+    if (!has_block(draft.modifiers, "interior"))
+        draft.modifiers.push_back(block("interior", "ior 1.5"));
+}
+
 }  // namespace
+
+Script in_photons(Draft& draft) {
+    if (draft.dice.chance(0.6)) make_glassy(draft);
+    if (!has_block(draft.settings, "photons")) {
+        draft.settings.push_back(block("photons", "count 4000"));
+        draft.modifiers.push_back(block("photons", "target on reflection on refraction on"));
+    }
+    return staged(draft);
+}
+
+/// With white walls that meet behind the object: most light there has been reflected nearby.
+Script in_corner(Draft& draft) {
+    Script script = staged(draft);
+    const std::string white = " pigment { rgb 0.9 } finish { diffuse 1 }";
+    script.elements.push_back(block("box", "<-1.7, 0, 0.9>, <1.9, 1.9, 1.1>" + white));
+    script.elements.push_back(block("box", "<-1.9, 0, -1.2>, <-1.7, 1.9, 1.1>" + white));
+    return script;
+}
 
 Claims found_by_chance(const Script& script, Dice&) {
     const Script traced = with_setting(script, "integrator", paths);
@@ -27,10 +60,12 @@ Claims photons_or_chance(const Script& script, Dice&) {
 Claims with_reflected_luminaires(const Script& script, Dice& dice) {
     const std::string bounces =
         "path_traced bounces " + dice.pick<std::string>({"1", "2", "4", "20"});
-    return {same_mean(
+    Claim claim = same_mean(
         "reflected luminaires or not",
         picture(with_setting(script, "integrator", bounces + " reflected_luminaires 300")),
-        picture(with_setting(script, "integrator", bounces + " reflected_luminaires 0")))};
+        picture(with_setting(script, "integrator", bounces + " reflected_luminaires 0")));
+    claim.effort = 4;
+    return {claim};
 }
 
 }  // namespace candelabra::proof

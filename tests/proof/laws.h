@@ -30,5 +30,7 @@ Claims free_in_the_dark(const Script&, Dice&);
 
 Script in_furnace(Draft&);
 Script white_floor(Draft&);
+Script in_photons(Draft&);
+Script in_corner(Draft&);
 
 }  // namespace candelabra::proof
