@@ -4,6 +4,7 @@
 #include "base/circle.h"
 #include "base/degrees.h"
 #include "base/elementary.h"
+#include "pattern/penrose.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -18,8 +19,9 @@ const ItemInfo Tiling::vocabulary = described<Tiling>([] {
         "tiling", "Tiles in the x-z plane: columns along y, shaded towards their borders.",
         F{"type", &Tiling::type, positional,
           "1 squares, 2 hexagons, 3 triangles, 4 and 5 rhombi, 6 dominoes, 7 octagons and "
-          "squares ... 24 dodecagons, hexagons and squares",
-          between(1, 24)});
+          "squares ... 24 dodecagons, hexagons and squares, 25 to 27 Penrose's tilings: "
+          "pentagons, kites and darts, rhombs",
+          between(1, 27)});
 });
 
 namespace {
@@ -240,7 +242,8 @@ Arrangement pinwheel() {
         {3, 3, 2, 2, 1});
 }
 
-/// Returns the arrangements by type, except 12 to 14, which are folded.
+/// Returns the arrangements by type, except 12 to 14, which are folded, and those
+/// without period.
 std::vector<Arrangement> make_arrangements() {
     const Vec2 centre(0.5, h);
     const Values third{1, steep}, second_third{2, steep};
@@ -340,6 +343,12 @@ double evaluate(const Tiling& tiling, const Vec3& point) {
         case 13:
         case 14:
             return crossed_hexagons(tiling.type == 14, p);
+        case 25:
+            return penrose_pentagons(p);
+        case 26:
+            return penrose_kites(p);
+        case 27:
+            return penrose_rhombs(p);
         default:
             return arranged(tiling.type, p);
     }

@@ -102,7 +102,7 @@ TEST_CASE("wrong patterns are told of once", "[bind]") {
         {"spiral1", "error missing: `spiral1` needs `arms`"},
         {"spiral1 0.5",
          "warning no-effect: `arms` of `pigment` is a whole number, and 0.5 counts as 0"},
-        {"tiling 25", "error out-of-range: `type` of `pigment` must be from 1 to 24, but it is 25"},
+        {"tiling 28", "error out-of-range: `type` of `pigment` must be from 1 to 27, but it is 28"},
         {"pavement number_of_sides 5",
          "error out-of-range: `number_of_sides` of `pavement` must be 3, 4 or 6, but it is 5"},
         {"pavement number_of_tiles 6 number_of_sides 6",

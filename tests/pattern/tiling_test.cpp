@@ -37,6 +37,9 @@ TEST_CASE("tilings have POV-Ray's values", "[pattern]") {
         {22, {0.666667, 0.901236, 0.666667, 0.666667}},
         {23, {0.666667, 0.768081, 0.153418, 0.210602}},
         {24, {0.800000, 0.860849, 0.092051, 0.126361}},
+        {25, {0.000000, 0.166668, 0.166668, 0.234820}},
+        {26, {0.467593, 0.865714, 0.458877, 0.279183}},
+        {27, {0.156991, 0.396724, 0.468373, 0.102638}},
     };
     const std::array<Vec3, 4> points = {Vec3(0.3, 9, -0.2), Vec3(1.37, 8, 3.91),
                                         Vec3(-2.45, 7, -7.6), Vec3(5.21, 6, 0.83)};
@@ -50,7 +53,7 @@ TEST_CASE("tilings have POV-Ray's values", "[pattern]") {
 
 TEST_CASE("tilings cover the plane without gaps", "[pattern]") {
     // In a gap, the nearest tile would be chosen, and values would exceed those of any tile.
-    for (int type = 1; type <= 24; ++type)
+    for (int type = 1; type <= 27; ++type)
         for (int i = 0; i < 2000; ++i) {
             const double value = evaluate(Tiling{type}, {i * 0.137 - 90, 0, i * -0.291 + 7});
             INFO("tiling " << type << ", point " << i);
