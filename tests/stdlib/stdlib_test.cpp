@@ -47,6 +47,9 @@ TEST_CASE("library names have their values", "[stdlib]") {
         {"colors.inc", "vstr(3, Red, \",\", 0, 3)", "1.000,0.000,0.000"},
         {"colors.inc", "vstr(3, SummerSky, \",\", 0, 6)", "0.220000,0.690000,0.870000"},
         {"colors.inc", "vstr(3, Clear, \",\", 0, 1)", "1.0,1.0,1.0"},
+        {"colors_ral.inc", "vstr(3, RAL_5015, \",\", 0, 6)", "0.000000,0.201556,0.428690"},
+        {"colors_ral.inc", "vstr(3, RAL_1026, \",\", 0, 1)", "1.0,1.0,0.0"},
+        {"colors_ral.inc", "vstr(3, RAL_9023, \",\", 0, 3)", "0.188,0.198,0.195"},
         {"consts.inc", "vstr(3, xy, \",\", 0, 1)", "1.0,1.0,0.0"},
         {"consts.inc", "str(Water_Ior, 0, 2)", "1.33"},
         {"sphereflake.inc", "str(Sphereflake_Count(4), 0, 0)", "7381"},
@@ -231,6 +234,21 @@ TEST_CASE("lamps of an array are taken in turn by every light array", "[stdlib]"
     std::string kinds;
     for (const ObjectHandle& object : scene.objects) kinds += kinds_of_lamps(*object);
     CHECK(kinds == "abab");
+}
+
+TEST_CASE("each colour of RAL Classic is named once", "[stdlib]") {
+    std::ifstream file(CANDELABRA_SOURCE_DIR "/stdlib/colors_ral.inc");
+    int last = 0, count = 0;
+    for (std::string line; std::getline(file, line);) {
+        constexpr std::string_view start = "#declare RAL_";
+        if (!line.starts_with(start)) continue;
+        const int number = std::stoi(line.substr(start.size(), 4));
+        CHECK(number > last);
+        last = number;
+        ++count;
+    }
+    CHECK(count == 216);
+    CHECK(last == 9023);
 }
 
 TEST_CASE("library macros and functions give what POV-Ray 3.7's give", "[stdlib]") {
