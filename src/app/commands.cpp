@@ -200,6 +200,8 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
 int run_with(Options options, const Console& console, Diagnostics diagnostics) {
     // Measured once, before the run has allocated memory.
     if (!options.memory_bytes) options.memory_bytes = usual_memory_limit();
+    options.libraries.insert(options.libraries.end(), console.first_libraries.begin(),
+                             console.first_libraries.end());
     const auto end_with_errors = [&](int status) {
         say_errors(console, options, diagnostics);
         return status;

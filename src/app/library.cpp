@@ -4,7 +4,9 @@
 #include "text/message.h"
 #include "text/printable.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 // Both are relative to the folder of the program, so that the program contains no path of the build
@@ -48,13 +50,22 @@ std::optional<std::string> settings_file(const char* chosen, const char* home) {
     return std::nullopt;
 }
 
-std::vector<std::string> library_folders(const std::string& standard,
+std::vector<std::string> named_libraries(const char* chosen) {
+    std::vector<std::string> folders;
+    for (std::string_view left = chosen ? chosen : ""; !left.empty();) {
+        const std::string_view folder = left.substr(0, left.find(':'));
+        if (!folder.empty()) folders.emplace_back(folder);
+        left.remove_prefix(std::min(folder.size() + 1, left.size()));
+    }
+    return folders;
+}
+
+std::vector<std::string> library_folders(const std::vector<std::string>& first,
+                                         const std::string& standard,
                                          const std::vector<std::string>& given,
                                          Diagnostics& diagnostics) {
-    // POV-Ray's order: its settings name its own library before the command line is read.
     std::vector<std::string> paths;
-    if (!standard.empty()) paths.push_back(standard);
-    for (std::string path : given) {
+    const auto add = [&](std::string path) {
         while (path.size() > 1 && path.ends_with('/')) path.pop_back();
         std::error_code none;
         if (!fs::is_directory(path, none))
@@ -62,7 +73,11 @@ std::vector<std::string> library_folders(const std::string& standard,
                 Fault::option, {},
                 message("there is no folder `", printable(path), "` to look for files in")));
         paths.push_back(std::move(path));
-    }
+    };
+    std::ranges::for_each(first, add);
+    // POV-Ray's order: its settings name its own library before the command line is read.
+    if (!standard.empty()) paths.push_back(standard);
+    std::ranges::for_each(given, add);
     // The library's pictures come last, so that they never hide others of the same name.
     if (!standard.empty()) paths.push_back(standard + "/pictures");
     return paths;

@@ -25,9 +25,15 @@ std::optional<std::string> settings_file(const char* chosen, const char* home);
 /// variable's value, null if unset.
 std::optional<std::string> standard_library(const std::string& program, const char* chosen);
 
-/// Returns the folders that are searched for files, in order: the standard library (empty: none),
-/// the folders of the options, and the library's pictures. Warns of a folder that does not exist.
-std::vector<std::string> library_folders(const std::string& standard,
+/// Returns the folders that the variable CANDELABRA_LIBRARY names, with colons between them. null:
+/// it is unset.
+std::vector<std::string> named_libraries(const char* chosen);
+
+/// Returns the folders that are searched for files, in order: those that come before the standard
+/// library, the standard library (empty: none), the folders of the options, and the library's
+/// pictures. Warns of a folder that does not exist.
+std::vector<std::string> library_folders(const std::vector<std::string>& first,
+                                         const std::string& standard,
                                          const std::vector<std::string>& given, Diagnostics&);
 
 }  // namespace candelabra

@@ -41,7 +41,7 @@ public:
         options_.task = Task::render;
         options_.progress = "none";
         options_.layers.clear();  // the page shows layers in its own way
-        if (options_.denoise) state_.denoise(true);
+        if (options_.denoise || options_.draft) state_.denoise(true);
     }
 
     int run() {

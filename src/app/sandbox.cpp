@@ -214,7 +214,7 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library) {
     const std::string scene = options.scene.value_or("-");
     add_scene_folders(rules, scene_folders(scene == "-" ? "" : folder_around(scene), output.path));
     if (scene != "-") rules.readable.insert(rules.readable.end(), {scene, scene + ".pov"});
-    for (const auto* folders : {&options.library_paths, &options.readable})
+    for (const auto* folders : {&options.libraries, &options.library_paths, &options.readable})
         rules.readable.insert(rules.readable.end(), folders->begin(), folders->end());
     if (rules.programs) rules.readable.push_back(folder_around(find_program("ffmpeg")));
     rules.writable = options.writable;

@@ -34,6 +34,10 @@ namespace candelabra {
 
 namespace {
 
+constexpr std::string_view draft_words =
+    "draft: noise is averaged away, and small shadows and reflections with it; without --draft the "
+    "picture is exact\n";
+
 /// The shared data of the steps of one run.
 class SceneRun {
 public:
@@ -108,6 +112,7 @@ private:
     FilmFiles files_of(const Output& output) const {
         FilmFiles files{output.path, output.format, options_.alpha, options_.layers};
         files.denoise = options_.denoise;
+        files.draft = options_.draft;
         files.threads = options_.render.threads;
         return files;
     }
@@ -140,7 +145,8 @@ private:
         SceneSource& source = settings.source;
         source.path = *options_.scene;
         source.standard_library = console_.library;
-        source.library = library_folders(console_.library, options_.library_paths, diagnostics_);
+        source.library = library_folders(options_.libraries, console_.library,
+                                         options_.library_paths, diagnostics_);
         source.readable = options_.readable;
         source.writable = options_.writable;
         source.writable.insert(source.writable.begin(), own_folder(output, options_));
@@ -322,6 +328,8 @@ private:
             candelabra::say(console_, Stream::statistics,
                             message(options_.to_file ? printable(made_path_) : "no file", ": ",
                                     summary(statistics_), "\n"));
+        if (options_.draft && talks(options_) && status == exit_status::done)
+            candelabra::say(console_, Stream::statistics, draft_words);
         return status;
     }
 

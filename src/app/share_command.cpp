@@ -226,6 +226,8 @@ int share_scene(const ShareRequest& request, const std::string& page, const Cons
     options.output = hidden_picture(page);
     options.type = PictureType::exr;
     options.to_file = true;
+    // The page needs the light of each lamp, which the layers have.
+    options.denoise |= std::exchange(options.draft, false);
     if (std::ranges::find(options.layers, PictureLayer::lights) == options.layers.end())
         options.layers.push_back(PictureLayer::lights);
     const int status = run_with(options, console, diagnostics.fresh());

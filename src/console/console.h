@@ -45,7 +45,8 @@ struct Console {
     std::function<void(Stream, std::string_view plain)> heard;
     bool terminal = false;  ///< err can rewrite its line
     bool coloured = false;
-    std::string library;      ///< folder of the standard library; empty: none
+    std::string library;  ///< folder of the standard library; empty: none
+    std::vector<std::string> first_libraries = {};  ///< folders that come before it
     Interrupts interrupts;    ///< requests by signals
     Environment environment;  ///< variables; empty: none
     /// Confines the process to these rules; returns false if the system cannot. If empty, the

@@ -30,14 +30,15 @@ constexpr double no_weight = 16;
 constexpr double same = 1e-10;
 
 struct DenoisedPixel {
-    Vec3 light, variance;  ///< divided by the albedo
+    Vec3 light;            ///< divided by the albedo
+    Vec3 shown, variance;  ///< the same, compressed as for display, and the variance of that
     Vec3 albedo, normal;
     double depth;
 };
 
 /// Returns the difference of two pixels beyond that due to noise; negative if it is smaller.
 double difference(const DenoisedPixel& p, const DenoisedPixel& q) {
-    const Vec3 apart = p.light - q.light;
+    const Vec3 apart = p.shown - q.shown;
     const Vec3 explained = p.variance + glm::min(p.variance, q.variance);
     const Vec3 beyond =
         (apart * apart - explained) / (variance_unit * (p.variance + q.variance) + Vec3(same));
@@ -164,10 +165,24 @@ std::vector<DenoisedPixel> pixels_of(const NoisyPicture& noisy) {
     pixels.reserve(noisy.light.pixels.size());
     for (std::size_t i = 0; i < noisy.light.pixels.size(); ++i) {
         const Vec3 by = divisor(noisy, i);
-        pixels.push_back({noisy.light.pixels[i] / by, noisy.variance.pixels[i] / (by * by),
+        const Vec3 reflected = noisy.light.pixels[i] - noisy.glow.pixels[i];
+        const Vec3 slope = 1.0 / (Vec3(1) + noisy.exposure * glm::max(reflected, Vec3(0)));
+        const Vec3 light = reflected / by;
+        pixels.push_back({light, light * slope,
+                          noisy.variance.pixels[i] * slope * slope * slope * slope / (by * by),
                           noisy.albedo.pixels[i], noisy.normal.pixels[i], noisy.depth[i]});
     }
     return pixels;
+}
+
+/// The share of a pixel's light that is filtered, per channel.
+Vec3 filtered_share(const NoisyPicture& noisy, std::size_t pixel) {
+    const Vec3& light = noisy.light.pixels[pixel];
+    const Vec3& glow = noisy.glow.pixels[pixel];
+    Vec3 share(1);
+    for (int c = 0; c < 3; ++c)
+        if (light[c] > 0) share[c] = std::clamp(1 - glow[c] / light[c], 0.0, 1.0);
+    return share;
 }
 
 }  // namespace
@@ -175,9 +190,14 @@ std::vector<DenoisedPixel> pixels_of(const NoisyPicture& noisy) {
 QuietPicture denoised(const NoisyPicture& noisy, int threads) {
     const std::vector<DenoisedPixel> pixels = pixels_of(noisy);
     QuietPicture made{noisy.light, noisy.parts};
-    for (Image& part : made.parts)
-        for (std::size_t i = 0; i < pixels.size(); ++i) part.pixels[i] /= divisor(noisy, i);
-    const std::vector<Image> divided = made.parts;
+    std::vector<Image> divided = noisy.parts;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const Vec3 filtered = filtered_share(noisy, i);
+        for (std::size_t k = 0; k < divided.size(); ++k) {
+            divided[k].pixels[i] *= filtered / divisor(noisy, i);
+            made.parts[k].pixels[i] *= Vec3(1) - filtered;
+        }
+    }
     const Image& size = noisy.light;
     constexpr int rows_at_once = 16;
     const int blocks = (size.height + rows_at_once - 1) / rows_at_once;
@@ -189,9 +209,9 @@ QuietPicture denoised(const NoisyPicture& noisy, int threads) {
         for (int y = top; y < bottom; ++y)
             for (int x = 0; x < size.width; ++x) {
                 const Vec3 by = noisy.albedo.at(x, y) + Vec3(min_albedo);
-                made.light.at(x, y) = by * rows.mean(x, y);
+                made.light.at(x, y) = noisy.glow.at(x, y) + by * rows.mean(x, y);
                 for (std::size_t k = 0; k < divided.size(); ++k)
-                    made.parts[k].at(x, y) = by * rows.mean_of_part(k, x, y);
+                    made.parts[k].at(x, y) += by * rows.mean_of_part(k, x, y);
             }
     });
     return made;

@@ -19,8 +19,7 @@ using Type = OptionField::Type;
 
 constexpr std::string_view no_radiosity = "radiosity has no cache";
 constexpr std::string_view no_preview = "no preview is shown";
-constexpr std::string_view order =
-    "tiles are made in their own order, all of them better and better";
+constexpr std::string_view order = "tiles are made in their own order, all better and better";
 constexpr std::string_view older = "it changes nothing in a picture";
 constexpr std::string_view over = "the run has ended then";
 constexpr std::string_view index = "objects are always found through an index; see --index";
@@ -221,11 +220,11 @@ constexpr auto listed = std::to_array<OptionRow>({
            in_force::integrator),
 
     begin(OptionGroup::quality),
-    basic(option(
-        picture,
-        "", "", "denoise", nothing, "", kept<&Options::denoise>(Type::toggle),
-        "makes a picture with less noise beside the exact one, a.denoised.png with a.png, or "
-        "the layer denoised in an OpenEXR file; see NOISE AND TIME")),
+    basic(option(picture, "", "", "denoise", nothing, "", kept<&Options::denoise>(Type::toggle),
+                 "makes a picture with less noise beside the exact one, a.denoised.png with a.png, "
+                 "or the layer denoised in an OpenEXR file; see NOISE AND TIME")),
+    basic(option(picture, "", "", "draft", nothing, "", kept<&Options::draft>(Type::toggle),
+                 "a.draft.png instead of a.png: 4 samples for each pixel, or --samples, denoised")),
 
     begin(OptionGroup::light),
     option(none, "", "", "index", value, "name", store::index,
@@ -275,6 +274,10 @@ constexpr auto listed = std::to_array<OptionRow>({
                       kept<&Options::library_paths>(Type::list),
                       "folder to look for included files in; may be given several times",
                       in_force::library))),
+    that(Touches::reads,
+         option(folders, "", "", "library", value, "folder", kept<&Options::libraries>(Type::list),
+                "folder of include files, such as POV-Ray's, before those of the standard library",
+                in_force::first_libraries)),
     option(picture, "", "Declare", "", value, "name=value", store::declare,
            "declares a name for the scene: a number, or a string in quotes", in_force::declares),
     option(picture, "K", "Clock", "", value, "n", store::clock, "value of clock in the scene",
@@ -534,8 +537,7 @@ constexpr auto listed = std::to_array<OptionRow>({
     ignored("UL", "Light_Buffer", sign, "", index),
     ignored("UV", "Vista_Buffer", sign, "", index),
     ignored("RVP", "Radiosity_Vain_Pretrace", sign, "", no_radiosity),
-    ignored("MI", "Max_Image_Buffer_Memory", value, "n",
-            "pictures are kept in memory; --memory limits all of it"),
+    ignored("MI", "Max_Image_Buffer_Memory", value, "n", "pictures are kept in memory: --memory"),
     ignored("SS", "Stochastic_Seed", value, "n", "see --seed"),
     ignored("AC", "Antialias_Confidence", value, "n", "see --noise"),
     ignored("", "Histogram_Name", value, "file", older),

@@ -36,6 +36,12 @@ std::string from_scene(const std::string& path, const Options& options) {
     return fs::path(path).lexically_normal().lexically_relative(folder.lexically_normal()).string();
 }
 
+Texts folders_from_scene(const Texts& paths, const Options& options) {
+    Texts folders;
+    for (const std::string& each : paths) folders.push_back(from_scene(each, options));
+    return folders;
+}
+
 template <class Variant>
 Texts name_of(const std::optional<Variant>& chosen) {
     if (!chosen) return {};
@@ -152,10 +158,11 @@ Texts in_force::glare(const Options& options) {
 }
 
 Texts in_force::library(const Options& options) {
-    Texts folders;
-    for (const std::string& each : options.library_paths)
-        folders.push_back(from_scene(each, options));
-    return folders;
+    return folders_from_scene(options.library_paths, options);
+}
+
+Texts in_force::first_libraries(const Options& options) {
+    return folders_from_scene(options.libraries, options);
 }
 
 Texts in_force::header(const Options& options) {

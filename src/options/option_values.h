@@ -51,6 +51,7 @@ std::vector<std::string> film(const Options& options) {
 std::vector<std::string> glare(const Options&);
 /// Files and folders are named as from the folder of the scene, where the command is to be given.
 std::vector<std::string> library(const Options&);
+std::vector<std::string> first_libraries(const Options&);
 std::vector<std::string> header(const Options&);
 std::vector<std::string> declares(const Options&);
 std::vector<std::string> clock(const Options&);

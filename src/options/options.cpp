@@ -103,6 +103,8 @@ std::string meant(std::string_view argument) {
 }
 
 constexpr int max_ini_files = 10;
+/// Samples of each pixel of a draft: the fewest that tell the denoiser how noisy a pixel is.
+constexpr int draft_samples = 4;
 
 class OptionReader {
 public:
@@ -121,6 +123,9 @@ public:
         }
         permitted_ = permissions();
         while (next_ < arguments_.size()) read_one(arguments_[next_++]);
+        const bool bounded =
+            options_.render.samples > 0 || options_.render.noise > 0 || options_.time;
+        if (options_.draft && !bounded) options_.render.samples = draft_samples;
         return std::move(options_);
     }
 

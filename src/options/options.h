@@ -65,6 +65,7 @@ struct Options {
     std::optional<PictureType> type;
     std::optional<int> bits;
     bool compressed = false;
+    std::vector<std::string> libraries;  ///< searched before the standard library
     std::vector<std::string> library_paths;
     std::vector<std::string> readable;  ///< folders below which the scene may also read
     std::vector<std::string> writable;  ///< folders below which it may also write
@@ -91,6 +92,7 @@ struct Options {
     bool light_report = false;
     std::vector<PictureLayer> layers;  ///< beside the colours, in an OpenEXR file
     bool denoise = false;              ///< also makes a denoised picture
+    bool draft = false;                ///< the picture itself is denoised, and has a name of its own
     bool alpha = false;                ///< adds the opacity of pixels
     bool grey = false;                 ///< one channel instead of three
     double file_gamma = -1;            ///< of pictures with integer values; below 0: sRGB

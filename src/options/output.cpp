@@ -78,6 +78,21 @@ bool is_stream(const std::string& path) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+namespace {
+
+/// Returns the name of a draft, so that a draft never replaces the picture: "a.draft.png" for
+/// "a.png". The names of a film's frames have it already.
+std::string draft_path(const std::string& path) {
+    const fs::path whole(path);
+    const std::string stem = whole.stem().string();
+    if (is_stream(path) || stem.find(".draft") != stem.npos) return path;
+    return fs::path(whole)
+        .replace_filename(message(stem, ".draft", whole.extension().string()))
+        .string();
+}
+
+}  // namespace
+
 Output output_of(const Options& options, Diagnostics& diagnostics) {
     Output output;
     output.format.type =
@@ -89,6 +104,7 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
     output.format.grey = options.grey;
     output.format.file_gamma = options.file_gamma;
     output.path = path_of(options, output.format.type);
+    if (options.draft) output.path = draft_path(output.path);
     if (const auto other = other_format(options.output); !other.empty() && !options.type)
         diagnostics.add(error(Fault::option, {},
                               message("pictures are not written as ", other, ", which `",

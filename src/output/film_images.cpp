@@ -44,11 +44,14 @@ Image smooth_image(const Film& film, const FilmFiles& files) {
 
 QuietFilm denoised_film(const Film& film, const FilmFiles& files) {
     const Aovs aovs = files.aovs();
-    NoisyPicture noisy{film.image(), Image(film.width(), film.height()), {}, {}, {}, {}};
+    NoisyPicture noisy;
+    noisy.light = film.image();
+    noisy.glow = noisy.variance = noisy.albedo = noisy.normal = Image(film.width(), film.height());
+    noisy.exposure = files.film.exposure_factor();
     if (aovs.lights) noisy.parts.assign(files.lights.size(), noisy.variance);
-    noisy.albedo = noisy.normal = noisy.variance;
     for (std::size_t i = 0; i < film.pixels().size(); ++i) {
-        const Vec3 mean = noisy.light.pixels[i];
+        noisy.glow.pixels[i] = mean_of(film, i, aovs.first_glow());
+        const Vec3 mean = noisy.light.pixels[i] - noisy.glow.pixels[i];
         const double samples = film.pixels()[i].samples;
         noisy.variance.pixels[i] =
             glm::max(mean_of(film, i, aovs.first_square()) - mean * mean, Vec3(0)) /

@@ -108,7 +108,8 @@ public:
         if (!files_.format.description.empty())
             made_.texts.emplace_back("ImageDescription", files_.format.description);
         if (files_.film.on) made_.texts.emplace_back(film_text_name, to_text(files_.film));
-        const Image image = linear(film_.image(), files_.format);
+        if (files_.draft) quiet_ = denoised_film(film_, files_);
+        const Image image = linear(quiet_ ? quiet_->light : film_.image(), files_.format);
         for (int c = 0; c < 3; ++c) add(rgb[c], [&](std::size_t i) { return image.pixels[i][c]; });
         if (files_.alpha) add("A", [&](std::size_t i) { return 1 - mean(i, 0); });
         if (extras_.smooth) add_smooth();
@@ -173,7 +174,8 @@ private:
     }
 
     void add_smooth() {
-        add_image(std::string(smooth_layer), linear(smooth_image(film_, files_), files_.format));
+        add_image(std::string(smooth_layer),
+                  linear(quiet_ ? quiet_->smooth : smooth_image(film_, files_), files_.format));
     }
 
     void add_denoised() {
@@ -200,13 +202,19 @@ private:
 
     /// Adds the light of each statement, then the remainder, so that the sum is the picture.
     void add_lights() {
+        const auto light = [&](std::size_t i, std::size_t k, std::size_t c) {
+            return quiet_ ? quiet_->lights[k].pixels[i][static_cast<int>(c)]
+                          : mean(i, extras_.first_light() + 3 * k + c);
+        };
         for (std::size_t k = 0; k < files_.lights.size(); ++k)
-            add_three("light." + files_.lights[k], rgb, extras_.first_light() + 3 * k);
+            for (std::size_t c = 0; c < 3; ++c)
+                add(message("light.", files_.lights[k], '.', rgb[c]),
+                    [&](std::size_t i) { return light(i, k, c); });
         for (std::size_t c = 0; c < 3; ++c)
             add(message("light.rest.", rgb[c]), [&](std::size_t i) {
-                double rest = film_.pixels()[i].mean()[static_cast<int>(c)];
-                for (std::size_t k = 0; k < files_.lights.size(); ++k)
-                    rest -= mean(i, extras_.first_light() + 3 * k + c);
+                const Vec3 whole = quiet_ ? quiet_->light.pixels[i] : film_.pixels()[i].mean();
+                double rest = whole[static_cast<int>(c)];
+                for (std::size_t k = 0; k < files_.lights.size(); ++k) rest -= light(i, k, c);
                 return rest;
             });
     }
@@ -214,6 +222,7 @@ private:
     const Film& film_;
     const FilmFiles& files_;
     Aovs extras_;
+    std::optional<QuietFilm> quiet_;  ///< of a draft
     LayeredPicture made_;
 };
 
@@ -247,7 +256,9 @@ std::vector<std::string> light_names(const World& world, const SourceStore& sour
     return names;
 }
 
-Aovs FilmFiles::aovs() const { return aovs_for(layers, alpha, {film.smooths_edges(), denoise}); }
+Aovs FilmFiles::aovs() const {
+    return aovs_for(layers, alpha, {film.smooths_edges(), denoise || draft});
+}
 
 bool is_developed(const FilmFiles& files) {
     return files.film.on && files.format.type != PictureType::exr &&
@@ -263,7 +274,7 @@ bool write_developed(const Negative& negative, const FilmFiles& files, Diagnosti
 }
 
 std::string denoised_path(const FilmFiles& files) {
-    if (!files.denoise || files.format.type == PictureType::exr) return {};
+    if (!files.denoise || files.draft || files.format.type == PictureType::exr) return {};
     const std::filesystem::path path(files.path);
     std::filesystem::path made = path;
     return made.replace_extension(".denoised" + path.extension().string()).string();
@@ -284,9 +295,10 @@ bool write_flat(const Negative& negative, const FilmFiles& files, Diagnostics& d
     return write_picture(negative.light, files.path, files.format, diagnostics, negative.alpha);
 }
 
-bool write_denoised(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
+bool write_denoised(const Film& film, const FilmFiles& files, const std::string& path,
+                    Diagnostics& diagnostics) {
     FilmFiles beside = files;
-    beside.path = denoised_path(files);
+    beside.path = path;
     QuietFilm quiet = denoised_film(film, files);
     Negative negative = negative_of(film, files);
     negative.light = std::move(quiet.light);
@@ -301,9 +313,11 @@ bool write_denoised(const Film& film, const FilmFiles& files, Diagnostics& diagn
 
 bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
     const std::string layers = layers_path(files);
-    if (layers != files.path && !write_flat(negative_of(film, files), files, diagnostics))
+    const std::string quiet = files.draft ? files.path : denoised_path(files);
+    const bool flat = layers != files.path;
+    if (flat && !files.draft && !write_flat(negative_of(film, files), files, diagnostics))
         return false;
-    if (!denoised_path(files).empty() && !write_denoised(film, files, diagnostics)) return false;
+    if (flat && !quiet.empty() && !write_denoised(film, files, quiet, diagnostics)) return false;
     if (layers.empty()) return true;
     const auto bytes = encode(LayerWriter(film, files).picture(), diagnostics);
     return bytes && write_file(layers, *bytes, diagnostics);

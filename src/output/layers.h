@@ -42,6 +42,7 @@ struct FilmFiles {
     std::vector<std::string> lights = {};  ///< names of statements, if there are layers of light
     FilmSettings film = {};                ///< develops pictures for display
     bool denoise = false;                  ///< also makes a denoised picture
+    bool draft = false;                    ///< the picture itself is denoised, instead
     int threads = 1;                       ///< for developing pictures
 
     /// Returns the sums that the film must gather.

@@ -122,6 +122,7 @@ void note_film(Identity& identity, const FilmSettings& film) {
 void tell_layers(const Identity& identity, FilmFiles& files) {
     const auto has = [&](std::string_view name) { return !fact(identity, fact_of(name)).empty(); };
     files.denoise = has("denoise");
+    files.draft = has("draft");
     files.film = film_from_text(fact(identity, std::string(film_mark))).value_or(FilmSettings());
     files.alpha = has("output-alpha");
     files.layers =

@@ -69,7 +69,8 @@ RenderJob::RenderJob(JobPlan plan, const Shot& shot, const Interrupts& interrupt
                      Diagnostics& diagnostics)
     : plan_(std::move(plan)),
       extras_(aovs_for(plan_.options.layers, plan_.options.alpha,
-                       {shot.view.film.smooths_edges(), plan_.options.denoise})),
+                       {shot.view.film.smooths_edges(),
+                        plan_.options.denoise || plan_.options.draft})),
       rendering_(planned(shot, plan_.options)),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}

@@ -92,7 +92,9 @@ void SampleTracer::gather(const Vec3& colour, const Shot& shot, const Ray& ray,
     const Aovs& aovs = hooks_->aovs;
     gather_sample(aovs, *shot.world, ray, integrator, sums);
     if (aovs.smooth) add_colour(compressed(colour, exposure_), sums, aovs.first_smooth());
-    if (aovs.squares) add_colour(colour * colour, sums, aovs.first_square());
+    if (!aovs.squares) return;
+    const Vec3 reflected = colour - integrator.ledger().glow;
+    add_colour(reflected * reflected, sums, aovs.first_square());
 }
 
 }  // namespace candelabra

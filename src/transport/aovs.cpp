@@ -22,6 +22,7 @@ void gather_sample(const Aovs& wanted, const World& world, const Ray& ray, Integ
             // A later moment of the scene may have more statements than the first one.
             if (first + 3 <= sums.size() && light != Vec3(0)) add(sums, first, light);
         });
+    if (wanted.squares) add(sums, wanted.first_glow(), integrator.ledger().glow);
     if (!wanted.surface) return;
     const PrimaryHit seen = primary_hit(world, ray);
     if (!seen.met) return;

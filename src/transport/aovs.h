@@ -19,7 +19,9 @@ struct Aovs {
     bool surface = false;  ///< albedo, normal, depth and object
     bool lights = false;   ///< red, green and blue of each of Provenance::light_statements
     bool smooth = false;   ///< red, green and blue of compressed samples, which the renderer adds
-    bool squares = false;  ///< red, green and blue of the samples' squares, added by the renderer
+    /// What the denoiser needs: red, green and blue of what the camera sees of things that glow, and
+    /// of the squares of all other light, which the renderer adds.
+    bool squares = false;
 
     /// Number of sums that each pixel has.
     std::size_t count(const World& world) const {
@@ -32,8 +34,9 @@ struct Aovs {
     // Indices of the first sums. Albedo and normal are summed over all samples; depth and object
     // are those at the pixel's centre, 0 where there is no surface.
     std::size_t first_smooth() const { return alpha ? 1 : 0; }
-    std::size_t first_square() const { return first_smooth() + (smooth ? 3 : 0); }
-    std::size_t albedo() const { return first_square() + (squares ? 3 : 0); }
+    std::size_t first_glow() const { return first_smooth() + (smooth ? 3 : 0); }
+    std::size_t first_square() const { return first_glow() + 3; }
+    std::size_t albedo() const { return first_glow() + (squares ? 6 : 0); }
     std::size_t normal() const { return albedo() + 3; }
     std::size_t depth() const { return albedo() + 6; }
     std::size_t object() const { return albedo() + 7; }

@@ -23,7 +23,9 @@ PathState PathEnds::begin(const Ray& ray, const Key& key) {
 
 Vec3 PathEnds::background(const PathState& path, LightLedger& ledger) {
     const Vec3 radiance = seen_behind(path);
-    if (!world_.sky.light.empty()) ledger.add_visible(Lamp::sky(), path.throughput * radiance);
+    const Vec3 seen = path.throughput * radiance;
+    if (!world_.sky.light.empty()) ledger.add_visible(Lamp::sky(), seen);
+    record_glow(ledger, path, seen);
     return radiance;
 }
 
@@ -36,6 +38,10 @@ Vec3 PathEnds::seen_behind(const PathState& path) {
     clear_ += path.clear * world_.sky_clear(direction);
     if (world_.rules.language_version < 3.7) return Vec3(0);
     return world_.sky_radiance(direction, world_.sky.background.covering());
+}
+
+void record_glow(LightLedger& ledger, const PathState& path, const Vec3& light) {
+    if (path.kind == RayKind::camera && path.depth == 0) ledger.glow += light;
 }
 
 bool shows_emission(const World& world, const PathState& path, PrimitiveIndex primitive) {

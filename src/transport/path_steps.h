@@ -21,7 +21,7 @@ public:
 
     /// Starts a path along a camera ray, for a new sample.
     PathState begin(const Ray&, const Key&);
-    /// Radiance of the background. Records it if the sky is a lamp.
+    /// Radiance of the background, which it records.
     Vec3 background(const PathState&, LightLedger&);
     /// Fraction of the sample that shows clear background, from 0 to 1.
     double clear() const { return std::min(clear_, 1.0); }
@@ -35,6 +35,9 @@ private:
     bool clear_sky_;
     double clear_ = 0;
 };
+
+/// Records what the sample sees of a thing that glows, if it is seen straight from the camera.
+void record_glow(LightLedger&, const PathState&, const Vec3& light);
 
 /// Whether the path sees the primitive's emission. It does not if the luminaire was sampled before.
 bool shows_emission(const World&, const PathState&, PrimitiveIndex);

@@ -37,7 +37,7 @@ PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& want
       chance_of_covered_(world_.facts.is_lit_by_luminaires_only ? chance_of_shine : 1) {}
 
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
-    sum_ = Vec3(0);
+    sum_ = ledger_.glow = Vec3(0);
     const PathState path = ends_.begin(ray, key);
     direct_light_.use(photons_.begin(key.sample));
     reflected_.begin(key.sample);
@@ -141,6 +141,7 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
         own_radiance(layer.shading, rules_, shown_emission(world_, seen, vertex.hit.primitive));
     const Shading s = layer.scattering();
     record_seen(ledger_, world_, vertex.hit.primitive, seen.throughput * own);
+    record_glow(ledger_, seen, seen.throughput * own);
     sum_ += seen.throughput * own;
     const PathState path = seen.dimmed(layer.below_mirror);
     const Bsdf whole(s, rules_);

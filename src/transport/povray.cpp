@@ -32,6 +32,7 @@ Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = ends_.begin(ray, key);
     direct_light_.use(photons_.begin(key.sample));
     rays_ = 0;
+    ledger_.glow = Vec3(0);
     if (ray.direction == Vec3(0)) return Vec3(0);
     ++ledger_.camera;
     return follow(path);
@@ -108,6 +109,7 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
                            double emission) {
     const Vec3 own = own_radiance(s, rules_, emission);
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
+    record_glow(ledger_, path, path.throughput * own);
     // Gathered light shows no highlights. The last gathering includes light sources; light of
     // luminaires was counted before.
     const bool highlights = path.bounces == 0,

@@ -229,6 +229,9 @@ TEST_CASE("included files are found beside the scene, in +L and in the standard 
     shell.write("extra/standard.inc", "#declare C = 4;\n");
     CHECK(shell({shell.path("user.pov"), "+L" + shell.path("extra/"), "--dump", "scene"}) == 0);
     CHECK(has(shell.out, "sphere { 1, 5 "));
+    CHECK(shell({shell.path("user.pov"), "--library", shell.path("extra"), "--dump", "scene"}) ==
+          0);
+    CHECK(has(shell.out, "sphere { 1, 6 "));
     shell.write("standard.inc", "#declare C = 4;\n");
     CHECK(shell({shell.path("user.pov"), "+L" + shell.path("extra/"), "--dump", "scene"}) == 0);
     CHECK(has(shell.out, "sphere { 1, 6 "));

@@ -36,7 +36,12 @@ struct QuietView {
 
 /// Returns the view with samples of noisy light in each pixel.
 NoisyPicture noisy(const QuietView& view, int samples, double noise = 1) {
-    NoisyPicture made{view.light, Image(side, side), view.albedo, view.normal, view.depth, {}};
+    NoisyPicture made;
+    made.light = view.light;
+    made.glow = made.variance = Image(side, side);
+    made.albedo = view.albedo;
+    made.normal = view.normal;
+    made.depth = view.depth;
     std::uint64_t n = 0;
     for (std::size_t i = 0; i < made.light.pixels.size(); ++i) {
         Vec3 sum(0), squares(0);
@@ -107,6 +112,38 @@ TEST_CASE("edges of surfaces and of shadows stay", "[film][denoise]") {
     }
     CHECK(made.at(19, 4).x < 0.5);
     CHECK(made.at(21, 4).x > 250);
+}
+
+TEST_CASE("what glows stays as it is, and its neighbours do not get its light",
+          "[film][denoise]") {
+    const QuietView view;
+    NoisyPicture picture = noisy(view, 4);
+    const NoisyPicture dark = picture;
+    // A small lamp, which covers a noisy share of its pixels.
+    for (int y = 30; y < 33; ++y)
+        for (int x = 30; x < 33; ++x) {
+            picture.glow.at(x, y) = Vec3(x == 31 && y == 31 ? 90 : 22.5 * ((x + y) % 3));
+            picture.light.at(x, y) += picture.glow.at(x, y);
+        }
+    picture.parts = {picture.light};
+    const QuietPicture made = denoised(picture, 1);
+    const Image without = denoised(dark, 1).light;
+    for (std::size_t i = 0; i < made.light.pixels.size(); ++i) {
+        const Vec3 expected = without.pixels[i] + picture.glow.pixels[i];
+        CHECK(made.light.pixels[i].x == Approx(expected.x));
+        CHECK(made.parts[0].pixels[i].x == Approx(expected.x));
+    }
+}
+
+TEST_CASE("a bright pixel that chance has made does not spread", "[film][denoise]") {
+    const QuietView view;
+    NoisyPicture picture = noisy(view, 4);
+    picture.light.at(30, 30) = Vec3(50);
+    picture.variance.at(30, 30) = Vec3(2500);
+    const Image made = denoised(picture, 1).light;
+    for (int y = 25; y < 36; ++y)
+        for (int x = 25; x < 36; ++x)
+            if (x != 30 || y != 30) CHECK(made.at(x, y).x < 1.5);
 }
 
 TEST_CASE("a denoised picture does not depend on threads, and one sample is left alone",

@@ -61,6 +61,13 @@ TEST_CASE("what changes no picture is ignored with a warning", "[app]") {
           "`Histogram_Name=a.csv` is ignored: it changes nothing in a picture");
 }
 
+TEST_CASE("a draft has few samples, unless an option says how many") {
+    CHECK(options_of({"--draft"}).render.samples == 4);
+    CHECK(options_of({"--samples", "16", "--draft"}).render.samples == 16);
+    CHECK(options_of({"--draft", "--noise", "0.1"}).render.samples == 0);
+    CHECK(options_of({"--draft", "--time", "10s"}).render.samples == 0);
+}
+
 TEST_CASE("switches that are on or off") {
     CHECK_FALSE(options_of({"-V"}).verbose);
     CHECK(options_of({"-V", "+V"}).verbose);

@@ -40,6 +40,22 @@ TEST_CASE("endings of formats that are not written are refused") {
         CHECK(errors(name, {}) == 0);
 }
 
+TEST_CASE("a draft never takes the name of the picture") {
+    const auto draft_of = [](std::string output) {
+        Options options;
+        options.scene = "dir/scene.pov";
+        options.output = std::move(output);
+        options.draft = true;
+        Diagnostics diagnostics;
+        return output_of(options, diagnostics).path;
+    };
+    CHECK(draft_of("") == "scene.draft.png");
+    CHECK(draft_of("out/a.exr") == "out/a.draft.exr");
+    CHECK(draft_of("a.b") == "a.b.draft.png");
+    CHECK(draft_of("a.draft01.png") == "a.draft01.png");
+    CHECK(draft_of("-") == "-");
+}
+
 TEST_CASE("the picture's name comes from the scene's and the options") {
     struct Case {
         std::string scene, output;

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 namespace candelabra {
 
 namespace {
@@ -47,6 +49,33 @@ TEST_CASE("a denoised picture lies beside the exact one, which stays", "[output]
     REQUIRE(shell(with({lit, "--denoise", "+O" + shell.path("b.ppm")})) == 0);
     const std::string a = shell.content("a.ppm"), b = shell.content("b.ppm");
     CHECK(a.substr(a.size() - 3600) == b.substr(b.size() - 3600));
+}
+
+TEST_CASE("a draft is the denoised picture under a name of its own", "[output][denoise]") {
+    Shell shell;
+    const std::string lit = shell.path("lit.pov");
+    const auto end = [&](const char* name) {
+        const std::string all = shell.content(name);
+        return all.substr(all.size() - std::min<std::size_t>(all.size(), 3600));
+    };
+    REQUIRE(shell(with({lit, "--denoise", "+O" + shell.path("a.ppm")})) == 0);
+    REQUIRE(shell({lit, "--draft", "+W40", "+H30", "+O" + shell.path("b.ppm")}) == 0);
+    CHECK(has(shell.err, "draft: "));
+    CHECK_FALSE(std::filesystem::exists(shell.path("b.ppm")));
+    CHECK(end("b.draft.ppm") == end("a.denoised.ppm"));
+    // The file itself says what it is.
+    CHECK(has(shell.content("b.draft.ppm"), "draft="));
+
+    REQUIRE(shell(with({lit, "--draft", "--layers", "lights", "--response", "agx",
+                        "+O" + shell.path("c.exr")})) == 0);
+    REQUIRE(shell({"develop", shell.path("c.draft.exr"), "-o", shell.path("c.ppm")}) == 0);
+    REQUIRE(shell(with({lit, "--denoise", "--response", "agx", "+O" + shell.path("d.ppm")})) == 0);
+    CHECK(end("c.ppm") == end("d.denoised.ppm"));
+    for (const char* shard : {"1/2", "2/2"})
+        REQUIRE(shell(with({lit, "--draft", "--shard", shard, "+O" + shell.path("e.ppm")})) == 0);
+    REQUIRE(shell({"merge", "-V", shell.path("e.draft.ppm.1of2.state.exr"),
+                   shell.path("e.draft.ppm.2of2.state.exr")}) == 0);
+    CHECK(end("e.draft.ppm") == end("a.denoised.ppm"));
 }
 
 TEST_CASE("denoising does not depend on shards and threads, and is developed", "[output][denoise]") {

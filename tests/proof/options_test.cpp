@@ -53,6 +53,7 @@ const Sample samples[] = {
     {"index", "bounding_boxes"},
     {"integrator", "path_traced"},
     {"denoise", ""},
+    {"draft", ""},
     {"film", "on"},
     {"exposure", "1"},
     {"key", "0.1", {"--exposure", "auto"}},

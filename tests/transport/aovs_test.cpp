@@ -68,6 +68,34 @@ TEST_CASE("the light of all statements together is the picture", "[render]") {
     CHECK(lit > 200);
 }
 
+TEST_CASE("what the camera sees of things that glow is told apart", "[render]") {
+    for (const char* const way : {"", "global_settings { integrator { path_traced bounces 2 } }"}) {
+        const std::string glowing = R"(#version 3.7; global_settings { assumed_gamma 1 }
+            #default { finish { ambient 0 } }
+            camera { orthographic location -5*z look_at 0 right 4*x up 3*y }
+            background { rgb <0, 0, 0.5> }
+            box { <-2, -1.5, 0>, <0, 0, 1> pigment { rgb 0.5 } finish { emission 1 diffuse 0.5 } }
+            box { <0, -1.5, 0>, <2, 0, 1> pigment { rgb 0 } finish { reflection 1 } }
+            sphere { <1, 0, -8>, 2 pigment { rgb 1 } finish { emission 3 diffuse 0 } } )";
+        const Shot shot = shot_of(glowing + way);
+        Aovs aovs;
+        aovs.squares = true;
+        const RenderState state = made(shot, aovs, 1);
+        const auto glow = [&](int x, int y) {
+            const auto sums = state.film.extra(state.film.index(x, y));
+            return Vec3(sums[0].value(), sums[1].value(), sums[2].value());
+        };
+        const auto square = [&](int x, int y) {
+            return state.film.extra(state.film.index(x, y))[aovs.first_square()].value();
+        };
+        CHECK(glow(4, 13) == Vec3(0.5));         // a surface, its own light only
+        CHECK(glow(18, 12) == Vec3(0));          // a mirror that shows the lamp
+        CHECK(square(18, 12) > 8);               // its light is what it reflects
+        CHECK(glow(12, 2) == Vec3(0, 0, 0.5));   // the sky
+        CHECK(square(12, 2) == Approx(0).margin(1e-12));
+    }
+}
+
 TEST_CASE("a luminous sky is a lamp like others", "[render]") {
     for (const char* const way : {"", "global_settings { integrator { path_traced bounces 2 } }",
                                   "sphere { <0, 1, 2>, 1 hollow pigment { rgbt 1 } interior { "
