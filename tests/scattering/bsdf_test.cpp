@@ -105,6 +105,7 @@ std::vector<std::pair<std::string, Finish>> kinds() {
     add("smooth dielectric", facets(0.1, 0));
     add("coat", facets(0.5, 0.3, 1));
     add("smooth metal", facets(0.1, 1));
+    add("brushed metal", facets(0.15, 1));
     add("facets and b", facets(0.5, 0), back(0.5));
     return all;
 }
@@ -126,23 +127,43 @@ std::vector<Place> bench_places() {
     return all;
 }
 
-/// Calls use(direction, solid angle) for a grid of directions.
-template <class Use>
-void over_directions(int rows, int columns, const Use& use) {
-    for (int i = 0; i < rows; ++i)
-        for (int j = 0; j < columns; ++j) {
-            const double y = 2 * (i + 0.5) / rows - 1, turn = 2 * pi * (j + 0.5) / columns;
-            const double across = std::sqrt(1 - y * y);
-            use(Vec3(across * std::cos(turn), y, across * std::sin(turn)),
-                4 * pi / (rows * columns));
-        }
+/// The centre of a cell of a grid whose cells have equal solid angles.
+Vec3 direction_in(int rows, int columns, int i, int j) {
+    const double y = 2 * (i + 0.5) / rows - 1, turn = 2 * pi * (j + 0.5) / columns;
+    const double across = std::sqrt(1 - y * y);
+    return Vec3(across * std::cos(turn), y, across * std::sin(turn));
 }
 
-/// Probabilities of the bins, integrated over a grid.
+/// Calls use(i, j, centre, solid angle) for the cells of a grid of directions.
+template <class Use>
+void over_cells(int rows, int columns, const Use& use) {
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j)
+            use(i, j, direction_in(rows, columns, i, j), 4 * pi / (rows * columns));
+}
+
+template <class Use>
+void over_directions(int rows, int columns, const Use& use) {
+    over_cells(rows, columns, [&](int, int, const Vec3& centre, double solid_angle) {
+        use(centre, solid_angle);
+    });
+}
+
+/// Probabilities of the bins, integrated over a grid, which is finer where a lobe is narrow.
 std::vector<double> said_by(const Bsdf& bsdf) {
+    constexpr int rows = 120, columns = 240, finer = 16;
     std::vector<double> said(128, 0);
-    over_directions(120, 240, [&](const Vec3& d, double solid_angle) {
-        said[bin(d)] += bsdf.pdf(d) * solid_angle;
+    over_cells(rows, columns, [&](int i, int j, const Vec3& centre, double solid_angle) {
+        const double density = bsdf.pdf(centre);
+        if (density < 1) {
+            said[bin(centre)] += density * solid_angle;
+            return;
+        }
+        for (int k = 0; k < finer * finer; ++k) {
+            const Vec3 d = direction_in(rows * finer, columns * finer, i * finer + k / finer,
+                                        j * finer + k % finer);
+            said[bin(d)] += bsdf.pdf(d) * solid_angle / (finer * finer);
+        }
     });
     return said;
 }
