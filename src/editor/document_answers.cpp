@@ -52,7 +52,7 @@ Json LanguageServer::highlights(Parameters& parameters) {
     const std::uint32_t offset = parameters.place(file->text, {"position"});
     const LineTable lines(file->text);
     Json all = Json::array();
-    for (const Highlight& each : candelabra::highlights(*file, offset))
+    for (const WordHighlight& each : candelabra::highlights(*file, offset))
         all.push_back({{"range", lines.range_of(each.place)}, {"kind", int{each.kind} + 1}});
     return all;
 }

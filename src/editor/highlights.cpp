@@ -10,30 +10,32 @@ namespace candelabra {
 
 namespace {
 
-std::vector<Highlight> places_of(const EditedFile& file, NameId name) {
+std::vector<WordHighlight> places_of(const EditedFile& file, NameId name) {
     std::unordered_set<std::uint32_t> written;
     for (const DeclaredName& each : file.declarations) written.insert(each.place.first);
-    std::vector<Highlight> found;
+    std::vector<WordHighlight> found;
     for (const Token& token : file.tokens)
         if (token.kind == TokenKind::name && NameId(token.value) == name)
-            found.push_back({{token.first, token.last},
-                             written.contains(token.first) ? Highlight::write : Highlight::read});
+            found.push_back(
+                {{token.first, token.last},
+                 written.contains(token.first) ? WordHighlight::write : WordHighlight::read});
     return found;
 }
 
 /// Returns the opening word, the dividers and the #end of the directive to which the token belongs.
-std::vector<Highlight> parts_of_directive(const EditedFile& file, const Token& asked) {
-    std::vector<std::vector<Highlight>> open;
+std::vector<WordHighlight> parts_of_directive(const EditedFile& file, const Token& asked) {
+    std::vector<std::vector<WordHighlight>> open;
     for (const Token& token : file.tokens) {
         const Part place{token.first, token.last};
         if (opens_directive(token.kind))
-            open.push_back({{place, Highlight::text}});
+            open.push_back({{place, WordHighlight::text}});
         else if (!open.empty() &&
                  (divides_directive(token.kind) || token.kind == TokenKind::hash_end))
-            open.back().push_back({place, Highlight::text});
+            open.back().push_back({place, WordHighlight::text});
         if (token.kind != TokenKind::hash_end || open.empty()) continue;
-        const bool found = std::ranges::any_of(
-            open.back(), [&](const Highlight& each) { return each.place.first == asked.first; });
+        const bool found = std::ranges::any_of(open.back(), [&](const WordHighlight& each) {
+            return each.place.first == asked.first;
+        });
         if (found) return open.back();
         open.pop_back();
     }
@@ -42,7 +44,7 @@ std::vector<Highlight> parts_of_directive(const EditedFile& file, const Token& a
 
 }  // namespace
 
-std::vector<Highlight> highlights(const EditedFile& file, std::uint32_t offset) {
+std::vector<WordHighlight> highlights(const EditedFile& file, std::uint32_t offset) {
     const Token* const token = file.token_at(offset);
     if (!token) return {};
     if (token->kind == TokenKind::name) return places_of(file, NameId(token->value));

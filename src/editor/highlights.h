@@ -9,19 +9,19 @@
 
 namespace candelabra {
 
-struct Highlight {
+struct WordHighlight {
     enum Kind { text, read, write };
 
     Part place;
     Kind kind = text;
 
-    friend bool operator==(const Highlight& a, const Highlight& b) {
+    friend bool operator==(const WordHighlight& a, const WordHighlight& b) {
         return a.place.first == b.place.first && a.place.last == b.place.last && a.kind == b.kind;
     }
 };
 
 /// Returns highlights in source order; declarations of a name are writes. Empty if the offset is
 /// neither on a name nor on a directive with an #end.
-std::vector<Highlight> highlights(const EditedFile&, std::uint32_t offset);
+std::vector<WordHighlight> highlights(const EditedFile&, std::uint32_t offset);
 
 }  // namespace candelabra

@@ -15,10 +15,10 @@ std::string lit(const std::string& marked) {
     Names names;
     const EditedFile file = read_tokens(text, names);
     std::string all;
-    for (const Highlight& each : highlights(file, static_cast<std::uint32_t>(cursor)))
-        all += std::to_string(each.place.first) + (each.kind == Highlight::write  ? "w "
-                                                   : each.kind == Highlight::read ? "r "
-                                                                                  : " ");
+    for (const WordHighlight& each : highlights(file, static_cast<std::uint32_t>(cursor)))
+        all += std::to_string(each.place.first) + (each.kind == WordHighlight::write  ? "w "
+                                                   : each.kind == WordHighlight::read ? "r "
+                                                                                      : " ");
     return all;
 }
 
