@@ -2,7 +2,8 @@
 // Each source includes the headers of what it uses, or has them by other headers of the program.
 // Standard headers that it has only by other standard headers are missing with another library, or
 // its next version; those of the program that it has only by the source compiled before it, where
-// sources are compiled one by one. alone.sh checks the latter with a compiler, which takes longer.
+// sources are compiled one by one. With a compiler headers.py checks the latter in headers, and
+// alone.sh, which takes longer, in sources as well.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
