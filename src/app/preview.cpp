@@ -151,12 +151,13 @@ private:
             return static_cast<double>(frame.number);
         };
         const double first = number(animation_->frames.front());
-        return {frame_knob, first, first, number(animation_->frames.back()), 1, "of the animation"};
+        const double last = number(animation_->frames.back());
+        return {frame_knob, first, Knob::Kind::slider, first, last, 1, {}, "of the animation"};
     }
 
     void choose_frame(Options& options) const {
         const std::vector<AnimationFrame>& all = animation_->frames;
-        const double wanted = state_.knob(frame_knob, frames().value);
+        const double wanted = state_.knob(frame_knob, frames().low);
         const auto chosen = std::ranges::find_if(
             all, [&](const AnimationFrame& frame) { return frame.number >= wanted; });
         set_frame(options.facts, options.animation, *animation_,

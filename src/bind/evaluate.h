@@ -17,7 +17,7 @@ namespace candelabra {
 
 struct EvaluateOptions {
     /// Names declared before the scene begins: Declare=Depth=5.
-    std::vector<std::pair<std::string, std::variant<double, std::string>>> declares;
+    std::vector<std::pair<std::string, std::variant<double, std::string, Numbers>>> declares;
     RunFacts facts;
     Limits limits;
     /// Name of a declared object that replaces all objects of the scene; empty: none.

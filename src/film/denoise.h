@@ -29,7 +29,7 @@ struct QuietPicture {
     std::vector<Image> parts;
 };
 
-/// Non-local means of the light divided by the albedo, without the glow, with the distance of F. Rousselle et al.,
+/// Non-local means of the light without its glow, over the albedo. Distance of F. Rousselle et al.,
 /// "Adaptive rendering with non-local means filtering" (2012): patches around two pixels are
 /// compared relative to their variance, so that differences due to noise do not count; they are
 /// compared as a display shows them, so that few bright pixels do not spread. Pixels that

@@ -3,6 +3,7 @@
 
 #include "base/video_gamma.h"
 #include "options/completion.h"
+#include "options/declared_values.h"
 #include "text/ascii.h"
 #include "text/decimal.h"
 #include "text/message.h"
@@ -17,25 +18,6 @@
 #include <limits>
 
 namespace candelabra {
-
-namespace {
-
-bool is_identifier(std::string_view name) {
-    const auto letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
-    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-    return !name.empty() && !digit(name[0]) &&
-           std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c) || c == '_'; });
-}
-
-std::optional<std::variant<double, std::string>> declared_value(std::string_view text) {
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
-        return std::string(text.substr(1, text.size() - 2));
-    if (const auto value = number(text)) return *value;
-    if (const auto value = truth(text)) return *value ? 1.0 : 0.0;
-    return std::nullopt;
-}
-
-}  // namespace
 
 std::optional<double> number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -148,20 +130,19 @@ void store::declare(Options& options, const Given& given, Diagnostics& diagnosti
     const std::string& text = *given.value;
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
-    if (equals == std::string::npos || !is_identifier(name))
-        return refuse(given, diagnostics, "needs a name and a value",
-                      "Declare=Depth=5, 'Declare=Title=\"text\"'");
-    const Names names;
-    if (names.find(name) != no_name)
-        return refuse(given, diagnostics,
-                      message("`", name, "` is a word of the language and cannot be declared"));
+    const std::string problem = problem_with_name(equals == text.npos ? "" : name);
+    if (!problem.empty())
+        return refuse(given, diagnostics, problem, "Declare=Depth=5, 'Declare=Title=\"text\"'");
     const auto value = declared_value(std::string_view(text).substr(equals + 1));
     if (!value)
         return refuse(given, diagnostics,
-                      message("the value of `", name, "` must be a number or a string in quotes"),
+                      message("the value of `", name,
+                              "` must be a number, a string in quotes, or a vector"),
                       message("for a string: 'Declare=", name, "=\"text\"'"));
     options.declares.emplace_back(name, *value);
 }
+
+void store::preset(Options&, const Given&, Diagnostics&) {}
 
 void store::clock(Options& options, const Given& given, Diagnostics& diagnostics) {
     const auto value = number(*given.value);

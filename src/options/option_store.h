@@ -58,8 +58,9 @@ void export_mesh(Options&, const Given&, Diagnostics&);
 void declare(Options&, const Given&, Diagnostics&);
 void header(Options&, const Given&, Diagnostics&);
 void create_ini(Options&, const Given&, Diagnostics&);
-/// Marks the option; the reader of options reads the file.
+/// These mark the option; the reader of options reads the file.
 void include_ini(Options&, const Given&, Diagnostics&);
+void preset(Options&, const Given&, Diagnostics&);
 void clock(Options&, const Given&, Diagnostics&);
 void check(Options&, const Given&, Diagnostics&);
 void dump(Options&, const Given&, Diagnostics&);

@@ -280,6 +280,9 @@ constexpr auto listed = std::to_array<OptionRow>({
                 in_force::first_libraries)),
     option(picture, "", "Declare", "", value, "name=value", store::declare,
            "declares a name for the scene: a number, or a string in quotes", in_force::declares),
+    that(Touches::reads,
+         option(none, "", "", "preset", value, "file", store::preset,
+                "declares the names of a JSON file, such as the preview saves, with their values")),
     option(picture, "K", "Clock", "", value, "n", store::clock, "value of clock in the scene",
            in_force::clock),
 
@@ -456,8 +459,7 @@ constexpr auto listed = std::to_array<OptionRow>({
                                  "file for all that is said, besides the console; off: none")),
     stream<Stream::debug>(
         "GD", "Debug_Console",
-        "what the scene says on the console (the default), and in a file, too; -GD: not on "
-        "the console"),
+        "what the scene says on the console (the default), and in a file; -GD: only there"),
     stream_file<Stream::debug>("Debug_File",
                                "file for what the scene says, besides the console; off: none"),
     stream<Stream::fatal>("GF", "Fatal_Console",
@@ -470,14 +472,12 @@ constexpr auto listed = std::to_array<OptionRow>({
     stream_file<Stream::render>("Render_File", "file for progress, besides the console; off: none"),
     stream<Stream::statistics>(
         "GS", "Statistic_Console",
-        "the summary on the console (the default), and in a file, too; -GS: not on "
-        "the console"),
+        "the summary on the console (the default), and in a file; -GS: only there"),
     stream_file<Stream::statistics>("Statistic_File",
                                     "file for the summary, besides the console; off: none"),
     stream<Stream::warning>(
         "GW", "Warning_Console",
-        "warnings on the console (the default), and in a file, too; -GW: not on "
-        "the console"),
+        "warnings on the console (the default), and in a file; -GW: only there"),
     stream_file<Stream::warning>("Warning_File",
                                  "file for warnings, besides the console; off: none"),
     option(none, "", "", "warn", value, "names", store::warn,

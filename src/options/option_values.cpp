@@ -2,6 +2,7 @@
 #include "options/option_values.h"
 
 #include "base/video_gamma.h"
+#include "options/declared_values.h"
 #include "options/option_table.h"
 #include "options/output.h"
 #include "options/region.h"
@@ -173,9 +174,7 @@ Texts in_force::header(const Options& options) {
 Texts in_force::declares(const Options& options) {
     Texts values;
     for (const auto& [name, value] : options.declares) {
-        const auto* text = std::get_if<std::string>(&value);
-        values.push_back(
-            message(name, '=', text ? message('"', *text, '"') : message(std::get<double>(value))));
+        values.push_back(message(name, '=', text_of(value)));
     }
     return values;
 }

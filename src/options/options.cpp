@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "options/declared_values.h"
 #include "options/options.h"
 
 #include "options/confinement.h"
@@ -253,6 +254,7 @@ private:
         apply(row, options_, given, diagnostics_);
         if (confined_ && confined_->exceeded(options_))
             return refuse(given, diagnostics_, Confinement::limit_rule());
+        if (row.store == store::preset) read_preset(given);
         options_.strange_names |= confined_ && row.touches == Touches::writes;
         if (diagnostics_.error_count() > before || row.unoffered != Unoffered::no) return;
         // The user may name a header where the scene reads nothing.
@@ -260,6 +262,15 @@ private:
         if (row.store == store::create_ini || row.word.starts_with("allow-")) return;
         const std::string value = given.value.value_or(given.on ? "on" : "off");
         options_.given.push_back({&row, line_of(row, given, value)});
+    }
+
+    void read_preset(const Given& given) {
+        const std::optional<std::string> text = read_ ? read_(*given.value) : std::nullopt;
+        if (!text) return refuse(given, diagnostics_, "there is no such file that can be read");
+        std::string problem;
+        const auto set = preset(*text, problem);
+        if (!set) return refuse(given, diagnostics_, problem, "{\"Height\": 3, \"Kind\": \"fir\"}");
+        options_.declares.insert(options_.declares.end(), set->begin(), set->end());
     }
 
     /// Returns the option as a line of an INI file.

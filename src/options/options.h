@@ -5,6 +5,7 @@
 
 #include "interpret/evaluator.h"
 #include "interpret/limits.h"
+#include "interpret/value.h"
 #include "options/animation.h"
 #include "options/command_settings.h"
 #include "options/picture_layers.h"
@@ -45,7 +46,8 @@ enum class Task {
 };
 
 /// A name that is declared for the scene, and its value.
-using Declaration = std::pair<std::string, std::variant<double, std::string>>;
+using DeclaredValue = std::variant<double, std::string, Numbers>;
+using Declaration = std::pair<std::string, DeclaredValue>;
 
 struct OptionRow;
 
@@ -92,7 +94,7 @@ struct Options {
     bool light_report = false;
     std::vector<PictureLayer> layers;  ///< beside the colours, in an OpenEXR file
     bool denoise = false;              ///< also makes a denoised picture
-    bool draft = false;                ///< the picture itself is denoised, and has a name of its own
+    bool draft = false;                ///< the picture itself is denoised, and has its own name
     bool alpha = false;                ///< adds the opacity of pixels
     bool grey = false;                 ///< one channel instead of three
     double file_gamma = -1;            ///< of pictures with integer values; below 0: sRGB

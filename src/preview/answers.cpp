@@ -51,9 +51,8 @@ std::optional<std::array<double, count>> numbers_in(
 // Requests that change something.
 
 WebAnswer turn(const WebRequest& request, PreviewState& state) {
-    const auto value = number_in<double>(request, "value");
-    if (value && state.turn(request.parameter("name"), *value)) return done();
-    return {plain, "there is no such knob or number\n", 404};
+    if (state.turn(request.parameter("name"), request.parameter("value"))) return done();
+    return {plain, "there is no such knob or value\n", 404};
 }
 
 WebAnswer develop_by(const WebRequest& request, PreviewState& state) {

@@ -30,6 +30,8 @@ namespace {
 constexpr double soon = 0.1;
 /// Minimum width and height of a coarse picture.
 constexpr int min_edge = 8;
+/// Samples of a coarse picture that is denoised, which must not take longer than `soon`.
+constexpr int rough_samples = 4;
 /// Maximum memory for the sums of lights, in bytes.
 constexpr double light_bytes = 512e6;
 
@@ -49,6 +51,18 @@ FilmFiles gathered(const ReadyScene& scene, bool denoised) {
     files.denoise = denoised;
     files.threads = scene.options.render.threads;
     return files;
+}
+
+/// Returns a snapshot of a film of denoised() files.
+LightSnapshot quiet_snapshot(const Film& film, const FilmFiles& files) {
+    QuietFilm quiet = denoised_film(film, files);
+    LightSnapshot snapshot;
+    snapshot.width = film.width();
+    snapshot.height = film.height();
+    snapshot.light = std::move(quiet.light);
+    snapshot.smooth = std::move(quiet.smooth);
+    snapshot.lights = std::move(quiet.lights);
+    return snapshot;
 }
 
 double distance_ahead(const World& world, const RenderSettings& settings) {
@@ -169,17 +183,22 @@ private:
     /// visible. Returns false if something else is wanted.
     bool make_rough() {
         const Shot quick = shot(true);
+        const FilmFiles files = gathered(scene_, true);
+        const Aovs aovs = files.aovs();
         bool shown = false;
         for (const int step : coarse_steps) {
             RenderSettings settings = settings_;
             settings.width = (settings_.width + step - 1) / step;
             settings.height = (settings_.height + step - 1) / step;
             if (std::min(settings.width, settings.height) < min_edge) continue;
-            settings.samples = 1;
+            // While the camera moves, a few samples without their noise show more than one with it.
+            double& pace = rough_pace_.try_emplace(step, soon).first->second;
+            const bool quiet = rough_samples * pace < soon;
+            settings.samples = quiet ? rough_samples : 1;
             settings.noise = 0;
-            settings.antialias = false;
+            settings.antialias = quiet;
             RenderHooks hooks;
-            hooks.aovs = aovs_;
+            hooks.aovs = aovs;
             const double before = seconds_now();
             // Nobody waits long for the first one.
             constexpr double patience = 1;
@@ -187,16 +206,20 @@ private:
                 return leaving_.at_once() ||
                        ((shown || seconds_now() - before > patience) && outdated());
             };
-            RenderState state = begin_picture(settings, aovs_.count(*scene_.world));
+            RenderState state = begin_picture(settings, aovs.count(*scene_.world));
             LightLedger rays;
-            const RenderPlan plan{quick, settings,   ShadowRays{1}, light_for_rough(!shown),
-                                  1,     NoiseRule{}};
+            const RenderPlan plan{
+                quick,         settings,
+                ShadowRays{1}, light_for_rough(!shown),
+                static_cast<std::uint32_t>(settings.samples), NoiseRule{}};
             if (!advance(plan, state, rays, hooks)) return false;
+            rough_ = quiet ? quiet_snapshot(state.film, files)
+                           : snapshot_of(state.film, aovs, scene_.film, true);
             const double now = seconds_now();
+            pace = (now - before) / settings.samples;
             constexpr double growth = 4;
             const bool waits =
                 step == coarse_steps[0] && now - begun_ + growth * (now - before) < soon;
-            rough_ = snapshot_of(state.film, aovs_, scene_.film, true);
             rough_->width = settings_.width;
             rough_->height = settings_.height;
             if (waits) continue;
@@ -395,14 +418,7 @@ private:
         quiet_samples_ = samples;
         quiet_generation_ = context_->generation;
         preview_.quiet_work() = std::async(std::launch::async, [copy = film, files = files_] {
-            QuietFilm quiet = denoised_film(copy, files);
-            LightSnapshot snapshot;
-            snapshot.width = copy.width();
-            snapshot.height = copy.height();
-            snapshot.light = std::move(quiet.light);
-            snapshot.smooth = std::move(quiet.smooth);
-            snapshot.lights = std::move(quiet.lights);
-            return snapshot;
+            return quiet_snapshot(copy, files);
         });
     }
 
@@ -434,6 +450,7 @@ private:
     std::shared_ptr<const LightSnapshot> snapshot_;
     std::shared_ptr<const SnapshotContext> snapshot_context_;  ///< of the last snapshot
     std::optional<LightSnapshot> rough_, quiet_;
+    std::map<int, double> rough_pace_;  ///< seconds of a sample of the last coarse pictures
     std::map<std::string, Image> still_;  ///< layers that do not change
     std::uint64_t quiet_samples_ = 0;
     int quiet_generation_ = 0;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <system_error>
@@ -19,9 +20,22 @@ using Json = nlohmann::json;
 
 Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-Json json_of(const Knob& knob, double value) {
-    return {{"name", knob.name}, {"value", value},    {"low", knob.low},
-            {"high", knob.high}, {"step", knob.step}, {"help", knob.help}};
+Json json_of(const KnobValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    return json_of(std::get<Numbers>(value).vec3());
+}
+
+Json json_of(const Knob& knob, const KnobValue& value) {
+    // In the order of the kinds.
+    static constexpr std::array kinds = {"slider", "toggle", "list", "text", "colour", "vector"};
+    Json choices = Json::array();
+    for (const KnobValue& each : knob.choices) choices.push_back(json_of(each));
+    return {{"name", knob.name},       {"kind", kinds[static_cast<std::size_t>(knob.kind)]},
+            {"value", json_of(value)}, {"low", knob.low},
+            {"high", knob.high},       {"step", knob.step},
+            {"choices", choices},      {"help", knob.help},
+            {"section", knob.section}};
 }
 
 Json json_of(const FilmSettings& film) {
@@ -169,12 +183,13 @@ void PreviewState::pause(bool on) {
     wished();
 }
 
-bool PreviewState::turn(const std::string& name, double value) {
+bool PreviewState::turn(const std::string& name, std::string_view value) {
     {
         const std::lock_guard lock(mutex_);
         const auto knob = std::ranges::find(knobs_, name, &Knob::name);
-        if (knob == knobs_.end()) return false;
-        set_[name] = std::clamp(value, knob->low, knob->high);
+        const auto wanted = knob == knobs_.end() ? std::nullopt : knob_value(*knob, value);
+        if (!wanted) return false;
+        set_[name] = *wanted;
         turned_ = true;
     }
     wished();
@@ -252,11 +267,11 @@ Wishes PreviewState::wishes() const {
     return wishes_;
 }
 
-std::vector<std::pair<std::string, double>> PreviewState::take_knobs(std::vector<Knob> knobs) {
+std::vector<std::pair<std::string, KnobValue>> PreviewState::take_knobs(std::vector<Knob> knobs) {
     const std::lock_guard lock(mutex_);
     turned_ = false;
     knobs_ = std::move(knobs);
-    std::vector<std::pair<std::string, double>> declared;
+    std::vector<std::pair<std::string, KnobValue>> declared;
     for (const Knob& knob : knobs_)
         if (const auto set = set_.find(knob.name); set != set_.end())
             declared.emplace_back(knob.name, set->second);
@@ -266,7 +281,8 @@ std::vector<std::pair<std::string, double>> PreviewState::take_knobs(std::vector
 double PreviewState::knob(const std::string& name, double otherwise) const {
     const std::lock_guard lock(mutex_);
     const auto set = set_.find(name);
-    return set == set_.end() ? otherwise : set->second;
+    const double* value = set == set_.end() ? nullptr : std::get_if<double>(&set->second);
+    return value ? *value : otherwise;
 }
 
 void PreviewState::show(std::shared_ptr<const LightSnapshot> snapshot,

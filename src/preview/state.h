@@ -55,7 +55,8 @@ public:
     void move_camera(const std::function<void(Orbit&, const Sight&)>& move);
     void point_at(const Vec2&);
     void pause(bool);
-    bool turn(const std::string& knob, double value);
+    /// `value`: as knob_value() reads it.
+    bool turn(const std::string& knob, std::string_view value);
     /// Returns the state for the page as JSON.
     std::string status() const;
     int version() const { return version_; }
@@ -70,7 +71,8 @@ public:
     /// Returns the version of the wishes; it changes with every new wish.
     int wish_version() const { return wish_version_; }
     /// Returns declarations for the scene and resets `turned()`.
-    std::vector<std::pair<std::string, double>> take_knobs(std::vector<Knob>);
+    std::vector<std::pair<std::string, KnobValue>> take_knobs(std::vector<Knob>);
+    /// Returns what the page has set a slider to.
     double knob(const std::string& name, double otherwise) const;
     bool turned() const { return turned_; }
     void show(std::shared_ptr<const LightSnapshot>, std::shared_ptr<const SnapshotContext>);
@@ -98,7 +100,7 @@ private:
     std::atomic<int> wish_version_ = 0, version_ = 0, generation_ = 0;
     std::atomic<bool> turned_ = false;
     std::vector<Knob> knobs_;
-    std::map<std::string, double> set_;  ///< values of knobs, by name
+    std::map<std::string, KnobValue> set_;  ///< values of knobs, by name
     RenderStatus render_status_;
     Heard heard_;
     ScreenPicture picture_;

@@ -19,7 +19,7 @@ struct Aovs {
     bool surface = false;  ///< albedo, normal, depth and object
     bool lights = false;   ///< red, green and blue of each of Provenance::light_statements
     bool smooth = false;   ///< red, green and blue of compressed samples, which the renderer adds
-    /// What the denoiser needs: red, green and blue of what the camera sees of things that glow, and
+    /// For the denoiser: red, green and blue of what the camera sees of things that glow, and
     /// of the squares of all other light, which the renderer adds.
     bool squares = false;
 

@@ -43,7 +43,7 @@ struct LightLedger {
     /// One for each of Provenance::light_statements, and a last one for rays that met no luminaire.
     /// Empty if lights are not counted.
     std::vector<LightCount> lights = {};
-    /// Light of the last sample that the first surface emits, or the sky behind all: what the camera
+    /// Light of the last sample that the first surface or the sky emits: what the camera
     /// sees of things that glow.
     Vec3 glow = Vec3(0);
     /// Of the lamps that it counts; null if lights are not counted.

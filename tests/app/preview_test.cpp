@@ -90,7 +90,8 @@ def look():
     assert len(pictures) == 8 and all(p[1:4] == b"PNG" for p in pictures)
     assert post("look", b"view=none") == 400 and post("look", b"view=picture") == 200
     until("the picture", lambda s: s["shown_view"] == "picture")
-    assert status()["knobs"] == [{"name": "Size", "value": 1, "low": 0.5, "high": 2, "step": 0.5, "help": "of the lamp"}]
+    assert status()["knobs"] == [{"name": "Size", "kind": "slider", "value": 1, "low": 0.5, "high": 2, "step": 0.5,
+                                  "choices": [], "help": "of the lamp", "section": ""}]
     before = status()["generation"]
     assert turn(token, "GET") == 405
     assert turn("0" * 32) == 403

@@ -297,7 +297,7 @@ TEST_CASE("every wrong argument has one message") {
         {{"Declare=sphere=2"},
          "`Declare=sphere=2`: `sphere` is a word of the language and cannot be declared"},
         {{"Declare=a=1+2"},
-         "`Declare=a=1+2`: the value of `a` must be a number or a string in quotes | for a string: "
+         "`Declare=a=1+2`: the value of `a` must be a number, a string in quotes, or a vector | for a string: "
          "'Declare=a=\"text\"'"},
         {{"a.pov", "b.pov"},
          "`b.pov`: only one scene can be rendered at a time, and there is already `a.pov`"},

@@ -67,16 +67,21 @@ TEST_CASE("the page moves the camera that the scene gives", "[preview]") {
 
 TEST_CASE("knobs keep what the page has set, within their ranges", "[preview]") {
     PreviewState state([] {});
-    CHECK(state.take_knobs({{"Size", 1, 0.5, 2, 0.1, ""}}).empty());
+    const Knob size{"Size", 1.0, Knob::Kind::slider, 0.5, 2, 0.1};
+    const Knob tint{"Tint", Numbers::vector(Vec3(1)), Knob::Kind::colour};
+    CHECK(state.take_knobs({size, tint}).empty());
     CHECK_FALSE(state.turned());
-    CHECK(state.turn("Size", 7));
-    CHECK_FALSE(state.turn("Height", 7));
+    CHECK(state.turn("Size", "7"));
+    CHECK_FALSE(state.turn("Height", "7"));
+    CHECK_FALSE(state.turn("Tint", "7"));
+    CHECK(status_of(state)["knobs"][1]["value"] == nlohmann::json({1, 1, 1}));
+    CHECK(status_of(state)["knobs"][1]["kind"] == "colour");
     CHECK(state.turned());
     CHECK(state.knob("Size", 0) == 2);
     CHECK(state.knob("Height", 3) == 3);
-    const auto declared = state.take_knobs({{"Size", 1, 0.5, 2, 0.1, ""}});
+    const auto declared = state.take_knobs({size});
     REQUIRE(declared.size() == 1);
-    CHECK(declared[0].second == 2);
+    CHECK(declared[0].second == KnobValue(2.0));
     CHECK_FALSE(state.turned());
 }
 

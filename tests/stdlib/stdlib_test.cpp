@@ -319,6 +319,47 @@ TEST_CASE("as many places of a starfield are lit as in POV-Ray, and in its colou
     }
 }
 
+TEST_CASE("the grain of stones is as wide as in POV-Ray", "[stdlib]") {
+    struct Case {
+        const char* stone;
+        double width;  ///< at which the correlation of brightness has fallen to 1/e in POV-Ray
+    };
+    const Case cases[] = {
+        {"T_Stone1", 0.059},  {"T_Stone4", 0.031},  {"T_Stone6", 0.097},  {"T_Stone12", 0.053},
+        {"T_Stone16", 0.086}, {"T_Stone19", 0.022}, {"T_Stone21", 0.028}, {"T_Stone23", 0.026},
+        {"T_Stone25", 0.012}, {"T_Stone28", 0.02},  {"T_Stone30", 0.013}, {"T_Stone32", 0.026},
+        {"T_Stone36", 0.018}, {"T_Stone44", 0.006},
+    };
+    for (const Case& c : cases) {
+        INFO(c.stone);
+        const Texture stone = library_texture("stones.inc", c.stone);
+        REQUIRE(stone.below);
+        const auto brightness = [&](const Vec3& at) {
+            const Colour upper = evaluate(stone.pigment, at);
+            return grey((1 - upper.transmit) * upper.rgb +
+                        upper.transmit * evaluate(stone.below->pigment, at).rgb);
+        };
+        // Grains are much smaller than the square that is looked at, which lies in a plane.
+        Draw draw(1);
+        constexpr int count = 6000;
+        double sum = 0, squares = 0, products = 0;
+        for (int i = 0; i < count; ++i) {
+            const Vec3 place = draw.point(0.5);
+            const Vec3 at(place.x, place.y, 0);
+            const double here = brightness(at);
+            const double there = brightness(at + c.width * (i % 2 == 0 ? Vec3(1, 0, 0)
+                                                                       : Vec3(0, 1, 0)));
+            sum += here;
+            squares += here * here;
+            products += here * there;
+        }
+        const double mean_square = sum * sum / count;
+        const double correlation = (products - mean_square) / (squares - mean_square);
+        CHECK(correlation > 0.15);
+        CHECK(correlation < 0.6);
+    }
+}
+
 TEST_CASE("a finish that is put on a stone reaches its upper layer, as in POV-Ray", "[stdlib]") {
     struct Case {
         const char* stone;

@@ -2,6 +2,7 @@
 // Scenes and worlds from the text of a script or an example's file, for tests and benchmarks.
 #pragma once
 
+#include "interpret/value.h"
 #include "lighting/settings.h"
 #include "scene/scene.h"
 #include "text/diagnostic.h"
@@ -15,7 +16,7 @@
 
 namespace candelabra {
 
-using Declares = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+using Declares = std::vector<std::pair<std::string, std::variant<double, std::string, Numbers>>>;
 
 /// The scene of a script, with its diagnostics as one text (empty when there are none).
 struct Evaluated {

@@ -126,23 +126,93 @@ function playOn(status) {
   post("/turn", { name: frame.name, value: next > frame.high ? frame.low : next });
 }
 
-// The scene's own sliders.
-let knownKnobs = "", knobRows = [];
+// The scene's own widgets.
+let knownKnobs = "", knobRows = [], knobsNow = [];
+const short = value => +value.toPrecision(6);
+const knobKinds = {
+  slider: (knob, send) =>
+    slider(knob.name, knob.help, { min: knob.low, max: knob.high, step: knob.step }, send, short),
+  toggle: (knob, send) => checkOf(knob.name, value => send(value === "on" ? 1 : 0)),
+  list: (knob, send) => selectOf(knob.name, knob.choices.map(String), send),
+  text: (knob, send) => fieldOf(knob.name, "text", "change", send),
+  colour: (knob, send) => {
+    const row = fieldOf(knob.name, "color", "input", value => send(fromHex(value).join(",")));
+    const set = row.set;
+    row.set = value => set(hex(value));
+    return row;
+  },
+  vector: (knob, send) => {
+    const values = [...knob.value];
+    const rows = ["x", "y", "z"].map((axis, i) =>
+      slider(`${knob.name}.${axis}`, knob.help, { min: knob.low, max: knob.high, step: knob.step },
+             value => {
+               values[i] = value;
+               send(values.join(","));
+             }, short));
+    const row = make("div", {}, ...rows);
+    row.set = value => value.forEach((each, i) => {
+      values[i] = each;
+      rows[i].set(each);
+    });
+    return row;
+  },
+};
+function fieldOf(name, type, moment, send) {
+  const input = make("input", { type });
+  input.setAttribute("aria-label", name);
+  input.addEventListener(moment, () => send(input.value));
+  const row = make("label", { className: "field" }, make("span", { textContent: name }), input);
+  row.set = value => setValue(input, value);
+  return row;
+}
+function knobRow(knob) {
+  const send = sender("/turn");
+  const row = knobKinds[knob.kind](knob, value => send({ name: knob.name, value }));
+  row.title = knob.help;
+  return row;
+}
 function showKnobs(knobs) {
   const form = JSON.stringify(knobs.map(({ value, ...form }) => form));
   if (form !== knownKnobs) {
     knownKnobs = form;
-    knobRows = knobs.map(knob => {
-      const send = sender("/turn");
-      return slider(knob.name, knob.help, { min: knob.low, max: knob.high, step: knob.step },
-                    value => send({ name: knob.name, value }), value => +value.toPrecision(6));
+    knobRows = knobs.map(knobRow);
+    const headed = knobs.flatMap((knob, i) => {
+      const begins = knob.section && (i === 0 || knobs[i - 1].section !== knob.section);
+      return begins ? [make("h3", { textContent: knob.section }), knobRows[i]] : [knobRows[i]];
     });
-    element("knobs").replaceChildren(...knobRows);
+    element("knobs").replaceChildren(...headed);
     if (knobs.some(isFrame)) element("knobs").append(player.button);
     element("panel-knobs").hidden = knobs.length === 0;
+    element("set-save").parentElement.hidden = knobs.every(isFrame);
   }
+  knobsNow = knobs;
   knobs.forEach((knob, i) => knobRows[i].set(knob.value));
 }
+
+// Sets of values, as --preset reads them.
+element("set-save").addEventListener("click", () => {
+  const values = knobsNow.filter(knob => !isFrame(knob)).map(knob =>
+    [knob.name, knob.kind === "colour" ? { rgb: knob.value } : knob.value]);
+  saveFile(JSON.stringify(Object.fromEntries(values), null, 1) + "\n",
+           element("scene").textContent.replace(/\.\w+$/, "") + ".set.json");
+});
+element("set-load").addEventListener("click", () => element("set-file").click());
+element("set-file").addEventListener("change", async () => {
+  const file = element("set-file").files[0];
+  element("set-file").value = "";
+  if (!file) return;
+  try {
+    const values = JSON.parse(await file.text());
+    for (const knob of knobsNow) {
+      const value = values[knob.name];
+      if (value === undefined) continue;
+      const text = typeof value === "boolean" ? Number(value) : value.rgb || value;
+      post("/turn", { name: knob.name, value: String(text) });
+    }
+  } catch {
+    toast("This file has no set of values");
+  }
+});
 
 // Places of the text, as links into an editor.
 const editors = { "VS Code": "vscode://file", VSCodium: "vscodium://file", Cursor: "cursor://file",
