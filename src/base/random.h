@@ -69,7 +69,8 @@ enum class Survey : std::uint32_t {
     cell,          ///< of the light octree
     visibility,    ///< of the entries of a cut
     bent_normals,  ///< of luminaires
-    seen_area      ///< of luminaires
+    seen_area,     ///< of luminaires
+    sky            ///< as seen from a cell of the light octree
 };
 
 /// Identifies the use of a random number: the seed and pixel, the sample in it, and the sequence of

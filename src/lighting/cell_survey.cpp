@@ -12,9 +12,32 @@
 
 namespace candelabra {
 
+namespace {
+
+/// Mean square of the sky's irradiance by one direction from an outlook, as rays to the sky find
+/// it.
+double mean_square(const LightGuide& outlook, std::span<const SkyRay> rays) {
+    LightGuide::Weights weights;
+    double square = 0;
+    for (const SkyRay& ray : rays) {
+        outlook.weigh(ray.from->point, weights);
+        const double irradiance = ray.luminance * ray.from->point.cosine(ray.direction);
+        if (irradiance > 0)
+            square += irradiance * irradiance /
+                      (LightGuide::density(weights, ray.direction) * ray.chance);
+    }
+    return square;
+}
+
+}  // namespace
+
 CellSurveyor::CellSurveyor(const ChoosableLights& lights, const LightTree& tree,
                            const Viewer& viewer, double max_by_direction)
     : lights_(lights), tree_(tree), viewer_(viewer), max_by_direction_(max_by_direction) {
+    if (const ChoosableSky* sky = lights.sky()) {
+        brightest_ = sky->brightest();
+        no_surfaces_ = false;
+    }
     if (lights.size() == 0) return;
     ball_ = ball_around(tree.box(tree.root()), lights);
     for (LightIndex light = 0; light < lights.size(); ++light) {
@@ -32,21 +55,27 @@ CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
     // Directions cannot hit light sources.
     if (lights_.falls_off()) return result;
     const Found by_choice = found_by_choice(cut, receivers, probe);
-    const double found = by_choice.noise, choice = tuning::doubt * found + tuning::min_noise;
+    if (const ChoosableSky* sky = lights_.sky()) {
+        const std::vector<SkyRay> rays = rays_to_sky(*sky, receivers, probe);
+        result.sky.emplace(*sky, rays);
+        if (!in_air) {
+            LightGuide::SkySeen seen{*sky};
+            result.outlook.emplace(cell, ball_, receivers, probe, &seen);
+            result.sky = brighter(*result.sky, SkySurvey(*sky, seen.rays));
+        }
+        return with_sky(std::move(result), by_choice, mean_total(cut, receivers), rays);
+    }
+    const double found = by_choice.noise;
     if ((!all_surfaces_ || in_air) && by_choice.irradiance > 0) {
         result.irradiance = by_choice.irradiance;
         result.noise = by_choice.irradiance * std::sqrt(found + tuning::min_noise);
     }
     // Luminaires look small from points in the air.
     if (no_surfaces_ || in_air) return result;
-    result.outlook.emplace(cell, ball_, receivers, probe);
+    result.outlook.emplace(cell, ball_, receivers, probe, nullptr);
     const double outlook = result.outlook->noise() + tuning::min_noise;
-    const double share =
-        std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
-    if (found > tuning::no_noise)
-        result.by_direction =
-            std::clamp(share, tuning::min_by_direction * std::fmin(found / tuning::little_noise, 1),
-                       max_by_direction_);
+    result.by_direction =
+        share_of_outlook(found, tuning::doubt * found + tuning::min_noise, outlook);
     // The outlook knows surfaces only, which are not all luminaires here.
     if (!all_surfaces_) return result;
     const double scattering = result.outlook->noise_of_scattering();
@@ -65,6 +94,55 @@ CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
         result.noise = result.irradiance * std::sqrt(variance);
     }
     return result;
+}
+
+/// Fraction of the shadow rays to be sampled from the outlook, given the variance over squared mean
+/// of choices as found and as expected, and that of its directions.
+double CellSurveyor::share_of_outlook(double found, double choice, double outlook) const {
+    if (!(found > tuning::no_noise)) return 0;
+    const double share =
+        std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
+    return std::clamp(share, tuning::min_by_direction * std::fmin(found / tuning::little_noise, 1),
+                      max_by_direction_);
+}
+
+/// Completes the survey of a cell that the sky may light. `weight`: mean total weight of the cut at
+/// the places of the survey. `rays`: those that were drawn to the sky.
+CellSurvey CellSurveyor::with_sky(CellSurvey result, const Found& by_choice, double weight,
+                                  std::span<const SkyRay> rays) const {
+    if (by_choice.irradiance > 0)
+        result.lamps = {by_choice.irradiance,
+                        by_choice.irradiance * std::sqrt(by_choice.noise + 1)};
+    if (!result.outlook) return result;
+    const DrawnLight lamps{result.lamps.mean * weight, result.lamps.root * weight};
+    const SharedDraw choice =
+        shared_draw(result.sky->there(), weight > 0 ? std::optional(lamps) : std::nullopt);
+    const double found = choice.noise;
+    // The outlook may have missed what is small and bright, such as a sun.
+    const double missed = mean_square(*result.outlook, rays) / (choice.mean * choice.mean) - 1;
+    const double outlook = std::fmax(result.outlook->noise(), missed) + tuning::min_noise;
+    result.by_direction = share_of_outlook(found, found + tuning::min_noise, outlook);
+    if (!all_surfaces_) return result;
+    const double scattering = result.outlook->noise_of_scattering();
+    result.as_scattered = scattering <= std::fmin(outlook, found + tuning::min_noise) &&
+                          brightest_ <= tuning::max_glare * result.outlook->mean_luminance();
+    result.noise_of_directions = result.as_scattered ? scattering : outlook;
+    return result;
+}
+
+SharedDraw CellSurvey::among_all(const Receiver& point, double total) const {
+    const DrawnLight others{lamps.mean * total, lamps.root * total};
+    return shared_draw(sky->at(point), total > 0 ? std::optional(others) : std::nullopt);
+}
+
+std::optional<LightEstimate::ShadowRay> CellSurvey::ray_of(const SharedDraw& choice) const {
+    if (!(choice.mean > 0)) return {};
+    const double chosen = choice.noise + tuning::min_noise;
+    const double variance = as_scattered ? noise_of_directions + tuning::min_noise
+                            : std::isinf(noise_of_directions)
+                                ? chosen
+                                : 1 / (1 / chosen + 1 / noise_of_directions);
+    return LightEstimate::ShadowRay{choice.mean, choice.mean * std::sqrt(variance)};
 }
 
 /// Factors on the weights of a cell's entries: the survey's shares, raised for near entries.

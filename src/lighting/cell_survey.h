@@ -6,6 +6,8 @@
 
 #include "lighting/light_cut.h"
 #include "lighting/light_guide.h"
+#include "lighting/light_query.h"
+#include "lighting/sky_survey.h"
 
 namespace candelabra {
 
@@ -19,6 +21,18 @@ struct CellSurvey {
     double noise = -1;
     /// Expected irradiance in the same unit; known if the noise is.
     double irradiance = 0;
+
+    std::optional<SkySurvey> sky = {};  ///< if it is one of the lights; the noise is not set then
+    DrawnLight lamps = {};              ///< all other lights, per unit of the total weight
+    /// With a sky: variance over squared mean of what is sampled from the outlook, or from the BSDF
+    /// if all shadow rays are; infinite if it is not known.
+    double noise_of_directions = INFINITY;
+
+    /// The choice among all lights at a point where the cut has a total weight. Precondition: there
+    /// is a sky.
+    SharedDraw among_all(const Receiver&, double total) const;
+    /// What is expected of one shadow ray there, if any light is.
+    std::optional<LightEstimate::ShadowRay> ray_of(const SharedDraw&) const;
 };
 
 /// Surveys cells. Deterministic. Refers to the lights and to their tree.
@@ -41,6 +55,9 @@ private:
         double noise, irradiance;
     };
     Found found_by_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
+    double share_of_outlook(double found, double choice, double outlook) const;
+    CellSurvey with_sky(CellSurvey, const Found& by_choice, double weight,
+                        std::span<const SkyRay>) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
 
     const ChoosableLights& lights_;

@@ -12,6 +12,25 @@
 
 namespace candelabra {
 
+/// Light from all around the scene: it has no bounds, and arrives at every point that a ray from
+/// outside of the scene reaches. Never changes.
+class ChoosableSky {
+public:
+    ChoosableSky() = default;
+    ChoosableSky(const ChoosableSky&) = delete;
+    ChoosableSky& operator=(const ChoosableSky&) = delete;
+    virtual ~ChoosableSky() = default;
+
+    /// From a unit direction; 0 or more.
+    virtual double luminance(const Vec3& direction) const = 0;
+    /// About the greatest luminance.
+    virtual double brightest() const = 0;
+    /// Draws a direction, more often where the sky is bright. u is in [0, 1)^2.
+    virtual Vec3 draw(const Vec2& u) const = 0;
+    /// Density of draw() per steradian; above 0.
+    virtual double density(const Vec3& direction) const = 0;
+};
+
 /// Never changes, so that it may be asked by any number of threads.
 class ChoosableLights {
 public:
@@ -22,6 +41,9 @@ public:
 
     virtual std::size_t size() const = 0;
     virtual LightBounds bounds(LightIndex) const = 0;
+
+    /// The sky, if it is one of the lights, besides those with bounds; its index is sky_light.
+    virtual const ChoosableSky* sky() const { return nullptr; }
 
     /// Whether light falls off otherwise than with the square of the distance.
     virtual bool falls_off() const { return false; }

@@ -73,9 +73,12 @@ struct BuiltCutOctree::State {
           even(scene.even) {
         above_air.in_air = true;
         LightBounds all;
-        all.box = tree.box(tree.root());
+        if (tree.lights() > 0)
+            all.box = tree.box(tree.root());
+        else if (eye)  // what is lit is about where it is seen from
+            all.box = {*eye - 1.0, *eye + 1.0};
         cube = cube_to_light(scene, {&all, 1});
-        if (cube.empty()) cube = all.box;
+        if (cube.empty()) cube = all.box.empty() ? Box{Vec3(-1), Vec3(1)} : all.box;
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -90,7 +93,9 @@ BuiltCutOctree& BuiltCutOctree::operator=(BuiltCutOctree&&) noexcept = default;
 BuiltCutOctree::~BuiltCutOctree() = default;
 
 BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& scene, int threads)
-    : state_(scene.count() > 0 ? std::make_unique<State>(settings, scene, threads) : nullptr) {}
+    : state_(scene.count() > 0 || scene.has_sky()
+                 ? std::make_unique<State>(settings, scene, threads)
+                 : nullptr) {}
 
 const LightTree& BuiltCutOctree::tree() const { return state_->tree; }
 
@@ -112,7 +117,7 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     const bool small = size <= coarse * away, large = too_large || (state_->eye && !small),
                learns = probe && !state_->settings.alone;
     const double noise = cell->cut->noise(), bound = state_->rule.noise;
-    const bool several = cell->cut->entries() > 1;
+    const bool several = cell->cut->entries() > 1 || state_->lights->sky();
     const bool uneven = large ? noise > bound || ((learns || too_large) && several)
                               : !(learns && small) && noise > tuning::divided_above * bound;
     cell->too_large = parent.too_large + (too_large ? 1 : 0);
@@ -179,9 +184,15 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
     const CellSurvey* survey = query.scene && cell.survey ? &*cell.survey : nullptr;
     cut_ = &*cell.cut;
     cut_->weigh(receiver_, weights_);
-    double by_direction = weights_.total > 0 && survey ? survey->by_direction : 0;
+    takes_sky_ = query.sky && survey && survey->sky;
+    double by_direction = (weights_.total > 0 || takes_sky_) && survey ? survey->by_direction : 0;
     const double noise = survey ? survey->noise * weights_.total : -1;
     if (noise >= 0) ray_ = {survey->irradiance * weights_.total, noise};
+    if (takes_sky_) {
+        const SharedDraw choice = survey->among_all(receiver_, weights_.total);
+        sky_ = choice.sky;
+        ray_ = survey->ray_of(choice);
+    }
     if (octree_.state_->even > 0 && !survey) cut_->share_evenly(octree_.state_->even, weights_);
     if (query.lobes.count > 0) cut_->weigh_answers(receiver_, query.lobes, weights_);
     if (!bsdf_) return;  // directions are not wanted
@@ -198,7 +209,9 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
 
 double BuiltCutOctree::At::expected(const Key&, LightIndex light) const {
     if (!cut_ || !(by_choice_ > 0)) return 0;
-    return by_choice_ * expected_from(*cut_, weights_, octree_.tree(), receiver_, light);
+    if (light == sky_light) return by_choice_ * sky_;
+    return by_choice_ * (1 - sky_) *
+           expected_from(*cut_, weights_, octree_.tree(), receiver_, light);
 }
 
 double BuiltCutOctree::At::pdf(const Vec3& direction, double expected, double of_point) const {
@@ -219,9 +232,14 @@ void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {
         samples.direction = LightGuide::draw(outlook_, place_on_light(key)).direction;
     } else if (cut_) {
         const double rest = (u - by_direction) / by_choice_;
-        auto pick = pick_from(*cut_, weights_, octree_.tree(), receiver_, key, rest);
+        if (rest < sky_) {
+            samples.picks.push_back({sky_light, by_choice_ * sky_});
+            return;
+        }
+        const double among_lamps = sky_ > 0 ? (rest - sky_) / (1 - sky_) : rest;
+        auto pick = pick_from(*cut_, weights_, octree_.tree(), receiver_, key, among_lamps);
         if (!pick) return;
-        pick->expected *= by_choice_;
+        pick->expected *= by_choice_ * (1 - sky_);
         samples.picks.push_back(*pick);
     }
 }

@@ -60,6 +60,7 @@ public:
     double expected(const Key&, LightIndex) const;
     double pdf(const Vec3& direction, double expected, double of_point) const;
     std::optional<LightEstimate> estimate() const;
+    bool takes_sky() const { return takes_sky_; }
 
 private:
     void take_weights(const LightQuery&, const Cell&);
@@ -73,6 +74,8 @@ private:
     std::optional<LightEstimate::ShadowRay> ray_ = {};
     /// Fractions of the shadow rays.
     double by_surface_ = 0, by_outlook_ = 0, by_choice_ = 1;
+    bool takes_sky_ = false;
+    double sky_ = 0;  ///< fraction of the choices that go to the sky
 };
 
 inline BuiltCutOctree::At BuiltCutOctree::at(const LightQuery& query) const {

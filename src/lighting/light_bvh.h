@@ -34,6 +34,7 @@ public:
             return expected * of_point + (bsdf_ ? bsdf_->pdf(direction) : 0);
         }
         std::optional<LightEstimate> estimate() const { return {}; }
+        bool takes_sky() const { return false; }
 
     private:
         const BuiltLightBvh& bvh_;

@@ -125,10 +125,11 @@ Vec3 LightGuide::Cone::direction(double ring, double sector) const {
 double LightGuide::Cone::bin_density() const { return bins / (2 * pi * widest); }
 
 LightGuide::LightGuide(const Box& cell, const LightBall& ball,
-                       std::span<const SurveyPlace> receivers, const LightProbe& probe)
+                       std::span<const SurveyPlace> receivers, const LightProbe& probe,
+                       SkySeen* sky)
     : ball_(ball) {
     const Vec3 nearest = glm::clamp(ball.centre, cell.low, cell.high);
-    around_ = !(length(nearest - ball.centre) > tuning::well_outside * ball.radius);
+    around_ = sky || !(length(nearest - ball.centre) > tuning::well_outside * ball.radius);
     // A pole far from the ball's direction, so that all points of the cell orient the picture
     // alike.
     const Vec3 away = glm::abs(cell.centre() - ball.centre);
@@ -155,11 +156,17 @@ LightGuide::LightGuide(const Box& cell, const LightBall& ball,
             if (cosine <= 0) continue;
             cosines += cosine;
             double luminance = 0;
-            look_along({from.point.position, direction}, from.tolerance, probe,
-                       [&](const ProbeHit& sight, double share) {
-                           luminance += share * sight.luminance;
-                           return false;
-                       });
+            const double left = look_along({from.point.position, direction}, from.tolerance, probe,
+                                           [&](const ProbeHit& sight, double share) {
+                                               luminance += share * sight.luminance;
+                                               return false;
+                                           });
+            if (sky && left > 0) {
+                const double behind = left * sky->sky.luminance(direction);
+                luminance += behind;
+                sky->rays.push_back(
+                    {&from, direction, behind, tuning::guide_tries * cone.bin_density()});
+            }
             seen[i][bin] = luminance;
             arriving[place] += cosine * luminance;
             sum += cosine * luminance;

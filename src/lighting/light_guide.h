@@ -5,6 +5,7 @@
 #pragma once
 
 #include "lighting/light_ball.h"
+#include "lighting/sky_survey.h"
 #include "lighting/survey_places.h"
 
 #include <array>
@@ -37,7 +38,14 @@ public:
         double density;  ///< per steradian
     };
 
-    LightGuide(const Box& cell, const LightBall&, std::span<const SurveyPlace>, const LightProbe&);
+    /// The sky, and the rays of the survey that lead to it, which are added.
+    struct SkySeen {
+        const ChoosableSky& sky;
+        std::vector<SkyRay> rays = {};
+    };
+    /// `sky`: null: there is none.
+    LightGuide(const Box& cell, const LightBall&, std::span<const SurveyPlace>, const LightProbe&,
+               SkySeen* sky);
 
     /// Expected variance over squared mean of a ray sampled from the picture, as measured by the
     /// rays.

@@ -20,6 +20,7 @@ struct LightQuery {
     const BsdfLobes& lobes;   ///< the receiver's scattering
     const BsdfSampler* bsdf;  ///< null: only luminaires are wanted, no directions
     const LightProbe* scene;  ///< null: the scene is not available
+    bool sky = false;         ///< whether the sky counts as well
 };
 
 /// Samples for one shadow ray: the estimate is the sum over all of them.
@@ -57,6 +58,10 @@ concept LightAnswer = requires(const T& at, const Key& key, LightSamples& sample
     // picked. No direction hits volumes: theirs is the product of the last two.
     { at.pdf(direction, double{}, double{}) } -> std::same_as<double>;
     { at.estimate() } -> std::same_as<std::optional<LightEstimate>>;
+    // Whether the sky, if it counts, is among what sample() picks, as sky_light, and whether it
+    // shines in the directions that sample() returns. If not, it must be sampled apart. The pdf of
+    // a direction to it is that of a point of a luminaire.
+    { at.takes_sky() } -> std::same_as<bool>;
 };
 
 /// The answer of strategies that only pick luminaires.
@@ -73,6 +78,7 @@ public:
     }
     double pdf(const Vec3&, double expected, double of_point) const { return expected * of_point; }
     std::optional<LightEstimate> estimate() const { return {}; }
+    bool takes_sky() const { return false; }
 
 private:
     const Built& built_;

@@ -29,6 +29,7 @@ struct LightScene {
     double even = 0;
 
     std::size_t count() const { return lights ? lights->size() : 0; }
+    bool has_sky() const { return lights && lights->sky(); }
 };
 
 }  // namespace candelabra

@@ -9,6 +9,10 @@ namespace candelabra {
 
 using LightIndex = std::uint32_t;
 
+/// Stands for the sky where it is one of the lights that a strategy chooses among. No other light
+/// has this index.
+inline constexpr LightIndex sky_light = 0xfffffffe;
+
 /// A light to which to trace a shadow ray.
 struct LightPick {
     LightIndex light;

@@ -25,17 +25,20 @@ using LightProbe = FunctionRef<std::optional<ProbeHit>(const Ray&, double tolera
 
 /// Calls visit(const ProbeHit&, double share) for the ray's hits one after the other, with the
 /// fraction of their light that reaches the ray's origin, until visit returns true or no light
-/// passes.
+/// passes. Returns the fraction of light from behind everything that reaches it: 0 if visit has
+/// ended the walk.
 template <class Visit>
-void look_along(const Ray& ray, double tolerance, const LightProbe& probe, Visit visit) {
+double look_along(const Ray& ray, double tolerance, const LightProbe& probe, Visit visit) {
     constexpr int max_surfaces = 16;  // what lies behind more is left to chance
     double share = 1;
     for (int i = 0; i < max_surfaces && share > 0; ++i) {
         const auto sight = probe(ray, tolerance);
-        if (!sight || visit(*sight, share)) return;
+        if (!sight) return share;
+        if (visit(*sight, share)) return 0;
         share *= sight->passes;
         tolerance = sight->distance + sight->tolerance;
     }
+    return 0;
 }
 
 }  // namespace candelabra

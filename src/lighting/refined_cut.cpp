@@ -102,6 +102,7 @@ double weight_in(const Box& cell, const LightTree& tree, const LightCluster& clu
 }
 
 RefinedCut refined_cut(const LightTree& tree, const Box& cell, const CutRule& rule) {
+    if (tree.lights() == 0) return {};
     Refinement refinement(tree, cell);
     refinement.refine(rule);
     RefinedCut result{{}, refinement.noise()};

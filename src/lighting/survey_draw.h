@@ -30,6 +30,12 @@ enum class ShadowRayDraw : std::uint64_t { choice = 3, point_u, point_v };
 /// entry and of the ray.
 enum class EntryDraw : std::uint32_t { member, point_u, point_v, further_members };
 
+/// Decisions about a ray from a cell to the sky. The number is that of the ray.
+enum class SkyDraw : std::uint32_t { way, u, v };
+
+inline Key survey_key(std::uint32_t ray, SkyDraw draw) {
+    return Key::of(Survey::sky, ray, 0, static_cast<std::uint32_t>(draw));
+}
 inline Key survey_key(std::uint64_t first, std::uint32_t second, CellDraw draw) {
     return Key::of(Survey::cell, first, second, static_cast<std::uint32_t>(draw));
 }

@@ -91,6 +91,12 @@ inline constexpr double min_noise = 0.02;
 /// the choice had also trained it: `flake`, `city`.
 inline constexpr double doubt = 3;
 
+/// Number of rays to the sky: "The sky".
+inline constexpr std::uint32_t sky_rays = 64;
+/// Minimum fraction of the choices that the sky has, and that all other lights have, where both may
+/// light a point, because a few places of a cell may see what its survey does not: "The sky".
+inline constexpr double min_of_either = 0.25;
+
 // Directions.
 
 /// Rays traced for each bin of the light guide: results of some are compared with those of the

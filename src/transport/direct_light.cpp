@@ -3,6 +3,7 @@
 
 #include "transport/photon_light.h"
 #include "transport/photons.h"
+#include "transport/sky_at_layer.h"
 
 #include <numbers>
 
@@ -10,22 +11,13 @@ namespace candelabra {
 
 namespace {
 
-/// Light of the sky from one direction, sampled either where the sky is bright or where the layer
-/// responds strongly. The pdf is that of both ways together.
+/// Light of the sky from one direction.
 Vec3 from_sky(const ArrivingLight& at, const Key& key, int count) {
-    const SkyLight& sky = at.world.sky.light;
-    const Scatterer& scatterer = at.layer.scatterer;
-    const double u = uniform(key, Purpose::sky_choice);
-    const Vec2 place{uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
-    const auto direction =
-        u < 0.5 ? std::optional(sky.draw(place).direction) : scatterer.sample(place);
+    const SkyAtLayer sky(at, key);
+    const auto direction = sky.draw();
     const Vec3 response = direction ? at.layer.response(*direction, key) : Vec3(0);
     if (response == Vec3(0)) return Vec3(0);
-    ++at.ledger.shadow;
-    const Vec3 left = ShadowRay(at, *direction, key).left_from_sky();
-    const double density = 0.5 * (sky.density(*direction) + scatterer.pdf(*direction));
-    const Vec3 light = left == Vec3(0) ? left : left * at.world.sky_radiance(*direction);
-    return at({Lamp::sky(), response / (std::numbers::pi * density * count), light, 1});
+    return sky.from(*direction, response / (std::numbers::pi * sky.density(*direction) * count));
 }
 
 }  // namespace
@@ -37,9 +29,13 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     if (layer.light.has(LightKind::sources)) sum = sources_(at, key);
     if (photons_ && !layer.scatterer.in_air() && layer.collects())
         sum += light_of_photons(photons_->on_surfaces, at, key);
-    if (layer.light.has(LightKind::luminaires) && !world_.lights.luminaires.empty())
-        sum += luminaires_(at, key, sum);
-    if (!layer.light.has(LightKind::sky) || world_.sky.light.empty()) return sum;
+    bool sky = layer.light.has(LightKind::sky) && !world_.sky.light.empty();
+    if (layer.light.has(LightKind::luminaires) && (sky || !world_.lights.luminaires.empty())) {
+        const LuminaireLight::Found found = luminaires_(at, key, {sum, sky});
+        sum += found.radiance;
+        sky &= !found.with_sky;
+    }
+    if (!sky) return sum;
     for (int i = 0; i < rays_; ++i) sum += from_sky(at, key.part(rays_, i), rays_);
     return sum;
 }

@@ -6,6 +6,7 @@
 #include "base/order.h"
 #include "lighting/draw.h"
 #include "transport/sight.h"
+#include "transport/sky_at_layer.h"
 #include "world/radiance.h"
 
 #include <algorithm>
@@ -70,7 +71,8 @@ int LuminaireLight::rays_at(double noise_of_ray, const ArrivingLight& at,
     return 1 << static_cast<int>(exponent);
 }
 
-Vec3 LuminaireLight::operator()(const ArrivingLight& at, const Key& key, const Vec3& before) {
+LuminaireLight::Found LuminaireLight::operator()(const ArrivingLight& at, const Key& key,
+                                                 const Wanted& wanted) {
     const LitLayer& layer = at.layer;
     const Scatterer& scatterer = layer.scatterer;
     const Receiver point = receiver(scatterer);
@@ -84,7 +86,8 @@ Vec3 LuminaireLight::operator()(const ArrivingLight& at, const Key& key, const V
     const LightProbe scene(look);
     return std::visit(
         [&](const auto& strategy) {
-            const auto answer = strategy.at({point, lobes, &sampler, &scene});
+            const auto answer = strategy.at({point, lobes, &sampler, &scene, wanted.sky});
+            Found found{Vec3(0), answer.takes_sky()};
             int count = rays_.usual;
             double chance = 1;
             const std::optional<LightEstimate> estimate = answer.estimate();
@@ -93,14 +96,14 @@ Vec3 LuminaireLight::operator()(const ArrivingLight& at, const Key& key, const V
                 count = rays_at(expected->noise, at, scatterer.phase().mean());
             } else if (expected) {
                 const Vec3 straight = straight_response(layer, key);
-                chance = chance_of_asking(*expected, layer, straight, before);
-                if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return Vec3(0);
+                chance = chance_of_asking(*expected, layer, straight, wanted.before);
+                if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return found;
                 count = rays_at(expected->noise, at, straight);
             }
-            Vec3 sum(0);
             for (int i = 0; i < count; ++i)
-                sum += by_answer(answer, {at, key.part(count, i), count * chance});
-            return sum;
+                found.radiance +=
+                    by_answer(answer, {at, key.part(count, i), count * chance, found.with_sky});
+            return found;
         },
         sampler_);
 }
@@ -133,6 +136,12 @@ Vec3 LuminaireLight::by_answer(const Answer& answer, const Asked& asked) {
     // The conventional strategy picks every luminaire once; further shadow rays add points on each.
     const bool several = samples_.picks.size() > 1;
     for (const LightPick& pick : samples_.picks) {
+        if (pick.light == sky_light) {
+            sum += from_sky(asked, [&](const Vec3& direction, double of_direction) {
+                return answer.pdf(direction, pick.expected, of_direction);
+            });
+            continue;
+        }
         const bool volume = world_.lights.luminaires[pick.light].is_volume();
         const Key place = several ? asked.key.with_branch(pick.light) : asked.key;
         sum += by_pick(pick, asked, place, [&](const Vec3& direction, double of_point) {
@@ -169,13 +178,26 @@ Vec3 LuminaireLight::by_pick(const LightPick& pick, const Asked& asked, const Ke
     const Vec3 response = layer.response(direction, place);
     if (response == Vec3(0)) return Vec3(0);
     const ShadowRay ray(asked.at, direction, asked.key);
-    if (searched) walk_along(ray, asked.at);
+    if (searched) walk_along(ray, asked);
     const Vec3 weight = response / (pi * density(direction, of_point) * asked.number);
     return seen(ray, asked.at,
                 [&](const OnRay& there) { return there.light == pick.light ? weight : Vec3(0); });
 }
 
-/// Light of all luminaires that are visible in the direction. Density: returns the pdf of a point,
+/// Light of the sky where it is picked. Density: returns the pdf of a direction, given that of
+/// SkyAtLayer.
+template <class Density>
+Vec3 LuminaireLight::from_sky(const Asked& asked, const Density& density) const {
+    const SkyAtLayer sky(asked.at, asked.key);
+    const auto direction = sky.draw();
+    const Vec3 response = direction ? asked.at.layer.response(*direction, asked.key) : Vec3(0);
+    if (response == Vec3(0)) return Vec3(0);
+    return sky.from(*direction,
+                    response / (pi * density(*direction, sky.density(*direction)) * asked.number));
+}
+
+/// Light of all luminaires that are visible in the direction, and of the sky behind them if it is
+/// among what is chosen. Density: returns the pdf of a point,
 /// given its luminaire and the luminaire's own pdf.
 template <class Density>
 Vec3 LuminaireLight::by_direction(const Vec3& direction, const Asked& asked,
@@ -192,13 +214,20 @@ Vec3 LuminaireLight::by_direction(const Vec3& direction, const Asked& asked,
         return seen(ray, asked.at,
                     [&](const OnRay& there) { return weight(there.light, there.density); });
     }
-    walk_along(ray, asked.at);
-    return seen(ray, asked.at, [&](const OnRay& there) {
-        Vec3 sum(0);
+    const Walked walked = walk_along(ray, asked);
+    Vec3 sum = seen(ray, asked.at, [&](const OnRay& there) {
+        Vec3 of_lamp(0);
         for_densities(there, layer, direction,
-                      [&](double of_point) { sum += weight(there.light, of_point); });
-        return sum;
+                      [&](double of_point) { of_lamp += weight(there.light, of_point); });
+        return of_lamp;
     });
+    if (asked.sky && walked.open) {
+        const SkyAtLayer sky(asked.at, asked.key);
+        const Vec3 left = walked.nothing ? Vec3(1) : ray.left_from_sky();
+        sum += sky.from(direction, weight(sky_light, sky.density(direction)),
+                        {left, on_ray_.empty() ? 1U : 0U});
+    }
+    return sum;
 }
 
 /// Radiance by the luminaires in on_ray_, as far as they are visible.
@@ -220,22 +249,27 @@ Vec3 LuminaireLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight 
 }
 
 /// Fills on_ray_ with the luminaires that a ray in the scene meets, up to a surface that stops it.
-void LuminaireLight::walk_along(const ShadowRay& ray, const ArrivingLight& at) {
+LuminaireLight::Walked LuminaireLight::walk_along(const ShadowRay& ray, const Asked& asked) {
     on_ray_.clear();
-    bool unobstructed = !world_.facts.dims_between;
+    bool unobstructed = !world_.facts.dims_between, open = true;
     world_.along(
-        ray.ray(), at.layer.vertex.tolerance(), RayKind::light,
+        ray.ray(), asked.at.layer.vertex.tolerance(), RayKind::light,
         [&](const Hit& hit, double distance) {
             const bool first = std::exchange(unobstructed, false);
-            const LightIndex light = world_.lights.luminaire_of[hit.primitive];
+            const LightIndex light = world_.lights.luminaire_of.empty()
+                                         ? no_primitive
+                                         : world_.lights.luminaire_of[hit.primitive];
             // The walk is one ray, whatever it meets.
             if (light != no_primitive)
                 on_ray_.push_back({light, distance, 0, hit, first, on_ray_.empty() ? 1U : 0U});
-            return !world_.material(hit.primitive).stops_light();
+            open = !world_.material(hit.primitive).stops_light();
+            return open;
         });
-    if (!on_ray_.empty()) return;
-    ++at.ledger.shadow;
-    at.ledger.add_miss();
+    const Walked walked{open, unobstructed};
+    if (!on_ray_.empty()) return walked;
+    ++asked.at.ledger.shadow;
+    if (!asked.sky || !open) asked.at.ledger.add_miss();
+    return walked;
 }
 
 /// Adds the meetings of a searched luminaire behind the first one, which is seen through: the

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light of luminaires at a layer, by shadow rays to luminaires and in directions that the light
-// strategy of the shot chooses. Strategies implement the interface of lighting/light_query.h; this
-// code knows none of them by name.
+// Light of luminaires at a layer, and that of the sky where the light strategy chooses it with
+// them, by shadow rays to luminaires and in directions that the strategy of the shot chooses.
+// Strategies implement the interface of lighting/light_query.h; this code knows none of them by
+// name.
 #pragma once
 
 #include "base/function_ref.h"
@@ -32,9 +33,17 @@ public:
     LuminaireLight(const Shot& shot, const ShadowRays& rays)
         : world_(*shot.world), sampler_(shot.sampler), rays_(rays) {}
 
-    /// Radiance towards the viewer by all luminaires; an unbiased estimate. `before`: the radiance
-    /// by other light, in which noise is hidden. Precondition: there are luminaires.
-    Vec3 operator()(const ArrivingLight&, const Key&, const Vec3& before);
+    struct Wanted {
+        Vec3 before;  ///< radiance by other light, in which noise is hidden
+        bool sky;     ///< the light of the sky counts, too
+    };
+    struct Found {
+        Vec3 radiance = Vec3(0);  ///< towards the viewer
+        bool with_sky = false;    ///< it has the light of the sky, which the strategy chose among
+    };
+    /// Light of all luminaires; an unbiased estimate. Precondition: there are luminaires, or a sky
+    /// that counts.
+    Found operator()(const ArrivingLight&, const Key&, const Wanted&);
 
     /// Expected light at a point between surfaces, up to a constant factor, where it is known.
     /// Precondition: there are luminaires.
@@ -56,6 +65,7 @@ private:
         const ArrivingLight& at;
         Key key;
         double number;  ///< expected number of shadow rays at the hit
+        bool sky;       ///< the sky is among what is chosen
     };
 
     template <LightAnswer Answer>
@@ -64,9 +74,16 @@ private:
     Vec3 by_pick(const LightPick&, const Asked&, const Key& place, const Density&);
     template <class Density>
     Vec3 by_direction(const Vec3&, const Asked&, const Density&);
+    template <class Density>
+    Vec3 from_sky(const Asked&, const Density&) const;
     Vec3 seen(const ShadowRay&, const ArrivingLight&, Weight) const;
 
-    void walk_along(const ShadowRay&, const ArrivingLight&);
+    /// What a walk along a ray met besides luminaires.
+    struct Walked {
+        bool open;     ///< nothing stops light from behind everything
+        bool nothing;  ///< nothing dims it either
+    };
+    Walked walk_along(const ShadowRay&, const Asked&);
     void meet_along(const LightTree&, const ArrivingLight&, const Vec3& direction);
     static void add_further(const Luminaire&, const Ray&, LightHits&);
     template <class Visit>

@@ -6,6 +6,7 @@
 #include "shape/transformed.h"
 #include "world/bent_normals.h"
 #include "world/luminaire_choices.h"
+#include "world/sky_choice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +104,10 @@ void choose_as_wanted(Shot& shot, const ShotSettings& settings) {
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
         boxes[item] = world.geometry.finite_bounds(item);
     const std::vector<Plane> planes = world_planes(world.geometry);
-    scene.lights = std::make_shared<LuminaireChoices>(world.lights.luminaires, shot.bent_normals);
+    auto sky = world.sky.light.empty() ? nullptr : std::make_unique<SkyChoice>(world);
+    if (sky && sky->glares()) sky = nullptr;
+    scene.lights = std::make_shared<LuminaireChoices>(world.lights.luminaires, shot.bent_normals,
+                                                      std::move(sky));
     scene.surfaces = boxes;
     scene.planes = planes;
     shot.sampler = build(wanted, scene, settings.threads);

@@ -53,7 +53,7 @@ struct Shot {
     std::uint64_t pixels;            ///< of the picture
     Box near;                        ///< where media deserve most effort; empty if there are none
     std::vector<Vec3> bent_normals;  ///< see find_bent_normals()
-    BuiltLightSampler sampler;       ///< chooses among the luminaires
+    BuiltLightSampler sampler;       ///< chooses among the luminaires and the sky
     /// For each source set; a default one where all sources are asked.
     std::vector<BuiltLightSampler> of_sources;
     std::vector<Shot> later;  ///< of World::shutter

@@ -4,6 +4,7 @@
 // scattering there and rays through the scene.
 #include "lighting/draw.h"
 #include "scattering/scatterer.h"
+#include "support/painted_sky.h"
 #include "support/strategies.h"
 
 #include <catch2/catch.hpp>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <span>
 #include <string>
 
 namespace candelabra {
@@ -88,15 +90,19 @@ std::optional<ProbeHit> look_into(const Room& room, const Ray& ray, double toler
     return nearest;
 }
 
-/// Calls use(answer, receiver, scattering) for each place, with what is told to the strategy.
+/// Calls use(answer, receiver, scattering) for each place, with what is told to the strategy. A cell
+/// that was made without rays has no survey.
+enum class Rays { with_and_without, with };
 template <class Built, class Use>
-void for_answers(const Room& room, const Built& built, const Use& use) {
+void for_answers(const Room& room, const Built& built, const Use& use,
+                 Rays rays = Rays::with_and_without) {
     const auto look = [&](const Ray& ray, double tolerance) {
         return look_into(room, ray, tolerance);
     };
     const LightProbe probe(look);
     for (const LitPlace& place : places_in(room))
         for (const LightProbe* scene : {static_cast<const LightProbe*>(nullptr), &probe}) {
+            if (!scene && rays == Rays::with) continue;
             INFO(place.name << (scene ? " with rays" : ""));
             const std::optional<Bsdf> bsdf = place.bsdf();
             const BsdfLobes lobes = bsdf ? bsdf->lobes() : BsdfLobes{};
@@ -104,7 +110,7 @@ void for_answers(const Room& room, const Built& built, const Use& use) {
             const auto pdf = [&](const Vec3& direction) { return bsdf->pdf(direction); };
             const BsdfSampler sampler{bsdf ? bsdf->specular_probability() : 0, draw, pdf};
             const BsdfSampler* told = bsdf ? &sampler : nullptr;
-            use(built.at({place.point, lobes, told, scene}), place.point);
+            use(built.at({place.point, lobes, told, scene, true}), place.point);
         }
 }
 
@@ -271,6 +277,56 @@ TEMPLATE_LIST_TEST_CASE("luminaires that no direction hits are picked as often a
             CHECK(std::abs(mean - 1) <= 5 * sigma);
         }
     });
+}
+
+TEST_CASE("the sky and luminaires that one draw finds, weighted by 1 / pdf, are all light",
+          "[lighting]") {
+    const Room room(lamps, 15);
+    const PaintedSky sky;
+    LightScene scene = room.scene();
+    for (const bool with_lamps : {true, false}) {
+        const std::span<const Luminaire> chosen =
+            with_lamps ? std::span<const Luminaire>(room.luminaires) : std::span<const Luminaire>();
+        scene.lights = choices_under_sky(chosen);
+        const BuiltCutOctree built(settings<LightOctree>(), scene);
+        std::uint64_t pixel = 120;
+        for_answers(
+            room, built,
+            [&](const auto& answer, const Receiver& point) {
+                REQUIRE(answer.takes_sky());
+                constexpr int trials = 6000;
+                double sum = 0, square = 0;
+                ++pixel;
+                for (int trial = 0; trial < trials; ++trial) {
+                    const Key key = key_of(pixel, trial);
+                    LightSamples samples;
+                    answer.sample(key, samples);
+                    double here = 0;
+                    const auto add = [&](const Vec3& direction, double expected) {
+                        const double cosine = std::fmax(point.cosine(direction), 0);
+                        here += cosine * sky.luminance(direction) /
+                                answer.pdf(direction, expected, sky.density(direction));
+                    };
+                    if (samples.direction) add(*samples.direction, answer.expected(key, sky_light));
+                    for (const LightPick& pick : samples.picks)
+                        if (pick.light == sky_light)
+                            add(sky.draw(place_on_light(key)), pick.expected);
+                    sum += here / trials;
+                    square += here * here / trials;
+                }
+                // Of luminance 2 + y.
+                const bool in_air = point.horizon == Horizon::none;
+                const double given = in_air ? 8 * pi
+                                     : point.horizon == Horizon::both_sides
+                                         ? 4 * pi
+                                         : 2 * pi + 2.0 / 3 * pi * point.normal.y;
+                const double sigma = std::sqrt(std::fmax(square - sum * sum, 0) / trials);
+                CAPTURE(with_lamps, sum, given, sigma);
+                CHECK(std::abs(sum - given) <= 5 * sigma);
+                CHECK(sigma < 0.1 * given);
+            },
+            Rays::with);
+    }
 }
 
 }  // namespace candelabra

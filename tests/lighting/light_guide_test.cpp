@@ -13,7 +13,8 @@ namespace {
 const LightBall ball{Vec3(0), 1.2};
 
 LightGuide outlook_of(const Box& cell) {
-    return LightGuide(cell, ball, survey_places_in(cell, {}, ball_over_floor), ball_over_floor);
+    return LightGuide(cell, ball, survey_places_in(cell, {}, ball_over_floor), ball_over_floor,
+                      nullptr);
 }
 
 }  // namespace
@@ -72,7 +73,7 @@ TEST_CASE("an outlook tells what scattered rays would see", "[lighting]") {
     const auto even = [](const Ray& ray, double) -> std::optional<ProbeHit> {
         return ProbeHit{3, -ray.direction, 1e-9, 0, 2.5};
     };
-    const LightGuide all(cell, ball, survey_places_in(cell, {}, even), even);
+    const LightGuide all(cell, ball, survey_places_in(cell, {}, even), even, nullptr);
     CHECK(all.mean_luminance() == Approx(2.5));
     CHECK(all.noise_of_scattering() == Approx(0).margin(1e-12));
     const LightGuide some = outlook_of(cell);
@@ -83,7 +84,7 @@ TEST_CASE("an outlook tells what scattered rays would see", "[lighting]") {
 TEST_CASE("no direction is drawn where nothing shines", "[lighting]") {
     const auto dark = [](const Ray&, double) -> std::optional<ProbeHit> { return {}; };
     const Box cell{Vec3(3, -2, 3), Vec3(4, -1, 4)};
-    const LightGuide outlook(cell, ball, survey_places_in(cell, {}, dark), dark);
+    const LightGuide outlook(cell, ball, survey_places_in(cell, {}, dark), dark, nullptr);
     LightGuide::Weights weights;
     outlook.weigh({Vec3(3.5, -1.5, 3.5), Vec3(0, 1, 0)}, weights);
     CHECK(weights.total == 0);
