@@ -90,9 +90,11 @@ std::optional<ProbeHit> look_into(const Room& room, const Ray& ray, double toler
     return nearest;
 }
 
-/// Calls use(answer, receiver, scattering) for each place, with what is told to the strategy. A cell
-/// that was made without rays has no survey.
+/// Whether queries come with rays through the scene. A cell that was made without them has no
+/// survey.
 enum class Rays { with_and_without, with };
+
+/// Calls use(answer, receiver) for each place, with what is told to the strategy.
 template <class Built, class Use>
 void for_answers(const Room& room, const Built& built, const Use& use,
                  Rays rays = Rays::with_and_without) {
