@@ -126,7 +126,7 @@ const ItemInfo FilmSettings::vocabulary = described<FilmSettings>([] {
           "stops, each of which doubles the light; `exposure auto` is `auto_exposure`",
           between(-40, 40)},
         F{"auto_exposure", &FilmSettings::auto_exposure, flag,
-          "the picture's own luminance says the exposure, to which that of `exposure` is added"},
+          "exposure from the picture's own luminance, to which `exposure` is added"},
         F{"key", &FilmSettings::key, item,
           "luminance that `auto_exposure` gives to the whole picture: 0.18 is a middle grey, 0.09 "
           "a stop darker, for nights; 0.36 a stop brighter, for white rooms",
@@ -156,7 +156,8 @@ const ItemInfo FilmSettings::vocabulary = described<FilmSettings>([] {
         F{"grain", &FilmSettings::grain, item,
           "size of the grains against a pixel: 0.05 is seen, 0 is none", between(0, 1)},
         F{"grain_seed", &FilmSettings::grain_seed, item,
-          "other grains; those of each frame of an animation are its own", at_least(0)});
+          "seed of the grain's pattern; each frame of an animation has a pattern of its own",
+          at_least(0)});
 });
 
 std::span<const std::string_view> response_names() { return responses; }

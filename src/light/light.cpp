@@ -19,8 +19,8 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
     return schema<PointLight>(
         "light_source", "A light: a point, a cone, a beam, or a grid of points.",
         F{"location", &PointLight::location, positional, "where it is"},
-        maybe(
-            as_colour(F{"colour", &PointLight::colour, positional, "its colour, of any strength"})),
+        maybe(as_colour(
+            F{"colour", &PointLight::colour, positional, "colour of the light, of any strength"})),
         chooses("spotlight", &PointLight::beam, cone, "shines in a cone"),
         chooses("cylinder", &PointLight::beam, parallel_beam, "shines in a beam of equal width"),
         F{"parallel", &PointLight::parallel, flag, "all its light has one direction"},
@@ -40,7 +40,7 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
           "colour counts as a hue only",
           at_least(0)},
         F{"flux", &PointLight::flux, item,
-          "the same by the luminous flux in all directions, as lumen(800)", at_least(0)},
+          "brightness by the luminous flux in all directions, such as lumen(800)", at_least(0)},
         Web::ies, Web::ldt, Web::lamp_set, Web::aim, Web::c0, Web::mirrored,
         F{"shadowless", &PointLight::shadowless, flag,
           "nothing stops its light, no cone either; gives no highlights"},

@@ -11,13 +11,14 @@ const ItemInfo EveryLight::vocabulary = described<EveryLight>([] {
 });
 
 const ItemInfo ConstantAlpha::vocabulary = described<ConstantAlpha>([] {
-    return schema<ConstantAlpha>("constant_alpha", "Each luminaire with the same probability.");
+    return schema<ConstantAlpha>("constant_alpha",
+                                 "Chooses each luminaire with equal probability.");
 });
 
 const ItemInfo LinearAlpha::vocabulary = described<LinearAlpha>([] {
-    return schema<LinearAlpha>(
-        "linear_alpha",
-        "In proportion to each luminaire's unoccluded contribution: asks them all.");
+    return schema<LinearAlpha>("linear_alpha",
+                               "Chooses in proportion to each luminaire's unoccluded contribution, "
+                               "which it computes for all of them.");
 });
 
 const ItemInfo LightBvh::vocabulary = described<LightBvh>([] {

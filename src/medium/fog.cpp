@@ -13,16 +13,18 @@ const ItemInfo Fog::vocabulary = described<Fog>([] {
     using F = Field<Fog>;
     return schema<Fog>(
         "fog", "Fog in the open, not inside of solids.",
-        maybe(F{"colour", &Fog::colour, positional,
-                "its colour; filter tints what is behind, transmit is seen through any fog"}),
+        maybe(
+            F{"colour", &Fog::colour, positional,
+              "colour of the fog; filter tints what is behind, transmit is seen through any fog"}),
         maybe(F{"away", &Fog::distance, positional, "the distance, as old scenes write it",
                 at_least(0)}),
-        F{"fog_type", &Fog::fog_type, item, "1: the same everywhere, 2: thins out upwards",
-          between(1, 2)},
+        F{"fog_type", &Fog::fog_type, item,
+          "1: constant density, 2: density that falls with height", between(1, 2)},
         F{"distance", &Fog::distance, item, "where 37 % of what is behind are left; 0: no fog",
           at_least(0)},
         F{"fog_offset", &Fog::fog_offset, item, "up to this height it has its full density"},
-        F{"fog_alt", &Fog::fog_alt, item, "this much higher it has half of it; below 0: lower"},
+        F{"fog_alt", &Fog::fog_alt, item,
+          "height above fog_offset at which the density is a half; below 0: beneath it"},
         F{"up", &Fog::up, item, "the direction in which heights are measured"},
         F{"turbulence", &Fog::turbulence, item, "how much it is disturbed along each axis"},
         F{"turb_depth", &Fog::turb_depth, item, "how strongly the disturbance counts"},

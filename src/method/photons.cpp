@@ -10,7 +10,7 @@ const ItemInfo PhotonSettings::vocabulary = described<PhotonSettings>([] {
     constexpr const char* of_map = "of POV-Ray's map; no effect, as none is kept";
     return schema<PhotonSettings>(
         "photons",
-        "Light gets to surfaces by way of those mirrors and glasses that are targets. Photons are "
+        "Lets light reach surfaces by way of mirrors and glasses that are targets. Photons are "
         "shot anew for some samples at a time, and looked for in ever smaller circles, so that "
         "more samples make the light quieter and sharper.",
         F{"count", &PhotonSettings::count, item,

@@ -15,15 +15,14 @@ const ItemInfo PathTraced::vocabulary = described<PathTraced>([] {
     using F = Field<PathTraced>;
     return schema<PathTraced>(
         "path_traced",
-        "Light that surfaces have reflected lights others, too. From `#version 3.7` on, which the "
-        "scene says, `ambient` has no part in it.",
+        "Path tracing: reflected light lights other surfaces, too. In scenes of `#version 3.7` and "
+        "later, it replaces `ambient`.",
         F{"bounces", &PathTraced::bounces, item,
           "diffuse reflections on the way of light to a surface that is seen", between(0, 1000)},
         F{"reflected_luminaires", &PathTraced::reflected_luminaires, item,
-          "paths of light, for each four samples of a pixel, that make reflected luminaires: these "
-          "light what they are seen from; 0: none; left out: a sixteenth of the pixels, 500 to "
-          "5000, unless a trial of some pixels finds that paths from the camera alone make less "
-          "noise in the same time",
+          "number of light paths, for each four samples of a pixel, whose reflections become "
+          "luminaires; 0: none; left out: a sixteenth of the pixels, 500 to 5000, unless a trial "
+          "of some pixels finds that paths from the camera alone make less noise for their time",
           between(0, 10000000)});
 });
 

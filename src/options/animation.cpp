@@ -28,20 +28,21 @@ const ItemInfo AnimationSettings::vocabulary = described<AnimationSettings>([] {
     using A = AnimationSettings;
     return schema<A>(
         "animation", "Pictures in a row, each with its own clock.",
-        F{"initial_frame", &A::initial_frame, item, "number of the first frame (1)"},
+        F{"initial_frame", &A::initial_frame, item, "number of the first frame, usually 1"},
         F{"final_frame", &A::final_frame, item,
-          "number of the last frame; makes an animation of the scene; below the first: frames are "
-          "numbered backwards"},
-        F{"initial_clock", &A::initial_clock, item, "clock at the first frame"},
-        F{"final_clock", &A::final_clock, item, "clock at the last frame"},
+          "number of the last frame; turns the scene into an animation; below the first frame: "
+          "counts downwards"},
+        F{"initial_clock", &A::initial_clock, item, "value of clock in the first frame"},
+        F{"final_clock", &A::final_clock, item, "value of clock in the last frame"},
         F{"subset_start_frame", &A::subset_start_frame, item,
-          "first frame that is rendered; below 1 a fraction of all", at_least(0)},
+          "first frame to render; below 1: a fraction of all frames", at_least(0)},
         F{"subset_end_frame", &A::subset_end_frame, item,
-          "last frame that is rendered; below 1 a fraction of all", at_least(0)},
-        F{"frame_step", &A::frame_step, item, "renders every so many frames only",
-          between(1, max_step)},
-        F{"cyclic_animation", &A::cyclic, flag, "the first frame follows the last one"},
-        F{"skip_existing", &A::skip_existing, flag, "leaves out frames whose file is there"});
+          "last frame to render; below 1: a fraction of all frames", at_least(0)},
+        F{"frame_step", &A::frame_step, item,
+          "step between rendered frames: 5 renders every fifth frame", between(1, max_step)},
+        F{"cyclic_animation", &A::cyclic, flag,
+          "loops the animation: the frame after the last is the first"},
+        F{"skip_existing", &A::skip_existing, flag, "skips frames whose picture file exists"});
 });
 
 namespace {

@@ -15,11 +15,11 @@ const ItemInfo Bozo::vocabulary =
     described<Bozo>([] { return schema<Bozo>("bozo", "Smooth noise: soft spots of all values."); });
 
 const ItemInfo Spotted::vocabulary = described<Spotted>([] {
-    return schema<Spotted>("spotted", "The same noise as bozo, with a map from black to white.");
+    return schema<Spotted>("spotted", "The noise of bozo, with a map from black to white.");
 });
 
 const ItemInfo Bumps::vocabulary = described<Bumps>(
-    [] { return schema<Bumps>("bumps", "The same noise as bozo; as a normal, gentle bumps."); });
+    [] { return schema<Bumps>("bumps", "The noise of bozo; as a normal, gentle bumps."); });
 
 const ItemInfo Dents::vocabulary = described<Dents>([] {
     return schema<Dents>("dents", "The third power of noise: small spots on a plain ground.");

@@ -34,7 +34,7 @@ consteval auto picture_schema(std::string_view name, std::string_view help, Own.
         F{"repeat", &T::repeat, item, "how often it is there in each square of size 1"},
         F{"offset", &T::offset, item, "by how much it is moved, in pictures"},
         F{"use_color", &T::use_color, flag, "accepted: colours are used anyway"},
-        F{"use_colour", &T::use_color, flag, "the same"},
+        F{"use_colour", &T::use_color, flag, "another spelling of use_color"},
         F{"use_index", &T::use_index, flag, "heights are the numbers of the file's colours"},
         F{"use_alpha", &T::use_alpha, flag, "values are the transparency"}, own...);
 }

@@ -18,10 +18,10 @@ const ItemInfo Slope::vocabulary = described<Slope>([] {
         maybe(F{"low", &Slope::low, positional, "steepness that becomes 0"}),
         maybe(F{"high", &Slope::high, positional, "steepness that becomes 1; 0: no change"}),
         F{"altitude", &Slope::altitude, item,
-          "mixes the height along this direction in; its length is the weight"},
+          "direction along which height is mixed in; its length is the weight"},
         maybe(F{"altitude_low", &Slope::altitude_low, following, "height that becomes 0"}),
         maybe(F{"altitude_high", &Slope::altitude_high, following, "height that becomes 1"}),
-        F{"point_at", &Slope::point_at, item, "instead of a direction: towards this point"},
+        F{"point_at", &Slope::point_at, item, "point to face, in place of a direction"},
         maybe(F{"point_low", &Slope::point_low, following, "steepness that becomes 0"}),
         maybe(F{"point_high", &Slope::point_high, following, "steepness that becomes 1"}));
 });

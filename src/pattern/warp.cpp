@@ -77,7 +77,7 @@ const ItemInfo BlackHole::vocabulary = described<BlackHole>([] {
     return schema<BlackHole>(
         "black_hole", "Draws what is in a sphere together, or apart.",
         F{"centre", &BlackHole::centre, positional, "middle of the sphere"},
-        F{"radius", &BlackHole::radius, positional, "its radius", above(0)},
+        F{"radius", &BlackHole::radius, positional, "radius of the hole", above(0)},
         F{"strength", &BlackHole::strength, item, "how strong it is in the middle"},
         F{"falloff", &BlackHole::falloff, item, "power by which it weakens outwards"},
         F{"repeat", &BlackHole::repeat, item, "distances at which it is repeated; 0: not"},

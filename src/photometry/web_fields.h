@@ -15,7 +15,8 @@ struct WebFields {
     static constexpr F ies{
         "ies", &T::ies, item,
         "file of IES LM-63 with its intensity by direction, and its flux if none is given"};
-    static constexpr F ldt{"ldt", &T::ldt, item, "the same of EULUMDAT"};
+    static constexpr F ldt{"ldt", &T::ldt, item,
+                           "name of a photometric file of the format EULUMDAT"};
     static constexpr F lamp_set{"lamp_set", &T::lamp_set, item,
                                 "which set of lamps of EULUMDAT counts", between(1, 100)};
     static constexpr F aim{"aim", &T::aim, item, "where the straight down of the file leads"};

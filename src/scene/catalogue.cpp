@@ -68,7 +68,7 @@ constexpr auto groups = std::array{
     ItemGroup{
         "Indexes",
         "What finds the surfaces that a ray may meet: global_settings { index { name ... } }, "
-        "or --index. Pictures are the same by all.",
+        "or --index. All of them give equal pictures.",
         Kinds<RayIndex>::infos, "index"},
     ItemGroup{
         "Integrators",

@@ -27,7 +27,7 @@ const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
           "how many millimetres a unit of the scene is: translucency is measured in them",
           above(0)},
         F{"adc_bailout", &GlobalSettings::adc_bailout, item,
-          "rays that can change the pixel by less than this are dropped", at_least(0)});
+          "smallest change of a pixel for which a ray is followed", at_least(0)});
 });
 
 const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
@@ -39,51 +39,53 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
         F{"height", &RenderSettings::height, item, "height of the picture in pixels",
           between(1, 65535)},
         F{"antialias", &RenderSettings::antialias, flag,
-          "more camera rays, spread over the pixel, where the threshold asks for them; off: all go "
-          "through its middle"},
+          "antialiasing: more camera rays where neighbouring pixels differ; off: all rays pass "
+          "through the middle of the pixel"},
         F{"antialias_threshold", &RenderSettings::antialias_threshold, item,
-          "a pixel that differs from one beside it by so much, summed over red, green and blue "
-          "(each 0 to 1), gets more rays, and so does the other; where light is left to chance, it "
-          "gets them while the standard error of its colour is above a tenth of this",
+          "difference between neighbouring pixels, summed over red, green and blue (each 0 to 1), "
+          "above which both get more rays; in scenes with random light, a pixel gets more rays "
+          "until the standard error of its colour is below a tenth of the threshold",
           at_least(0)},
         F{"sampling_method", &RenderSettings::sampling_method, item,
-          "1: one ray through the middle of each pixel, more where pixels differ; 2 and 3: rays "
-          "through its corners, and those of its quarters where corners differ; where light is "
-          "left to chance, the number changes nothing",
+          "antialiasing method; 1: one ray through the middle of each pixel, more where pixels "
+          "differ; 2 and 3: rays through the corners of each pixel, and of its quarters where "
+          "corners differ; without effect in scenes with random light",
           between(1, 3)},
         F{"antialias_depth", &RenderSettings::antialias_depth, item,
-          "a pixel gets so many rays more across and down, or by method 2 is quartered one time "
-          "less than this; where light is left to chance, it gets at most 4 to this power "
-          "altogether",
+          "limit of antialiasing; with method 1, a pixel gets at most this number of rays in each "
+          "direction in addition; with methods 2 and 3, it is divided one time less than this "
+          "number; in scenes with random light, 4 to the power of this number is the most rays for "
+          "a pixel",
           between(1, 9)},
         F{"antialias_gamma", &RenderSettings::antialias_gamma, item,
-          "the threshold is for differences of linear values to the power of 1 over this",
-          above(0)},
+          "gamma of the values that the antialiasing threshold compares", above(0)},
         F{"jitter", &RenderSettings::jitter, flag,
-          "moves the additional rays of a pixel at random; off: they form a grid"},
+          "moves additional antialiasing rays at random; off: a regular grid"},
         F{"jitter_amount", &RenderSettings::jitter_amount, item,
-          "how far additional rays of a pixel move at random, in parts of the distance between two "
-          "of the grid",
+          "largest random shift of an additional antialiasing ray, as a fraction of the grid's "
+          "spacing",
           at_least(0)},
         F{"samples", &RenderSettings::samples, item,
-          "camera rays for each pixel; 0: as many as each needs", between(0, 1e6)},
+          "camera rays per pixel; 0: as many as each pixel needs", between(0, 1e6)},
         F{"noise", &RenderSettings::noise, item,
-          "all pixels get rays until the standard error of their displayed colours (each channel 0 "
-          "to 1, summed over the three) is below this, or there are as many as samples says; 0: "
-          "no such bound",
+          "target noise: rendering goes on until the standard error of each pixel's displayed "
+          "colour (the sum over three channels of 0 to 1) is below this number, or --samples is "
+          "reached; 0: no target",
           between(0, 3)},
         F{"shadow_rays", &RenderSettings::shadow_rays, item,
-          "how often luminaires are chosen at each hit; 0: as often as pays", between(0, 1e4)},
+          "luminaires sampled at each hit; 0: the number that gives the least noise for the time",
+          between(0, 1e4)},
         F{"quality", &RenderSettings::quality, item,
-          "how much is shown: 0 colours, 2 light, 4 shadows, 5 area lights, 6 pigments and what is "
-          "behind, 8 reflections and normals, 9 everything",
+          "level of detail: 0 plain colours, 2 light, 4 shadows, 5 area lights, 6 pigments and "
+          "transparency, 8 reflections and normals, 9 everything",
           between(0, 11)},
         F{"ambient_luminaires", &RenderSettings::ambient_luminaires, flag,
-          "objects whose ambient is 1 or more are luminaires, as with luminaires ambient in the "
-          "scene's global_settings"},
-        F{"seed", &RenderSettings::seed, item, "another seed gives other noise",
+          "objects with an ambient of 1 or more light their surroundings, like luminaires ambient "
+          "in global_settings"},
+        F{"seed", &RenderSettings::seed, item,
+          "seed of all random numbers; each seed gives a different noise pattern",
           between(0, std::numeric_limits<int>::max())},
-        F{"threads", &RenderSettings::threads, item, "threads that work; 0: one for each core",
+        F{"threads", &RenderSettings::threads, item, "number of threads; 0: one per core",
           between(0, 4096)});
 });
 

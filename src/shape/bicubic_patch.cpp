@@ -11,7 +11,7 @@ const ItemInfo BicubicPatch::vocabulary = described<BicubicPatch>([] {
     return schema<BicubicPatch>(
         "bicubic_patch", "A curved sheet between 16 points.",
         always(16, F{"points", &BicubicPatch::points, counted, "the points, row by row"}),
-        F{"type", &BicubicPatch::type, item, "0 or 1; both give the same here"},
+        F{"type", &BicubicPatch::type, item, "0 or 1, without effect"},
         F{"flatness", &BicubicPatch::flatness, item, "how far pieces may be from flat",
           at_least(0)},
         F{"u_steps", &BicubicPatch::u_steps, item, "halvings at most across the rows",

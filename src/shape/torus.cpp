@@ -16,9 +16,11 @@ const ItemInfo Torus::vocabulary = described<Torus>([] {
         F{"major", &Torus::major, positional, "radius of the ring's centre line", at_least(0)},
         F{"minor", &Torus::minor, positional, "radius of the tube", at_least(0)},
         F{"union", &Torus::whole, flag, "a tube wider than the ring: all of its surface"},
-        F{"merge", &Torus::merged, flag, "such a tube without its surface inside"},
-        F{"difference", &Torus::hollow, flag, "such a tube without the part it covers twice"},
-        F{"intersection", &Torus::spindle, flag, "of such a tube only the part it covers twice"});
+        F{"merge", &Torus::merged, flag, "of a tube wider than the ring, the outer surface only"},
+        F{"difference", &Torus::hollow, flag,
+          "of a tube wider than the ring, the part that is covered once"},
+        F{"intersection", &Torus::spindle, flag,
+          "of a tube wider than the ring, the part that is covered twice"});
 });
 
 namespace {

@@ -16,7 +16,8 @@ const ItemInfo BumpSettings::vocabulary = described<BumpSettings>([] {
     return schema<BumpSettings>(
         "normal", "Bumps by a pattern: the name of a pattern, then these.",
         maybe(F{"amount", &BumpSettings::bump_size, positional, "height of the bumps"}),
-        F{"bump_size", &BumpSettings::bump_size, item, "the same as amount"},
+        F{"bump_size", &BumpSettings::bump_size, item,
+          "depth of the bumps, another name of amount"},
         F{"accuracy", &BumpSettings::accuracy, item,
           "distance over which the pattern's slope is measured", above(0)},
         F{"no_bump_scale", &BumpSettings::no_bump_scale, flag,

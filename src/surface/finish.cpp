@@ -39,8 +39,8 @@ const ItemInfo Microfacet::vocabulary = described<Microfacet>([] {
         F{"specular", &Microfacet::specular, item,
           "of what is no metal: 8 % of this are reflected straight on", between(0, 1)},
         F{"coat", &Microfacet::coat, item, "strength of a clear coat above", between(0, 1)},
-        F{"coat_roughness", &Microfacet::coat_roughness, item, "the same as roughness, of the coat",
-          between(0, 1)});
+        F{"coat_roughness", &Microfacet::coat_roughness, item,
+          "roughness of the coat, from 0 for a mirror to 1", between(0, 1)});
 });
 
 const ItemInfo Finish::vocabulary = described<Finish>([] {
@@ -55,8 +55,9 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
           "glows where it is seen, but lights nothing: no shadow rays are sent to it"},
         F{"diffuse", &Finish::diffuse, item,
           "share of the light that it scatters in all directions, times the pigment"},
-        maybe(F{"diffuse_back", &Finish::diffuse_back, following,
-                "the same for light that comes from behind"}),
+        maybe(
+            F{"diffuse_back", &Finish::diffuse_back, following,
+              "how much light from behind is scattered: the transmitted counterpart of `diffuse`"}),
         F{"brilliance", &Finish::brilliance, item,
           "exponent of the cosine of the light's angle in diffuse scattering"},
         F{"phong", &Finish::phong, item, "strength of the Phong highlight"},
@@ -67,7 +68,7 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
           "width of the Blinn highlight: its exponent is 1/roughness", above(0)},
         F{"metallic", &Finish::metallic, item,
           "tints highlights with the pigment; 1 when no number follows"},
-        F{"crand", &Finish::crand, item, "graininess: diffuse light varies by this much"},
+        F{"crand", &Finish::crand, item, "graininess: largest random change of diffuse light"},
         F{"use_alpha", &Finish::use_alpha, flag,
           "reflection, phong and specular fade as the pigment becomes clear (POV-Ray 3.8)"},
         F{"conserve_energy", &Finish::conserve_energy, flag,

@@ -15,12 +15,11 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"declare", "#declare Name = value;",
      "gives a name to a number, vector, colour, string, array, function, object, texture or other "
      "part of a scene, until the end, everywhere"},
-    {"local", "#local Name = value;",
-     "the same as #declare, but only in the macro or included file that it stands in"},
+    {"local", "#local Name = value;", "declares a name for the rest of the macro or included file"},
     {"undef", "#undef Name", "takes a name away"},
     {"if elseif else", "#if (condition) ... #elseif (condition) ... #else ... #end",
      "chooses; any number but 0 is true"},
-    {"ifdef ifndef", "#ifdef(Name) ... #else ... #end", "asks whether a name is declared, or not"},
+    {"ifdef ifndef", "#ifdef(Name) ... #else ... #end", "tests whether a name is declared, or not"},
     {"for", "#for (Name, first, last[, step]) ... #end", "counts, the last number included"},
     {"while", "#while (condition) ... #end", "repeats; #break leaves the loop"},
     {"break", "#break", "leaves a loop, a #switch or a macro"},
@@ -30,8 +29,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "declares a macro, which is called as Name(1, 2) and stands for its text"},
     {"end", "#if (A) ... #end", "ends #if, #for, #while, #switch and #macro"},
     {"include", "#include \"file\"",
-     "reads another file here: from the folder of the file that includes it, the scene's folder, "
-     "the current one, those of +L, and the library"},
+     "reads another file in this place; searched in the folder of the including file, the scene's "
+     "folder, the current folder, the folders of +L and the library"},
     {"version", "#version 3.7;",
      "the version of POV-Ray's language that the scene is written for; before 3.7 some words mean "
      "something else"},
@@ -40,7 +39,7 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"debug warning error render statistics", "#debug concat(\"A is \", str(A, 0, 2), \"\\n\")",
      "tell something to whoever renders the scene; #error ends it"},
     {"deprecated once", "#declare deprecated once \"say why\" Name = value;",
-     "the same as #declare; each use of the name is warned of, or the first one"},
+     "declares a name whose use gives a warning: each use, or with `once` the first"},
     {"fopen fclose read write append", "#fopen F \"file\" write #write (F, A, \", \") #fclose F",
      "open a file for read, write or append, and #read (F, A, B) what values are there; tables are "
      "read by read_csv"},
@@ -62,7 +61,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"object", "object { Name or object, modifiers }",
      "a declared object, or any other, with something more"},
     {"union", "union { objects modifiers }",
-     "several objects as one; what it is given holds for those inside that have none of their own"},
+     "several objects as one; its texture and other modifiers apply to all parts without their "
+     "own"},
     {"intersection difference", "difference { objects modifiers }",
      "an intersection is what is inside of all its objects; a difference is the first one without "
      "the others"},
@@ -72,8 +72,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"light_group global_lights", "light_group { lights objects [global_lights on] }",
      "lights that shine on these objects only"},
     {"bounded_by clipped_by", "clipped_by { objects }",
-     "cuts away what is outside of these objects, and leaves it open; bounded_by does the same "
-     "where the bounds cut through the object"},
+     "cuts away what is outside of the given objects, and leaves the cut open; so does bounded_by "
+     "where its bounds cut through the object"},
     {"looks_like projected_through", "light_source { ... looks_like { object } }",
      "the object that is seen in a light's place; or the one that the light has to pass"},
     {"no_shadow no_image no_reflection no_radiosity", "sphere { ... no_shadow }",
@@ -85,7 +85,7 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"hollow inverse double_illuminate", "sphere { ... hollow }",
      "the inside is empty; inside and outside are exchanged; light on the back counts as well"},
     {"cutaway_textures", "difference { ... cutaway_textures }",
-     "parts without textures show those of what they cut through"},
+     "lets parts without a texture show the textures of the objects that they cut"},
     {"camera", "camera { type location v look_at v angle n ... }",
      "the type is the first word, and perspective when there is none: --help cameras"},
     // appearance
@@ -103,7 +103,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"color_map colour_map", "color_map { [0 colour] [0.5 colour] [1 colour] }",
      "the colours of a pattern's values, and blends between them"},
     {"pigment_map normal_map texture_map slope_map", "pigment_map { [0 pigment] [1 pigment] }",
-     "the same with whole pigments, normals or textures; a slope_map has <height, slope>"},
+     "a map like color_map whose entries are whole pigments, normals or textures; entries of a "
+     "slope_map are <height, slope>"},
     {"rgb rgbf rgbt rgbft srgb srgbf srgbt srgbft color colour", "rgb <red, green, blue>",
      "a colour; f is the share of light that passes and takes on the colour, t that of light that "
      "passes unchanged; srgb takes values as displays know them"},
@@ -115,16 +116,16 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "how dense a medium is from place to place: a pattern or a colour, as in a pigment; several "
      "are multiplied"},
     {"density_map", "density { gradient y density_map { [0 rgb 0] [1 bozo] } }",
-     "the same as pigment_map, of densities"},
+     "a map like pigment_map whose entries are densities"},
     {"warp", "pigment { ... warp { repeat x } }",
-     "moves the places at which a pattern is asked: --help warps"},
+     "moves the points at which a pattern is evaluated: --help warps"},
     {"texture_list", "mesh2 { ... texture_list { count, texture { ... }, ... } }",
      "the textures that the faces of a mesh choose from"},
     {"tiles tile2", "texture { tiles { texture { ... } tile2 texture { ... } } }",
-     "two textures by turns, as in old scenes: checker does the same"},
+     "two textures in alternate squares, as in old scenes; `checker` replaces it"},
     {"reflection_exponent", "finish { reflection 0.5 reflection_exponent 1 }",
      "as exponent in the block: reflection { 0.5 exponent 1 }"},
-    {"fade_colour", "interior { ... fade_colour rgb 0.5 }", "the same as fade_color"},
+    {"fade_colour", "interior { ... fade_colour rgb 0.5 }", "another spelling of fade_color"},
     {"uv_mapping", "pigment { uv_mapping image_map { ... } }",
      "the pattern lies on the surface's own coordinates instead of in space"},
     {"quick_color quick_colour", "pigment { ... quick_color rgb 1 }",
@@ -151,9 +152,9 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"light_sampler", "global_settings { light_sampler { light_octree } }",
      "how luminaires are chosen at a point, as by --light-sampler: --help light_samplers"},
     {"luminaires", "global_settings { luminaires above 0.5 }",
-     "which of the things that glow light others: `luminaires none`, those above a radiance, all "
-     "by their emission (as it begins), or `luminaires ambient`: also what old scenes mark by an "
-     "ambient of 1 or more"},
+     "which glowing objects light their surroundings: all with an emission (the default), "
+     "`luminaires above` a radiance, `luminaires none`, or `luminaires ambient`: also objects with "
+     "an ambient of 1 or more, as in old scenes"},
     {"integrator", "global_settings { integrator { path_traced } }",
      "how light is followed, as --integrator: --help integrators"},
     {"index", "global_settings { index { kd_tree } }",
@@ -164,12 +165,12 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"hf_gray_16 max_intersections", "global_settings { hf_gray_16 on }", "without effect"},
     // not available in this version
     {"albedo", "finish { diffuse albedo 0.5 }", "amounts as shares of all light"},
-    {"anisotropy", "finish { anisotropy 0.5 }", "not available in this version"},
+    {"anisotropy", "finish { anisotropy 0.5 }", "not available in Candelabra"},
     {"iff", "image_map { iff \"x.iff\" }", "a kind of pictures that is not available"},
     {"composite", "composite { objects }", "the name of a union in the oldest scenes"},
     {"dtag", "object { ... dtag }", "without effect"},
     {"steps", "photons { ... }", "a word of old versions, which photons do not have any more"},
-    {"importance", "radiosity { ... }", "without effect in this version"},
+    {"importance", "radiosity { ... }", "without effect in Candelabra"},
 });
 
 bool has_word(std::string_view words, std::string_view word) {
