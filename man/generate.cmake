@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes a manual page: cmake -DPROGRAM=... -DVERSION=... -DINPUT=page.in -DOUTPUT=page -P generate.cmake
-# Each @PART@ of the page is replaced by what the program says about that part of itself. Macros of the library get their
+# A page in Markdown (page.md) is converted first. Each @PART@ of the page is replaced by what the program says about that part of itself. Macros of the library get their
 # examples from examples/macros.txt.
 cmake_minimum_required(VERSION 3.25)
-file(READ ${INPUT} page)
+if(INPUT MATCHES "\\.md$")
+  find_program(AWK awk REQUIRED)
+  execute_process(COMMAND ${AWK} -f ${CMAKE_CURRENT_LIST_DIR}/markdown.awk ${INPUT} OUTPUT_VARIABLE page
+                  COMMAND_ERROR_IS_FATAL ANY)
+else()
+  file(READ ${INPUT} page)
+endif()
 string(REPLACE "@VERSION@" "${VERSION}" page "${page}")
 
 # Puts each line `name | example` of a file behind what a table says of that macro. Brackets and semicolons would have a
@@ -53,7 +59,7 @@ function(add_examples table_name file)
   set(${table_name} "${result}" PARENT_SCOPE)
 endfunction()
 
-foreach(part options compatibility items functions glossary library macros missing words warnings)
+foreach(part options compatibility items functions glossary macros missing words warnings)
   string(TOUPPER "@${part}@" place)
   string(FIND "${page}" "${place}" found)
   if(found EQUAL -1)

@@ -204,7 +204,7 @@ TEST_CASE("each file states its licence", "[house]") {
     };
     for (const char* folder : {"src", "tests", "grammar", "man"})
         for (const fs::path& file :
-             files_below(root / folder, {".h", ".cpp", ".yy", ".re", ".in", ".sh", ".cmake"}))
+             files_below(root / folder, {".h", ".cpp", ".yy", ".re", ".in", ".awk", ".sh", ".cmake"}))
             check(file, "GPL-3.0-or-later");
     for (const char* folder : {"stdlib", "examples"})
         for (const fs::path& file : files_below(root / folder, {".pov", ".inc"}))

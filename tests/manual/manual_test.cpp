@@ -9,7 +9,9 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace candelabra {
@@ -86,7 +88,7 @@ void check_command(const std::string& line) {
     }
     REQUIRE(words.size() > 1);
     CHECK(words[0] == "candelabra");
-    if (words[1] == "develop") {  // its options are those of a run, and its own
+    if (words[1] == "develop" || words[1] == "share") {  // options of a run, and others
         Shell shell;
         CHECK(shell({words.begin() + 1, words.end()}) == exit_status::file);
         CHECK(has(shell.err, "`" + words[2] + "`"));
@@ -100,13 +102,41 @@ void check_command(const std::string& line) {
     CHECK(options.scene.has_value());
 }
 
-void check_page(const std::string& page, std::size_t scenes) {
-    INFO(page);
+/// The fenced blocks of Markdown. Their languages have the meanings that man/markdown.awk states.
+std::vector<Block> blocks_of_markdown(const std::string& page) {
+    std::ifstream file(source + "/man/" + page);
+    REQUIRE(file);
+    std::vector<Block> blocks;
+    bool inside = false;
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("```")) {
+            if (inside) blocks.back().text += line + "\n";
+            continue;
+        }
+        inside = !inside;
+        if (!inside) continue;
+        std::istringstream words(line.substr(3));
+        std::string language;
+        Block block;
+        words >> language >> block.name;
+        if (language == "pov") block.kind = block.name.empty() ? "fragment" : "scene";
+        if (language == "csv") block.kind = "file";
+        if (language == "sh") block.kind = "command";
+        if (language == "text") block.kind = "output";
+        INFO(line);
+        CHECK_FALSE(block.kind.empty());
+        blocks.push_back(block);
+    }
+    CHECK_FALSE(inside);
+    return blocks;
+}
+
+void check_blocks(const std::vector<Block>& blocks, std::size_t scenes) {
     Shell shell;
     shell.library = source + "/stdlib";
     std::string whole;
     std::size_t count = 0;
-    for (const Block& block : blocks_of(page)) {
+    for (const Block& block : blocks) {
         if (block.kind == "file") shell.write(block.name, block.text);
         if (block.kind == "scene") {
             ++count;
@@ -125,6 +155,11 @@ void check_page(const std::string& page, std::size_t scenes) {
         }
     }
     CHECK(count == scenes);
+}
+
+void check_page(const std::string& page, std::size_t scenes) {
+    INFO(page);
+    check_blocks(blocks_of(page), scenes);
 }
 
 struct Example {
@@ -175,7 +210,7 @@ std::string script_of(const Example& example, const std::string& file) {
 }  // namespace
 
 TEST_CASE("the tutorial's scenes render, and its commands are commands", "[manual]") {
-    check_page("candelabra-tutorial.7", 9);
+    check_blocks(blocks_of_markdown("tutorial.md"), 9);
 }
 
 TEST_CASE("the scenes of the page about lights render", "[manual]") {
@@ -221,6 +256,35 @@ TEST_CASE("each macro of the library that is for scenes has help and an example 
         }
     CHECK(count == all.size());
     CHECK(count > 200);
+}
+
+TEST_CASE("each macro of the library that is for scenes states which arguments it accepts",
+          "[manual]") {
+    // Names that the macro declares for its caller.
+    const std::set<std::string> results = {"Extents(Low", "Extents(High", "Isect(Point",
+                                           "IsectN(Point", "IsectN(Normal"};
+    std::size_t count = 0;
+    for (const LibraryFile& file : library_guide(source + "/stdlib")) {
+        std::ifstream stream(source + "/stdlib/" + file.name);
+        const std::string text(std::istreambuf_iterator<char>(stream), {});
+        for (const LibraryMacro& macro : file.macros) {
+            const std::size_t at = text.find("#macro " + macro.name + "(");
+            if (!macro.listed || at == std::string::npos) continue;
+            const std::size_t open = text.find('(', at) + 1;
+            std::istringstream list(text.substr(open, text.find(')', open) - open));
+            for (std::string parameter; std::getline(list, parameter, ',');) {
+                std::istringstream words(parameter);
+                std::string name, kind;
+                words >> name >> kind;
+                if (name == "optional") words >> kind;
+                INFO(file.name << ": " << macro.name << ": " << name);
+                const bool states = !kind.empty() || name.find('[') != std::string::npos;
+                CHECK((states || name.empty() || results.contains(macro.name + "(" + name)));
+                ++count;
+            }
+        }
+    }
+    CHECK(count > 500);
 }
 
 }  // namespace candelabra

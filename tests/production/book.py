@@ -19,7 +19,8 @@ def make(program, folder):
     made = folder / "man"
     made.mkdir()
     for page in PAGES:
-        subprocess.run(["cmake", f"-DPROGRAM={program}", "-DVERSION=0", f"-DINPUT={SOURCE}/man/{page}.in",
+        source = "tutorial.md" if page == "candelabra-tutorial.7" else page + ".in"
+        subprocess.run(["cmake", f"-DPROGRAM={program}", "-DVERSION=0", f"-DINPUT={SOURCE}/man/{source}",
                         f"-DOUTPUT={made / page}", "-P", f"{SOURCE}/man/generate.cmake"], check=True)
     subprocess.run([sys.executable, str(SOURCE / "man" / "book.py"), program, str(made), str(folder / "manual"),
                     "--without-pictures"], check=True)
