@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes a manual page: cmake -DPROGRAM=... -DVERSION=... -DINPUT=page.in -DOUTPUT=page -P generate.cmake
-# A page in Markdown (page.md) is converted first. Each @PART@ of the page is replaced by what the program says about that part of itself. Macros of the library get their
-# examples from examples/macros.txt.
+# A page in Markdown (page.md) is converted first. Each @PART@ of the page is replaced by what the program says about that
+# part of itself. Macros of the library get their examples from examples/macros.txt.
 cmake_minimum_required(VERSION 3.25)
 if(INPUT MATCHES "\\.md$")
   find_program(AWK awk REQUIRED)

@@ -116,11 +116,11 @@ constexpr auto listed = std::to_array<OptionRow>({
 
     begin(OptionGroup::quality),
     basic(option(picture, "", "", "denoise", nothing, "", kept<&Options::denoise>(Type::toggle),
-                 "writes a denoised picture beside the exact one: a.denoised.png, or the layer "
+                 "writes a denoised picture beside the exact one; a.denoised.png, or the layer "
                  "denoised in an OpenEXR file; see NOISE AND TIME")),
     basic(option(picture, "", "", "draft", nothing, "", kept<&Options::draft>(Type::toggle),
-                 "quick picture a.draft.png instead of a.png: denoised, with 4 samples per pixel "
-                 "unless --samples is given")),
+                 "quick denoised picture a.draft.png instead of a.png; 4 samples per pixel unless "
+                 "--samples is given")),
 
     begin(OptionGroup::light),
     option(none, "", "", "index", value, "name", store::index,
@@ -314,10 +314,9 @@ constexpr auto listed = std::to_array<OptionRow>({
            "most memory for the run with a unit, such as 500M or 8G"),
 
     begin(OptionGroup::tasks),
-    basic(option(
-        none, "", "", "check", maybe_value, "syntax", store::check,
-        "checks the scene and reports errors without rendering; with --stats, it also builds the "
-        "index for rays; --check=syntax: parses the scene without evaluating it")),
+    basic(option(none, "", "", "check", maybe_value, "syntax", store::check,
+                 "checks the scene for errors without rendering; with --stats, it also builds the "
+                 "index for rays; --check=syntax: parses the scene without evaluating it")),
     option(none, "", "", "dump", value, "stage", store::dump,
            "prints one stage of the scene: tokens, tree, scene, world, or index (an SVG drawing of "
            "a slice through its cells)"),
