@@ -175,8 +175,8 @@ constexpr auto listed = std::to_array<OptionRow>({
                       "folder to search for included files; may be repeated", in_force::library))),
     that(Touches::reads,
          option(folders, "", "", "library", value, "folder", kept<&Options::libraries>(Type::list),
-                "folder of include files, such as POV-Ray's, before those of the standard library; "
-                "may be repeated",
+                "folder of include files, such as POV-Ray's, to search before the standard "
+                "library; may be repeated",
                 in_force::first_libraries)),
     option(picture, "", "Declare", "", value, "name=value", store::declare,
            "declares a variable of the scene: a number, or a string in quotes", in_force::declares),
