@@ -22,6 +22,7 @@
 #include "options/option_help.h"
 #include "options/option_table.h"
 #include "options/option_values.h"
+#include "output/measurement.h"
 #include "output/mesh_export.h"
 #include "picture/file.h"
 #include "production/version.h"
@@ -103,6 +104,19 @@ void warn_of_wide_folder(const Options& options, Diagnostics& diagnostics) {
                     message("the scene reads nothing from the current directory, `",
                             printable(wide), "`, since that is or holds a home, or the system"))
                 .with_help("--allow-read FOLDER permits a folder of it"));
+}
+
+/// Reports what does not go together with measuring.
+void check_measuring(const Options& options, Diagnostics& diagnostics) {
+    if (!reading_format(options.readings_file))
+        diagnostics.add(error(Fault::option, {},
+                              message("results are written as CSV or JSON, which `",
+                                      printable(options.readings_file), "` is not by its ending"))
+                            .with_help("--measure light.csv, or light.json"));
+    if (options.denoise)
+        diagnostics.add(
+            error(Fault::option, {},
+                  "--measure tells light as it is, which --denoise changes in pictures"));
 }
 
 /// A subcommand of the program, given as the first argument.
@@ -215,6 +229,7 @@ int run_with(Options options, const Console& console, Diagnostics diagnostics) {
                               message("a mesh is written as PLY or OBJ, which `",
                                       printable(options.mesh_file), "` is not by its ending"))
                             .with_help("--export-mesh mesh.ply, or mesh.obj"));
+    if (options.task == Task::measure) check_measuring(options, diagnostics);
     if (diagnostics.failed()) return end_with_errors(exit_status::usage);
     if (options.task == Task::help || options.task == Task::version ||
         options.task == Task::describe || options.task == Task::completion) {

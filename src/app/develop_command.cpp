@@ -4,6 +4,7 @@
 #include "app/movie.h"
 #include "app/sandbox.h"
 #include "film/develop.h"
+#include "film/false_colour.h"
 #include "options/command_line.h"
 #include "options/option_store.h"
 #include "options/option_table.h"
@@ -31,6 +32,7 @@ struct DevelopRequest {
     std::string layer;         ///< empty: the picture itself
     LightWeights weights;      ///< of options `--light`, and of the file once it is read
     std::string weights_file;  ///< of `--lights`; empty: none
+    std::optional<FalseColours> false_colours;  ///< instead of the film
 };
 
 /// A picture that is made of a file.
@@ -57,12 +59,44 @@ bool names_exr(std::string_view argument) {
            type_of_name(argument) == PictureType::exr;
 }
 
+/// What false colours show: the word of the option, the layer, and the unit of its numbers.
+struct ShownQuantity {
+    std::string_view word, layer, unit;
+};
+constexpr auto shown_quantities =
+    std::to_array<ShownQuantity>({{"lux", "illuminance", "lx"}, {"nit", "luminance", "cd/m2"}});
+
+/// Reads the value of `--false-colour` or `--scale`.
+void read_false_colour(std::string_view option, std::string_view value, DevelopRequest& request,
+                       Diagnostics& diagnostics) {
+    FalseColours& wanted =
+        request.false_colours ? *request.false_colours : request.false_colours.emplace();
+    if (option == "--scale") {
+        const auto most = number(value);
+        if (most && *most > 0 && *most <= 1e12)
+            wanted.most = *most;
+        else
+            diagnostics.add(error(Fault::option, {}, "`--scale` needs a number above 0"));
+        return;
+    }
+    const auto found = std::ranges::find(shown_quantities, value, &ShownQuantity::word);
+    if (found == shown_quantities.end()) {
+        diagnostics.add(error(Fault::option, {},
+                              message("`", printable(value), "` cannot be shown in false colours"))
+                            .with_help("--false-colour lux, or nit"));
+        return;
+    }
+    wanted.unit = found->unit;
+    request.layer = found->layer;
+}
+
 DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
                                     Diagnostics& diagnostics) {
     DevelopRequest request;
     std::vector<std::string> kept;  // owns texts of `others`
     kept.reserve(arguments.size());
     std::vector<std::string_view> others;
+    bool isolines = false;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string_view argument = arguments[i];
         const bool has_next = i + 1 < arguments.size();
@@ -80,11 +114,23 @@ DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
             request.weights_file = arguments[++i];
         else if (argument.starts_with("--lights="))
             request.weights_file = argument.substr(argument.find('=') + 1);
+        else if ((argument == "--false-colour" || argument == "--scale") && has_next)
+            read_false_colour(argument, arguments[++i], request, diagnostics);
+        else if (argument.starts_with("--false-colour=") || argument.starts_with("--scale="))
+            read_false_colour(argument.substr(0, argument.find('=')),
+                              argument.substr(argument.find('=') + 1), request, diagnostics);
+        else if (argument == "--isolines")
+            isolines = true;
         else if (names_exr(argument))
             request.files.emplace_back(argument);
         else
             others.push_back(argument);
     }
+    if (request.false_colours) request.false_colours->isolines = isolines;
+    if (!diagnostics.failed() && (isolines || request.false_colours) &&
+        (!request.false_colours || request.false_colours->unit.empty()))
+        diagnostics.add(error(Fault::option, {}, "a scale and isolines belong to false colours")
+                            .with_help("--false-colour lux"));
     request.options = read_options(others, diagnostics);
     warn_of_options_of_rendering(request.options, diagnostics);
     if (request.options.scene)
@@ -121,6 +167,7 @@ public:
         if (!film) return false;
         FilmFiles files;
         files.film = *film;
+        if (request_.false_colours) return false_colours(*file, files, frame);
         Negative negative;
         if (!negative_of_file(*file, files.film, negative) || !relit_by(frame, *file, negative))
             return false;
@@ -146,6 +193,32 @@ private:
     bool fail(std::string text, std::string help = {}) {
         diagnostics_.add(error(Fault::option, {}, std::move(text)).with_help(std::move(help)));
         return false;
+    }
+
+    /// Shows the numbers of a layer by colours. The film changes nothing of them.
+    bool false_colours(const LightFile& file, FilmFiles files, const LitFrame& frame) {
+        const auto values = file.image(request_.layer);
+        if (!values)
+            return fail(
+                message("`", printable(file.path()), "` has no layer `", request_.layer, "`"),
+                message("render it with --layers ", request_.layer));
+        if (!frame.factors.empty())
+            return fail("weights of lamps change no layer in false colours");
+        Options options = request_.options;
+        options.output = frame.output;
+        const Output output = output_of(options, diagnostics_);
+        if (diagnostics_.failed()) return false;
+        files.path = output.path;
+        files.format = output.format;
+        files.film.on = true;
+        if (!is_developed(files))
+            return fail("false colours are for eyes: a file for programs keeps the numbers",
+                        "-o picture.png");
+        PictureFormat format = files.format;
+        format.gamma = 1;
+        format.encoded = true;
+        return write_picture(false_coloured(*values, *request_.false_colours), files.path, format,
+                             diagnostics_);
     }
 
     bool negative_of_file(const LightFile& file, const FilmSettings& film, Negative& negative) {

@@ -220,8 +220,9 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library) {
     rules.writable = options.writable;
     if (makes_picture) add_picture_folder(rules, options, output.path);
     for (const std::string& file :
-         {options.stats_file, options.depfile, options.mesh_file, options.movie})
-        if (!file.empty()) rules.writable.push_back(folder_around(file));
+         {options.stats_file, options.depfile, options.mesh_file, options.readings_file,
+          options.movie})
+        if (!file.empty() && file != "-") rules.writable.push_back(folder_around(file));
     return rules;
 }
 

@@ -12,6 +12,7 @@
 #include "output/index_slice.h"
 #include "output/layers.h"
 #include "output/light_report.h"
+#include "output/measurement.h"
 #include "output/mesh_export.h"
 #include "output/stats.h"
 #include "output/world_report.h"
@@ -128,7 +129,7 @@ private:
             saves && !is_stream(output.path) ? state_path(output.path, shard_) : "";
         for (const std::string& path :
              {saves ? output.path : std::string(), options_.stats_file, options_.depfile,
-              options_.mesh_file, layers, quiet, state}) {
+              options_.mesh_file, options_.readings_file, layers, quiet, state}) {
             const std::string problem = problem_with_output(options_, path);
             if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
         }
@@ -217,6 +218,7 @@ private:
         if (say_diagnostics()) return exit_status::scene;
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
+        const std::vector<Meter> meters = scene.meters;
         Output fitting = output;
         fitting.format.gamma = scene.settings.assumed_gamma;
         fitting.format.encoded = scene.gamma_handling;
@@ -229,6 +231,7 @@ private:
         if (console_.preview) return look_at(world, fitting);
         const Shot shot(world, ShotSettings::of(options_.render));
         statistics_.compile = time_now() - statistics_.compile;
+        if (options_.task == Task::measure) return measure_light(shot, meters);
         return is_check() ? finish(shot) : render_picture(shot, fitting);
     }
 
@@ -237,6 +240,34 @@ private:
             scene, mesh_format(options_.mesh_file).value_or(MeshFormat::ply), diagnostics_);
         if (!mesh.empty()) write_file(options_.mesh_file, mesh, diagnostics_);
         return say_diagnostics() ? exit_status::file : exit_status::done;
+    }
+
+    int measure_light(const Shot& shot, const std::vector<Meter>& meters) {
+        const LightUnits units = shot.world->rules.settings.light_units();
+        review_meters(*shot.world, meters, diagnostics_);
+        if (say_diagnostics()) return exit_status::scene;
+        MeasureSettings settings;
+        settings.seed = options_.render.seed;
+        settings.threads = options_.render.threads;
+        settings.samples = options_.render.samples;
+        settings.goal = options_.meter_goal;
+        const double begun = seconds_now();
+        bool stopped = false;
+        settings.ended = [&] {
+            const auto& take = console_.interrupts.take;
+            stopped = stopped || (take && take() == Interrupt::stop);
+            return stopped || (options_.time && seconds_now() - begun > *options_.time);
+        };
+        const std::vector<MeterReading> readings = measure(shot, meters, settings);
+        const MeasuredScene measured{meters, readings, units, settings.seed};
+        const bool json = reading_format(options_.readings_file) == ReadingFormat::json;
+        const std::string table = json ? readings_as_json(measured) : readings_as_csv(measured);
+        if (options_.readings_file == "-")
+            console_.out(table);
+        else if (write_file(options_.readings_file, table, diagnostics_) && options_.verbose)
+            console_.out(readings_as_text(measured));
+        if (say_diagnostics()) return exit_status::file;
+        return stopped ? exit_status::stopped : exit_status::done;
     }
 
     /// Prints the result of a check or a dump, and the diagnostics.

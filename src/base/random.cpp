@@ -54,6 +54,8 @@ Dimension dimension(Purpose purpose) {
             return {static_cast<std::uint32_t>(Purpose::facet_u), true};
         case Purpose::bounce_v:
             return {static_cast<std::uint32_t>(Purpose::bounce_u), true};
+        case Purpose::meter_v:
+            return {static_cast<std::uint32_t>(Purpose::meter_u), true};
         case Purpose::media_direction_v:
             return {static_cast<std::uint32_t>(Purpose::media_direction_u), true};
         default:

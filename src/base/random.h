@@ -44,7 +44,9 @@ enum class Purpose : std::uint32_t {
     media_direction_v,
     media_lobe,
     near_reflection,  ///< whether reflected luminaires replace a nearby surface
-    other_light       ///< whether light other than theirs is sampled
+    other_light,      ///< whether light other than theirs is sampled
+    meter_u,          ///< direction that a meter faces, or in which it looks
+    meter_v
 };
 
 /// Continuations of a path, and decisions beside it that need their own numbers. Appending one

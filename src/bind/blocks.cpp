@@ -8,6 +8,7 @@
 #include "bind/lights.h"
 #include "bind/materials.h"
 #include "bind/media.h"
+#include "bind/meters.h"
 #include "bind/normals.h"
 #include "bind/objects.h"
 #include "bind/scene_content.h"
@@ -180,6 +181,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
      part<Rainbow, read_rainbow>},
     {"media", "interior", BlockForm::block, scene_part<Media, &Scene::media, read_media>,
      part<Media, read_media>},
+    {"meter", "", BlockForm::block, scene_part<Meter, &Scene::meters, read_meter>},
     {"global_settings", "", BlockForm::block, settings_in_scene},
     {"light_sampler", "global_settings"},
     {"integrator", "global_settings"},
@@ -278,6 +280,11 @@ std::vector<const BlockRow*> rows_by_number() {
 }  // namespace
 
 std::span<const BlockRow> block_rows() { return table_of_blocks; }
+
+const BlockRow* scene_row(std::string_view word) {
+    const auto row = std::ranges::find(table_of_blocks, word, &BlockRow::word);
+    return row == table_of_blocks.end() || !row->in_scene ? nullptr : &*row;
+}
 
 const BlockRow* block_row(NameId word) {
     static const std::vector<const BlockRow*> by_number = rows_by_number();

@@ -54,8 +54,12 @@ struct BlockRow {
 /// All rows except that of shapes.
 std::span<const BlockRow> block_rows();
 
-/// The row of the word, or null if it has none. All shapes share one row.
+/// The row of a reserved word, or null if it has none. All shapes share one row.
 const BlockRow* block_row(NameId word);
+
+/// The row of a word of a scene that only this language has, such as `meter`: it has no number of
+/// its own, so that scenes may declare it. Null if there is none.
+const BlockRow* scene_row(std::string_view word);
 
 /// Whether a block with this word makes one object of several.
 inline bool combines_objects(NameId word) {

@@ -160,6 +160,7 @@ private:
     void take_block(const Element& element) {
         top_.resume();
         const BlockRow* row = block_row(element.word);
+        if (!row) row = scene_row(top_.spelling(element.word));
         if (!row || !row->in_scene) return stray(element);
         if (row->makes_object()) binder_.evaluator.count_object(element.word_span);
         row->in_scene(content_, element);

@@ -218,11 +218,12 @@ bool is_second_task(const Options& options, const Given& given, Diagnostics& dia
     }
     static constexpr auto exclusive =
         std::array{check,      check_syntax, dump_tokens, dump_tree,
-                   dump_scene, dump_world,   dump_index,  export_mesh};
+                   dump_scene, dump_world,   dump_index,  export_mesh,
+                   measure};
     if (std::ranges::find(exclusive, options.task) == exclusive.end() ||
         std::ranges::find(same, options.task) != same.end())
         return false;
-    refuse(given, diagnostics, "a run checks, dumps or exports a scene, one of them only");
+    refuse(given, diagnostics, "a run checks, dumps, exports or measures a scene, one of them only");
     return true;
 }
 
@@ -257,6 +258,22 @@ void store::export_mesh(Options& options, const Given& given, Diagnostics& diagn
     if (is_second_task(options, given, diagnostics, {Task::export_mesh})) return;
     options.task = Task::export_mesh;
     options.mesh_file = *given.value;
+}
+
+void store::measure(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (is_second_task(options, given, diagnostics, {Task::measure})) return;
+    options.task = Task::measure;
+    options.readings_file = *given.value;
+}
+
+void store::until(Options& options, const Given& given, Diagnostics& diagnostics) {
+    const auto goal = read_meter_goal(*given.value);
+    if (goal)
+        options.meter_goal = *goal;
+    else
+        refuse(given, diagnostics,
+               message("`", printable(*given.value), "` is no error of 0.001 to 100 per cent"),
+               "--until 'lux 2%', 'nit 1%' or '2%', or the name of a quantity");
 }
 
 void store::help(Options& options, const Given& given, Diagnostics&) {

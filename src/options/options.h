@@ -6,6 +6,7 @@
 #include "interpret/evaluator.h"
 #include "interpret/limits.h"
 #include "interpret/value.h"
+#include "meter/goal.h"
 #include "options/animation.h"
 #include "options/command_settings.h"
 #include "options/picture_layers.h"
@@ -42,7 +43,8 @@ enum class Task {
     version,
     describe,
     completion,
-    export_mesh
+    export_mesh,
+    measure
 };
 
 /// A name that is declared for the scene, and its value.
@@ -81,6 +83,8 @@ struct Options {
     RunFacts facts;                       ///< other facts for the scene; the size is that of render
     std::string mesh_file;                ///< of --export-mesh
     std::string mesh_object;              ///< the declared object to export; empty: the whole scene
+    std::string readings_file;            ///< of --measure: what the meters say
+    MeterGoal meter_goal;                 ///< how good that has to be
     std::string movie;                    ///< made from the frames; empty: none
     double frame_rate = 25;               ///< of the movie, in frames per second
     std::optional<std::string> ini_file;  ///< receives all options

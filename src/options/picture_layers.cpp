@@ -24,6 +24,9 @@ constexpr auto infos = std::to_array<LayerInfo>({
      "of the pixel as a display shows it, 0 to 1; the greatest of the channels"},
     {PictureLayer::samples, "samples", "how many rays of the camera went through the pixel"},
     {PictureLayer::shadow_rays, "shadow_rays", "how many rays they sent towards lights"},
+    {PictureLayer::luminance, "luminance", "of the picture in candela per square metre"},
+    {PictureLayer::illuminance, "illuminance",
+     "of the first surface in lux, on the side that is seen; takes about as long as the picture"},
 });
 
 }  // namespace

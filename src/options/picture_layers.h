@@ -10,7 +10,18 @@
 
 namespace candelabra {
 
-enum class PictureLayer { albedo, normal, depth, object, lights, variance, samples, shadow_rays };
+enum class PictureLayer {
+    albedo,
+    normal,
+    depth,
+    object,
+    lights,
+    variance,
+    samples,
+    shadow_rays,
+    luminance,
+    illuminance
+};
 
 struct LayerInfo {
     PictureLayer layer;

@@ -170,6 +170,12 @@ private:
                 return of_film([](const PixelSum& p) { return p.samples; });
             case PictureLayer::shadow_rays:
                 return of_film([](const PixelSum& p) { return p.shadow_rays; });
+            case PictureLayer::luminance:
+                return add(name + ".Y",
+                           [&](std::size_t i) { return mean(i, extras_.first_luminance()); });
+            case PictureLayer::illuminance:
+                return add(name + ".Y",
+                           [&](std::size_t i) { return mean(i, extras_.first_illuminance()); });
         }
     }
 
@@ -236,6 +242,8 @@ Aovs aovs_for(std::span<const PictureLayer> layers, bool alpha, const Extras& ex
     for (const PictureLayer layer : layers) {
         aovs.surface |= layer <= PictureLayer::object;
         aovs.lights |= layer == PictureLayer::lights;
+        aovs.luminance |= layer == PictureLayer::luminance;
+        aovs.illuminance |= layer == PictureLayer::illuminance;
     }
     return aovs;
 }

@@ -2,17 +2,17 @@
 #include "render/sample.h"
 
 #include "film/develop.h"
+#include "photometry/light_colour.h"
 #include "transport/camera_ray.h"
 
+#include <numbers>
 #include <variant>
 
 namespace candelabra {
 
 namespace {
 
-std::vector<Integrator> integrators_of_moments(const RenderPlan& plan, const RenderHooks& hooks) {
-    const Tracing tracing{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, plan.sent,
-                          hooks.aovs.alpha};
+std::vector<Integrator> integrators_of_moments(const RenderPlan& plan, const Tracing& tracing) {
     std::vector<Integrator> integrators;
     for (std::size_t i = 0; i < plan.shot.moments(); ++i) {
         const Shot& shot = plan.shot.moment(i);
@@ -22,6 +22,16 @@ std::vector<Integrator> integrators_of_moments(const RenderPlan& plan, const Ren
         integrators.emplace_back(shot, there);
     }
     return integrators;
+}
+
+Tracing tracing_of(const RenderPlan& plan, const RenderHooks& hooks) {
+    return {plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, plan.sent,
+            hooks.aovs.alpha};
+}
+
+std::vector<Integrator> meters_of(const RenderPlan& plan, const RenderHooks& hooks) {
+    if (!hooks.aovs.illuminance) return {};
+    return integrators_of_moments(plan, {.shadow_rays = plan.shadow_rays, .sent = plan.sent});
 }
 
 /// Adds a colour to three sums.
@@ -37,7 +47,8 @@ SampleTracer::SampleTracer(const RenderPlan& plan, const RenderHooks& hooks, con
       film_(&film),
       filter_(make_handle<PixelFilter>(plan.shot.view.film.filter())),
       exposure_(plan.shot.view.film.exposure_factor()),
-      integrators_(integrators_of_moments(plan, hooks)) {}
+      integrators_(integrators_of_moments(plan, tracing_of(plan, hooks))),
+      meters_(meters_of(plan, hooks)) {}
 
 void SampleTracer::prepare(std::uint32_t sample) const {
     for (const Integrator& each : integrators_) each.prepare(sample);
@@ -77,24 +88,41 @@ SeenSample SampleTracer::look(int x, int y, std::uint32_t sample, std::span<Exac
     const auto rays = static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays);
     if (integrator.cut() && hooks_->cut) hooks_->cut(x, y);
     if (!extra.empty() && !in_pixel.negative) {
-        gather(colour, shot, ray, integrator, extra);
+        gather(colour, ray, key, moment, extra);
     } else if (!extra.empty()) {
         apart_.assign(extra.size(), ExactSum());
-        gather(colour, shot, ray, integrator, apart_);
+        gather(colour, ray, key, moment, apart_);
         for (std::size_t i = 0; i < extra.size(); ++i) extra[i].subtract(apart_[i]);
     }
     return {colour, rays, in_pixel.negative};
 }
 
 /// Adds a sample's values besides its colour.
-void SampleTracer::gather(const Vec3& colour, const Shot& shot, const Ray& ray,
-                          Integrator& integrator, std::span<ExactSum> sums) const {
+void SampleTracer::gather(const Vec3& colour, const Ray& ray, const Key& key, std::size_t moment,
+                          std::span<ExactSum> sums) {
     const Aovs& aovs = hooks_->aovs;
-    gather_sample(aovs, *shot.world, ray, integrator, sums);
+    const World& world = *plan_->shot.moment(moment).world;
+    gather_sample(aovs, world, ray, integrators_[moment], sums);
     if (aovs.smooth) add_colour(compressed(colour, exposure_), sums, aovs.first_smooth());
-    if (!aovs.squares) return;
-    const Vec3 reflected = colour - integrator.ledger().glow;
-    add_colour(reflected * reflected, sums, aovs.first_square());
+    if (aovs.squares) {
+        const Vec3 reflected = colour - integrators_[moment].ledger().glow;
+        add_colour(reflected * reflected, sums, aovs.first_square());
+    }
+    if (aovs.luminance)
+        sums[aovs.first_luminance()].add(
+            world.rules.settings.light_units().luminance(light_luminance(colour)));
+    if (aovs.illuminance) sums[aovs.first_illuminance()].add(illuminance(ray, key, moment));
+}
+
+/// Illuminance in lux of the first surface on a ray, on the side that is seen; 0 if there is none.
+double SampleTracer::illuminance(const Ray& ray, const Key& key, std::size_t moment) {
+    const World& world = *plan_->shot.moment(moment).world;
+    Hit hit;
+    if (ray.direction == Vec3(0) || !world.first_hit(ray, 0, RayKind::camera, hit)) return 0;
+    const Vec3 facing = dot(hit.normal, ray.direction) > 0 ? -hit.normal : hit.normal;
+    const WhiteElement element(hit.position, facing, hit.tolerance);
+    const Vec3 shown = meters_[moment].element_radiance(element, key);
+    return std::numbers::pi * world.rules.settings.light_units().luminance(light_luminance(shown));
 }
 
 }  // namespace candelabra

@@ -47,8 +47,9 @@ public:
 private:
     PicturePoint point(int x, int y) const;
     FilteredPlace place(const Key&) const;
-    void gather(const Vec3& colour, const Shot&, const Ray&, Integrator&,
-                std::span<ExactSum>) const;
+    void gather(const Vec3& colour, const Ray&, const Key&, std::size_t moment,
+                std::span<ExactSum>);
+    double illuminance(const Ray&, const Key&, std::size_t moment);
 
     const RenderPlan* plan_;
     const RenderHooks* hooks_;
@@ -56,6 +57,7 @@ private:
     Handle<PixelFilter> filter_;
     double exposure_;
     std::vector<Integrator> integrators_;  ///< one for each moment
+    std::vector<Integrator> meters_;       ///< the same for illuminance; empty: it is not wanted
     std::vector<ExactSum> apart_;          ///< buffer for a sample that is subtracted
 };
 

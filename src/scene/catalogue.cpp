@@ -29,6 +29,7 @@ constexpr auto photons_of_objects = std::array{&ObjectPhotons::vocabulary};
 constexpr auto photons_of_lights = std::array{&LightPhotons::vocabulary};
 
 constexpr auto lights = std::array{&PointLight::vocabulary};
+constexpr auto meters = std::array{&Meter::vocabulary};
 
 constexpr auto groups = std::array{
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},
@@ -57,6 +58,7 @@ constexpr auto groups = std::array{
               Kinds<Warp>::infos, "warp"},
     ItemGroup{"Surfaces", "How objects answer light, and what is inside of them.", surface},
     ItemGroup{"Surroundings", "What lies around the objects, and between them.", surroundings},
+    ItemGroup{"Meters", "What --measure measures, and where.", meters},
     ItemGroup{"Settings", "What holds for the whole scene.", settings},
     ItemGroup{"Lamps in numbers", "What luminaire { } has in a finish or an object.", lamps},
     ItemGroup{"Photons of objects", "What photons { } has in an object.", photons_of_objects},

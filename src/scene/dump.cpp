@@ -189,6 +189,12 @@ std::string rainbows_text(const Scene& scene) {
     return text;
 }
 
+std::string meters_text(const Scene& scene) {
+    std::string text;
+    for (const Meter& meter : scene.meters) text += block_text(meter) + "\n";
+    return text;
+}
+
 constexpr std::string_view settings_block = "global_settings";
 
 constexpr auto blocks_of_scenes = std::to_array<SceneText>({
@@ -198,6 +204,7 @@ constexpr auto blocks_of_scenes = std::to_array<SceneText>({
     {"fog", fogs_text},
     {"rainbow", rainbows_text},
     {"media", media_of_scene_text},
+    {"meter", meters_text},
     {"camera", camera_text},
     {"light_source", lights_text},
 });

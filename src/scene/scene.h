@@ -14,6 +14,7 @@
 #include "medium/fog.h"
 #include "medium/interior.h"
 #include "medium/media.h"
+#include "meter/meter.h"
 #include "method/photons.h"
 #include "scene/settings.h"
 #include "shape/shape.h"
@@ -152,6 +153,7 @@ struct Scene {
     std::vector<Fog> fogs;
     std::vector<Media> media;  ///< fill all space outside of solids
     std::vector<Rainbow> rainbows;
+    std::vector<Meter> meters;
     GlobalSettings settings;
     double language_version = 3.7;  ///< the last version in force; 3.62 if the scene gives none
     /// False: colours are written unchanged (before version 3.7, without assumed_gamma).

@@ -92,12 +92,16 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
 }
 
 /// Whether the token is an unreserved word that takes a possibly negative value, in its own block:
-/// `film { exposure -1 }`, `luminaire { ies "a.ies" aim -y }`.
+/// `film { exposure -1 }`, `luminaire { ies "a.ies" aim -y }`,
+/// `meter { corner -x along 2*x }`.
 bool Brackets::is_signed_word(const Token& token) const {
     if (token.kind != TokenKind::name || !in_braces()) return false;
-    const bool exposes = spelling(token) == "exposure";
-    const bool aims = spelling(token) == "aim" || spelling(token) == "c0";
-    if (!exposes && !aims) return false;
+    const std::string_view word = spelling(token);
+    const bool exposes = word == "exposure";
+    const bool aims = word == "aim" || word == "c0";
+    const bool measures =
+        word == "corner" || word == "along" || word == "across" || word == "eye";
+    if (!exposes && !aims && !measures) return false;
     const std::size_t inside = open_.back().token.last;
     // Old scenes may begin a light source with a vector of that name.
     constexpr std::string_view blanks = " \t\r\n";
@@ -105,6 +109,7 @@ bool Brackets::is_signed_word(const Token& token) const {
     if (aims && ahead.find_first_not_of(blanks) == ahead.npos) return false;
     std::string_view before = text_.substr(0, open_.back().token.first);
     while (!before.empty() && blanks.find(before.back()) != blanks.npos) before.remove_suffix(1);
+    if (measures) return before.ends_with("meter");
     return exposes ? before.ends_with("film")
                    : before.ends_with("luminaire") || before.ends_with("light_source");
 }

@@ -22,6 +22,8 @@ struct Aovs {
     /// For the denoiser: red, green and blue of what the camera sees of things that glow, and
     /// of the squares of all other light, which the renderer adds.
     bool squares = false;
+    bool luminance = false;    ///< in cd/m2, added by the renderer
+    bool illuminance = false;  ///< of the visible surface in lux, added by the renderer
 
     /// Number of sums that each pixel has.
     std::size_t count(const World& world) const {
@@ -40,7 +42,9 @@ struct Aovs {
     std::size_t normal() const { return albedo() + 3; }
     std::size_t depth() const { return albedo() + 6; }
     std::size_t object() const { return albedo() + 7; }
-    std::size_t first_light() const { return albedo() + (surface ? 8 : 0); }
+    std::size_t first_luminance() const { return albedo() + (surface ? 8 : 0); }
+    std::size_t first_illuminance() const { return first_luminance() + (luminance ? 1 : 0); }
+    std::size_t first_light() const { return first_illuminance() + (illuminance ? 1 : 0); }
 
     friend bool operator==(const Aovs&, const Aovs&) = default;
 };

@@ -16,9 +16,12 @@ namespace candelabra {
 /// rays.
 template <class T>
 concept IntegratorKind = std::constructible_from<T, const Shot&, const Tracing&> &&
-    requires(T& integrator, const T& asked, const Ray& ray, const Key& key) {
+    requires(T& integrator, const T& asked, const Ray& ray, const WhiteElement& element,
+             const Key& key) {
     // Radiance along a camera ray: an unbiased estimate, and a pure function of ray and key.
     { integrator.radiance(ray, key) } -> std::same_as<Vec3>;
+    // The same for what a white element shows.
+    { integrator.element_radiance(element, key) } -> std::same_as<Vec3>;
     { integrator.ledger() } -> std::same_as<LightLedger&>;
     { asked.ledger() } -> std::same_as<const LightLedger&>;
     { asked.clear() } -> std::same_as<double>;  // share of the last sample that is clear
@@ -33,6 +36,9 @@ public:
 
     Vec3 radiance(const Ray& ray, const Key& key) {
         return std::visit([&](auto& built) { return built.radiance(ray, key); }, built_);
+    }
+    Vec3 element_radiance(const WhiteElement& element, const Key& key) {
+        return std::visit([&](auto& built) { return built.element_radiance(element, key); }, built_);
     }
     LightLedger& ledger() {
         return std::visit([](auto& built) -> LightLedger& { return built.ledger(); }, built_);

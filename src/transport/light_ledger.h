@@ -64,7 +64,7 @@ struct LightLedger {
 /// world must outlive it.
 LightLedger empty_ledger(const World&, bool counted);
 
-/// Records the light of a directly visible primitive, if it is a luminaire.
+/// Records the light of a directly visible primitive, if it is a luminaire; `no_primitive` is none.
 void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);
 
 /// The same for glowing media in those solids: the innermost medium counts.

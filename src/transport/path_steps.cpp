@@ -7,17 +7,23 @@
 
 namespace candelabra {
 
-PathEnds::PathEnds(const Shot& shot, bool clear_sky)
-    : world_(*shot.world), starts_anywhere_(shot.view.camera.parallel), clear_sky_(clear_sky) {
-    if (!starts_anywhere_) around_camera_ = world_.containing(shot.view.camera.location);
-}
+PathEnds::PathEnds(const Shot& shot, bool clear_sky, bool from_anywhere)
+    : world_(*shot.world),
+      starts_anywhere_(from_anywhere || shot.view.camera.parallel),
+      origin_(shot.view.camera.location),
+      around_(world_.containing(origin_)),
+      clear_sky_(clear_sky) {}
 
 PathState PathEnds::begin(const Ray& ray, const Key& key) {
     clear_ = 0;
     PathState path;
     path.ray = ray;
     path.key = key;
-    path.media = starts_anywhere_ ? world_.containing(ray.origin) : around_camera_;
+    if (starts_anywhere_ && ray.origin != origin_) {
+        origin_ = ray.origin;
+        around_ = world_.containing(origin_);
+    }
+    path.media = around_;
     return path;
 }
 
@@ -51,7 +57,8 @@ bool shows_emission(const World& world, const PathState& path, PrimitiveIndex pr
 
 double shown_emission(const World& world, const PathState& path, PrimitiveIndex primitive) {
     const Vec3 towards = -path.ray.direction;
-    return shows_emission(world, path, primitive) ? world.output(primitive, &towards) : 0;
+    const bool shows = primitive != no_primitive && shows_emission(world, path, primitive);
+    return shows ? world.output(primitive, &towards) : 0;
 }
 
 PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shading& s) {

@@ -16,8 +16,9 @@ namespace candelabra {
 /// The two ends of a job's paths: the camera and the sky. It also measures how clear a sample is.
 class PathEnds {
 public:
-    /// `clear_sky`: the background may be clear, as with POV-Ray's +UA.
-    PathEnds(const Shot&, bool clear_sky);
+    /// `clear_sky`: the background may be clear, as with POV-Ray's +UA. `from_anywhere`: rays may
+    /// begin at other places than the camera's.
+    PathEnds(const Shot&, bool clear_sky, bool from_anywhere);
 
     /// Starts a path along a camera ray, for a new sample.
     PathState begin(const Ray&, const Key&);
@@ -30,8 +31,9 @@ private:
     Vec3 seen_behind(const PathState&);
 
     const World& world_;
-    bool starts_anywhere_;      ///< the camera's rays have no common origin
-    MediaStack around_camera_;  ///< if they have one
+    bool starts_anywhere_;  ///< the rays have no common origin
+    Vec3 origin_;           ///< of the last ray
+    MediaStack around_;     ///< the solids that contain it
     bool clear_sky_;
     double clear_ = 0;
 };
@@ -41,7 +43,8 @@ void record_glow(LightLedger&, const PathState&, const Vec3& light);
 
 /// Whether the path sees the primitive's emission. It does not if the luminaire was sampled before.
 bool shows_emission(const World&, const PathState&, PrimitiveIndex);
-/// Factor of the emission that a path sees of a primitive's finishes; 0 if it has been counted.
+/// Factor of the emission that a path sees of a primitive's finishes; 0 if it has been counted, and
+/// of `no_primitive`.
 double shown_emission(const World&, const PathState&, PrimitiveIndex);
 
 /// Continues the path in the mirror direction. The reflectivity is not in its throughput.

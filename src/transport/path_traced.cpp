@@ -31,20 +31,38 @@ PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& want
       direct_light_(shot, wanted.shadow_rays),
       reflected_(wanted.sent->reflected),
       media_(shot),
-      ends_(shot, wanted.clear_sky),
+      ends_(shot, wanted.clear_sky, wanted.from_anywhere),
       ledger_(empty_ledger(world_, wanted.counts_lights)),
       max_bounces_(std::get<PathTraced>(world_.rules.settings.integrator).bounces),
       chance_of_covered_(world_.facts.is_lit_by_luminaires_only ? chance_of_shine : 1) {}
 
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
-    sum_ = ledger_.glow = Vec3(0);
-    const PathState path = ends_.begin(ray, key);
-    direct_light_.use(photons_.begin(key.sample));
-    reflected_.begin(key.sample);
+    const PathState path = begin(ray, key);
     if (ray.direction == Vec3(0)) return sum_;
     ++ledger_.camera;
-    divided_ = false;
     trace(path);
+    return end();
+}
+
+Vec3 PathTracedIntegrator::element_radiance(const WhiteElement& element, const Key& key) {
+    PathState path = begin(element.ray(), key);
+    // The path changes while the vertex refers to the solids around it.
+    const MediaStack around = path.media;
+    if (at_vertex(path, element.vertex({around.data(), around.size()}), element.layers()))
+        trace(path);
+    return end();
+}
+
+PathState PathTracedIntegrator::begin(const Ray& ray, const Key& key) {
+    sum_ = ledger_.glow = Vec3(0);
+    direct_light_.use(photons_.begin(key.sample));
+    reflected_.begin(key.sample);
+    divided_ = false;
+    return ends_.begin(ray, key);
+}
+
+/// Follows what media have scattered aside, and returns the radiance of the sample.
+Vec3 PathTracedIntegrator::end() {
     if (const auto scattered = std::exchange(aside_, std::nullopt)) trace(*scattered);
     return sum_;
 }

@@ -12,6 +12,7 @@
 #include "transport/reflected_light.h"
 #include "transport/surface_lobes.h"
 #include "transport/tracing.h"
+#include "transport/white_element.h"
 
 #include <optional>
 
@@ -22,6 +23,9 @@ public:
     PathTracedIntegrator(const Shot&, const Tracing&);
 
     Vec3 radiance(const Ray& ray, const Key& key);
+    /// Radiance that a white element shows. Without Tracing::from_anywhere it lies in the solids
+    /// that contain the camera.
+    Vec3 element_radiance(const WhiteElement&, const Key&);
 
     LightLedger& ledger() { return ledger_; }
     const LightLedger& ledger() const { return ledger_; }
@@ -36,6 +40,8 @@ public:
     }
 
 private:
+    PathState begin(const Ray&, const Key&);
+    Vec3 end();
     void trace(PathState);
     bool pass_air(PathState&, double distance);
     bool at_vertex(PathState&, const Vertex&, const Layers&);

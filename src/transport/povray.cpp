@@ -24,7 +24,7 @@ PovRayIntegrator::PovRayIntegrator(const Shot& shot, const Tracing& wanted)
       photons_(wanted.sent->photons),
       direct_light_(shot, wanted.shadow_rays),
       media_(shot),
-      ends_(shot, wanted.clear_sky),
+      ends_(shot, wanted.clear_sky, wanted.from_anywhere),
       ledger_(empty_ledger(world_, wanted.counts_lights)),
       max_rays_(wanted.max_rays) {}
 
@@ -36,6 +36,14 @@ Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
     if (ray.direction == Vec3(0)) return Vec3(0);
     ++ledger_.camera;
     return follow(path);
+}
+
+Vec3 PovRayIntegrator::element_radiance(const WhiteElement& element, const Key& key) {
+    const PathState path = ends_.begin(element.ray(), key);
+    direct_light_.use(photons_.begin(key.sample));
+    rays_ = 0;
+    const Vertex vertex = element.vertex({path.media.data(), path.media.size()});
+    return layered(path, vertex, element.layers());
 }
 
 Vec3 PovRayIntegrator::follow(const PathState& path) {

@@ -10,6 +10,7 @@
 #include "transport/path_steps.h"
 #include "transport/photons.h"
 #include "transport/tracing.h"
+#include "transport/white_element.h"
 
 namespace candelabra {
 
@@ -19,6 +20,9 @@ public:
 
     /// Radiance along a camera ray; an unbiased estimate, and a pure function of ray and key.
     Vec3 radiance(const Ray& ray, const Key& key);
+    /// Radiance that a white element shows. Without Tracing::from_anywhere it lies in the solids
+    /// that contain the camera.
+    Vec3 element_radiance(const WhiteElement&, const Key&);
 
     LightLedger& ledger() { return ledger_; }
     const LightLedger& ledger() const { return ledger_; }

@@ -15,6 +15,7 @@ struct Tracing {
     bool counts_lights = false;          ///< separately for each statement
     std::optional<SentLight> sent = {};  ///< unset: the integrator makes that of the shot
     bool clear_sky = false;              ///< the background may be clear, as with POV-Ray's +UA
+    bool from_anywhere = false;          ///< rays begin at other places than the camera's
     /// Maximum number of rays that are followed for one camera ray, without shadow rays. What is
     /// left then counts as black.
     std::uint64_t max_rays = 1'000'000;

@@ -54,6 +54,7 @@ public:
           objects_(world.provenance, remembers_objects),
           statements_(world.provenance),
           all_(what == Flatten::everything),
+          measured_(!scene.meters.empty()),
           only_lights_count_(!all_ && !scene.lights.empty() &&
                              !world.rules.settings.ambient_luminaires),
           materials_(world),
@@ -166,7 +167,7 @@ public:
             world_.appearance.part_textures[geometry_.primitive(each.kind, each.index)] =
                 std::move(each.textures);
         if (all_) lamps_.settle(world_, diagnostics_);
-        if (!all_ || receives_light(world_)) {
+        if (!all_ || measured_ || receives_light(world_)) {
             add_luminaires(world_, glowing_, all_, diagnostics_);
             add_volumes(world_, filled_, all_, diagnostics_);
         }
@@ -477,6 +478,7 @@ private:
     LightStatements statements_;
     std::uint32_t shared_interiors_ = 0;  ///< number of shared interiors so far
     bool all_;
+    bool measured_;  ///< meters receive light, too
     bool only_lights_count_;  ///< materials of objects that do not glow are not needed
     Materials materials_;
     ShapeStore shapes_;

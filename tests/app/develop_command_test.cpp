@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/develop_command.h"
 
+#include "output/light_file.h"
 #include "picture/formats.h"
 #include "picture/layers.h"
 #include "picture/read.h"
@@ -392,6 +393,38 @@ TEST_CASE("develop says what it cannot do", "[app][film]") {
     CHECK(darkroom({"develop", darkroom.path("x.exr"), "--glare", "veil=0.7", "--glare",
                     "star=0.6"}) == 3);
     CHECK(has(darkroom.err, "the options do not fit the film"));
+}
+
+TEST_CASE("numbers of light are shown in false colours") {
+    DevelopRun darkroom;
+    darkroom.write("lit.pov",
+                   "#version 3.7; global_settings { photometry { unit 1 white 100 } } "
+                   "camera { orthographic location y direction -y right x up z } "
+                   "light_source { 2*y, rgb 1 intensity candela(400) } "
+                   "plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 1 } }");
+    REQUIRE(darkroom({darkroom.path("lit.pov"), "-V", "+W9", "+H9", "-A", "--layers",
+                      "illuminance,luminance", "+O" + darkroom.path("lit.exr")}) == 0);
+    Diagnostics diagnostics;
+    const auto light = LightFile::read(darkroom.path("lit.exr"), diagnostics);
+    REQUIRE(light);
+    // 400 cd at 2 m are 100 lux, and grey of 0.5 shows them as 50 / pi.
+    CHECK(light->image("illuminance")->at(4, 4).x == Approx(100).epsilon(1e-3));
+    CHECK(light->image("luminance")->at(4, 4).x == Approx(50 / 3.14159265).epsilon(1e-3));
+    const std::string picture = darkroom.path("lit.png");
+    CHECK(darkroom({"develop", darkroom.path("lit.exr"), "--false-colour", "lux", "--isolines",
+                    "--scale=200", "-o", picture}) == 0);
+    CHECK(fs::file_size(picture) > 0);
+    CHECK(darkroom({"develop", darkroom.path("lit.exr"), "--isolines"}) == 2);
+    CHECK(has(darkroom.err, "a scale and isolines belong to false colours"));
+    CHECK(darkroom({"develop", darkroom.path("lit.exr"), "--false-colour", "red"}) == 2);
+    CHECK(has(darkroom.err, "`red` cannot be shown in false colours"));
+    CHECK(darkroom({"develop", darkroom.path("lit.exr"), "--false-colour", "lux", "--scale", "x"}) ==
+          2);
+    CHECK(has(darkroom.err, "`--scale` needs a number above 0"));
+    darkroom.write_planes("x.exr", {"B", "G", "R"});
+    const std::string without = darkroom.path("x.exr");
+    CHECK(darkroom({"develop", without, "--false-colour", "nit", "-o", picture}) == 3);
+    CHECK(has(darkroom.err, "has no layer `luminance`"));
 }
 
 }  // namespace candelabra

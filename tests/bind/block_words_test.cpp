@@ -48,6 +48,7 @@ const std::multimap<std::string_view, std::string>& scenes() {
         {"sky_sphere", "sky_sphere { @ }"},
         {"fog", "fog { @ }"},
         {"rainbow", "rainbow { @ }"},
+        {"meter", "meter { @ }"},
         {"media", "media { @ }"},
         {"scattering", "media { scattering { 1, 1 @ } }"},
         {"density", "media { density { @ } }"},

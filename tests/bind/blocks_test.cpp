@@ -30,6 +30,7 @@ const std::map<std::string_view, std::string> samples = {
     {"sky_sphere", "pigment { rgb 1 }"},
     {"fog", "distance 10 rgb 1"},
     {"rainbow", "direction z angle 40 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] }"},
+    {"meter", "\"desk\" corner -x along 2*x across 3*z counts <4, 3>"},
     {"media", "emission 1 density { bozo } scattering { 1, 0.5 }"},
     {"density", "rgb 0.5"},
     {"density_map", "[0 rgb 0] [1 rgb 1]"},
@@ -85,10 +86,14 @@ TEST_CASE("the row of a word is found by its number", "[bind]") {
     for (const BlockRow& row : block_rows()) {
         INFO(row.word);
         if (names.reserved(names.intern(row.word))) CHECK(block_row(names.find(row.word)) == &row);
-        if (row.in_scene || row.as_value) CHECK(block_row(names.find(row.word)) == &row);
+        const bool own = scene_row(row.word) == &row && !row.as_value;
+        if (row.in_scene || row.as_value)
+            CHECK((own || block_row(names.find(row.word)) == &row));
     }
     CHECK(block_row(names.intern("not_a_block")) == nullptr);
     CHECK(block_row(no_name) == nullptr);
+    CHECK(scene_row("meter") != nullptr);
+    CHECK(scene_row("luminaire") == nullptr);
     CHECK(makes_object(names.find("torus")));
     CHECK(takes_braces(names.find("torus")));
     CHECK_FALSE(combines_objects(names.find("torus")));

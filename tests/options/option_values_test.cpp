@@ -133,6 +133,8 @@ const std::map<std::string, GivenWords>& examples() {
         {"dump", {no_picture}},
         {"export-mesh", {no_picture}},
         {"export-object", {"--export-object", "Ball"}},
+        {"measure", {no_picture}},
+        {"until", {"--until", "lux 1%"}},
         {"progress", {"--progress", "plain"}},
         {"preview", {no_picture}},
         {"depfile", {"--depfile", "a.d"}},

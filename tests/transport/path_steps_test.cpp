@@ -22,7 +22,7 @@ Vertex met_from(const World& world, const PathState& path) {
 TEST_CASE("a path begins inside of what is around its origin", "[transport]") {
     const Shot shot =
         shot_of("camera { location 0 } sphere { 0, 2 pigment { rgbt 1 } interior { ior 1.3 } }");
-    PathEnds ends(shot, false);
+    PathEnds ends(shot, false, false);
     const PathState path = ends.begin({Vec3(0), Vec3(0, 0, 1)}, Key());
     CHECK(path.media.size() == 1);
     CHECK(path.throughput == Vec3(1));
@@ -31,7 +31,7 @@ TEST_CASE("a path begins inside of what is around its origin", "[transport]") {
 
 TEST_CASE("what is clear counts until the next sample", "[transport]") {
     const Shot shot = shot_of("#version 3.7; background { rgbt <0.5, 0.5, 0.5, 1> }");
-    PathEnds ends(shot, true);
+    PathEnds ends(shot, true, false);
     LightLedger ledger;
     for (int sample = 0; sample < 2; ++sample) {
         PathState path = ends.begin({Vec3(0), Vec3(0, 0, 1)}, Key());

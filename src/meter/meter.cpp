@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meter/meter.h"
+
+#include "vocabulary/schema.h"
+
+#include <array>
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+struct QuantityName {
+    std::string_view name, unit;
+};
+
+/// In the order of Quantity.
+constexpr auto quantity_names = std::to_array<QuantityName>({{"illuminance", "lx"},
+                                                             {"cylindrical", "lx"},
+                                                             {"semi_cylindrical", "lx"},
+                                                             {"hemispherical", "lx"},
+                                                             {"spherical", "lx"},
+                                                             {"luminance", "cd/m2"},
+                                                             {"ugr", ""},
+                                                             {"threshold_increment", "%"},
+                                                             {"daylight_factor", "%"}});
+
+constexpr const QuantityName& names_of(Quantity quantity) {
+    return quantity_names[static_cast<std::size_t>(quantity)];
+}
+
+constexpr int most_along = 10000;
+
+/// Whether the normal of the grid says neither up nor down.
+bool stands_upright(const Meter& meter) {
+    const Vec3 normal = cross(meter.along, meter.across);
+    return std::abs(dot(normal, meter.up)) <= 1e-9 * length(normal) * length(meter.up);
+}
+
+}  // namespace
+
+std::string_view unit_of(Quantity quantity) { return names_of(quantity).unit; }
+
+std::string_view name_of(Quantity quantity) { return names_of(quantity).name; }
+
+const ItemInfo Meter::vocabulary = described<Meter>([] {
+    using F = Field<Meter>;
+    constexpr auto measures = [](Quantity quantity, std::string_view help) {
+        return chooses<Meter>(names_of(quantity).name, &Meter::quantity, static_cast<int>(quantity),
+                              help);
+    };
+    constexpr auto spaced = [](std::string_view name, GridRule rule, std::string_view help) {
+        return chooses<Meter>(name, &Meter::rule, static_cast<int>(rule), help);
+    };
+    return schema<Meter>(
+        "meter", "What is measured by --measure, and where. It changes no picture.",
+        maybe(F{"name", &Meter::name, positional, "the name in results"}),
+        measures(Quantity::illuminance, "lux on a plane that faces `direction`; the default"),
+        measures(Quantity::cylindrical, "lux, the mean on the sides of a small upright cylinder"),
+        measures(Quantity::semi_cylindrical,
+                 "the same of the half of the cylinder that faces `direction`"),
+        measures(Quantity::hemispherical, "lux, the mean on the upper half of a small ball"),
+        measures(Quantity::spherical, "lux, the mean on a small ball"),
+        measures(Quantity::luminance,
+                 "candela per square metre, as seen from `eye`, or in `direction`"),
+        measures(Quantity::ugr,
+                 "glare of luminaires by the unified rating of CIE 117, for an observer who looks "
+                 "in `direction`"),
+        measures(Quantity::threshold_increment,
+                 "glare of lamps for a driver who looks in `direction`, by EN 13201, in per cent"),
+        measures(Quantity::daylight_factor,
+                 "illuminance in per cent of that under the free sky, without sun"),
+        F{"corner", &Meter::corner, item, "where a grid or a line of points begins"},
+        F{"along", &Meter::along, item, "from there along the first side"},
+        F{"across", &Meter::across, item, "along the second side; without it the grid is a line"},
+        F{"counts", &Meter::counts, item,
+          "points along and across, in the middles of equal cells; without it by a rule",
+          between(1, most_along)},
+        spaced("en_12464", GridRule::en_12464,
+               "as many points as EN 12464-1 wants of a room or a task; the default"),
+        spaced("en_13201", GridRule::en_13201,
+               "as many points as EN 13201-3 wants of a road between two lamps"),
+        F{"lanes", &Meter::lanes, item, "of the road, for the points of en_13201", between(1, 100)},
+        F{"points", &Meter::points, list, "single points in the place of a grid"},
+        F{"direction", &Meter::direction, item,
+          "where the plane faces, or the observer looks; without it the grid faces up"},
+        F{"eye", &Meter::eye, item, "of an observer who looks at each point"},
+        F{"up", &Meter::up, item, "axis of cylinders, and the vertical of observers"},
+        F{"cone", &Meter::cone, item,
+          "degrees around the line of sight over which luminance is averaged", between(0, 90)},
+        F{"maintenance", &Meter::maintenance, item, "factor on all results", above(0)},
+        F{"road", &Meter::road, item,
+          "name of the meter of luminance whose mean threshold_increment compares with"});
+});
+
+std::string problem(const Meter& meter) {
+    const Quantity quantity = meter.measures();
+    if (meter.has_grid() == !meter.points.empty())
+        return meter.points.empty()
+                   ? "`meter` needs `points`, or a grid by `corner`, `along` and `across`"
+                   : "`meter` has `points` and a grid: two meters are needed";
+    if (meter.up == Vec3(0)) return "`up` of `meter` must not be zero";
+    if (meter.direction && *meter.direction == Vec3(0))
+        return "`direction` of `meter` must not be zero";
+    const bool faces = quantity == Quantity::illuminance || quantity == Quantity::daylight_factor;
+    if (meter.across != Vec3(0) && cross(meter.along, meter.across) == Vec3(0))
+        return "`along` and `across` of `meter` have the same direction";
+    if (faces && !meter.direction && meter.across != Vec3(0) && stands_upright(meter))
+        return "`meter` stands upright: `direction` says which side it measures";
+    const bool looks = quantity == Quantity::ugr || quantity == Quantity::threshold_increment ||
+                       quantity == Quantity::semi_cylindrical;
+    if (looks && !meter.direction)
+        return "`" + std::string(name_of(quantity)) + "` of `meter` needs `direction`";
+    if (quantity == Quantity::luminance && !meter.direction && !meter.eye)
+        return "`luminance` of `meter` needs `eye` or `direction`";
+    if (quantity == Quantity::threshold_increment && meter.road.empty())
+        return "`threshold_increment` of `meter` needs `road`, the name of a meter of luminance";
+    if (looks && cross(*meter.direction, meter.up) == Vec3(0))
+        return "`direction` of `meter` leads straight up or down";
+    return {};
+}
+
+}  // namespace candelabra

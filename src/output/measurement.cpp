@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "output/measurement.h"
+
+#include "text/ascii.h"
+#include "text/message.h"
+#include "text/printable.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// The value with as many digits as an estimate has, and room.
+double rounded(double value, int digits = 6) {
+    std::array<char, 40> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   std::chars_format::scientific, digits - 1);
+    double result = value;
+    std::from_chars(text.data(), end.ptr, result);
+    return result;
+}
+
+std::string cell(double value) { return message(rounded(value)); }
+
+/// The name of a meter, or its number if it has none.
+std::string label(const MeasuredScene& scene, std::size_t i) {
+    const std::string& name = scene.meters[i].name;
+    return name.empty() ? message("meter ", i + 1) : name;
+}
+
+std::string csv_cell(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + '"';
+}
+
+/// Flux through the grid in lumens, if the meter has one and measures it.
+std::optional<MeterValue> flux_of(const Meter& meter, const MeterReading& reading) {
+    if (meter.measures() != Quantity::illuminance || reading.area == 0) return std::nullopt;
+    const MeterValue& mean = reading.summary.mean;
+    return MeterValue{mean.value * reading.area, mean.error * reading.area};
+}
+
+Json value_json(const MeterValue& value) {
+    return {{"value", rounded(value.value)}, {"error", rounded(value.error)}};
+}
+
+Json place_json(const MeterReading& reading, std::size_t i) {
+    const Vec3& at = reading.places[i].position;
+    Json json = value_json(reading.values[i]);
+    json["at"] = {at.x, at.y, at.z};
+    return json;
+}
+
+/// The value with its interval, both to the digits that the interval leaves.
+std::string shown(const MeterValue& value) {
+    constexpr int most_digits = 4, digits_of_error = 2;
+    return message(rounded(value.value, most_digits), " +- ",
+                   rounded(value.error, digits_of_error));
+}
+
+std::string place_text(const Vec3& at) {
+    return message("<", cell(at.x), ", ", cell(at.y), ", ", cell(at.z), ">");
+}
+
+}  // namespace
+
+std::optional<ReadingFormat> reading_format(std::string_view file) {
+    if (file == "-") return ReadingFormat::csv;
+    const std::string_view ending = file.substr(std::min(file.size(), file.rfind('.')));
+    if (same_letters(ending, ".csv")) return ReadingFormat::csv;
+    if (same_letters(ending, ".json")) return ReadingFormat::json;
+    return std::nullopt;
+}
+
+void review_meters(const World& world, std::span<const Meter> meters, Diagnostics& diagnostics) {
+    if (meters.empty())
+        diagnostics.add(
+            error(Fault::missing, {}, "the scene has no meter to measure with")
+                .with_help("meter { \"desk\" corner <0, 0.8, 0> along 4*x across 3*z }"));
+    const double metres = world.rules.settings.light_units().metres;
+    const auto any = [&](auto what) { return std::ranges::any_of(meters, what); };
+    const auto is = [](Quantity quantity) {
+        return [quantity](const Meter& meter) { return meter.measures() == quantity; };
+    };
+    for (const Meter& meter : meters) {
+        if (places_of(meter, metres).empty())
+            diagnostics.add(error(Fault::out_of_range, {},
+                                  message("meter `", printable(meter.name), "` has more than ",
+                                          most_meter_places, " points")));
+        const bool found = any([&](const Meter& road) {
+            return road.name == meter.road && road.measures() == Quantity::luminance;
+        });
+        if (meter.measures() == Quantity::threshold_increment && !found)
+            diagnostics.add(
+                error(Fault::unknown_name, {},
+                      message("no meter of luminance is called `", printable(meter.road), "`")));
+    }
+    if (!world.facts.has_indirect_light)
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "only direct light is measured: the integrator of the scene lets "
+                                "surfaces light nothing")
+                            .with_help("global_settings { integrator { path_traced } }"));
+    if (any(is(Quantity::ugr)) && !world.lights.sources.empty())
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "light sources have no size, and so no glare by `ugr`: only "
+                                "luminaires count"));
+}
+
+std::string readings_as_csv(const MeasuredScene& scene) {
+    std::string text = "meter,quantity,unit,point,x,y,z,value,low,high\n";
+    for (std::size_t i = 0; i < scene.meters.size(); ++i) {
+        const Quantity quantity = scene.meters[i].measures();
+        const MeterReading& reading = scene.readings[i];
+        const std::string begin =
+            message(csv_cell(label(scene, i)), ',', name_of(quantity), ',', unit_of(quantity));
+        for (std::size_t k = 0; k < reading.values.size(); ++k) {
+            const Vec3& at = reading.places[k].position;
+            const auto [value, error] = reading.values[k];
+            text += message(begin, ',', k + 1, ',', at.x, ',', at.y, ',', at.z, ',', cell(value),
+                            ',', cell(value - error), ',', cell(value + error), '\n');
+        }
+    }
+    return text;
+}
+
+std::string readings_as_json(const MeasuredScene& scene) {
+    Json all{{"metres_per_unit", scene.units.metres},
+             {"white_cd_m2", scene.units.white},
+             {"seed", scene.seed},
+             {"interval", "95 %: value - error to value + error"}};
+    all["meters"] = Json::array();
+    for (std::size_t i = 0; i < scene.meters.size(); ++i) {
+        const Meter& meter = scene.meters[i];
+        const MeterReading& reading = scene.readings[i];
+        const MeterSummary& summary = reading.summary;
+        Json json{{"name", label(scene, i)},
+                  {"quantity", name_of(meter.measures())},
+                  {"unit", unit_of(meter.measures())},
+                  {"samples", reading.samples},
+                  {"reached", reading.reached},
+                  {"maintenance", meter.maintenance},
+                  {"mean", value_json(summary.mean)},
+                  {"min", place_json(reading, summary.least)},
+                  {"max", place_json(reading, summary.greatest)},
+                  {"uo", value_json(summary.uo)},
+                  {"ud", value_json(summary.ud)}};
+        if (const auto flux = flux_of(meter, reading)) {
+            json["flux_lm"] = value_json(*flux);
+            json["area_m2"] = reading.area;
+        }
+        Json points = Json::array();
+        for (std::size_t k = 0; k < reading.values.size(); ++k)
+            points.push_back(place_json(reading, k));
+        json["points"] = std::move(points);
+        all["meters"].push_back(std::move(json));
+    }
+    // Names may be in any encoding.
+    return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string readings_as_text(const MeasuredScene& scene) {
+    std::string text;
+    for (std::size_t i = 0; i < scene.meters.size(); ++i) {
+        const Meter& meter = scene.meters[i];
+        const MeterReading& reading = scene.readings[i];
+        const MeterSummary& summary = reading.summary;
+        const std::string_view unit = unit_of(meter.measures());
+        const std::size_t count = reading.values.size();
+        text += message(printable(label(scene, i)), ": ", name_of(meter.measures()), " at ", count,
+                        count == 1 ? " point" : " points", unit.empty() ? "" : ", ", unit, '\n');
+        if (count == 1) {
+            text += message("  ", shown(reading.values[0]), '\n');
+        } else {
+            text += message("  mean ", shown(summary.mean), '\n');
+            text += message("  min  ", shown(summary.min), " at ",
+                            place_text(reading.places[summary.least].position), '\n');
+            text += message("  max  ", shown(summary.max), " at ",
+                            place_text(reading.places[summary.greatest].position), '\n');
+            if (meter.measures() != Quantity::ugr)
+                text += message("  Uo   ", shown(summary.uo), ", Ud ", shown(summary.ud), '\n');
+        }
+        if (const auto flux = flux_of(meter, reading))
+            text += message("  flux ", shown(*flux), " lm through ", cell(reading.area), " m2\n");
+    }
+    return text;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/measure.h"
+
+#include "base/circle.h"
+#include "base/cosine_direction.h"
+#include "base/degrees.h"
+#include "base/elementary.h"
+#include "base/parallel.h"
+#include "meter/glare.h"
+#include "photometry/light_colour.h"
+#include "transport/integrator.h"
+#include "transport/lamp_sight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+using std::numbers::pi;
+
+/// Samples of a batch in the first round; each further round doubles them.
+constexpr std::uint32_t first_samples = 4;
+constexpr std::uint32_t most_samples = 4096;
+/// Batches have numbers of samples of their own, so that they share no photons.
+constexpr std::uint32_t samples_apart = 1U << 24U;
+constexpr std::size_t points_of_job = 8;
+
+/// Sums of one batch at one place. Most quantities need one; glare needs the background, too.
+using Sums = std::array<double, 2>;
+
+/// Illuminance by the free sky of a horizontal plane, over pi times the luminance of white: the
+/// mean over directions with equal cosines.
+double free_sky(const World& world, const Vec3& up) {
+    constexpr int rings = 128, sectors = 256;
+    double sum = 0;
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < sectors; ++j)
+            sum += light_luminance(
+                world.sky_radiance(cosine_direction(up, {(i + 0.5) / rings, (j + 0.5) / sectors})));
+    return sum / (rings * sectors);
+}
+
+/// Takes samples of the quantities of meters. A copy serves one thread.
+class Prober {
+public:
+    explicit Prober(const Shot& shot, const SentLight& sent)
+        : shot_(shot),
+          world_(*shot.world),
+          units_(world_.rules.settings.light_units()),
+          integrator_(shot, {.sent = sent, .from_anywhere = true}),
+          direct_(shot, ShadowRays{}),
+          photons_(sent.photons) {}
+
+    /// Adds a sample of the meter at a place.
+    void add(const Meter& meter, const MeterPlace& place, const Key& key, Sums& sums) {
+        direct_.use(photons_.begin(key.sample));
+        const Sightline sight{place.direction, unit(meter.up)};
+        switch (meter.measures()) {
+            case Quantity::luminance:
+                sums[0] += luminance(meter.eye.value_or(place.position),
+                                     looked(meter.cone, place.direction, key), key);
+                return;
+            case Quantity::ugr: {
+                const WhiteElement eye(place.position, place.direction);
+                sums[0] +=
+                    std::fmax(illuminance(eye, key) - illuminance_by_lamps(eye, key), 0) / pi;
+                sums[1] += glare(place.position, sight, key);
+                return;
+            }
+            case Quantity::threshold_increment:
+                sums[0] += veil(place.position, sight, key);
+                return;
+            default:
+                sums[0] += illuminance({place.position, faced(meter.measures(), sight, key)}, key);
+        }
+    }
+
+private:
+    double illuminance(const WhiteElement& element, const Key& key) {
+        return pi * units_.luminance(light_luminance(integrator_.element_radiance(element, key)));
+    }
+
+    /// The part of it that no surface has reflected, by the same random numbers.
+    double illuminance_by_lamps(const WhiteElement& element, const Key& key) {
+        return on_element(element,
+                          [&](const LitLayer& layer) { return direct_(layer, key, ledger_); });
+    }
+
+    template <class Light>
+    double on_element(const WhiteElement& element, const Light& light) {
+        const MediaStack around = world_.containing(element.ray().origin);
+        const Vertex vertex = element.vertex({around.data(), around.size()});
+        const Layers layers = element.layers();
+        const ShadingRules rules = shading_rules(world_);
+        const Bsdf bsdf(with_layer(world_, vertex, layers.front()), rules);
+        return pi * units_.luminance(light_luminance(light(LitLayer{vertex, bsdf, all_light})));
+    }
+
+    double luminance(const Vec3& from, const Vec3& direction, const Key& key) {
+        return units_.luminance(light_luminance(integrator_.radiance(Ray{from, direction}, key)));
+    }
+
+    /// Where the small plane faces that stands for the sample.
+    static Vec3 faced(Quantity quantity, const Sightline& sight, const Key& key) {
+        const double u = uniform(key, Purpose::meter_u), v = uniform(key, Purpose::meter_v);
+        const auto [x, y] = perpendiculars(sight.up);
+        const auto on_ball = [&](double height) {
+            return std::sqrt(std::fmax(1 - height * height, 0)) * on_circle(2 * pi * v, x, y) +
+                   height * sight.up;
+        };
+        switch (quantity) {
+            case Quantity::cylindrical:
+                return on_circle(2 * pi * u, x, y);
+            case Quantity::semi_cylindrical: {
+                const Vec3 ahead = unit(sight.ahead - dot(sight.ahead, sight.up) * sight.up);
+                return on_circle(pi * (u - 0.5), ahead, cross(sight.up, ahead));
+            }
+            case Quantity::hemispherical:
+                return on_ball(u);
+            case Quantity::spherical:
+                return on_ball(2 * u - 1);
+            default:
+                return sight.ahead;
+        }
+    }
+
+    /// A direction in the cone of an observer.
+    static Vec3 looked(double cone, const Vec3& ahead, const Key& key) {
+        if (!(cone > 0)) return ahead;
+        const double depth =
+            1 - uniform(key, Purpose::meter_u) * (1 - math::cos(cone * radians_per_degree));
+        const auto [x, y] = perpendiculars(ahead);
+        return unit(depth * ahead + std::sqrt(std::fmax(1 - depth * depth, 0)) *
+                                        on_circle(2 * pi * uniform(key, Purpose::meter_v), x, y));
+    }
+
+    /// Calls use(direction, luminance, solid angle) for a sample of each luminaire that is visible
+    /// in front of the observer.
+    template <class Use>
+    void for_lamps(const Vec3& from, const Sightline& sight, const Key& key, const Use& use) {
+        const auto count = static_cast<LightIndex>(world_.lights.luminaires.size());
+        for (LightIndex lamp = 0; lamp < count; ++lamp) {
+            const Key own = key.with_branch(lamp + 1);
+            const auto seen =
+                sight_of_lamp(world_, lamp, from,
+                              {uniform(own, Purpose::meter_u), uniform(own, Purpose::meter_v)});
+            if (seen && dot(seen->direction, sight.ahead) > 0)
+                use(seen->direction, luminance(from, seen->direction, own), 1 / seen->density);
+        }
+    }
+
+    double glare(const Vec3& from, const Sightline& sight, const Key& key) {
+        double sum = 0;
+        for_lamps(from, sight, key, [&](const Vec3& direction, double bright, double angle) {
+            const double index = guth_index(sight, direction);
+            if (index > 0) sum += bright * bright * angle / (index * index);
+        });
+        return sum;
+    }
+
+    double veil(const Vec3& from, const Sightline& sight, const Key& key) {
+        double sum = 0;
+        for_lamps(from, sight, key, [&](const Vec3& direction, double bright, double angle) {
+            sum += veil_factor(sight, direction) * bright * angle * dot(direction, sight.ahead);
+        });
+        const auto& sources = world_.lights.sources;
+        const WhiteElement eye(from, sight.ahead);
+        for (std::uint32_t i = 0; i < sources.size(); ++i) {
+            const Incidence there = incidence(sources[i], sources[i].location, from);
+            const double factor = veil_factor(sight, there.direction);
+            if (factor > 0)
+                sum += factor * on_element(eye, [&](const LitLayer& layer) {
+                           return direct_.from_source(i, 1, layer, key, ledger_);
+                       });
+        }
+        return sum;
+    }
+
+    const Shot& shot_;
+    const World& world_;
+    LightUnits units_;
+    Integrator integrator_;
+    DirectLight direct_;
+    ServedGeneration<Photons> photons_;
+    LightLedger ledger_;
+};
+
+/// A meter at work.
+struct Task {
+    const Meter& meter;
+    std::uint64_t first_key;  ///< of its places
+    MeterReading reading;
+    std::vector<std::array<Sums, batch_count>> sums;  ///< of each place
+    double scale = 1;                                 ///< factor on results
+    double road = 0;                                  ///< mean luminance for a threshold increment
+    std::uint32_t of_batch = 0;
+    bool done = false;
+
+    double value(const Sums& mean) const {
+        switch (meter.measures()) {
+            case Quantity::ugr:
+                return mean[0] > 0 ? unified_glare_rating(mean[0], scale * mean[1]) : 0;
+            case Quantity::threshold_increment:
+                return road > 0 ? threshold_increment(scale * mean[0], road) : 0;
+            default:
+                return scale * mean[0];
+        }
+    }
+
+    /// Makes the reading of the sums.
+    void read() {
+        const std::size_t count = sums.size();
+        std::vector<double> values(count);
+        std::vector<Batches> batches(count);
+        reading.values.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            Sums all{};
+            for (std::size_t b = 0; b < batch_count; ++b) {
+                Sums mean = sums[i][b];
+                for (double& each : mean) each /= of_batch;
+                for (std::size_t k = 0; k < all.size(); ++k) all[k] += mean[k] / batch_count;
+                batches[i][b] = value(mean);
+            }
+            values[i] = value(all);
+            reading.values[i] = with_interval(values[i], batches[i]);
+        }
+        reading.summary = summary_of(values, batches);
+        reading.samples = std::uint64_t{batch_count} * of_batch;
+    }
+
+    bool reaches(double until) const {
+        return std::ranges::all_of(reading.values, [&](const MeterValue& each) {
+            return each.error <= until * std::abs(each.value);
+        });
+    }
+};
+
+class Measuring {
+public:
+    Measuring(const Shot& shot, std::span<const Meter> meters, const MeasureSettings& settings)
+        : settings_(settings),
+          sent_{photons_of(shot, settings.seed, settings.threads), nullptr},
+          fresh_(shot, sent_) {
+        const World& world = *shot.world;
+        const double metres = world.rules.settings.light_units().metres;
+        std::uint64_t key = 0;
+        for (const Meter& meter : meters) {
+            Task task{meter, key, {}, {}};
+            task.reading.places = places_of(meter, metres);
+            task.reading.area = length(cross(meter.along, meter.across)) * metres * metres;
+            task.sums.resize(task.reading.places.size());
+            task.scale = scale_of(meter, world);
+            key += task.sums.size();
+            tasks_.push_back(std::move(task));
+        }
+    }
+
+    std::vector<MeterReading> made() {
+        const std::uint32_t wanted =
+            settings_.samples > 0
+                ? (static_cast<std::uint32_t>(settings_.samples) + batch_count - 1) / batch_count
+                : most_samples;
+        for (std::uint32_t level = std::min(first_samples, wanted);;
+             level = std::min(2 * level, wanted)) {
+            for (Task& task : tasks_)
+                if (!task.done) go_on(task, level);
+            judge();
+            const bool ends = settings_.ended && settings_.ended();
+            if (level >= wanted || ends || std::ranges::all_of(tasks_, &Task::done)) break;
+        }
+        std::vector<MeterReading> readings;
+        for (Task& task : tasks_) readings.push_back(std::move(task.reading));
+        return readings;
+    }
+
+private:
+    static double scale_of(const Meter& meter, const World& world) {
+        if (meter.measures() != Quantity::daylight_factor) return meter.maintenance;
+        const double sky = free_sky(world, unit(meter.up));
+        const double out = pi * world.rules.settings.light_units().luminance(sky);
+        return out > 0 ? 100 * meter.maintenance / out : 0;
+    }
+
+    /// Brings all batches of all places to that number of samples.
+    void go_on(Task& task, std::uint32_t level) {
+        const std::size_t count = task.sums.size();
+        const std::size_t parts = (count + points_of_job - 1) / points_of_job;
+        // Photons of a batch are shared by all places, and not kept for long.
+        const std::size_t at_once = sent_.photons ? 1 : batch_count;
+        for (std::size_t batch = 0; batch < batch_count; batch += at_once)
+            run_parallel(parts * at_once, settings_.threads, [&](std::size_t job) {
+                const std::size_t first = job % parts * points_of_job;
+                probe(task, batch + job / parts, first, std::min(first + points_of_job, count),
+                      level);
+            });
+        task.of_batch = level;
+    }
+
+    void probe(Task& task, std::size_t batch, std::size_t first, std::size_t last,
+               std::uint32_t level) {
+        Prober prober = fresh_;
+        for (std::size_t i = first; i < last; ++i) {
+            Key key;
+            key.pixel = mix(mix(static_cast<std::uint64_t>(settings_.seed)) +
+                            (task.first_key + i) * batch_count + batch);
+            for (std::uint32_t n = task.of_batch; n < level; ++n) {
+                key.sample = static_cast<std::uint32_t>(batch) * samples_apart + n;
+                prober.add(task.meter, task.reading.places[i], key, task.sums[i][batch]);
+            }
+        }
+    }
+
+    /// Reads all meters, those of roads first, and says which are done.
+    void judge() {
+        for (Task& task : tasks_)
+            if (task.meter.measures() != Quantity::threshold_increment) task.read();
+        for (Task& task : tasks_) {
+            if (task.meter.measures() == Quantity::threshold_increment) {
+                const auto road = std::ranges::find_if(tasks_, [&](const Task& each) {
+                    return each.meter.name == task.meter.road &&
+                           each.meter.measures() == Quantity::luminance;
+                });
+                task.road = road == tasks_.end() ? 0 : road->reading.summary.mean.value;
+                task.read();
+            }
+            task.reading.reached = task.reaches(settings_.goal.error);
+            const bool enough =
+                task.reading.reached || !settings_.goal.counts(task.meter.measures());
+            task.done = settings_.samples <= 0 && enough;
+        }
+    }
+
+    const MeasureSettings& settings_;
+    SentLight sent_;
+    Prober fresh_;
+    std::vector<Task> tasks_;
+};
+
+}  // namespace
+
+std::vector<MeterReading> measure(const Shot& shot, std::span<const Meter> meters,
+                                  const MeasureSettings& settings) {
+    return Measuring(shot, meters, settings).made();
+}
+
+}  // namespace candelabra

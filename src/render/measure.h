@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the light of a world at the points of meters, by the integrator that makes its pictures.
+// Neither clamps nor denoisers touch a result. All results are the same for any number of threads.
+#pragma once
+
+#include "meter/goal.h"
+#include "meter/interval.h"
+#include "meter/places.h"
+#include "world/shot.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace candelabra {
+
+struct MeasureSettings {
+    int seed = 0;
+    int threads = 0;  ///< 0: one per core
+    int samples = 0;  ///< of each point, rounded up to equal batches; 0: as many as the goal needs
+    /// The error of all values of a meter at which it is done.
+    MeterGoal goal;
+    /// True: stop after the round of samples under way.
+    std::function<bool()> ended = {};
+};
+
+/// What one meter has found.
+struct MeterReading {
+    std::vector<MeterPlace> places;
+    std::vector<MeterValue> values;  ///< of each place, in the unit of the quantity
+    MeterSummary summary;
+    double area = 0;        ///< of its grid in square metres; 0: it has none
+    std::uint64_t samples;  ///< of each place
+    bool reached = false;   ///< whether all values are as good as they were to be
+};
+
+/// The reading of each meter, in their order. `shot` is that of any camera. Threshold increments
+/// need the meter that they name. Precondition: no meter has a problem, and each has places.
+std::vector<MeterReading> measure(const Shot&, std::span<const Meter>, const MeasureSettings&);
+
+}  // namespace candelabra

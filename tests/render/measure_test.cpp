@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/measure.h"
+
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <ctime>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+using std::numbers::pi;
+
+const std::string metres =
+    "#version 3.7; global_settings { photometry { unit 1 white 1 } integrator { path_traced } } "
+    "#default { finish { ambient 0 diffuse 0 } } camera { location <50, 50, -50> } ";
+
+/// The readings of the meters of a script, whose unit is a metre and whose radiance is in cd/m2.
+std::vector<MeterReading> read_meters(const std::string& script, MeasureSettings settings = {}) {
+    const Scene scene = scene_of(metres + script);
+    return measure(shot_of(metres + script), scene.meters, settings);
+}
+
+MeterValue read_one(const std::string& script, double error) {
+    MeasureSettings settings;
+    settings.goal.error = error;
+    settings.threads = 1;
+    return read_meters(script, settings).at(0).values.at(0);
+}
+
+const std::string at_origin = "meter { points { 1, <0, 0, 0> } } ";
+
+}  // namespace
+
+TEST_CASE("meters find what formulas say, in two seconds", "[render]") {
+    const double a = 1.2, b = 0.8, h = 2, x = a / h, y = b / h, light = 1000;
+    const double rectangle = light / 2 *
+                             (x / std::sqrt(1 + x * x) * std::atan(y / std::sqrt(1 + x * x)) +
+                              y / std::sqrt(1 + y * y) * std::atan(x / std::sqrt(1 + y * y)));
+    const double r = 0.7, disc_radius = 1;
+    const double squares = h * h + r * r + disc_radius * disc_radius;
+    const double disc =
+        pi * light / 2 *
+        (1 - (h * h + r * r - disc_radius * disc_radius) /
+                 std::sqrt(squares * squares - 4 * disc_radius * disc_radius * r * r));
+    const double phi = std::atan(1.5 / h), per_metre = light * 0.01;
+    struct Row {
+        const char* name;
+        std::string scene;
+        double expected;
+    };
+    const Row rows[] = {
+        {"disc", "disc { <0.7, 2, 0>, y, 1 pigment { rgb 1 } finish { emission 1000 } }", disc},
+        {"rectangle",
+         "polygon { 5, <0, 2, 0>, <1.2, 2, 0>, <1.2, 2, 0.8>, <0, 2, 0.8>, <0, 2, 0> pigment { rgb "
+         "1 } "
+         "finish { emission 1000 } }",
+         rectangle},
+        {"the same in triangles",
+         "mesh { triangle { <0, 2, 0>, <1.2, 2, 0>, <1.2, 2, 0.8> } triangle { <0, 2, 0>, <1.2, 2, "
+         "0.8>, <0, 2, 0.8> } pigment { rgb 1 } finish { emission 1000 } }",
+         rectangle},
+        {"sphere", "sphere { <1.5, 2, 0>, 0.25 pigment { rgb 1 } finish { emission 1000 } }",
+         pi * light * 0.0625 / 6.25 * 0.8},
+        {"tube",
+         "cylinder { <0, 2, 0>, <1.5, 2, 0>, 0.005 open pigment { rgb 1 } finish { emission 1000 } "
+         "}",
+         per_metre / (2 * h) * (phi + std::sin(phi) * std::cos(phi))},
+        {"source", "light_source { <3, 4, 0>, rgb 1 intensity candela(1000) }", 32},
+        {"sky", "background { rgb 1000 }", pi * light},
+    };
+    for (const Row& row : rows) {
+        CAPTURE(row.name);
+        const std::clock_t before = std::clock();
+        const MeterValue found = read_one(row.scene + at_origin, 0.003);
+        CHECK(found.value == Approx(row.expected).epsilon(0.005));
+        CHECK(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC < 2);
+        CHECK(found.error <= 0.005 * found.value);
+    }
+}
+
+TEST_CASE("meters of all shapes weigh directions as they are defined", "[render]") {
+    const std::string source = "light_source { <3, 4, 0>, rgb 1 intensity candela(1000) } ";
+    const auto lit = [&](const std::string& meter) {
+        return read_one(source + "meter { " + meter + " points { 1, <0, 0, 0> } }", 0.004).value;
+    };
+    CHECK(lit("cylindrical") == Approx(7.63944).epsilon(0.005));
+    CHECK(lit("semi_cylindrical direction <0.5, 0, sqrt(0.75)>") == Approx(11.4592).epsilon(0.005));
+    CHECK(lit("hemispherical") == Approx(18).epsilon(0.005));
+    CHECK(lit("spherical") == Approx(10).epsilon(0.005));
+    CHECK(lit("illuminance direction x") == Approx(24).epsilon(1e-3));
+    CHECK(lit("illuminance direction -y") == 0);
+    CHECK(lit("maintenance 0.8") == Approx(0.8 * 32).epsilon(1e-3));
+    CHECK(lit("daylight_factor") == 0);
+    CHECK(read_one("background { rgb 1000 } meter { cylindrical points { 1, <0, 0, 0> } }", 0.01)
+              .value == Approx(pi * 1000).epsilon(0.01));
+    CHECK(
+        read_one("background { rgb 1000 } meter { daylight_factor points { 1, <0, 0, 0> } }", 0.01)
+            .value == Approx(100).epsilon(1e-3));
+    CHECK(
+        read_one("background { rgb 7 } meter { luminance cone 10 direction z points { 1, <0, 0, 0> "
+                 "} }",
+                 0.01)
+            .value == Approx(7));
+}
+
+TEST_CASE("a converged room has the illuminances of radiosity", "[render]") {
+    // Reference values by radiosity with graded patches, extrapolated.
+    const std::string room =
+        "box { <0, 0, 0>, <4, -0.1, 3> pigment { rgb 0.2 } finish { diffuse 1 } } "
+        "box { <0, 2.5, 0>, <4, 2.6, 3> pigment { rgb 0.7 } finish { diffuse 1 emission "
+        "100/pi/0.7 } } "
+        "#declare Wall = texture { pigment { rgb 0.5 } finish { diffuse 1 } } "
+        "box { <-0.1, 0, 0>, <0, 2.5, 3> texture { Wall } } "
+        "box { <4, 0, 0>, <4.1, 2.5, 3> texture { Wall } } "
+        "box { <0, 0, -0.1>, <4, 2.5, 0> texture { Wall } } "
+        "box { <0, 0, 3>, <4, 2.5, 3.1> texture { Wall } } "
+        "global_settings { max_trace_level 50 integrator { path_traced bounces 60 } } ";
+    MeasureSettings settings;
+    settings.goal.error = 0.004;
+    const auto found = read_meters(room +
+                                       "meter { points { 2, <2, 0, 1.5>, <1, 0, 0.75> } } "
+                                       "meter { points { 1, <0, 1.25, 1.5> } direction x } "
+                                       "meter { points { 1, <1, 1, 0> } direction z } "
+                                       "meter { points { 1, <2, 2.5, 1.5> } direction -y } ",
+                                   settings);
+    CHECK(found[0].values[0].value == Approx(54.738).epsilon(0.005));
+    CHECK(found[0].values[1].value == Approx(47.7702).epsilon(0.005));
+    CHECK(found[1].values[0].value == Approx(40.2509).epsilon(0.005));
+    CHECK(found[2].values[0].value == Approx(35.0208).epsilon(0.005));
+    CHECK(found[3].values[0].value == Approx(15.7995).epsilon(0.005));
+}
+
+TEST_CASE("glare is rated as by its formulas", "[render]") {
+    // Panels of 0.6 m by 0.6 m that face down, before a background of 30 cd/m2.
+    const MeterValue ugr = read_one(
+        "background { rgb 30 } #macro Panel(X, Z, L) polygon { 5, <X - 0.3, 1.8, Z - 0.3>, <X + "
+        "0.3, "
+        "1.8, Z - 0.3>, <X + 0.3, 1.8, Z + 0.3>, <X - 0.3, 1.8, Z + 0.3>, <X - 0.3, 1.8, Z - 0.3> "
+        "pigment { rgb 1 } finish { emission L } } #end Panel(0, 3, 2000) Panel(1.2, 4.2, 1500) "
+        "meter { ugr direction z points { 1, <0, 0, 0> } }",
+        0.001);
+    CHECK(ugr.value == Approx(14.3154).margin(0.06));
+    const std::string road =
+        "background { rgb 1 } meter { \"road\" luminance eye <0, 1.5, 0> points { 1, <0, 20, -50> "
+        "} } "
+        "meter { threshold_increment road \"road\" direction <0, -sin(pi/180), cos(pi/180)> points "
+        "{ "
+        "1, <0, 1.5, 0> } } #for (I, 0, 2) #declare At = <3, 8, 17.875 + 25*I>; ";
+    const auto rise = [&](const std::string& lamp) {
+        MeasureSettings settings;
+        settings.goal.error = 0.003;
+        return read_meters(road + lamp + " #end", settings).at(1).values.at(0).value;
+    };
+    CHECK(rise("light_source { At, rgb 1 intensity candela(1000) }") ==
+          Approx(9.13485).epsilon(2e-3));
+    CHECK(
+        rise("sphere { At - 0.05*y, 0.05 pigment { rgb 1 } luminaire { flux lumen(4000*pi) } }") ==
+        Approx(9.13485).epsilon(0.02));
+}
+
+TEST_CASE("a meter says what a white wall shows a camera there", "[render]") {
+    // Lamps, a mirror and a glass beside the point.
+    const std::string things =
+        "sphere { <1, 2, 1>, 0.1 pigment { rgb <1, 0.8, 0.5> } finish { emission 5000 } } "
+        "box { <-2, 0, 1>, <-1.9, 3, 2> pigment { rgb 0.8 } finish { diffuse 0 reflection 0.8 } } "
+        "box { <0.5, 0.8, -1>, <1, 1, 1> pigment { rgb <1, 0.5, 0.5> filter 0.8 } } "
+        "box { <-4, -1, 3>, <4, 4, 3.1> pigment { rgb <0.3, 0.6, 0.9> } finish { diffuse 0.9 } } ";
+    const MeterValue met = read_one(things + "meter { points { 1, <0, 0, 0> } }", 0.01);
+    const MeterValue seen = read_one(
+        things +
+            "disc { 0, y, 0.001 pigment { rgb 1 } finish { diffuse 1 } } meter { luminance "
+            "eye <0, 0.01, -0.01> points { 1, <0, 0, 0> } }",
+        0.01);
+    CHECK(met.value == Approx(pi * seen.value).epsilon(0.02));
+}
+
+TEST_CASE("intervals hold what is true, and threads change nothing", "[render]") {
+    const std::string noisy =
+        "sphere { <1, 2, 1>, 0.1 pigment { rgb 1 } finish { emission 5000 } } "
+        "torus { 1, 0.1 rotate 90*x translate 1.5*z pigment { rgb 1 } finish { emission 100 } } "
+        "box { <-4, -1, 3>, <4, 4, 3.1> pigment { rgb 0.6 } finish { diffuse 0.9 } } " +
+        at_origin;
+    const double truth = read_one(noisy, 0.0015).value;
+    int held = 0;
+    constexpr int trials = 200;
+    for (int seed = 1; seed <= trials; ++seed) {
+        MeasureSettings settings;
+        settings.seed = seed;
+        settings.samples = 256;
+        const auto found = read_meters(noisy, settings).at(0);
+        CHECK(found.samples == 256);
+        held += std::abs(found.values[0].value - truth) <= found.values[0].error ? 1 : 0;
+    }
+    // 95 of 100 are wanted; 5 standard deviations of this count lie below.
+    CHECK(held > 0.87 * trials);
+    CHECK(held < trials);
+    const auto with_threads = [&](int threads) {
+        MeasureSettings settings;
+        settings.threads = threads;
+        settings.samples = 64;
+        const auto found = read_meters(
+            noisy + "meter { corner <-1, 0, -1> along 2*x across 2*z counts <5, 5> }", settings);
+        std::vector<double> values;
+        for (const MeterReading& reading : found)
+            for (const MeterValue& each : reading.values) values.push_back(each.value);
+        return values;
+    };
+    CHECK(with_threads(1) == with_threads(3));
+}
+
+TEST_CASE("a grid tells its flux, and how long it was measured", "[render]") {
+    // All light of a lamp goes through the sides of a box around it.
+    const std::string lamp = "sphere { 0, 0.1 pigment { rgb 1 } luminaire { flux lumen(1000) } } ";
+    std::string sides;
+    for (const char* axis : {"<1, 0, 0>", "<0, 1, 0>", "<0, 0, 1>"})
+        for (const char* sign : {"1", "-1"})
+            sides +=
+                std::string("#declare A = ") + axis +
+                "; #declare B = <A.y, A.z, A.x>; #declare C = <A.z, A.x, A.y>; meter { corner " +
+                sign + "*A - B - C along 2*B across 2*C counts <24, 24> direction -" + sign +
+                "*A } ";
+    double flux = 0;
+    for (const MeterReading& reading : read_meters(lamp + sides)) {
+        CHECK(reading.area == Approx(4));
+        CHECK(reading.reached);
+        flux += reading.summary.mean.value * reading.area;
+    }
+    CHECK(flux == Approx(1000).epsilon(0.005));
+    int rounds = 0;
+    MeasureSettings settings;
+    settings.goal.error = 1e-9;
+    settings.ended = [&] { return ++rounds == 3; };
+    const auto ended = read_meters(
+        "torus { 1, 0.1 translate 2*y pigment { rgb 1 } finish { emission "
+        "100 } } " +
+            at_origin,
+        settings);
+    CHECK(rounds == 3);
+    CHECK(ended[0].samples == 16 * 16);
+    CHECK_FALSE(ended[0].reached);
+}
+
+}  // namespace candelabra
