@@ -324,6 +324,11 @@ constexpr auto listed = std::to_array<OptionRow>({
          option(none, "", "", "export-mesh", value, "file", store::export_mesh,
                 "writes the scene's surfaces as a triangle mesh, PLY or OBJ by the file's ending, "
                 "without rendering; intersections and differences are exact")),
+    that(Touches::writes,
+         option(none, "", "", "measure", value, "file", store::measure,
+                "measures the light at the scene's meters; CSV or JSON by the ending; see METERS")),
+    option(none, "", "", "until", value, "error", store::until,
+           "error at which --measure ends, such as 'lux 1%'; 2% of all without it"),
     option(none, "", "", "export-object", value, "name", kept<&Options::mesh_object>(Type::text),
            "name of the declared object that --export-mesh writes, in place of the whole scene"),
     basic(that(Touches::permits,
