@@ -223,7 +223,8 @@ bool is_second_task(const Options& options, const Given& given, Diagnostics& dia
     if (std::ranges::find(exclusive, options.task) == exclusive.end() ||
         std::ranges::find(same, options.task) != same.end())
         return false;
-    refuse(given, diagnostics, "a run checks, dumps, exports or measures a scene, one of them only");
+    refuse(given, diagnostics,
+           "a run checks, dumps, exports or measures a scene, one of them only");
     return true;
 }
 

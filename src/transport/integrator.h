@@ -38,7 +38,8 @@ public:
         return std::visit([&](auto& built) { return built.radiance(ray, key); }, built_);
     }
     Vec3 element_radiance(const WhiteElement& element, const Key& key) {
-        return std::visit([&](auto& built) { return built.element_radiance(element, key); }, built_);
+        return std::visit([&](auto& built) { return built.element_radiance(element, key); },
+                          built_);
     }
     LightLedger& ledger() {
         return std::visit([](auto& built) -> LightLedger& { return built.ledger(); }, built_);

@@ -418,7 +418,8 @@ TEST_CASE("numbers of light are shown in false colours") {
     CHECK(has(darkroom.err, "a scale and isolines belong to false colours"));
     CHECK(darkroom({"develop", darkroom.path("lit.exr"), "--false-colour", "red"}) == 2);
     CHECK(has(darkroom.err, "`red` cannot be shown in false colours"));
-    CHECK(darkroom({"develop", darkroom.path("lit.exr"), "--false-colour", "lux", "--scale", "x"}) ==
+    CHECK(darkroom({"develop", darkroom.path("lit.exr"), "--false-colour", "lux", "--scale",
+                    "x"}) ==
           2);
     CHECK(has(darkroom.err, "`--scale` needs a number above 0"));
     darkroom.write_planes("x.exr", {"B", "G", "R"});
