@@ -9,13 +9,13 @@ namespace candelabra {
 
 namespace {
 
-struct Named {
+struct NamedScript {
     const char* name;
     std::string script;
 };
 
 /// Scripts of lamps; `$` is where `no_luminaire` may stand, `%` is where `luminaire` may.
-std::vector<Named> lamps() {
+std::vector<NamedScript> lamps() {
     const std::string glow = " pigment { rgb 1 } finish { diffuse 0 emission 3 $ } ";
     const std::string half =
         " pigment { rgbt <1, 0.8, 0.6, 0.5> } finish { diffuse 0 emission 3 $ } ";
@@ -64,7 +64,7 @@ std::vector<Named> lamps() {
 }
 
 /// Scripts of what is on the way, or around.
-std::vector<Named> surroundings() {
+std::vector<NamedScript> surroundings() {
     const std::string clear = " pigment { rgbt 1 } finish { diffuse 0 } ";
     const std::string grey = " pigment { rgb 0.5 } finish { diffuse 0.8 } ";
     return {
@@ -116,8 +116,8 @@ std::string with_words(std::string script, bool chosen) {
 TEST_CASE("every kind of lamp gives the light that is found by chance, by any way",
           "[statistics]") {
     const Ray ray{Vec3(0.3, 0.5, -0.6), unit(Vec3(-0.1, -0.5, 0.5))};
-    for (const Named& lamp : lamps())
-        for (const Named& around : surroundings()) {
+    for (const NamedScript& lamp : lamps())
+        for (const NamedScript& around : surroundings()) {
             const auto mean = [&](bool chosen, std::uint32_t count) {
                 return mean_seen(
                     "#version 3.7; #default { finish { ambient 0 } } global_settings { "
