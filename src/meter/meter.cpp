@@ -58,7 +58,7 @@ const ItemInfo Meter::vocabulary = described<Meter>([] {
         measures(Quantity::illuminance, "lux on a plane that faces `direction`; the default"),
         measures(Quantity::cylindrical, "lux, the mean on the sides of a small upright cylinder"),
         measures(Quantity::semi_cylindrical,
-                 "the same of the half of the cylinder that faces `direction`"),
+                 "lux, the mean on the half of a small upright cylinder that faces `direction`"),
         measures(Quantity::hemispherical, "lux, the mean on the upper half of a small ball"),
         measures(Quantity::spherical, "lux, the mean on a small ball"),
         measures(Quantity::luminance,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "options/command_settings.h"
+#include "options/console_options.h"
 #include "options/option_row.h"
 #include "options/stream_settings.h"
 

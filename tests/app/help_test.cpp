@@ -104,7 +104,7 @@ TEST_CASE("topics are items, groups, functions and options") {
     const std::string arrays = help("light_arrays.inc");
     CHECK(arrays.find("Light_Matrix(") < arrays.find("Light_Rule_Pitch("));
     CHECK(has(help("sunpos"), "SunPos(Year"));
-    CHECK(has(help("luminaires"), "luminaires ambient"));
+    CHECK(has(help("luminaires"), "global_settings { luminaires above 0.5 }"));
     CHECK(has(help("light_sampler"), "global_settings { light_sampler"));
     CHECK(has(help("povray.conf"), "--allow-read FOLDER"));
     CHECK(has(help("povray.ini"), "candelabra povray.ini scene.pov"));

@@ -261,9 +261,9 @@ TEST_CASE("every wrong argument has one message") {
         {{"--check", "--export-mesh", "m.ply"},
          "`--export-mesh`: a run checks, dumps, exports or measures a scene, one of them only"},
         {{"--export-mesh", "m.ply", "--dump", "scene"},
-         "`--dump`: a run checks, dumps or exports a scene, one of them only"},
+         "`--dump`: a run checks, dumps, exports or measures a scene, one of them only"},
         {{"--dump", "scene", "--check"},
-         "`--check`: a run checks, dumps or exports a scene, one of them only"},
+         "`--check`: a run checks, dumps, exports or measures a scene, one of them only"},
         {{"--frames", "1,"},
          "`--frames`: needs numbers of frames, and ranges of them | "
          "3,7,12-20,9-5"},
@@ -295,10 +295,11 @@ TEST_CASE("every wrong argument has one message") {
         {{"Declare=1a=2"},
          "`Declare=1a=2`: needs a name and a value | Declare=Depth=5, 'Declare=Title=\"text\"'"},
         {{"Declare=sphere=2"},
-         "`Declare=sphere=2`: `sphere` is a word of the language and cannot be declared"},
+         "`Declare=sphere=2`: `sphere` is a word of the language and cannot be declared | "
+         "Declare=Depth=5, 'Declare=Title=\"text\"'"},
         {{"Declare=a=1+2"},
-         "`Declare=a=1+2`: the value of `a` must be a number, a string in quotes, or a vector | for a string: "
-         "'Declare=a=\"text\"'"},
+         "`Declare=a=1+2`: the value of `a` must be a number, a string in quotes, or a vector | "
+         "for a string: 'Declare=a=\"text\"'"},
         {{"a.pov", "b.pov"},
          "`b.pov`: only one scene can be rendered at a time, and there is already `a.pov`"},
         {{"render.ini"}, "`render.ini`: there is no such file that can be read"},

@@ -11,7 +11,8 @@ TEST_CASE("layers are read by name, each once, in their own order") {
         return layers ? layer_list(*layers) : "nothing";
     };
     CHECK(read("normal,albedo,normal") == "albedo,normal");
-    CHECK(read("all") == "albedo,normal,depth,object,lights,variance,samples,shadow_rays");
+    CHECK(read("all") ==
+          "albedo,normal,depth,object,lights,variance,samples,shadow_rays,luminance,illuminance");
     CHECK(read("colour") == "nothing");
     for (const LayerInfo& info : all_layers()) {
         CHECK(read(info.name) == info.name);

@@ -150,6 +150,32 @@ Factor options() {
     return factor;
 }
 
+/// Meters measure the scene, and change no picture.
+Factor meters() {
+    Factor factor{"meter", {{"none"}}};
+    const auto add = [&](std::string name, std::string place) {
+        factor.levels.push_back(
+            {std::move(name), no_trait, [place](Draft& draft) {
+                 const auto quantity = draft.dice.pick<std::string>(
+                     {"illuminance", "cylindrical", "semi_cylindrical", "hemispherical",
+                      "spherical", "luminance", "ugr", "threshold_increment road \"eye\"",
+                      "daylight_factor"});
+                 draft.around.push_back(block("meter",
+                                              "\"eye\" luminance points { 1, <0, 1, -2> } "
+                                              "direction <0, -0.1, 1> cone 5"));
+                 draft.around.push_back(block("meter", "\"here\" " + quantity + " " + place +
+                                                           " direction <0.3, -0.1, 1> up y "
+                                                           "maintenance 0.8"));
+             }});
+    };
+    const std::string floor = "corner <-1, 0.5, -1> along 2*x across 2*z ";
+    add("grid", floor + "counts <2, 3>");
+    add("grid of a room", floor + "en_12464");
+    add("grid of a road", floor + "en_13201 lanes 2");
+    add("points", "points { 2, <0.5, 1, 0>, <-1, 0.2, 1> } eye <0, 1, -3>");
+    return factor;
+}
+
 }  // namespace
 
 std::vector<Factor> run_factors() {
@@ -159,6 +185,7 @@ std::vector<Factor> run_factors() {
             cameras(),
             shutters(),
             films(),
+            meters(),
             options()};
 }
 
