@@ -61,10 +61,12 @@ Factor cameras() {
         factor.levels.push_back({std::move(name), traits,
                                  [text](Draft& draft) { draft.camera.push_back(words(text)); }});
     };
-    part("blur", "aperture 0.3 blur_samples 16 focal_point <0, 0.7, 0>");
-    part("bladed", "aperture 0.3 blur_samples 16 bokeh { blades 5 angle 20 }");
+    // As in POV-Ray, a scaled camera keeps its aperture.
+    part("blur", "aperture 0.3 blur_samples 16 focal_point <0, 0.7, 0>", lengths);
+    part("bladed", "aperture 0.3 blur_samples 16 bokeh { blades 5 angle 20 }", lengths);
     part("starred",
-         "aperture 0.3 blur_samples 16 bokeh { pigment { radial frequency 5 turbulence 0.2 } }");
+         "aperture 0.3 blur_samples 16 bokeh { pigment { radial frequency 5 turbulence 0.2 } }",
+         lengths);
     part("tilted", "sky <0.3, 1, 0> right 1.2*x");
     // As in POV-Ray, such bumps turn directions of space.
     part("bent", "normal { bumps 0.2 scale 0.3 }", directions);
