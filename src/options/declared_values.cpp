@@ -2,6 +2,7 @@
 #include "options/declared_values.h"
 
 #include "options/option_store.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
 #include "vocabulary/words.h"
@@ -20,10 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view rgb = "rgb";
 
 bool is_identifier(std::string_view name) {
-    const auto letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
-    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-    return !name.empty() && !digit(name[0]) &&
-           std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c) || c == '_'; });
+    return !name.empty() && is_letter(name[0]) && std::ranges::all_of(name, in_name);
 }
 
 std::string_view without_blanks(std::string_view text) {
@@ -40,10 +38,8 @@ std::optional<Numbers> vector_of(std::string_view text) {
     Numbers numbers;
     numbers.count = 0;
     for (bool more = true; more;) {
-        const std::size_t end = std::min(text.find(','), text.size());
-        const auto value = number(without_blanks(text.substr(0, end)));
-        more = end < text.size();
-        text.remove_prefix(std::min(end + 1, text.size()));
+        more = text.find(',') != text.npos;
+        const auto value = number(without_blanks(take_until(text, ",")));
         if (!value || numbers.count == 5) return std::nullopt;
         numbers.at[static_cast<std::size_t>(numbers.count++)] = *value;
     }

@@ -66,6 +66,15 @@ int render(Shell& shell, std::vector<std::string> more) {
     return shell(more);
 }
 
+/// The names of the lights that have layers in the file.
+std::set<std::string> light_layers(const std::string& file) {
+    std::set<std::string> lights;
+    for (const std::string& name : Planes(file).names())
+        if (name.starts_with("light.") && name.ends_with(".R"))
+            lights.insert(name.substr(6, name.size() - 8));
+    return lights;
+}
+
 }  // namespace
 
 TEST_CASE("layers of light add up to the picture, and have the names that the scene gives") {
@@ -109,13 +118,10 @@ TEST_CASE("layers of light are named by their statements, not by variables of th
         light_source { Lamps[1] translate R*x })");
     REQUIRE(shell({shell.path("named.pov"), "-V", "+W4", "+H3", "+O" + shell.path("n.exr"),
                    "--layers", "lights"}) == 0);
-    std::set<std::string> lights;
-    for (const std::string& name : Planes(shell.path("n.exr")).names())
-        if (name.starts_with("light.") && name.ends_with(".R"))
-            lights.insert(name.substr(6, name.size() - 8));
-    CHECK(lights == std::set<std::string>{"light_source", "light_source_2", "light_source_3",
-                                          "light_source_4", "light_source_5", "light_source_6",
-                                          "sphere", "Lamps_0", "Lamps_1", "Lamps_1_2", "rest"});
+    CHECK(light_layers(shell.path("n.exr")) ==
+          std::set<std::string>{"light_source", "light_source_2", "light_source_3",
+                                "light_source_4", "light_source_5", "light_source_6", "sphere",
+                                "Lamps_0", "Lamps_1", "Lamps_1_2", "rest"});
 }
 
 TEST_CASE("unions may name the light that is made in them") {
@@ -137,11 +143,8 @@ TEST_CASE("unions may name the light that is made in them") {
         light_group { light_source { y*9, 1 } sphere { 2*x, 1 } light_name "Group" })");
     REQUIRE(shell({shell.path("named.pov"), "-V", "+W4", "+H3", "+O" + shell.path("n.exr"),
                    "--layers", "lights"}) == 0);
-    std::set<std::string> lights;
-    for (const std::string& name : Planes(shell.path("n.exr")).names())
-        if (name.starts_with("light.") && name.ends_with(".R"))
-            lights.insert(name.substr(6, name.size() - 8));
-    CHECK(lights == std::set<std::string>{"Left_1", "Right side", "Group", "rest"});
+    CHECK(light_layers(shell.path("n.exr")) ==
+          std::set<std::string>{"Left_1", "Right side", "Group", "rest"});
 }
 
 TEST_CASE("all layers are there, beside a picture that cannot have them") {
