@@ -45,8 +45,10 @@ inline double max_abs_component(const Vec3& v) { return max_component(glm::abs(v
 
 /// Returns two unit vectors that make a right-handed orthonormal frame with the unit vector n. Duff
 /// et al., "Building an Orthonormal Basis, Revisited", JCGT 2017: no branch, no singular direction.
+/// Zeros of either sign have the same frame: a direction that is turned twice has the samples of
+/// the one that is turned by the product.
 inline std::pair<Vec3, Vec3> perpendiculars(const Vec3& n) {
-    const double sign = std::copysign(1.0, n.z);
+    const double sign = n.z < 0 ? -1 : 1;
     const double a = -1 / (sign + n.z);
     const double b = n.x * n.y * a;
     return {Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x),

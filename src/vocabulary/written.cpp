@@ -11,8 +11,8 @@ namespace candelabra {
 
 namespace {
 
-/// The number that reads back as the same one, also as the same zero: axes that are perpendicular
-/// to a direction depend on the signs of its zeros.
+/// The number that reads back as the same one, also as the same zero: a function's atan2 depends on
+/// the signs of zeros.
 std::string exact(double x) { return x == 0 && std::signbit(x) ? "-0" : message(x); }
 
 std::string numbers(const double* at, std::size_t count) {

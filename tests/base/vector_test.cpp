@@ -34,4 +34,11 @@ TEST_CASE("perpendiculars make a right-handed frame for every direction", "[base
     }
 }
 
+TEST_CASE("perpendiculars of a direction do not depend on the signs of its zeros", "[base]") {
+    for (const Vec3& n : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.6, 0.8, 0)}) {
+        const Vec3 other(n.x == 0 ? -0.0 : n.x, n.y == 0 ? -0.0 : n.y, -0.0);
+        CHECK(perpendiculars(n) == perpendiculars(other));
+    }
+}
+
 }  // namespace candelabra

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Scenes that would not end, or would want all memory: each ends within 10 seconds of one core (20
 # where others use the core as well) and 1 GB, with a message that names a limit and, where it can
-# be raised, the option. What a bomb costs grows with the limits, so a fifth of each limit is tried, within a third of
+# be raised, the option. What a bomb costs grows with the limits, so a tenth of each limit is tried, within a fifth of
 # the time; FULL=1 in the environment takes the limits as they are.
 # Others are legal, and ask for more of something than there is use for: these make their picture within the same bounds.
 # usage: bombs.sh CANDELABRA [NAME]     runs one bomb only, and shows what it says
@@ -10,9 +10,9 @@
 set -u
 program=$(realpath "$1")
 only=${2:-}
-limits=(--limit-steps 20000000 --limit-objects 4000000 --limit-files 20000 --limit-said 13 --limit-work 800
+limits=(--limit-steps 10000000 --limit-objects 2000000 --limit-files 10000 --limit-said 7 --limit-work 400
     --memory 300M)
-seconds=7
+seconds=4
 [ -n "${FULL:-}" ] && limits=(--memory 1G) seconds=20
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -119,8 +119,8 @@ TEST_CASE("paths count glowing media once, however they meet them", "[statistics
                                    {Vec3(0, 3, -6), unit(Vec3(-1.6, -2.3, 6))}};
     for (const Ray& ray : rays) {
         CAPTURE(ray.direction.x, ray.direction.y);
-        check_alike(seen(scene("path_traced { bounces 2 }", true), 4000, ray),
-                    seen(scene("path_traced { bounces 3 }", false), 16000, ray));
+        check_alike(seen(scene("path_traced { bounces 2 }", true), 2000, ray),
+                    seen(scene("path_traced { bounces 3 }", false), 8000, ray));
     }
 }
 
