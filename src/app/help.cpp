@@ -2,9 +2,9 @@
 #include "app/help.h"
 
 #include "app/library_manual.h"
-#include "bind/object_functions.h"
 #include "editor/library_guide.h"
 #include "editor/textmate.h"
+#include "objects/object_functions.h"
 #include "options/option_help.h"
 #include "options/option_table.h"
 #include "production/version.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/backdrops.h"
 
-#include "bind/colour_maps.h"
-#include "bind/textures.h"
-#include "bind/transforms.h"
+#include "appearance/colour_maps.h"
+#include "appearance/textures.h"
+#include "reading/transforms.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
 

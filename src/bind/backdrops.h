@@ -2,7 +2,7 @@
 // background, sky_sphere, fog and rainbow blocks. Called by the reader of scenes and of #declare.
 #pragma once
 
-#include "bind/binder.h"
+#include "reading/binder.h"
 
 namespace candelabra {
 

@@ -2,7 +2,7 @@
 #include "bind/block_words.h"
 
 #include "bind/blocks.h"
-#include "bind/object_draft.h"
+#include "objects/object_draft.h"
 #include "scene/catalogue.h"
 #include "scene/scene.h"
 #include "text/ascii.h"
@@ -30,19 +30,10 @@ bool lists(std::string_view list, std::string_view word) {
     return false;
 }
 
-/// The homes that messages name.
-std::string_view main_homes(std::string_view homes) { return homes.substr(0, homes.find(" |")); }
-
 bool is_shape(std::string_view word) { return Kinds<Shape>::find(word) != Kinds<Shape>::count; }
 
-const BlockRow* row_of(std::string_view word) {
-    const auto rows = block_rows();
-    const auto found = std::ranges::find(rows, word, &BlockRow::word);
-    return found == rows.end() ? nullptr : &*found;
-}
-
 bool is_object(std::string_view block) {
-    const BlockRow* row = row_of(block);
+    const BlockRow* row = block_table().row(block);
     return is_shape(block) || (row && row->makes_object() && block != "light_source");
 }
 
@@ -59,7 +50,7 @@ public:
         if (lists(takers_of_patterns, block)) add_kinds("pigment");
         add_rows(block);
         if (block.empty() || lists(takers_of_objects, block)) add_objects();
-        const BlockRow* row = row_of(block);
+        const BlockRow* row = block_table().row(block);
         const bool combines = row && row->form == BlockRow::Form::combination;
         if (combines) add_fields(UnionSettings::vocabulary);
         if (row && !row->like.empty()) add_block(row->like);
@@ -99,7 +90,7 @@ private:
                 for (const std::string_view word : {"texture", "pigment", "normal", "finish"})
                     add({word, nullptr, {}, {}});
             if (field.parts->transform)
-                for (const BlockRow& row : block_rows())
+                for (const BlockRow& row : block_table().rows())
                     if (lists(row.homes, "transform")) add({row.word, nullptr, {}, {}});
         }
     }
@@ -126,7 +117,7 @@ private:
 
     void add_rows(std::string_view block) {
         for (const bool main : {true, false})
-            for (const BlockRow& row : block_rows()) {
+            for (const BlockRow& row : block_table().rows()) {
                 const bool here = block.empty() ? row.in_scene != nullptr
                                                 : lists(row.homes, block) &&
                                                       lists(main_homes(row.homes), block) == main;
@@ -136,7 +127,7 @@ private:
 
     void add_objects() {
         for (const ItemInfo* shape : Kinds<Shape>::infos) add({shape->name, shape, {}, {}});
-        for (const BlockRow& row : block_rows())
+        for (const BlockRow& row : block_table().rows())
             if (row.makes_object()) add({row.word, nullptr, {}, {}});
     }
 
@@ -149,27 +140,6 @@ std::vector<BlockWord> block_words(std::string_view block) {
     Words words;
     words.add_block(block);
     return words.take();
-}
-
-std::vector<std::string_view> homes(std::string_view word) {
-    std::vector<std::string_view> result;
-    const auto add = [&](std::string_view home) {
-        if (!home.empty() && std::ranges::find(result, home) == result.end())
-            result.push_back(home);
-    };
-    if (const BlockRow* row = row_of(word))
-        for (std::string_view rest = main_homes(row->homes); !rest.empty();)
-            add(take_until(rest, " "));
-    for (const ItemGroup& group : catalogue())
-        for (const ItemInfo* item : group.items) {
-            const std::string_view home = group.block.empty() ? item->name : group.block;
-            const auto is_word = [&](const FieldInfo& field) {
-                return field.is_word() && field.name == word;
-            };
-            if (std::ranges::any_of(item->fields, is_word)) add(home);
-            if (item->name == word) add(group.block);
-        }
-    return result;
 }
 
 }  // namespace candelabra

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words that stand in each block, and the blocks that a word stands in: by the table of blocks
-// (bind/blocks.h) and the vocabularies of the items. Messages about misplaced words and completion
-// are made from it.
+// The words that stand in each block, by the table of blocks (bind/blocks.h) and the vocabularies
+// of the items. Completion is made from them.
 #pragma once
 
 #include "vocabulary/item_info.h"
@@ -25,9 +24,5 @@ struct BlockWord {
 /// each once: its fields, the names of its kinds, the blocks and words inside of it, and the words
 /// that it shares with others. Of a map they are those of its entries. Empty for another name.
 std::vector<BlockWord> block_words(std::string_view block);
-
-/// Returns the blocks that the word belongs in, the most usual first; empty for a word that only a
-/// scene takes, and for words that are unknown.
-std::vector<std::string_view> homes(std::string_view word);
 
 }  // namespace candelabra

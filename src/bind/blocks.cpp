@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/blocks.h"
 
+#include "appearance/colour_maps.h"
+#include "appearance/finishes.h"
+#include "appearance/materials.h"
+#include "appearance/media.h"
+#include "appearance/normals.h"
+#include "appearance/textures.h"
 #include "bind/backdrops.h"
 #include "bind/cameras.h"
-#include "bind/colour_maps.h"
-#include "bind/finishes.h"
-#include "bind/lights.h"
-#include "bind/materials.h"
-#include "bind/media.h"
 #include "bind/meters.h"
-#include "bind/normals.h"
-#include "bind/objects.h"
 #include "bind/scene_content.h"
 #include "bind/settings.h"
-#include "bind/textures.h"
-#include "bind/transforms.h"
+#include "objects/lights.h"
+#include "objects/objects.h"
+#include "reading/transforms.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 
-#include <algorithm>
 #include <array>
-#include <vector>
 
 namespace candelabra {
 
@@ -265,31 +263,11 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
 
 constexpr BlockRow shape_row{"shape", "", BlockForm::object, object_in_scene, object_value};
 
-/// The rows of all reserved words, indexed by their number.
-std::vector<const BlockRow*> rows_by_number() {
-    const std::span<const Word> words = reserved_words();
-    std::vector<const BlockRow*> result(words.size());
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const bool shape = Kinds<Shape>::find(words[i].spelling) != Kinds<Shape>::count;
-        const auto row = std::ranges::find(table_of_blocks, words[i].spelling, &BlockRow::word);
-        result[i] = shape ? &shape_row : row == table_of_blocks.end() ? nullptr : &*row;
-    }
-    return result;
-}
-
 }  // namespace
 
-std::span<const BlockRow> block_rows() { return table_of_blocks; }
-
-const BlockRow* scene_row(std::string_view word) {
-    const auto row = std::ranges::find(table_of_blocks, word, &BlockRow::word);
-    return row == table_of_blocks.end() || !row->in_scene ? nullptr : &*row;
-}
-
-const BlockRow* block_row(NameId word) {
-    static const std::vector<const BlockRow*> by_number = rows_by_number();
-    const auto number = static_cast<std::size_t>(word);
-    return number < by_number.size() ? by_number[number] : nullptr;
+const BlockTable& block_table() {
+    static const BlockTable table(table_of_blocks, shape_row, read_object);
+    return table;
 }
 
 }  // namespace candelabra

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/cameras.h"
 
-#include "bind/blocks.h"
+#include "appearance/normals.h"
+#include "appearance/textures.h"
 #include "bind/films.h"
-#include "bind/normals.h"
-#include "bind/objects.h"
-#include "bind/textures.h"
-#include "bind/transforms.h"
+#include "objects/objects.h"
+#include "reading/transforms.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
 
@@ -28,7 +27,7 @@ public:
 
     bool take(const Element& element) {
         ObjectHandle object;
-        if (element.kind == Element::Kind::block && makes_object(element.word))
+        if (block_.makes_object(element))
             object = read_object(block_.binder, element);
         else if (element.kind == Element::Kind::value)
             object = element.value.handle<Object>();

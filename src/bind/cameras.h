@@ -2,7 +2,7 @@
 // Reads camera blocks. Called for the elements of a scene, for #declare and for #default.
 #pragma once
 
-#include "bind/bind.h"
+#include "reading/item_reader.h"
 
 namespace candelabra {
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/evaluate.h"
 
-#include "bind/bind.h"
+#include "appearance/patterns.h"
+#include "appearance/textures.h"
 #include "bind/blocks.h"
-#include "bind/object_draft.h"
-#include "bind/object_functions.h"
-#include "bind/patterns.h"
 #include "bind/scene_content.h"
-#include "bind/solid_queries.h"
-#include "bind/textures.h"
 #include "bind/version_defaults.h"
 #include "formula/function_texts.h"
+#include "objects/object_draft.h"
+#include "objects/object_functions.h"
+#include "objects/solid_queries.h"
+#include "reading/item_reader.h"
 #include "scene/dump_texture.h"
 #include "surface/pigment_map.h"
 #include "text/message.h"
@@ -26,7 +26,7 @@ namespace {
 template <class Reader>
 WordList words_with(Reader BlockRow::*reader) {
     WordList words;
-    for (const BlockRow& row : block_rows())
+    for (const BlockRow& row : block_table().rows())
         if (row.*reader) words.push_back(row.word);
     return words;
 }
@@ -38,7 +38,7 @@ WordList with_shapes(WordList words) {
 
 class SceneReader {
 public:
-    SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator}, scene_(scene) {
+    SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator, block_table()}, scene_(scene) {
         top_.ignored = "max_intersections";
         scene.background.colour.transmit = 1;  // in case the scene gives none
     }
@@ -67,7 +67,7 @@ public:
                                            "one value is wanted here, and this is a second"));
             return Absence::broken;
         }
-        const BlockRow* row = block_row(first.word);
+        const BlockRow* row = binder_.blocks.row(first.word);
         if (row && row->as_value) return row->as_value(binder_, first);
         OpenBlock block(binder_, {}, first.word_span);
         block.refuse(first, with_shapes(words_with(&BlockRow::as_value)));
@@ -90,7 +90,7 @@ public:
     void set_default(const Element& element) {
         defaults_.keep();
         const bool block = element.kind == Element::Kind::block;
-        const BlockRow* row = block ? block_row(element.word) : nullptr;
+        const BlockRow* row = block ? binder_.blocks.row(element.word) : nullptr;
         if (row && row->as_default) return row->as_default(binder_, element);
         OpenBlock whole(binder_, "#default", element.word_span);
         whole.form = "{ texture { ... } }, or pigment, normal, finish, camera";
@@ -159,8 +159,8 @@ private:
 
     void take_block(const Element& element) {
         top_.resume();
-        const BlockRow* row = block_row(element.word);
-        if (!row) row = scene_row(top_.spelling(element.word));
+        const BlockRow* row = binder_.blocks.row(element.word);
+        if (!row) row = binder_.blocks.scene_row(top_.spelling(element.word));
         if (!row || !row->in_scene) return stray(element);
         if (row->makes_object()) binder_.evaluator.count_object(element.word_span);
         row->in_scene(content_, element);
@@ -201,7 +201,7 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
     handlers.layered = [&](const Value& below, const Value& above, Span span) {
         return reader.layered(below, above, span);
     };
-    handlers.takes_braces = takes_braces;
+    handlers.takes_braces = [](NameId word) { return block_table().takes_braces(word); };
     handlers.print = [&](std::string_view text) {
         if (options.print) options.print(text);
     };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/films.h"
 
-#include "bind/bind.h"
-#include "bind/item_block.h"
+#include "reading/item_block.h"
+#include "reading/item_reader.h"
 #include "text/message.h"
 #include "text/nearest.h"
 #include "text/printable.h"

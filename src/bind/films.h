@@ -2,7 +2,7 @@
 // Reads film { ... } in a camera.
 #pragma once
 
-#include "bind/block.h"
+#include "reading/block.h"
 
 namespace candelabra {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/meters.h"
 
-#include "bind/bind.h"
+#include "reading/item_reader.h"
 
 namespace candelabra {
 

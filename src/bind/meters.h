@@ -2,8 +2,8 @@
 // meter blocks. Called by the reader of scenes.
 #pragma once
 
-#include "bind/binder.h"
 #include "meter/meter.h"
+#include "reading/binder.h"
 
 namespace candelabra {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/scene_content.h"
 
-#include "bind/object_draft.h"
+#include "objects/object_draft.h"
 
 namespace candelabra {
 

@@ -3,8 +3,8 @@
 // blocks.
 #pragma once
 
-#include "bind/binder.h"
 #include "bind/settings.h"
+#include "reading/binder.h"
 
 namespace candelabra {
 

@@ -2,8 +2,8 @@
 #include "bind/settings.h"
 
 #include "base/gamma.h"
-#include "bind/choice_block.h"
-#include "bind/item_block.h"
+#include "reading/choice_block.h"
+#include "reading/item_block.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
 

@@ -2,7 +2,7 @@
 // Reads global_settings blocks. Called for the elements of a scene.
 #pragma once
 
-#include "bind/bind.h"
+#include "reading/item_reader.h"
 #include "scene/scene.h"
 
 namespace candelabra {

@@ -3,7 +3,7 @@
 // white, `ambient` is 0 and the camera is as wide as the picture. Used by evaluate().
 #pragma once
 
-#include "bind/binder.h"
+#include "reading/binder.h"
 
 namespace candelabra {
 

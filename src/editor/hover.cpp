@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hover.h"
 
-#include "bind/object_functions.h"
 #include "editor/library_guide.h"
+#include "objects/object_functions.h"
 #include "scene/catalogue.h"
 #include "text/message.h"
 #include "vocabulary/glossary.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/links.h"
 
-#include "bind/pictures.h"
+#include "appearance/pictures.h"
 
 #include <algorithm>
 #include <array>

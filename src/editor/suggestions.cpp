@@ -2,9 +2,9 @@
 #include "editor/suggestions.h"
 
 #include "bind/block_words.h"
-#include "bind/object_functions.h"
 #include "editor/hover.h"
 #include "editor/library_guide.h"
+#include "objects/object_functions.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"
 #include "vocabulary/glossary.h"

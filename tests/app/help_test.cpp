@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help.h"
 
-#include "bind/object_functions.h"
 #include "editor/library_guide.h"
+#include "objects/object_functions.h"
 #include "options/option_help.h"
 #include "options/option_table.h"
 #include "scene/catalogue.h"

@@ -138,7 +138,7 @@ TEST_CASE("each block takes the words that the table says, and no other words of
         const std::vector<BlockWord> own = block_words(block);
         const std::set<std::string> words = words_of(block);
         std::set<std::string> candidates = words;
-        for (const BlockRow& row : block_rows()) candidates.emplace(row.word);
+        for (const BlockRow& row : block_table().rows()) candidates.emplace(row.word);
         candidates.emplace("sphere");
         CAPTURE(block);
         std::string missing, surplus;
@@ -155,20 +155,20 @@ TEST_CASE("each block takes the words that the table says, and no other words of
 TEST_CASE("each block that a word belongs in is tried here", "[bind]") {
     std::set<std::string> tried;
     for (const auto& [block, scene] : scenes()) tried.emplace(block);
-    for (const BlockRow& row : block_rows())
-        for (const std::string_view home : homes(row.word)) {
+    for (const BlockRow& row : block_table().rows())
+        for (const std::string_view home : block_table().homes(row.word)) {
             INFO(row.word << " in " << home);
             CHECK(tried.contains(std::string(home)));
         }
 }
 
 TEST_CASE("messages name the usual homes of a word, words of blocks come once", "[bind]") {
-    CHECK(homes("pigment") == std::vector<std::string_view>{"texture"});
-    CHECK(homes("emission") == std::vector<std::string_view>{"finish", "sky_sphere", "media"});
-    CHECK(homes("subsurface") ==
+    CHECK(block_table().homes("pigment") == std::vector<std::string_view>{"texture"});
+    CHECK(block_table().homes("emission") == std::vector<std::string_view>{"finish", "sky_sphere", "media"});
+    CHECK(block_table().homes("subsurface") ==
           std::vector<std::string_view>{"finish", "global_settings", "radiosity"});
-    CHECK(homes("torus").empty());
-    CHECK(homes("nothing").empty());
+    CHECK(block_table().homes("torus").empty());
+    CHECK(block_table().homes("nothing").empty());
     CHECK(block_words("nothing").empty());
     for (const auto& [block, scene] : scenes())
         CHECK(words_of(block).size() == block_words(block).size());

@@ -72,7 +72,7 @@ bool in_catalogue(std::string_view word) {
 
 TEST_CASE("each word has one row, and is explained", "[bind]") {
     std::vector<std::string_view> words;
-    for (const BlockRow& row : block_rows()) {
+    for (const BlockRow& row : block_table().rows()) {
         INFO(row.word);
         words.push_back(row.word);
         CHECK((glossary_entry(row.word) || in_catalogue(row.word)));
@@ -83,28 +83,28 @@ TEST_CASE("each word has one row, and is explained", "[bind]") {
 
 TEST_CASE("the row of a word is found by its number", "[bind]") {
     Names names;
-    for (const BlockRow& row : block_rows()) {
+    for (const BlockRow& row : block_table().rows()) {
         INFO(row.word);
-        if (names.reserved(names.intern(row.word))) CHECK(block_row(names.find(row.word)) == &row);
-        const bool own = scene_row(row.word) == &row && !row.as_value;
+        if (names.reserved(names.intern(row.word))) CHECK(block_table().row(names.find(row.word)) == &row);
+        const bool own = block_table().scene_row(row.word) == &row && !row.as_value;
         if (row.in_scene || row.as_value)
-            CHECK((own || block_row(names.find(row.word)) == &row));
+            CHECK((own || block_table().row(names.find(row.word)) == &row));
     }
-    CHECK(block_row(names.intern("not_a_block")) == nullptr);
-    CHECK(block_row(no_name) == nullptr);
-    CHECK(scene_row("meter") != nullptr);
-    CHECK(scene_row("luminaire") == nullptr);
-    CHECK(makes_object(names.find("torus")));
-    CHECK(takes_braces(names.find("torus")));
-    CHECK_FALSE(combines_objects(names.find("torus")));
-    CHECK(combines_objects(names.find("merge")));
-    CHECK_FALSE(makes_object(names.find("finish")));
-    CHECK(takes_braces(names.find("finish")));
-    CHECK_FALSE(takes_braces(names.find("translate")));
+    CHECK(block_table().row(names.intern("not_a_block")) == nullptr);
+    CHECK(block_table().row(no_name) == nullptr);
+    CHECK(block_table().scene_row("meter") != nullptr);
+    CHECK(block_table().scene_row("luminaire") == nullptr);
+    CHECK(block_table().makes_object(names.find("torus")));
+    CHECK(block_table().takes_braces(names.find("torus")));
+    CHECK_FALSE(block_table().combines_objects(names.find("torus")));
+    CHECK(block_table().combines_objects(names.find("merge")));
+    CHECK_FALSE(block_table().makes_object(names.find("finish")));
+    CHECK(block_table().takes_braces(names.find("finish")));
+    CHECK_FALSE(block_table().takes_braces(names.find("translate")));
 }
 
 TEST_CASE("what a scene holds is written, and reads back as the same", "[bind]") {
-    for (const BlockRow& row : block_rows()) {
+    for (const BlockRow& row : block_table().rows()) {
         if (!row.in_scene) continue;
         const Script done = run("#version 3.7; " + sample(row.word));
         INFO(row.word << '\n' << done.text);
@@ -121,7 +121,7 @@ TEST_CASE("what a scene holds is written, and reads back as the same", "[bind]")
 }
 
 TEST_CASE("what is a value can be declared, and is called by its name", "[bind]") {
-    for (const BlockRow& row : block_rows()) {
+    for (const BlockRow& row : block_table().rows()) {
         if (!row.as_value) continue;
         const Script done =
             run("#version 3.7; #declare A = " + sample(row.word) + " #declare B = A + 1;");
@@ -138,7 +138,7 @@ TEST_CASE("what is a value can be declared, and is called by its name", "[bind]"
 }
 
 TEST_CASE("what is a default can be set", "[bind]") {
-    for (const BlockRow& row : block_rows()) {
+    for (const BlockRow& row : block_table().rows()) {
         if (!row.as_default) continue;
         INFO(row.word);
         CHECK(run("#version 3.7; #default { " + sample(row.word) + " }").text.empty());

@@ -37,9 +37,9 @@ TEST_CASE("what the block takes comes before names, and names before other words
 
 TEST_CASE("in every block its own words come first, and those of blocks around it do not") {
     std::set<std::string> blocks = {""};
-    for (const BlockRow& row : block_rows()) {
+    for (const BlockRow& row : block_table().rows()) {
         blocks.emplace(row.word);
-        for (const std::string_view home : homes(row.word)) blocks.emplace(home);
+        for (const std::string_view home : block_table().homes(row.word)) blocks.emplace(home);
     }
     for (const ItemGroup& group : catalogue()) {
         if (!group.block.empty()) blocks.emplace(group.block);

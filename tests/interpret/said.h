@@ -3,9 +3,9 @@
 // and ignored, and functions of objects have no objects.
 #pragma once
 
-#include "bind/object_functions.h"
-#include "bind/solid_queries.h"
 #include "interpret/evaluator.h"
+#include "objects/object_functions.h"
+#include "objects/solid_queries.h"
 
 #include <map>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/value.h"
 
-#include "bind/binder.h"
+#include "reading/binder.h"
 
 #include "interpret/array_data.h"
 #include "interpret/macro.h"

@@ -11,7 +11,7 @@ namespace candelabra::proof {
 
 bool is_object(const Element& element) {
     const NameId word = reserved_word(element.head);
-    return word != no_name && makes_object(word);
+    return word != no_name && block_table().makes_object(word);
 }
 
 Script with_setting(Script script, std::string head, std::string text) {
