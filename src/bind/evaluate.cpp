@@ -38,7 +38,8 @@ WordList with_shapes(WordList words) {
 
 class SceneReader {
 public:
-    SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator, block_table()}, scene_(scene) {
+    SceneReader(Evaluator& evaluator, Scene& scene)
+        : binder_{evaluator, block_table()}, scene_(scene) {
         top_.ignored = "max_intersections";
         scene.background.colour.transmit = 1;  // in case the scene gives none
     }

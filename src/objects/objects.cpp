@@ -199,8 +199,9 @@ public:
         if (kind != Kinds<Shape>::count)
             read_shape(kind);
         else
-            read_content(block_.binder.blocks.combines_objects(element_.word) ? ContentReader::Kind::together
-                                                         : ContentReader::Kind::object);
+            read_content(block_.binder.blocks.combines_objects(element_.word)
+                             ? ContentReader::Kind::together
+                             : ContentReader::Kind::object);
         if (block_.broken) return nullptr;
         ObjectHandle made = draft_.finished(element_.span);
         const bool deep = made->depth > block_.binder.evaluator.limits().nesting;
@@ -431,7 +432,8 @@ std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
                                              const Element& element) {
     const std::size_t kind = Kinds<Shape>::find(element.word);
     const bool shape = kind != Kinds<Shape>::count;
-    if (!shape && !binder.blocks.combines_objects(element.word)) return read_object(binder, element);
+    if (!shape && !binder.blocks.combines_objects(element.word))
+        return read_object(binder, element);
     const RowEnd row{list, texture};
     return read_planned(binder, element, kind, shape ? &row : nullptr);
 }
@@ -442,7 +444,8 @@ ObjectHandle read_object(Binder& binder, const Element& element) {
         return light ? as_object(std::move(*light)) : nullptr;
     }
     const std::size_t kind = Kinds<Shape>::find(element.word);
-    const bool planned = kind != Kinds<Shape>::count || binder.blocks.combines_objects(element.word);
+    const bool planned =
+        kind != Kinds<Shape>::count || binder.blocks.combines_objects(element.word);
     return planned ? *read_planned(binder, element, kind, nullptr) : read_nested(binder, element);
 }
 

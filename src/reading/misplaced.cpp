@@ -164,8 +164,8 @@ bool Misplaced::reject_word(const Element& element, const WordList& words, bool 
         if (!list.empty()) unknown.with_note(message("it belongs in ", list));
         block_.report(std::move(unknown.with_help(
             block_.binder.blocks.knows(bare) ? message("write `", bare, " { ", word, " ... }`")
-            : way_out.empty()     ? block_.help()
-                                  : std::string(way_out))));
+            : way_out.empty()                ? block_.help()
+                                             : std::string(way_out))));
         return false;
     }
     // Reports it as in an expression: the evaluator knows which names the library declares.
@@ -287,7 +287,8 @@ void Misplaced::reject_value(const Element& element) {
     const std::string kind = kind_name(element.value);
     const Numbers* numbers = element.value.numbers();
     const bool looks =
-        block_.name == "texture" || block_.binder.blocks.makes_object(block_.binder.evaluator.names().find(block_.name));
+        block_.name == "texture" ||
+        block_.binder.blocks.makes_object(block_.binder.evaluator.names().find(block_.name));
     const bool number = numbers && !(numbers->is_colour() && looks);
     if (numbers && !number) {
         block_.report(
@@ -315,7 +316,8 @@ void Misplaced::reject_value(const Element& element) {
     if (block_.name.empty() && element.value.text())
         stray.with_help(follows_message(element) ? "strings are joined by concat(a, b)"
                                                  : "#debug \"...\\n\" prints a string");
-    else if (!number && element.word != no_name && block_.binder.blocks.knows(bare) && bare != block_.name)
+    else if (!number && element.word != no_name && block_.binder.blocks.knows(bare) &&
+             bare != block_.name)
         stray.with_help(
             message("did you mean `", bare, " { ", block_.spelling(element.word), " }`?"));
     else

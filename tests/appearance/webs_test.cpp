@@ -17,16 +17,17 @@ const std::string even =
     "IESNA:LM-63-2002\r\n[TEST] 1\r\n[TESTLAB] a\r\n[ISSUEDATE] b\r\n[MANUFAC] c\r\n"
     "TILT=NONE\r\n1 -1 1 2 1 1 2 0 0 0\r\n1 1 10\r\n0 90\r\n0\r\n100 100\r\n";
 
-Script with_file(const std::string& text, const std::string& file = even) {
+Script with_web(const std::string& text, const std::string& file = even) {
     return run("#version 3.7; global_settings { photometry { unit 1 white 1 } } " + text,
                {{"a.ies", file}});
 }
 
 }  // namespace
 
-TEST_CASE("a light source with a file has its intensity, its flux, or a stated one", "[appearance]") {
+TEST_CASE("a light source with a file has its intensity, its flux, or a stated one",
+          "[appearance]") {
     const auto colour_below = [](const std::string& words) {
-        const Script done = with_file("light_source { 0, rgb 1 ies \"a.ies\" " + words + " }");
+        const Script done = with_web("light_source { 0, rgb 1 ies \"a.ies\" " + words + " }");
         INFO(done.text);
         REQUIRE(done.text.empty());
         const PointLight& light = done.scene.lights.at(0).light;
@@ -39,12 +40,12 @@ TEST_CASE("a light source with a file has its intensity, its flux, or a stated o
 }
 
 TEST_CASE("axes of a file may begin with a sign", "[appearance]") {
-    const Script source = with_file("light_source { 0, 1 ies \"a.ies\" aim -z c0 -x }");
+    const Script source = with_web("light_source { 0, 1 ies \"a.ies\" aim -z c0 -x }");
     INFO(source.text);
     REQUIRE(source.text.empty());
     CHECK(source.scene.lights.at(0).light.aim == Vec3(0, 0, -1));
     CHECK(source.scene.lights.at(0).light.c0 == Vec3(-1, 0, 0));
-    const Script lamp = with_file(
+    const Script lamp = with_web(
         "sphere { 0, 1 pigment { rgb 1 } finish { luminaire { ies \"a.ies\" aim -z c0 -x } } }");
     INFO(lamp.text);
     REQUIRE(lamp.text.empty());
@@ -54,7 +55,7 @@ TEST_CASE("axes of a file may begin with a sign", "[appearance]") {
 }
 
 TEST_CASE("lamps of one file share its table", "[appearance]") {
-    const Script done = with_file(
+    const Script done = with_web(
         "light_source { 0, 1 ies \"a.ies\" } light_source { x, 1 ies \"a.ies\" rotate 90*y } "
         "sphere { 0, 1 pigment { rgb 1 } finish { luminaire { ies \"a.ies\" } } }");
     INFO(done.text);
@@ -81,7 +82,7 @@ TEST_CASE("what is wrong with a file is said where the scene names it", "[appear
              {"sphere { 0, 1 luminaire { } }", even, "says nothing"},
              {"sphere { 0, 1 luminaire { glow 3 } }", even, "glow"}}) {
         CAPTURE(row.text);
-        const Script done = with_file(row.text, row.file);
+        const Script done = with_web(row.text, row.file);
         CHECK(done.text.find(row.expected) != std::string::npos);
     }
 }
@@ -92,7 +93,7 @@ TEST_CASE("a scene with lamps in numbers is written as it is read", "[appearance
         "light_source { y, 1 intensity 4 } "
         "sphere { 0, 1 pigment { rgb 1 } finish { luminaire { flux 3 temperature 2700 } } } "
         "union { sphere { 0, 1 } box { 0, 1 } luminaire { flux 7 ies \"a.ies\" } }";
-    const Script first = with_file(text);
+    const Script first = with_web(text);
     INFO(first.text);
     REQUIRE(first.text.empty());
     const std::string written = dump(first.scene);

@@ -164,7 +164,8 @@ TEST_CASE("each block that a word belongs in is tried here", "[bind]") {
 
 TEST_CASE("messages name the usual homes of a word, words of blocks come once", "[bind]") {
     CHECK(block_table().homes("pigment") == std::vector<std::string_view>{"texture"});
-    CHECK(block_table().homes("emission") == std::vector<std::string_view>{"finish", "sky_sphere", "media"});
+    CHECK(block_table().homes("emission") ==
+          std::vector<std::string_view>{"finish", "sky_sphere", "media"});
     CHECK(block_table().homes("subsurface") ==
           std::vector<std::string_view>{"finish", "global_settings", "radiosity"});
     CHECK(block_table().homes("torus").empty());

@@ -85,7 +85,8 @@ TEST_CASE("the row of a word is found by its number", "[bind]") {
     Names names;
     for (const BlockRow& row : block_table().rows()) {
         INFO(row.word);
-        if (names.reserved(names.intern(row.word))) CHECK(block_table().row(names.find(row.word)) == &row);
+        if (names.reserved(names.intern(row.word)))
+            CHECK(block_table().row(names.find(row.word)) == &row);
         const bool own = block_table().scene_row(row.word) == &row && !row.as_value;
         if (row.in_scene || row.as_value)
             CHECK((own || block_table().row(names.find(row.word)) == &row));
