@@ -245,7 +245,8 @@ private:
         const bool light = output_.format.type == PictureType::exr;
         std::vector<std::string> shown;
         for (const std::string& each : files_) {
-            shown.push_back(light ? developed_frame(options_.movie, shown.size()) : quietest(each));
+            shown.push_back(light ? hidden_part(options_.movie, shown.size(), ".png")
+                                  : quietest(each));
             if (light)
                 develop_file(each, options_.denoise ? denoised_layer : "", shown.back(), problems);
         }

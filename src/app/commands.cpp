@@ -14,6 +14,7 @@
 #include "app/sandbox.h"
 #include "app/scene_run.h"
 #include "app/share_command.h"
+#include "app/sheet_run.h"
 #include "app/shell_commands.h"
 #include "console/streams.h"
 #include "options/completion.h"
@@ -56,6 +57,7 @@ int run_task(const Options& options, const std::optional<Animation>& animation,
              const Console& console, Diagnostics& diagnostics) {
     if (options.preview_port) return run_preview(options, animation, console, diagnostics);
     const auto work = [&]() -> Outcome {
+        if (!options.sheet.empty()) return {run_sheet(options, console, diagnostics)};
         if (animation) return {run_animation(options, *animation, console, diagnostics)};
         return with_frame_commands(options,
                                    [&] { return run_scene(options, console, diagnostics); });
@@ -230,6 +232,10 @@ int run_with(Options options, const Console& console, Diagnostics diagnostics) {
                                       printable(options.mesh_file), "` is not by its ending"))
                             .with_help("--export-mesh mesh.ply, or mesh.obj"));
     if (options.task == Task::measure) check_measuring(options, diagnostics);
+    if (!options.sheet.empty()) check_sheet(options, diagnostics);
+    if (!options.preview_host.empty() && !options.preview_port)
+        diagnostics.add(error(Fault::option, {}, "--preview-host is the address of a preview")
+                            .with_help("--preview 8000 --preview-host 0.0.0.0"));
     if (diagnostics.failed()) return end_with_errors(exit_status::usage);
     if (options.task == Task::help || options.task == Task::version ||
         options.task == Task::describe || options.task == Task::completion) {

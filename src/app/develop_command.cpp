@@ -325,7 +325,8 @@ std::vector<LitFrame> frames_of(const DevelopRequest& request, Diagnostics& diag
         }
         lit.push_back(
             {file,
-             hidden ? developed_frame(request.options.movie, i) : output_for(request, file, number),
+             hidden ? hidden_part(request.options.movie, i, ".png")
+                    : output_for(request, file, number),
              request.weights.of(i)});
     }
     // Two pictures must not go to the same file.

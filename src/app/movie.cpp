@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of a hidden file beside the film.
+/// Returns the path of a hidden file beside a film or a picture.
 std::string beside(const std::string& film, std::string_view ending) {
     const fs::path path(film);
     return (path.parent_path() / message(".", path.stem().string(), ".part", ending)).string();
@@ -61,8 +61,8 @@ bool fail(std::string text, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::string developed_frame(const std::string& film, std::size_t number) {
-    return beside(film, message('.', number, ".png"));
+std::string hidden_part(const std::string& whole, std::size_t number, std::string_view ending) {
+    return beside(whole, message('.', number, ending));
 }
 
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate) {

@@ -19,9 +19,9 @@ std::vector<std::string> movie_arguments(const std::string& list, const std::str
 /// Returns the list of frames for ffmpeg's "concat" demuxer.
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate);
 
-/// Returns the path of a temporary picture that is developed from an OpenEXR frame: a hidden file
-/// beside the film.
-std::string developed_frame(const std::string& film, std::size_t number);
+/// Returns the path of a temporary picture from which a film or a contact sheet is made: a hidden
+/// file beside it. `ending`: with its dot.
+std::string hidden_part(const std::string& whole, std::size_t number, std::string_view ending);
 
 /// Makes the film and replaces an older one atomically. Returns false, after an error has been
 /// reported, if ffmpeg is missing or fails; the frames stay. There must be at least one frame. No

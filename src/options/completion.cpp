@@ -30,7 +30,7 @@ std::vector<Spelling> spellings() {
     for (const OptionRow& row : option_table()) {
         if (row.unoffered != Unoffered::no) continue;
         const std::string help = manual_entry(row).help;
-        const bool valued = row.takes == Takes::value;
+        const bool valued = row.takes == Takes::value || row.takes == Takes::value_and_settings;
         const bool path = takes_path(row);
         if (!row.letters.empty())
             all.push_back({message('+', row.letters), help, valued, false, path});

@@ -20,6 +20,7 @@ enum class Takes {
     value,           ///< `+W640`, `Width=640`, `--samples 64`
     maybe_value,     ///< `--check`, `--check=syntax`
     maybe_words,     ///< `--help`, `--help sphere`: words that are not options
+    value_and_settings,  ///< `--sheet 4x3 Seed=1..12`: a value and `name=value` of no option
 };
 
 /// Treatment of a POV-Ray option that is not supported.

@@ -224,6 +224,10 @@ constexpr auto listed = std::to_array<OptionRow>({
 
     begin(OptionGroup::animation),
     option_field(none, "", "", "skip-existing", nothing, "skip_existing"),
+    option(none, "", "", "sheet", value_and_settings, "NxM name=values",
+           kept<&Options::sheet>(Type::text),
+           "contact sheet of N columns and M rows: pictures side by side for values of a variable, "
+           "such as 4x3 Seed=1..12, or of two, 4x3 Seed=1..4 Height=1,2,5; clock is one, too"),
     that(Touches::writes,
          option(none, "", "", "movie", value, "file", kept<&Options::movie>(Type::text),
                 "joins all frames into a movie with ffmpeg at the end; the ending of its name sets "
@@ -335,6 +339,12 @@ constexpr auto listed = std::to_array<OptionRow>({
                option(none, "", "", "preview", value, "port", store::preview,
                       "shows the picture at http://localhost:PORT/ while it is rendered; renders "
                       "again when the scene changes; port 0: any free port"))),
+    that(Touches::permits,
+         option(none, "", "", "preview-host", value, "address",
+                kept<&Options::preview_host>(Type::text),
+                "address of this machine on which --preview serves other machines, such as "
+                "192.168.1.7, or 0.0.0.0 for all; the printed address has a token, without which "
+                "nobody is answered")),
     basic(option(none, "", "", "help", maybe_words, "topic", store::help,
                  "lists the usual options; --help all lists every option; with a word, explains an "
                  "option, an item or a group")),

@@ -372,14 +372,34 @@ private:
             given.on = on.value_or(true);
         }
         if (given.value && row->takes == Takes::nothing) return fail(argument, "takes no value");
-        if (!given.value && row->takes == Takes::value && next_ < arguments_.size())
+        const bool settings = row->takes == Takes::value_and_settings;
+        const bool wants_value = row->takes == Takes::value || settings;
+        if (!given.value && wants_value && next_ < arguments_.size())
             given.value = arguments_[next_++];
+        if (given.value && settings) *given.value += following_settings();
         if (!given.value && row->takes == Takes::maybe_words)
             given.value = following_words(row->store == store::help);
-        if (row->takes == Takes::value && (!given.value || given.value->empty()))
+        if (wants_value && (!given.value || given.value->empty()))
             return fail(argument,
                         message("needs a value: `--", long_name(*row), " ", row->parameter, "`"));
         accept(*row, given);
+    }
+
+    /// Returns the arguments `name=values` up to the next option, each after a blank. A single
+    /// value, such as Clock=0.5, may be that of an option.
+    std::string following_settings() {
+        std::string words;
+        for (; next_ < arguments_.size(); ++next_) {
+            const std::string_view word = arguments_[next_];
+            const std::size_t equals = word.find('=');
+            if (word.starts_with('-') || word.starts_with('+') || equals == word.npos) break;
+            const bool several = word.find("..") != word.npos || word.find(',') != word.npos;
+            if (!several &&
+                find_named(&OptionRow::keyword, usual_spelling(word.substr(0, equals))))
+                break;
+            words += message(' ', word);
+        }
+        return words;
     }
 
     /// Returns the arguments up to the next option, separated by blanks. `option_first`: the first

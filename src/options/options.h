@@ -86,6 +86,7 @@ struct Options {
     std::string readings_file;            ///< of --measure: what the meters say
     MeterGoal meter_goal;                 ///< how good that has to be
     std::string movie;                    ///< made from the frames; empty: none
+    std::string sheet;                    ///< as given, such as 4x3 Seed=1..12; empty: none
     double frame_rate = 25;               ///< of the movie, in frames per second
     std::optional<std::string> ini_file;  ///< receives all options
     std::vector<GivenOption> given;       ///< all options as given, in order
@@ -106,6 +107,7 @@ struct Options {
     ProgressShare share;               ///< of the run's work on all pictures
     std::string progress = "auto";     ///< or plain, json, alf, openjd, none
     std::optional<int> preview_port;   ///< nothing: no preview
+    std::string preview_host;          ///< address on which it listens; empty: this machine's own
     bool go_on = false;                ///< continues from the state of an earlier run
     bool keep_state = false;           ///< even if the picture is finished
     double checkpoint_interval = 60;   ///< seconds between two states; 0: only on signals

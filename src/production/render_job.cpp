@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "production/render_job.h"
 
+#include "options/memory_limit.h"
 #include "options/region.h"
 #include "output/layers.h"
 #include "picture/file.h"
@@ -10,6 +11,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <system_error>
@@ -126,6 +128,32 @@ bool RenderJob::fits(const Checkpoint& old) {
     return true;
 }
 
+/// Whether the sums of the picture fit into the memory of the run; reports what they need if not.
+bool RenderJob::has_room() {
+    const RenderSettings& settings = plan_.options.render;
+    constexpr double per_megabyte = 1 << 20;
+    // An image of the film, and its encoded form, stand beside it at the end.
+    constexpr std::uint64_t beside = sizeof(Vec3) + 8;
+    const auto pixels = static_cast<std::uint64_t>(settings.width) *
+                        static_cast<std::uint64_t>(settings.height);
+    const std::uint64_t sums = extras_.count(*rendering_.shot.world);
+    const std::uint64_t need =
+        pixels * (sizeof(PixelSum) + sums * sizeof(ExactSum) + beside) + memory_in_use();
+    const auto limit = plan_.options.memory_bytes;
+    if (!limit || need <= *limit) return true;
+    const auto megabytes = [&](std::uint64_t bytes) {
+        return static_cast<std::uint64_t>(std::ceil(static_cast<double>(bytes) / per_megabyte));
+    };
+    diagnostics_.add(
+        error(Fault::option, {},
+              message("a picture of ", settings.width, "x", settings.height, " needs ",
+                      megabytes(need), " MB of memory for this scene, and the limit is ",
+                      megabytes(*limit), " MB"))
+            .with_help(message("--memory ", megabytes(need), "M",
+                               sums > 0 ? "; without layers and --denoise it needs less" : "")));
+    return false;
+}
+
 bool RenderJob::prepare() {
     const bool of_samples = plan_.shard && plan_.options.shard_by != ShardBy::tiles;
     if (of_samples && !rendering_.is_even()) {
@@ -135,6 +163,7 @@ bool RenderJob::prepare() {
                              .with_help("--samples N, or --shard-by tiles"));
         return false;
     }
+    if (!has_room()) return false;
     begin();
     if (checkpoint_.samples == 0)
         diagnostics_.add(error(Fault::option, {},

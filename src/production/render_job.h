@@ -60,6 +60,7 @@ public:
     void leave_state(bool keep);
 
 private:
+    bool has_room();
     void begin();
     bool fits(const Checkpoint& old);
     bool save(Diagnostics&);

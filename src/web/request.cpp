@@ -36,8 +36,9 @@ struct Head {
 };
 
 /// Headers that are read must occur once: otherwise another program may have read the other one.
-constexpr auto read_headers = std::to_array<std::string_view>(
-    {"Host", "Origin", "Sec-Fetch-Site", "Content-Length", "Transfer-Encoding", "X-Token"});
+constexpr auto read_headers =
+    std::to_array<std::string_view>({"Host", "Origin", "Sec-Fetch-Site", "Content-Length",
+                                     "Transfer-Encoding", "X-Token", "Cookie"});
 
 WebAnswer refusal(int status, std::string_view why) {
     return {"text/plain; charset=utf-8", message(why, '\n'), status};
@@ -112,11 +113,41 @@ bool is_own_host(std::string_view host, int port) {
     return false;
 }
 
+std::string_view query_of(const Head& head) {
+    return head.target.substr(std::min(head.target.find('?'), head.target.size() - 1) + 1);
+}
+
+/// The value of a parameter of `x=3&y=4`, not decoded; empty if there is none.
+std::string_view parameter_of(std::string_view form, std::string_view name) {
+    while (!form.empty()) {
+        std::string_view pair = take_until(form, "&");
+        if (take_until(pair, "=") == name) return pair;
+    }
+    return {};
+}
+
+bool token_in_address(const Head& head, const WebKey& key) {
+    return key.open && same_secret(parameter_of(query_of(head), "token"), key.token);
+}
+
+bool token_in_cookie(const Head& head, const WebKey& key) {
+    const Header* const header = head.find("Cookie");
+    if (!header) return false;
+    bool found = false;
+    for (std::string_view cookies = header->value; !cookies.empty();)
+        found |= same_secret(trimmed(take_until(cookies, ";")), cookie_of(key));
+    return found;
+}
+
 /// The reason why the request comes neither from the own page nor from a typed address, or empty.
 std::string_view foreign(const Head& head, const WebKey& key) {
+    // Who has the token may come from anywhere, such as a mail.
+    if (head.method == "GET" && token_in_address(head, key)) return {};
     const Header* const host = head.find("Host");
-    if (!host || !is_own_host(host->value, key.port))
+    if (!host || !(key.open || is_own_host(host->value, key.port)))
         return "the address must be the one that the program has said";
+    if (key.open && !token_in_cookie(head, key))
+        return "the address must be the whole one that the program has said, with its token";
     const Header* const origin = head.find("Origin");
     if (origin && !same_letters(origin->value, message("http://", host->value)))
         return "a page of another site asks";
@@ -161,15 +192,12 @@ std::optional<WebAnswer> refused(const Head& head, const WebKey& key) {
 
 }  // namespace
 
+std::string cookie_of(const WebKey& key) {
+    return message("candelabra-", key.port, "=", key.token);
+}
+
 std::string WebRequest::parameter(std::string_view name) const {
-    for (std::size_t at = 0; at < form.size();) {
-        const std::size_t end = std::min(form.find('&', at), form.size());
-        const std::string_view pair = std::string_view(form).substr(at, end - at);
-        if (pair.starts_with(name) && pair.substr(name.size()).starts_with('='))
-            return std::string(pair.substr(name.size() + 1));
-        at = end + 1;
-    }
-    return {};
+    return std::string(parameter_of(form, name));
 }
 
 ReadRequest read_request(std::string_view bytes, const WebKey& key) {
@@ -186,15 +214,22 @@ ReadRequest read_request(std::string_view bytes, const WebKey& key) {
     const std::string_view body = bytes.substr(end + head_end.size());
     const std::size_t wanted = std::get<std::size_t>(length);
     if (body.size() < wanted) return std::monostate();
-    const std::size_t mark = std::min(head->target.find('?'), head->target.size());
     const bool post = head->method == "POST";
-    return WebRequest{
-        post, std::string(head->target.substr(0, mark)),
-        std::string(post ? body.substr(0, wanted)
-                         : head->target.substr(std::min(mark + 1, head->target.size())))};
+    WebRequest request;
+    request.post = post;
+    request.path = head->target.substr(0, head->target.find('?'));
+    request.form = post ? body.substr(0, wanted) : query_of(*head);
+    request.has_token = token_in_address(*head, key);
+    return request;
 }
 
 namespace {
+
+/// The header that sets a cookie. Pages and scripts of other sites neither read nor send it.
+std::string cookie_header(std::string_view cookie) {
+    if (cookie.empty()) return {};
+    return message("\r\nSet-Cookie: ", cookie, "; Path=/; HttpOnly; SameSite=Strict");
+}
 
 /// The header for a saved file. Characters that could end the file's name are replaced.
 std::string disposition(std::string_view name) {
@@ -210,6 +245,7 @@ std::string sent_form(const WebAnswer& answer) {
     return message("HTTP/1.1 ", answer.status, " -\r\nContent-Type: ", answer.type,
                    "\r\nContent-Length: ", answer.body.size(),
                    answer.status == 405 ? "\r\nAllow: GET, POST" : "", disposition(answer.saved_as),
+                   cookie_header(answer.cookie),
                    "\r\nCache-Control: no-store"
                    "\r\nX-Content-Type-Options: nosniff"
                    "\r\nX-Frame-Options: DENY"

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <net/if.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/eventfd.h>
@@ -196,8 +198,9 @@ private:
         std::size_t waiting = 0;
         for (const Connection& each : crowd_) waiting += each.waiting();
         if (waiting <= limits_.waiting_bytes) try {
-                const WebAnswer said = handler_(request);
+                WebAnswer said = handler_(request);
                 if (said.later && request.can_wait) return std::nullopt;
+                if (request.has_token) said.cookie = cookie_of(key_);
                 return sent_form(said);
             } catch (const std::bad_alloc&) {  // handled like a lack of room
             }
@@ -227,8 +230,30 @@ private:
 
 }  // namespace
 
-WebServer::WebServer(int port, std::string token, Handler handler, WebLimits limits)
-    : key_{0, std::move(token)}, handler_(std::move(handler)), limits_(limits) {
+bool is_address(std::string_view text) {
+    in_addr address{};
+    return ::inet_pton(AF_INET, std::string(text).c_str(), &address) == 1;
+}
+
+std::vector<std::string> addresses_of(std::string_view host) {
+    if (host != any_host) return {std::string(host)};
+    std::vector<std::string> found;
+    ifaddrs* all = nullptr;
+    if (::getifaddrs(&all) != 0) return found;
+    for (const ifaddrs* each = all; each; each = each->ifa_next) {
+        if (!each->ifa_addr || each->ifa_addr->sa_family != AF_INET) continue;
+        if ((each->ifa_flags & IFF_LOOPBACK) != 0) continue;
+        char text[INET_ADDRSTRLEN] = {};
+        const auto* const address = reinterpret_cast<const sockaddr_in*>(each->ifa_addr);
+        if (::inet_ntop(AF_INET, &address->sin_addr, text, sizeof text)) found.emplace_back(text);
+    }
+    ::freeifaddrs(all);
+    return found;
+}
+
+WebServer::WebServer(std::string_view host, int port, std::string token, Handler handler,
+                     WebLimits limits)
+    : key_{0, std::move(token), host != own_host}, handler_(std::move(handler)), limits_(limits) {
     if (key_.token.empty()) return;
     socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     const int yes = 1;
@@ -236,7 +261,7 @@ WebServer::WebServer(int port, std::string token, Handler handler, WebLimits lim
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (::inet_pton(AF_INET, std::string(host).c_str(), &address.sin_addr) != 1) return;
     auto* const generic = reinterpret_cast<sockaddr*>(&address);
     socklen_t length = sizeof address;
     constexpr int waiting = 128;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small web server for the preview, on one address of this machine. It suffices for a page that
-// shows a picture, and is small enough to be understood. It needs no library, which every run would
-// have to load. All connections are polled together and each has its deadline, so that slow or
-// silent ones do not block others.
+// A small web server for the preview, on this machine or in its network. It suffices for a page
+// that shows a picture, and is small enough to be understood. It needs no library, which every run
+// would have to load. All connections are polled together and each has its deadline, so that slow
+// or silent ones do not block others.
 #pragma once
 
 #include "web/request.h"
@@ -10,7 +10,10 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <string>
+#include <string_view>
 #include <thread>
+#include <vector>
 
 namespace candelabra {
 
@@ -23,19 +26,30 @@ struct WebLimits {
     int patience_milliseconds = 2000;     ///< until a waiting request is handled for the last time
 };
 
+/// The address that only this machine reaches, and the one that stands for all of its addresses.
+inline constexpr std::string_view own_host = "127.0.0.1", any_host = "0.0.0.0";
+
+/// Whether the text is an address of IPv4, such as 192.168.1.7.
+bool is_address(std::string_view);
+
+/// Returns the addresses under which other machines may reach a server that listens on `host`:
+/// itself, or all of this machine's for any_host.
+std::vector<std::string> addresses_of(std::string_view host);
+
 class WebServer {
 public:
     using Handler = std::function<WebAnswer(const WebRequest&)>;
 
-    /// Listens on 127.0.0.1; port 0 selects a free port. The handler is called from one thread. It
-    /// should change something for POST only, which needs the token. A request that it answers with
+    /// Listens on an address of this machine; port 0 selects a free port. On another one than
+    /// own_host, each request needs the token. The handler is called from one thread. It should
+    /// change something for POST only, which needs the token. A request that it answers with
     /// `later` is handled again after each wake(), until its time is over.
-    WebServer(int port, std::string token, Handler, WebLimits = {});
+    WebServer(std::string_view host, int port, std::string token, Handler, WebLimits = {});
     WebServer(const WebServer&) = delete;
     WebServer& operator=(const WebServer&) = delete;
     ~WebServer();
 
-    /// 0 if the port is not available or the token is empty.
+    /// 0 if the address or the port is not available, or the token is empty.
     int port() const { return key_.port; }
     /// Announces that there may be answers to waiting requests. May be called by any thread.
     void wake() const;

@@ -17,8 +17,8 @@ TEST_CASE("frames are listed with their time, quotes in names and all", "[app]")
 }
 
 TEST_CASE("pictures that are made for a film only are hidden, one for each frame", "[app]") {
-    CHECK(developed_frame("films/a.mp4", 7) == "films/.a.part.7.png");
-    CHECK(developed_frame("a.mp4", 0) == ".a.part.0.png");
+    CHECK(hidden_part("films/a.mp4", 7, ".png") == "films/.a.part.7.png");
+    CHECK(hidden_part("a.mp4", 0, ".png") == ".a.part.0.png");
 }
 
 TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {

@@ -200,4 +200,38 @@ def look():
 )"));
 }
 
+TEST_CASE("a preview for other machines answers those who have its whole address") {
+    if (!has_python()) return;
+    const Shell shell;
+    shell.write("scene.pov", lit_scene);
+    shell.write("client.py", R"py(
+import re, subprocess, sys, urllib.error, urllib.request
+run = subprocess.Popen([*sys.argv[1:], "--preview", "0", "--preview-host", "127.0.0.2"],
+                       stderr=subprocess.PIPE, text=True)
+try:
+    while not (line := run.stderr.readline()).startswith("preview: "): pass
+    whole = line.split()[-1]
+    base, token = re.fullmatch("(http://127.0.0.2:[0-9]+/).token=([0-9a-f]{32})", whole).groups()
+    def code(path, **heads):
+        try: return urllib.request.urlopen(urllib.request.Request(base + path, None, heads), timeout=10).status
+        except urllib.error.HTTPError as refusal: return refusal.code
+    assert code("") == code("status") == code("?token=" + "0" * 32) == 403
+    page = urllib.request.urlopen(whole, timeout=10)
+    cookie = page.headers["Set-Cookie"].split(";")[0]
+    assert b"<!DOCTYPE html>" in page.read()
+    assert code("status", Cookie=cookie) == code("style.css", Cookie=cookie) == 200
+finally: run.terminate()
+assert run.wait(20) == 0
+)py");
+    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
+                                " " CANDELABRA_BINARY " " + shell.path("scene.pov");
+    CHECK(std::system(command.c_str()) == 0);
+    Shell wrong;
+    CHECK(wrong({wrong.path("lit.pov"), "--preview-host", "0.0.0.0"}) == exit_status::usage);
+    CHECK_THAT(wrong.err, Catch::Contains("--preview 8000 --preview-host 0.0.0.0"));
+    CHECK(wrong({wrong.path("lit.pov"), "--preview", "0", "--preview-host", "here"}) ==
+          exit_status::file);
+    CHECK_THAT(wrong.err, Catch::Contains("an address of this machine"));
+}
+
 }  // namespace candelabra

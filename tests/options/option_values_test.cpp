@@ -72,6 +72,8 @@ const std::map<std::string, GivenWords>& examples() {
         {"integrator", {"--integrator", "path_traced"}},
         {"denoise", {"--denoise"}},
         {"draft", {"--draft"}},
+        {"sheet", {no_picture}},
+        {"preview-host", {no_picture}},
         {"film", {"--film", "on"}},
         {"exposure", {"--exposure", "auto+1"}},
         {"white-balance", {"--white-balance", "3200"}},

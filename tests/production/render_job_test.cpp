@@ -114,6 +114,24 @@ TEST_CASE("one ray without end obeys a stop, the time and a bound") {
     CHECK(shell(all) == exit_status::done);
 }
 
+TEST_CASE("a picture that does not fit into the memory tells what it needs") {
+    Shell shell;
+    const auto posters = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = {shell.path("lit.pov"), "-V",       "+W8000", "+H6000",
+                                        "--memory",            "2G",       "--samples", "1",
+                                        "+O" + shell.path("a.png")};
+        all.insert(all.end(), more.begin(), more.end());
+        return shell(all);
+    };
+    CHECK(posters({}) == exit_status::file);
+    CHECK(has(shell.err, "a picture of 8000x6000 needs "));
+    CHECK(has(shell.err, "the limit is 2048 MB"));
+    CHECK(has(shell.err, "help: --memory 6"));
+    CHECK_FALSE(has(shell.err, "layers"));
+    CHECK(posters({"--layers", "normal"}) == exit_status::file);
+    CHECK(has(shell.err, "without layers"));
+}
+
 TEST_CASE("what cannot be kept is said") {
     Shell shell;
     shell.interrupts.take = [] { return Interrupt::stop; };

@@ -153,4 +153,33 @@ TEST_CASE("tokens are new each time") {
     for (const std::string& each : seen) CHECK(each.size() == 32);
 }
 
+TEST_CASE("other machines need the token, in the address or in a cookie") {
+    const WebKey open_key{80, "secret", true};
+    const auto asks = [&](const std::string& path, const std::string& headers) {
+        return status(with("Host: 192.168.1.7:80" + headers, "GET " + path + " HTTP/1.1"), open_key);
+    };
+    CHECK(asks("/", "") == 403);
+    CHECK(asks("/?token=secret", "") == 200);
+    CHECK(asks("/?x=1&token=secret", "\r\nSec-Fetch-Site: cross-site") == 200);
+    CHECK(asks("/?token=", "") == 403);
+    CHECK(asks("/?token=Secret", "") == 403);
+    CHECK(asks("/?tokens=secret", "") == 403);
+    CHECK(asks("/picture", "\r\nCookie: candelabra-80=secret") == 200);
+    CHECK(asks("/picture", "\r\nCookie: a=b; candelabra-80=secret ;c=d") == 200);
+    CHECK(asks("/picture", "\r\nCookie: candelabra-81=secret") == 403);
+    CHECK(asks("/picture", "\r\nCookie: candelabra-80=secret\r\nCookie: a=b") == 400);
+    CHECK(asks("/picture", "\r\nCookie: candelabra-80=secret\r\nOrigin: http://a.b") == 403);
+    const auto turns = [&](const std::string& headers) {
+        return status(with("Host: 192.168.1.7:80\r\nContent-Length: 0" + headers,
+                           "POST /turn?token=secret HTTP/1.1"),
+                      open_key);
+    };
+    CHECK(turns("") == 403);
+    CHECK(turns("\r\nX-Token: secret") == 403);
+    CHECK(turns("\r\nCookie: candelabra-80=secret") == 403);
+    CHECK(turns("\r\nCookie: candelabra-80=secret\r\nX-Token: secret") == 200);
+    // On the machine itself neither is asked for.
+    CHECK(status(with("Host: localhost:80\r\nCookie: candelabra-80=other")) == 200);
+}
+
 }  // namespace candelabra

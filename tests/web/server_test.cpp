@@ -42,7 +42,7 @@ std::string fetch(int port, const std::string& message) {
 }  // namespace
 
 TEST_CASE("a page is served on a free port") {
-    const WebServer server(0, "secret", [](const WebRequest& request) {
+    const WebServer server(own_host, 0, "secret", [](const WebRequest& request) {
         return WebAnswer{"text/plain", (request.post ? "you say " : "you ask for ") + request.path +
                                            " " + request.form};
     });
@@ -56,8 +56,8 @@ TEST_CASE("a page is served on a free port") {
               .ends_with("you say /b x=1"));
     CHECK(fetch(server.port(), "PUT /a HTTP/1.1\r\n" + host + "\r\n").starts_with("HTTP/1.1 405 "));
     CHECK(fetch(server.port(), "GET /a HTTP/1.1\r\n\r\n").starts_with("HTTP/1.1 403 "));
-    CHECK(WebServer(server.port(), "secret", {}).port() == 0);
-    CHECK(WebServer(0, "", {}).port() == 0);
+    CHECK(WebServer(own_host, server.port(), "secret", {}).port() == 0);
+    CHECK(WebServer(own_host, 0, "", {}).port() == 0);
 }
 
 TEST_CASE("who does not read the answer holds up nobody") {
@@ -66,7 +66,7 @@ TEST_CASE("who does not read the answer holds up nobody") {
     {
         std::atomic<int> asked = 0;
         const WebServer server(
-            0, "secret",
+            own_host, 0, "secret",
             [&](const WebRequest& request) {
                 ++asked;
                 return WebAnswer{"text/plain", request.path == "/large" ? large : "quick"};
@@ -89,7 +89,7 @@ TEST_CASE("who does not read the answer holds up nobody") {
 }
 
 TEST_CASE("slow and silent connections hold up nobody") {
-    const WebServer server(0, "secret", [](const WebRequest&) {
+    const WebServer server(own_host, 0, "secret", [](const WebRequest&) {
         return WebAnswer{"text/plain", "quick"};
     });
     const std::string get =
@@ -103,7 +103,7 @@ TEST_CASE("slow and silent connections hold up nobody") {
 }
 
 TEST_CASE("a request that drips has a time for all of it") {
-    const WebServer server(0, "secret",
+    const WebServer server(own_host, 0, "secret",
                            [](const WebRequest&) {
                                return WebAnswer{"text/plain", "quick"};
                            },
@@ -124,7 +124,7 @@ TEST_CASE("a request that drips has a time for all of it") {
 TEST_CASE("a request waits for its answer, and hears of it at once") {
     std::atomic<bool> there = false;
     std::atomic<int> asked = 0;
-    const WebServer server(0, "secret",
+    const WebServer server(own_host, 0, "secret",
                            [&](const WebRequest& request) {
                                if (request.path == "/other")
                                    return WebAnswer{"text/plain", "other"};
@@ -150,7 +150,7 @@ TEST_CASE("a request waits for its answer, and hears of it at once") {
 
 TEST_CASE("who waits in vain is answered when the time is over") {
     const WebServer server(
-        0, "secret",
+        own_host, 0, "secret",
         [&](const WebRequest& request) {
             WebAnswer answer{"text/plain", request.can_wait ? "soon" : "nothing"};
             answer.later = true;
@@ -165,6 +165,37 @@ TEST_CASE("who waits in vain is answered when the time is over") {
     for (int i = 0; i < 40; ++i) waiting.push_back(send_to(server.port(), get));
     CHECK(fetch(server.port(), get).ends_with("nothing"));
     for (const int each : waiting) ::close(each);
+}
+
+TEST_CASE("a server that others reach answers nobody without its token") {
+    const WebServer server(any_host, 0, "secret", [](const WebRequest& request) {
+        return WebAnswer{"text/plain", request.path};
+    });
+    REQUIRE(server.port() > 0);
+    const std::string host = "Host: some.name:1\r\n";
+    const auto get = [&](const std::string& path, const std::string& headers = "") {
+        return fetch(server.port(), "GET " + path + " HTTP/1.1\r\n" + host + headers + "\r\n");
+    };
+    CHECK(get("/a").starts_with("HTTP/1.1 403 "));
+    CHECK(get("/a?token=secre").starts_with("HTTP/1.1 403 "));
+    const std::string cookie = "candelabra-" + std::to_string(server.port()) + "=secret";
+    const std::string first = get("/?token=secret");
+    CHECK(first.starts_with("HTTP/1.1 200 "));
+    CHECK(first.find("\r\nSet-Cookie: " + cookie + "; Path=/; HttpOnly; SameSite=Strict\r\n") !=
+          first.npos);
+    const std::string next = get("/a", "Cookie: " + cookie + "\r\n");
+    CHECK(next.ends_with("/a"));
+    CHECK(next.find("Set-Cookie") == next.npos);
+}
+
+TEST_CASE("addresses are those of this machine in its networks") {
+    CHECK(addresses_of("192.168.1.7") == std::vector<std::string>{"192.168.1.7"});
+    for (const std::string& each : addresses_of(any_host)) {
+        CHECK(is_address(each));
+        CHECK_FALSE(each.starts_with("127."));
+    }
+    for (const char* const other : {"", "localhost", "1.2.3", "1.2.3.4.5", "::1", "1.2.3.4 "})
+        CHECK_FALSE(is_address(other));
 }
 
 }  // namespace candelabra
