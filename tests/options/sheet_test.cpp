@@ -45,7 +45,8 @@ TEST_CASE("a sheet has a picture for each value", "[options]") {
 
 TEST_CASE("pictures of a sheet follow each other along rows, or lie by two values", "[options]") {
     std::string problem;
-    const auto one = sheet_of("3x2 A=1,2,3,4,5", problem), two = sheet_of("3x2 A=1,2 B=1..2", problem);
+    const auto one = sheet_of("3x2 A=1,2,3,4,5", problem),
+               two = sheet_of("3x2 A=1,2 B=1..2", problem);
     REQUIRE((one && two));
     CHECK(one->column_of(4) == 1);
     CHECK(one->row_of(4) == 1);

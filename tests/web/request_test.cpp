@@ -156,7 +156,8 @@ TEST_CASE("tokens are new each time") {
 TEST_CASE("other machines need the token, in the address or in a cookie") {
     const WebKey open_key{80, "secret", true};
     const auto asks = [&](const std::string& path, const std::string& headers) {
-        return status(with("Host: 192.168.1.7:80" + headers, "GET " + path + " HTTP/1.1"), open_key);
+        const std::string line = "GET " + path + " HTTP/1.1";
+        return status(with("Host: 192.168.1.7:80" + headers, line), open_key);
     };
     CHECK(asks("/", "") == 403);
     CHECK(asks("/?token=secret", "") == 200);
