@@ -149,7 +149,7 @@ constexpr auto commands = std::to_array<Command>({
      "Writes a scene to begin with. Templates: studio (the usual one), room, street, flake, "
      "leds.\n"},
     {"merge", merge,
-     "usage: candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
+     "usage: candelabra merge [+Ofile] [+Fx] [--partial | --status] state.state.exr ...\n"
      "Joins the states that shards of a picture have left; candelabra-merge(1) says more.\n"},
     {"develop", run_develop,
      "usage: candelabra develop [-o file] [+Fx] [--layer name] [--exposure stops] ... "

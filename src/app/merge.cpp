@@ -32,7 +32,8 @@ public:
     Joiner(Gaps gaps, Diagnostics& diagnostics) : gaps_(gaps), diagnostics_(diagnostics) {}
 
     void add(const std::string& name, const Checkpoint& state) {
-        parts_.push_back({name, state.state.shard, state.state.rounds, state.samples});
+        parts_.push_back(
+            {name, state.state.shard, state.state.rounds, state.samples, state.finished});
         if (parts_.size() == 1)
             begin(state);
         else
@@ -40,6 +41,23 @@ public:
         if (!state.finished)
             missing(message("`", printable(name), "` is not finished"), Gaps::around);
         if (!diagnostics_.failed()) sum_up(state);
+    }
+
+    /// Describes the states, one a line. Precondition: at least one state was added.
+    std::string report() const {
+        std::string text;
+        for (const Part& part : parts_) {
+            const PictureShard& its = part.shard;
+            text += message(printable(part.name), ": ");
+            if (its.tile_step > 1)
+                text += message("part ", its.first_tile + 1, " of ", its.tile_step, " by tiles");
+            else
+                text += message("samples ", its.first_sample, " to ",
+                                its.first_sample + std::max(part.samples, 1u) - 1, " of 0 to ",
+                                sum_.all_samples - 1);
+            text += part.finished ? ", finished\n" : ", not finished\n";
+        }
+        return text;
     }
 
     /// Returns the sum, or nothing after an error. Precondition: at least one state was added.
@@ -67,6 +85,7 @@ private:
         std::string name;
         PictureShard shard;
         std::uint32_t rounds, samples;
+        bool finished;
     };
 
     const PictureShard& shard() const { return sum_.state.shard; }
@@ -168,6 +187,7 @@ struct Request {
     Options options;
     std::vector<std::string> files;
     bool partial = false;
+    bool status = false;  ///< only says what is there
 };
 
 /// Whether an option, written as in an INI file, can change the result of merge.
@@ -186,6 +206,8 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
         const bool file = argument.ends_with(state_ending) && !argument.starts_with('+');
         if (argument == "--partial")
             request.partial = true;
+        else if (argument == "--status")
+            request.status = true;
         else if (file)
             request.files.emplace_back(argument);
         else
@@ -274,7 +296,9 @@ int merge(std::span<const std::string_view> arguments, const Console& console) {
         joiner.add(file, *state);
     }
     const auto result = joiner.finish();
+    if (request.status) console.out(joiner.report());
     if (!result) return end(exit_status::usage);
+    if (request.status) return end(exit_status::done);
     return end(write_result(request, *result, diagnostics) ? exit_status::done : exit_status::file);
 }
 

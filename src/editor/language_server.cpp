@@ -41,6 +41,7 @@ constexpr auto methods = std::array{
     Method{"textDocument/definition", &LanguageServer::definition, true},
     Method{"textDocument/references", &LanguageServer::references, true},
     Method{"textDocument/rename", &LanguageServer::rename, true},
+    Method{"textDocument/prepareRename", &LanguageServer::prepare_rename, true},
     Method{"textDocument/documentHighlight", &LanguageServer::highlights, true},
     Method{"textDocument/documentSymbol", &LanguageServer::symbols, true},
     Method{"workspace/symbol", &LanguageServer::workspace_symbols, true},
@@ -196,7 +197,7 @@ Json LanguageServer::initialize(Parameters&) {
               {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
               {"definitionProvider", true},
               {"referencesProvider", true},
-              {"renameProvider", true},
+              {"renameProvider", {{"prepareProvider", true}}},
               {"documentHighlightProvider", true},
               {"documentSymbolProvider", true},
               {"workspaceSymbolProvider", true},
@@ -372,6 +373,22 @@ Json LanguageServer::references(Parameters& parameters) {
     for (const Mention& each : mentions(workspace_, file->path, offset))
         places.push_back({{"uri", uri_of(each.path)}, {"range", ranges.of(each.path, each.place)}});
     return places;
+}
+
+Json LanguageServer::prepare_rename(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::uint32_t offset = parameters.place(file->text, {"position"});
+    const Token* const token = file->token_at(offset);
+    if (!parameters.problem().empty() || !token) return nullptr;
+    const Part place{token->first, token->last};
+    // No scene has this name, so that only the name at the place can be the reason.
+    const auto result = renaming(workspace_, file->path, offset, "Name_of_no_scene_7e5b3");
+    if (const auto* reason = std::get_if<std::string>(&result)) {
+        fail(*reason);
+        return nullptr;
+    }
+    return {{"range", range_of(file->text, place)}, {"placeholder", file->part(place)}};
 }
 
 Json LanguageServer::rename(Parameters& parameters) {

@@ -62,6 +62,7 @@ public:
     Json definition(Parameters&);
     Json references(Parameters&);
     Json rename(Parameters&);
+    Json prepare_rename(Parameters&);
     Json highlights(Parameters&);
     Json symbols(Parameters&);
     Json workspace_symbols(Parameters&);

@@ -62,6 +62,19 @@ std::optional<int> near(std::string_view word, std::string_view name) {
     return found;
 }
 
+/// Returns the only name that begins with the word, or "": a word that is not written to its end.
+std::string only_longer(std::string_view word, const std::vector<std::string_view>& names) {
+    constexpr std::size_t fewest_letters = 3;
+    if (word.size() < fewest_letters) return {};
+    std::string_view found;
+    for (const std::string_view name : names) {
+        if (!same_letters(name.substr(0, word.size()), word)) continue;
+        if (!found.empty() && found != name) return {};
+        found = name;
+    }
+    return std::string(found);
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string_view>& names) {
@@ -88,6 +101,8 @@ std::vector<std::string> nearest_few(std::string_view word,
             few.emplace_back(guess.name);
         }
     }
+    if (few.empty() && most > 0)
+        if (std::string longer = only_longer(word, names); !longer.empty()) few.push_back(longer);
     return few;
 }
 

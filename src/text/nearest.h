@@ -3,7 +3,8 @@
 
 // Finds names similar to a misspelt one, for "did you mean". Counts letters that are omitted,
 // added, changed or swapped; a difference in case counts little. Tolerates about one slip in three
-// letters, so that short words do not match arbitrary names.
+// letters, so that short words do not match arbitrary names. Where none is near, the only name that
+// begins with the word is meant.
 
 #include <cstddef>
 #include <string>

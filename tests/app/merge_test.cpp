@@ -67,6 +67,12 @@ TEST_CASE("merging refuses what does not fit together, and says what is missing"
     CHECK_FALSE(fs::exists(farm.path("a.png")));
     CHECK(farm.merge({"1of3", "3of3"}, {"--partial"}) == 0);
     CHECK(fs::exists(farm.path("a.png")));
+    fs::remove(farm.path("a.png"));
+    CHECK(farm.merge({"3of3", "1of3"}, {"--status"}) == 2);
+    CHECK(has(farm.out, "a.png.1of3.state.exr: samples 0 to 1 of 0 to 5, finished\n"));
+    CHECK(has(farm.err, "samples 2 to 3 of 0 to 5 are missing"));
+    CHECK(farm.merge({"1of3", "2of3", "3of3"}, {"--status"}) == 0);
+    CHECK_FALSE(fs::exists(farm.path("a.png")));
     CHECK(farm.merge({"1of3", "2of3", "3of3", "1of2"}) == 2);
     CHECK(has(farm.err, "of which another shard has some, too"));
     REQUIRE(farm.share("2/2", {"--samples", "6", "--seed", "1"}) == 0);
@@ -77,6 +83,8 @@ TEST_CASE("merging refuses what does not fit together, and says what is missing"
     CHECK(has(farm.err, "is there twice"));
     CHECK(farm.merge({"1of2"}) == 2);
     CHECK(has(farm.err, "shard 2 of 2 is missing"));
+    CHECK(farm.merge({"1of2"}, {"--status"}) == 2);
+    CHECK(has(farm.out, "a.png.1of2.state.exr: part 1 of 2 by tiles, finished\n"));
     CHECK(farm.merge({}) == 2);
     CHECK(farm({"merge", farm.path("lit.pov")}) == 2);
     CHECK(farm({"merge", "--help"}) == 0);

@@ -20,6 +20,10 @@ TEST_CASE("an editor's requests are answered") {
     CHECK(client.ask("workspace/symbol", {{"query", "si"}})[0]["name"] == "Size");
     CHECK(client.ask_at("definition", 2, 13)[0]["range"]["start"]["line"] == 0);
     CHECK(client.ask_at("references", 2, 13).size() == 2);
+    CHECK(client.ask_at("prepareRename", 2, 13)["placeholder"] == "Size");
+    CHECK(client.ask_at("prepareRename", 2, 13)["range"]["start"]["character"] == 12);
+    CHECK(client.ask_at("prepareRename", 2, 2)["message"] ==
+          "only names that a scene declares can be renamed");
     CHECK(client.ask_at("rename", 2, 13, {{"newName", "R"}})["changes"][client.uri].size() == 2);
     CHECK(client.ask_at("rename", 2, 13, {{"newName", "box"}})["message"] ==
           "`box` is a word of the language");
@@ -190,6 +194,7 @@ TEST_CASE("a parameter of a wrong type is refused, and nothing is done") {
           Case{"definition", {"textDocument", "position"}},
           Case{"references", {"textDocument", "position"}},
           Case{"rename", {"textDocument", "position", "newName"}},
+          Case{"prepareRename", {"textDocument", "position"}},
           Case{"documentHighlight", {"textDocument", "position"}},
           Case{"semanticTokens/full", {"textDocument"}},
           Case{"semanticTokens/range", {"textDocument", "range"}},

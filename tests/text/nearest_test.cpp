@@ -34,6 +34,10 @@ TEST_CASE("the nearest name is found, and nothing where nothing is near") {
         {"X", "x"},
         {"y", ""},  // short words attract nothing
         {"bo", "box"},
+        {"pig", "pigment"},  // not written to its end
+        {"Superell", "superellipsoid"},
+        {"trans", ""},
+        {"no", ""},
         {"banana", ""},
         {"", ""},
     };
