@@ -67,7 +67,8 @@ done_with "build of the program"
 cmake --build "$build"
 done_with "build of the tests"
 said=$build/tests.log
-ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" 2>&1 | tee "$said" || failed=1
+# One more than processors: some tests wait for others' programs.
+ctest --test-dir "$build" --output-on-failure --parallel "$(($(nproc) + 1))" 2>&1 | tee "$said" || failed=1
 
 echo
 echo "slowest tests (seconds):"
