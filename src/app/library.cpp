@@ -60,6 +60,16 @@ std::vector<std::string> named_libraries(const char* chosen) {
     return folders;
 }
 
+std::string installed_povray_library() {
+    for (const std::string_view root : {"/usr/share", "/usr/local/share"})
+        for (const std::string_view version : {"3.8", "3.7"}) {
+            std::string folder = message(root, "/povray-", version, "/include");
+            std::error_code none;
+            if (fs::is_directory(folder, none)) return folder;
+        }
+    return {};
+}
+
 std::vector<std::string> library_folders(const std::vector<std::string>& first,
                                          const std::string& standard,
                                          const std::vector<std::string>& given,

@@ -25,6 +25,9 @@ std::optional<std::string> settings_file(const char* chosen, const char* home);
 /// variable's value, null if unset.
 std::optional<std::string> standard_library(const std::string& program, const char* chosen);
 
+/// Returns the folder of POV-Ray's own include files, or empty if they are not installed.
+std::string installed_povray_library();
+
 /// Returns the folders that the variable CANDELABRA_LIBRARY names, with colons between them. null:
 /// it is unset.
 std::vector<std::string> named_libraries(const char* chosen);

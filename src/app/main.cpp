@@ -57,6 +57,7 @@ int main(int count, char** arguments) {
     };
     console.confine = confine;
     console.library = standard_library(own_path(), std::getenv("CANDELABRA_STDLIB")).value_or("");
+    console.povray_library = installed_povray_library();
     console.first_libraries = named_libraries(std::getenv("CANDELABRA_LIBRARY"));
     console.settings =
         settings_file(std::getenv("CANDELABRA_INI"), std::getenv("HOME")).value_or("");

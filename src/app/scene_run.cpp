@@ -146,6 +146,7 @@ private:
         SceneSource& source = settings.source;
         source.path = *options_.scene;
         source.standard_library = console_.library;
+        source.povray_library = console_.povray_library;
         source.library = library_folders(options_.libraries, console_.library,
                                          options_.library_paths, diagnostics_);
         source.readable = options_.readable;

@@ -47,6 +47,7 @@ struct Console {
     bool coloured = false;
     std::string library;  ///< folder of the standard library; empty: none
     std::vector<std::string> first_libraries = {};  ///< folders that come before it
+    std::string povray_library;  ///< folder of POV-Ray's include files; empty: not installed
     Interrupts interrupts;    ///< requests by signals
     Environment environment;  ///< variables; empty: none
     /// Confines the process to these rules; returns false if the system cannot. If empty, the

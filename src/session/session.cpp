@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
+#include "session/lookalikes.h"
+
 #include "text/message.h"
 #include "text/printable.h"
 #include "text/sha256.h"
@@ -99,6 +101,11 @@ std::optional<Scene> Session::scene_at(double clock_ahead) {
 }
 
 void Session::review(const Scene& scene) {
+    const SceneSource& source = settings_.source;
+    const auto in_library = [&](std::string_view path) {
+        return !source.standard_library.empty() && path.starts_with(source.standard_library + "/");
+    };
+    review_lookalikes(sources_, in_library, source.povray_library, diagnostics_);
     candelabra::review(scene, *survey(scene, diagnostics_), diagnostics_);
     review_shape(scene, settings_.render.width, settings_.render.height, diagnostics_);
 }

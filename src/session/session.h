@@ -26,6 +26,7 @@ struct SceneSource {
     std::string name = {};                   ///< name of the text in messages
     std::string standard_library = {};       ///< its folder; empty: none
     std::vector<std::string> library = {};   ///< folders that are searched for files, in order
+    std::string povray_library = {};  ///< of POV-Ray's include files, if installed; empty: none
     std::vector<std::string> readable = {};  ///< folders below which the scene may also read
     /// Path of the picture: the scene may read pictures of that name, and what lies beside it if
     /// the scene itself lies there. Empty: none.

@@ -54,6 +54,8 @@ constexpr auto infos = std::array{
               "an object around the camera whose emission lights the scene"},
     FaultInfo{Fault::aspect, "aspect",
               "a picture of another shape than what the camera sees, which is stretched"},
+    FaultInfo{Fault::lookalike, "lookalike",
+              "a name of the library that is only alike to POV-Ray's, which is installed"},
     FaultInfo{Fault::user_error, "user-error"},
     FaultInfo{Fault::user_warning, "user-warning", "what the scene itself says by #warning"},
 };

@@ -58,6 +58,7 @@ enum class Fault {
     camera_inside,
     glowing_dome,
     aspect,
+    lookalike,
     user_error,
     user_warning,
 };

@@ -96,7 +96,8 @@ TEST_CASE("every fault that a scene can have is among them", "[diagnostics]") {
     for (const FaultInfo& info : all_faults()) missing.insert(info.fault);
     for (const Fault fault :
          {Fault::file_access, Fault::io, Fault::option, Fault::no_camera, Fault::no_object,
-          Fault::no_light, Fault::camera_inside, Fault::glowing_dome, Fault::aspect})
+          Fault::no_light, Fault::camera_inside, Fault::glowing_dome, Fault::aspect,
+          Fault::lookalike})
         missing.erase(fault);
     for (const fs::path& scene : scenes())
         for (const Fault fault : said_about(scene).faults) missing.erase(fault);

@@ -44,6 +44,7 @@ const std::map<std::string_view, std::vector<std::string>>& careless() {
         {"camera-inside", {all + "sphere { 0, 9 }"}},
         {"glowing-dome", {all + "sphere { 0, 9 inverse pigment { rgb 1 } finish { emission 1 } }"}},
         {"aspect", {light + ball + "camera { location -5*z right 2*x }"}},
+        {"lookalike", {all + "#include \"woods.inc\" #ifdef (T_Wood2) #end"}},
         {"user-warning", {all + "#warning \"mind the step\""}},
     };
     return scenes;
@@ -80,6 +81,10 @@ struct Workshop : Shell {
         std::filesystem::create_directories(path("library"));
         write("library/foreign.inc", "#declare Mine = 1;");
         library = path("library");
+        write("library/woods.inc", "// Woods.\n// Only alike to POV-Ray's: T_Wood1 to T_Wood3\n");
+        povray_library = path("povray");
+        std::filesystem::create_directories(povray_library);
+        write("povray/woods.inc", "");
         write("foreign.inc", "");
         const std::string another = "the mark of another scene";
         REQUIRE(::setxattr(path("foreign.inc").c_str(), "user.candelabra.scene", another.data(),

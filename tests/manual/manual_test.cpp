@@ -8,7 +8,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <set>
@@ -285,6 +287,29 @@ TEST_CASE("each macro of the library that is for scenes states which arguments i
         }
     }
     CHECK(count > 500);
+}
+
+TEST_CASE("the page on POV-Ray lists the looks that are only alike", "[manual]") {
+    std::ifstream file(source + "/man/candelabra-povray.7.in");
+    std::string page((std::istreambuf_iterator<char>(file)), {});
+    std::ranges::replace(page, '\n', ' ');
+    const std::string_view mark = "// Only alike to POV-Ray's: ";
+    int found = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(source + "/stdlib")) {
+        std::ifstream library(entry.path());
+        for (std::string line; std::getline(library, line);) {
+            if (!line.starts_with(mark)) continue;
+            std::string_view list = std::string_view(line).substr(mark.size());
+            while (!list.empty()) {
+                std::string_view one = take_until(list, ",");
+                while (one.starts_with(' ')) one.remove_prefix(1);
+                INFO(entry.path().filename().string() << ": " << one);
+                CHECK(page.find(one) != std::string::npos);
+                ++found;
+            }
+        }
+    }
+    CHECK(found > 20);
 }
 
 }  // namespace candelabra

@@ -27,7 +27,7 @@ plane { y, -1 pigment { checker rgb 1, rgb <1, 0, 0> } finish { ambient 0 } }
 struct Shell {
     std::filesystem::path folder = std::filesystem::temp_directory_path() /
                                    ("candelabra_shell_test_" + std::to_string(::getpid()));
-    std::string out, err, library;
+    std::string out, err, library, povray_library;
     Interrupts interrupts;
     std::function<bool(const SandboxRules&)> confine;
     std::function<void(Stream, std::string_view)> heard;
@@ -54,6 +54,7 @@ struct Shell {
         console.out = [&](std::string_view text) { out += text; };
         console.err = [&](std::string_view text) { err += text; };
         console.library = library;
+        console.povray_library = povray_library;
         console.interrupts = interrupts;
         console.confine = confine;
         console.heard = heard;
