@@ -14,9 +14,21 @@ namespace {
 /// one.
 constexpr double worn_out = 1e-7;
 
-bool near(const Box& box, const Vec3& position) {
+/// Whether the luminaires of a cluster shine more to some sides, and not all to the same ones.
+bool turned_apart(const LightProxy& g) {
+    constexpr double alike = 0.8;  // length of the mean axis of luminaires that are about parallel
+    return g.evenness < 1 && dot(g.axis, g.axis) < alike * alike;
+}
+
+/// Whether a point is so near that it gets more light from some members of a cluster than their
+/// strengths tell.
+bool near(const LightTree& tree, const LightCluster& c, const Vec3& position) {
+    const Box box = tree.box(c);
     const Vec3 v = box.centre() - position, half = 0.5 * box.size();
-    return dot(v, v) < tuning::near_radii * tuning::near_radii * dot(half, half);
+    const double radii2 = dot(v, v) / dot(half, half);
+    constexpr double any = tuning::near_radii, turned = tuning::near_radii_turned;
+    if (!(radii2 < turned * turned)) return false;
+    return radii2 < any * any || turned_apart(tree.light_proxy(c));
 }
 
 double estimate(const LightTree& tree, const LightCluster& c, const Receiver& point) {
@@ -35,7 +47,7 @@ struct Halves {
 /// Divides a near cluster at a point by the estimated light of its halves. Nothing if the cluster
 /// is sampled as a whole, by the strength of its luminaires.
 std::optional<Halves> divided(const LightTree& tree, const LightCluster& c, const Receiver& point) {
-    if (c.count == 1 || !near(tree.box(c), point.position)) return {};
+    if (c.count == 1 || !near(tree, c, point.position)) return {};
     const auto [first, second] = tree.halves(c);
     if (tree.dark(first)) return Halves{first, second, 0};
     if (tree.dark(second)) return Halves{first, second, 1};

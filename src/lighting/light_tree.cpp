@@ -243,7 +243,8 @@ private:
             sum = join(first, second);
         }
         if (!tree_.intensities_.empty()) tree_.intensities_[cluster.node] = sum.all;
-        const bool plain = !(sum.flat > 0) && sum.bent_normal == Vec3(0);
+        // Opposite bent normals may cancel, and still weaken what each luminaire sends elsewhere.
+        const bool plain = !(sum.flat > 0 || sum.even < sum.all);
         if (plain || !(sum.all > 0)) return sum;
         LightTreeNode& node = tree_.nodes_[cluster.node];
         const double spread = sum.flat > 0 ? sum.flat - length(sum.axis) : 0;

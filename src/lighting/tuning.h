@@ -31,6 +31,9 @@ inline constexpr double min_height = 1e-4, min_facing = 1e-2;
 /// Clusters nearer than this multiple of their radius are divided at the point itself: "Long rows"
 /// and the rows `flake` and `city`.
 inline constexpr double near_radii = 6;
+/// The same for clusters whose luminaires shine to different sides, because a point gets the light
+/// of some of them only: "Which way windows face".
+inline constexpr double near_radii_turned = 12;
 /// Single luminaires brighter than this multiple of all clusters are left out when the clusters'
 /// noise is judged, because they may turn out to be occluded: "A hidden sun", row `sun`.
 inline constexpr double outshining = 20;

@@ -47,4 +47,26 @@ TEST_CASE("members that are near are drawn most", "[lighting]") {
     CHECK(nearest > 0.3);
 }
 
+TEST_CASE("members that face a point are drawn from farther away", "[lighting]") {
+    std::vector<Luminaire> luminaires;
+    std::vector<Vec3> bent_normals;
+    for (const double side : {-1.0, 1.0})
+        for (int i = 0; i < 8; ++i) {
+            luminaires.push_back(glowing(SphereEmitter{{0, 0.1 * i, side}, 0.01}));
+            bent_normals.emplace_back(0.5 * side, 0, 0);
+        }
+    const LuminaireChoices lights(luminaires, bent_normals);
+    const LightTree tree(lights);
+    // In radii of the cluster: below tuning::near_radii_turned, and above tuning::near_radii.
+    const double radius = 0.5 * length(tree.box(tree.root()).size());
+    const Receiver point{Vec3(9 * radius, 0, 0), Vec3(-1, 0, 0)};
+    double facing = 0;
+    for (LightIndex i = 8; i < 16; ++i)
+        facing += probability_of(tree, tree.root(), point, tree.place_of(i));
+    CHECK(facing > 0.75);
+
+    const LightTree even(*choices(luminaires));
+    CHECK(probability_of(even, even.root(), point, 3) == Approx(1.0 / 16));
+}
+
 }  // namespace candelabra
