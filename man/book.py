@@ -16,7 +16,6 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-SHEETS = HERE.parent / "examples" / "sheets"
 FRONT = HERE.parent / "examples" / "pictures" / "metropolis.webp"
 PAGES = [("candelabra-tutorial.7", "Tutorial"), ("candelabra-lights.7", "Light"),
          ("candelabra-povray.7", "From POV-Ray"), ("candelabra-scene.5", "The language"),
@@ -51,38 +50,43 @@ TABLES = (("lamps.csv", "x,y,z,colour\n-1,0.6,0,#ff8800\n0,1.4,0,#ffffff\n1,0.6,
           ("film.csv", "255,80,0,0,255,0,80,80,255\n0,0,255,255,255,0,255,0,0\n"))
 
 
-def frame(kind, words):
-    """The scene that shows one example."""
-    if kind == "patterns":
+def shown_night(words):
+    """The scene at night, in which a film develops the light."""
+    return (HEAD + "camera { location <0, 1.8, -5.5> look_at <0, 0.95, 0> angle 46 right 4/3*x\n" + words +
+            " }\n" + NIGHT)
+
+
+def frame(words, solids):
+    """The scene that shows one example, which may begin with a word of solids; none for
+    examples that are nothing to look at by themselves."""
+    first = re.match(r"#?\w+", words)[0]
+    if first == "pigment":
         return (HEAD + EYE + "box { <-1.9, -1.4, -0.01>, <1.9, 1.4, 1>\n"
-                "texture { pigment { " + words + " } finish { ambient 1 diffuse 0 } } }")
-    if kind == "normals":
-        return (HEAD + EYE + LAMP + SKY + "sphere { 0, 1.1 pigment { rgb <0.9, 0.75, 0.5> }\n"
-                "normal { " + words + " } finish { specular 0.3 roughness 0.02 } }")
-    if kind == "finishes":
+                "texture { " + words + " finish { ambient 1 diffuse 0 } } }")
+    if first == "normal":
+        return (HEAD + EYE + LAMP + SKY + "sphere { 0, 1.1 pigment { rgb <0.9, 0.75, 0.5> }\n" +
+                words + " finish { specular 0.3 roughness 0.02 } }")
+    if first in ("finish", "texture"):
+        pigment = "pigment { rgb <0.9, 0.55, 0.25> } " if first == "finish" else ""
         return (HEAD + "global_settings { subsurface { } }\n" + EYE + LAMP + "sky_sphere { pigment { gradient y\n"
                 "color_map { [0 rgb <0.9, 0.9, 0.8>] [1 rgb <0.3, 0.5, 0.9>] } } }\nobject { " + FLOOR +
-                "translate -y } sphere { 0, 1 pigment { rgb <0.9, 0.55, 0.25> } finish { " + words + " } }")
-    if kind == "lights":
+                "translate -y } sphere { 0, 1 " + pigment + words + " }")
+    if first == "light_source":
         return (HEAD + "camera { location <0, 3, -6> look_at 0.5*y angle 45 right 4/3*x }\n" + FLOOR +
                 "sphere { <-0.7, 0.7, 0>, 0.7 pigment { rgb <0.9, 0.5, 0.3> } }\n"
-                "cylinder { <1, 0, 0.4>, <1, 1.8, 0.4>, 0.3 pigment { rgb <0.4, 0.6, 0.9> } }\n"
-                "light_source { " + words + " }")
-    if kind == "cameras":
-        return (HEAD + "camera { " + words + " }\n" + LAMP + SKY + FLOOR +
+                "cylinder { <1, 0, 0.4>, <1, 1.8, 0.4>, 0.3 pigment { rgb <0.4, 0.6, 0.9> } }\n" + words)
+    if first == "camera":
+        return (HEAD + words + "\n" + LAMP + SKY + FLOOR +
                 "sphere { 0.7*y, 0.7 pigment { rgb <0.9, 0.5, 0.3> } }\n#for (I, 0, 11)\n"
                 "cylinder { 0, 3*y, 0.25 pigment { rgb <0.4, 0.6, 0.9> } translate 4*z rotate 30*I*y }\n#end")
-    if kind == "films":
-        if words.startswith("glare"):
-            words = "film { exposure auto response agx " + words + " }"
-        if words.startswith("bokeh"):
-            words = ("aperture 1.4 blur_samples 64 focal_point <0, 0.6, -3> film { exposure auto response agx } " +
-                     words)
-        return (HEAD + "camera { location <0, 1.8, -5.5> look_at <0, 0.95, 0> angle 46 right 4/3*x\n" + words +
-                " }\n" + NIGHT)
-    if kind == "shapes":
+    if first == "film":
+        return shown_night(words)
+    if first == "bokeh":
+        return shown_night("aperture 1.4 blur_samples 64 focal_point <0, 0.6, -3> film { exposure auto response agx } " +
+                           words)
+    if first in solids:
         return HEAD + STAND + LAMP + SKY + "object { " + words + "\npigment { rgb <0.9, 0.6, 0.35> } }"
-    raise ValueError(kind)
+    return ""
 
 
 def macro_frame(file, words):
@@ -158,6 +162,8 @@ class Book:
         self.pictures = Pictures(program, folder / "pictures")
         self.all = json.loads(subprocess.run([program, "describe", "--json"], capture_output=True, text=True,
                                              check=True).stdout)
+        self.solids = {item["name"] for group in self.all["groups"] if group["name"] == "Shapes"
+                       for item in group["items"]} | {"union", "intersection", "difference", "merge"}
         self.entries = []  # what the search finds: title, kind, address, text
         self.words = {}    # word -> address
         self.bodies = {}   # file name -> title, HTML
@@ -189,14 +195,6 @@ class Book:
     def page_name(self, title):
         return re.sub(r"[^a-z]+", "_", title.lower()).strip("_") + ".html"
 
-    def examples(self):
-        """The lines of the sheets by kind."""
-        result = {kind: (SHEETS / (kind + ".txt")).read_text().splitlines()
-                  for kind in ("patterns", "normals", "finishes", "lights", "cameras", "films")}
-        lines = (HERE / "examples" / "shapes.txt").read_text().splitlines()
-        result["shapes"] = [line for line in lines if not line.startswith("#")]
-        return {kind: [line for line in lines if line.strip()] for kind, lines in result.items()}
-
     def field(self, field):
         takes = field["type"].replace("_", " ")
         for key, words in (("minimum", "from"), ("above", "above"), ("maximum", "to")):
@@ -209,10 +207,8 @@ class Book:
         return (f"<tr><td><code>{html.escape(field['name'])}</code></td><td>{html.escape(takes)}</td>"
                 f"<td>{prose(about)}</td></tr>")
 
-    def group(self, group, shown):
+    def group(self, group):
         page = self.page_name(group["name"])
-        kind = {"Shapes": "shapes", "Patterns": "patterns", "Cameras": "cameras", "Films": "films"}.get(group["name"])
-        used = set()
         parts = [f"<p>{prose(group['help'])}</p>"]
         if len(group["items"]) > 5:
             parts.append('<p class="contents">' + " ".join(
@@ -225,30 +221,12 @@ class Book:
                     self.words.setdefault(field["name"], f"{page}#{name}")
             parts.append(f'<h2 id="{name}"><a href="#{name}">{name}</a></h2>\n<p class="usage"><code>'
                          f"{html.escape(item['usage'])}</code></p><p>{prose(item['help'])}</p>")
-            lines = [line for line in shown.get(kind, []) if re.match(name + r"\b", line)] if kind else []
-            if name == "light_source":
-                lines, kind = shown["lights"], "lights"
-            if name in ("finish", "normal"):
-                kind = {"finish": "finishes", "normal": "normals"}[name]
-                lines = shown[kind]
-            used.update(lines)
-            parts.append(("gallery", kind, lines))
+            parts.append(("gallery", name, item["examples"]))
             if item["fields"]:
                 parts.append("<table>" + "".join(self.field(f) for f in item["fields"]) + "</table>")
-            if name in ("finish", "normal", "light_source"):
-                kind = None
-        rest = [line for line in shown.get(kind, []) if line not in used] if kind else []
-        if rest:
-            parts.append("<h2>More</h2>")
-            parts.append(("gallery", kind, rest))
         self.bodies[page] = (group["name"], parts)
 
     def library(self):
-        examples = {}
-        for line in (HERE / "examples" / "macros.txt").read_text().splitlines():
-            if " | " in line and not line.startswith("#"):
-                name, text = line.split(" | ", 1)
-                examples[name] = text
         page = "candelabra-stdlib.7.html"
         parts = ["<p>The files of the standard library and the macros in them. A scene reads one by "
                  "<code>#include \"colors.inc\"</code>. In examples of lamps <code>Bulb</code> is a small glowing "
@@ -261,8 +239,8 @@ class Book:
                 self.entry(macro["name"], name, f"{page}#{macro['name']}", macro["help"], macro["name"])
                 parts.append(f'<h3 id="{macro["name"]}"><code>{html.escape(macro["form"])}</code></h3>'
                              f"<p>{prose(macro['help'])}</p>")
-                if macro["name"] in examples:
-                    parts.append(("macro", name, examples[macro["name"]]))
+                if macro["example"]:
+                    parts.append(("macro", name, (macro["example"], macro["value"])))
         self.bodies[page] = ("The library", parts)
 
     def glossary(self):
@@ -274,8 +252,9 @@ class Book:
                 self.entry(name, "word", f"{page}#{names[0]}", entry["help"])
             for name in entry["term"].split(", "):
                 self.words.setdefault(name, f"{page}#{names[0]}")
+            example = f"<pre>{self.linked(entry['example'])}</pre>" if "example" in entry else ""
             parts.append(f'<dt id="{html.escape(names[0])}"><code>{html.escape(entry["term"])}</code></dt>'
-                         f"<dd>{prose(entry['help'])}</dd>")
+                         f"<dd>{prose(entry['help'])}{example}</dd>")
         parts.append("</dl><h2>Functions</h2><dl>")
         for entry in self.all["functions"]:
             name = entry["term"].split("(")[0]
@@ -371,9 +350,11 @@ class Book:
             return part
         kind, about, what = part
         if kind == "gallery":
-            return ('<div class="gallery">' + "".join(
-                self.figure(self.pictures.add(frame(about, line)), line) for line in what) + "</div>") if what else ""
-        code, _, value = what.partition(" -> ")
+            scenes = [(frame(line, self.solids), line) for line in what]
+            figures = "".join(self.figure(self.pictures.add(scene), line) for scene, line in scenes if scene)
+            codes = "".join(f"<pre>{self.linked(line)}</pre>" for scene, line in scenes if not scene)
+            return codes + (f'<div class="gallery">{figures}</div>' if figures else "")
+        code, value = what
         text = f'<pre>{self.linked(code)}{" &rarr; " + html.escape(value) if value else ""}</pre>'
         visible = not value and re.search(r"\b(object|sphere|box|mesh|cone|intersection|Screen_\w+)\b", code)
         hidden = about in ("math.inc", "strings.inc") or re.search(r"trace\(|Extents\(|#declare Wide", code)
@@ -383,10 +364,9 @@ class Book:
         return text
 
     def write(self):
-        shown = self.examples()
         groups = self.all["groups"]
         for group in groups:
-            self.group(group, shown)
+            self.group(group)
         self.glossary()
         self.library()
         for page, title in PAGES:

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: CC0-1.0
-# Contact sheets of patterns, normals, finishes, lights and cameras: a tile for each line of
-# patterns.txt and its kin, with that line below it. sheets.sh [program] [folder] [kind ...]
+# Contact sheets of pigments, normals, finishes, lights and cameras: a tile for each example that the
+# program has of the word, with the example below it. sheets.sh [program] [folder] [word ...]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 program=$(realpath "${1:-$here/../../build/candelabra}")
 folder=$(realpath "${2:-.}")
 shift $(($# < 2 ? $# : 2))
 kinds=("${@:-}")
-[ -n "${kinds[0]}" ] || kinds=(patterns normals finishes lights cameras)
+[ -n "${kinds[0]}" ] || kinds=(pigment normal finish light_source camera)
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 width=160 height=120 columns=6 lettering=31  # of a tile, of a sheet, below a tile
@@ -22,19 +22,19 @@ floor='plane { y, 0 pigment { checker rgb 0.9, rgb 0.35 } finish { ambient 0.1 d
 # The scene of one tile.
 scene() {
     case $1 in
-        patterns) echo "$head $eye box { <-1.9, -1.4, -0.01>, <1.9, 1.4, 1>
-            texture { pigment { $2 } finish { ambient 1 diffuse 0 } } }" ;;
-        normals) echo "$head $eye $lamp $sky sphere { 0, 1.1 pigment { rgb <0.9, 0.75, 0.5> }
-            normal { $2 } finish { specular 0.3 roughness 0.02 } }" ;;
-        finishes) echo "$head global_settings { subsurface { } } $eye $lamp sky_sphere { pigment { gradient y
+        pigment) echo "$head $eye box { <-1.9, -1.4, -0.01>, <1.9, 1.4, 1>
+            texture { $2 finish { ambient 1 diffuse 0 } } }" ;;
+        normal) echo "$head $eye $lamp $sky sphere { 0, 1.1 pigment { rgb <0.9, 0.75, 0.5> }
+            $2 finish { specular 0.3 roughness 0.02 } }" ;;
+        finish) echo "$head global_settings { subsurface { } } $eye $lamp sky_sphere { pigment { gradient y
             color_map { [0 rgb <0.9, 0.9, 0.8>] [1 rgb <0.3, 0.5, 0.9>] } } }
             object { $floor translate -y } sphere { 0, 1
-            pigment { rgb <0.9, 0.55, 0.25> } finish { $2 } }" ;;
-        lights) echo "$head camera { location <0, 3, -6> look_at 0.5*y angle 45 right 4/3*x }
+            pigment { rgb <0.9, 0.55, 0.25> } $2 }" ;;
+        light_source) echo "$head camera { location <0, 3, -6> look_at 0.5*y angle 45 right 4/3*x }
             $floor sphere { <-0.7, 0.7, 0>, 0.7 pigment { rgb <0.9, 0.5, 0.3> } }
             cylinder { <1, 0, 0.4>, <1, 1.8, 0.4>, 0.3 pigment { rgb <0.4, 0.6, 0.9> } }
-            light_source { $2 }" ;;
-        cameras) echo "$head camera { $2 } $lamp $sky $floor
+            $2" ;;
+        camera) echo "$head $2 $lamp $sky $floor
             sphere { 0.7*y, 0.7 pigment { rgb <0.9, 0.5, 0.3> } }
             #for (I, 0, 11) cylinder { 0, 3*y, 0.25 pigment { rgb <0.4, 0.6, 0.9> }
                 translate 4*z rotate 30*I*y } #end" ;;
@@ -51,7 +51,7 @@ sheet() {
         printf 'Tile(%d, "%s", "%s", "%s", "%s")\n' $n "$kind$n.png" "${words[0]}" "${words[1]:-}" \
             "${words[2]:-}" >>"$work/tiles.inc"
         n=$((n + 1))
-    done <"$here/$kind.txt"
+    done < <("$program" describe examples | grep "^$kind ")
     rows=$(((n + columns - 1) / columns))
     cat >"$work/$kind.pov" <<EOF
 $head

@@ -13,6 +13,7 @@
 #include "text/message.h"
 #include "text/nearest.h"
 #include "text/printable.h"
+#include "vocabulary/examples.h"
 #include "vocabulary/glossary.h"
 #include "vocabulary/words.h"
 
@@ -37,10 +38,28 @@ bool has_name(std::string_view list, std::string_view name) {
     return message(", ", list, ", ").find(message(", ", name, ", ")) != std::string::npos;
 }
 
+std::string example_line(std::string_view example) {
+    return example.empty() ? "" : message("  e.g. ", wrapped(example, 4), "\n");
+}
+
 std::string glossary_help(std::string_view topic) {
     const GlossaryEntry* const entry = glossary_entry(topic);
-    return entry ? message(wrapped(entry->form, 4), "\n  ", wrapped(entry->help, 2), "\n")
+    return entry ? message(wrapped(entry->form, 4), "\n  ", wrapped(entry->help, 2), "\n",
+                           example_line(example_of(topic, entry->examples)))
                  : std::string();
+}
+
+/// Returns an example of the item that has the word of a field, or one of its kin, if they share the
+/// field; empty if there is none.
+std::string_view example_with(std::string_view field, const ItemInfo& item,
+                              const ItemGroup& group) {
+    const std::string_view own = example_of(field, item.examples);
+    if (contains_word(own, field)) return own;
+    for (const ItemInfo* other : group.items)
+        if (const std::string_view kin = example_of(field, other->examples);
+            contains_word(kin, field))
+            return kin;
+    return {};
 }
 
 /// Returns the meaning of a field's name in each item that has it.
@@ -54,13 +73,15 @@ std::string field_help(std::string_view topic) {
                 const std::string help = message(field.help, " (", values(*item, i), ")");
                 const auto same = std::ranges::find(meanings, help, &ManualEntry::help);
                 if (same == meanings.end())
-                    meanings.push_back({std::string(item->name), help});
+                    meanings.push_back({std::string(item->name), help,
+                                        std::string(example_with(field.name, *item, group))});
                 else if (!has_name(same->term, item->name))
                     same->term += message(", ", item->name);
             }
     std::string text;
     for (const ManualEntry& each : meanings)
-        text += message("in ", wrapped(each.term, 4), ":\n  ", wrapped(each.help, 2), "\n");
+        text += message("in ", wrapped(each.term, 4), ":\n  ", wrapped(each.help, 2), "\n",
+                        example_line(each.example));
     return text;
 }
 
@@ -78,8 +99,8 @@ std::string item_help(std::string_view topic) {
 
 std::string macro_help(const LibraryMacro& macro, std::string_view file) {
     const ManualEntry entry = manual_entry(macro, file);
-    return message(wrapped(entry.term, 4), "\n  ", wrapped(entry.help, 2), "\n  in ", file,
-                   ": #include \"", file, "\"\n");
+    return message(wrapped(entry.term, 4), "\n  ", wrapped(entry.help, 2), "\n",
+                   example_line(entry.example), "  in ", file, ": #include \"", file, "\"\n");
 }
 
 /// Returns help on a file of the library, or on a macro in it.
@@ -139,9 +160,25 @@ std::vector<ManualEntry> glossary_entries() {
                 known != reserved_words().end() && known->word_class == WordClass::directive;
             term += message(term.empty() ? "" : ", ", directive ? "#" : "", word);
         }
-        result.push_back({term, message(entry.form, ": ", entry.help)});
+        result.push_back(
+            {term, message(entry.form, ": ", entry.help), std::string(entry.examples.front())});
     }
     return result;
+}
+
+/// The examples of all items and words, each on a line.
+std::string all_examples(ManualForm form) {
+    std::vector<std::string_view> all;
+    for (const ItemGroup& group : catalogue())
+        for (const ItemInfo* item : group.items)
+            all.insert(all.end(), item->examples.begin(), item->examples.end());
+    for (const GlossaryEntry& entry : glossary())
+        for (const std::string_view example : entry.examples)
+            if (!example.empty()) all.push_back(example);
+    if (form == ManualForm::json) return OrderedJson(all).dump(2) + "\n";
+    std::string text;
+    for (const std::string_view example : all) text += message(example, "\n");
+    return text;
 }
 
 std::vector<ManualEntry> library_entries(const std::string& folder) {
@@ -280,6 +317,7 @@ std::string description(std::string_view part, ManualForm form, const std::strin
     if (part == "glossary") return manual(glossary_entries(), form);
     if (part == "library") return manual(library_entries(library), form);
     if (part == "macros") return library_manual(library_guide(library), form);
+    if (part == "examples") return all_examples(form);
     if (part == "missing") return manual(missing_entries(), form);
     if (part == "words") return words(form);
     if (part == "warnings") return manual(warning_entries(), form);
@@ -288,7 +326,8 @@ std::string description(std::string_view part, ManualForm form, const std::strin
         diagnostics.add(
             error(Fault::option, {},
                   message("there is nothing called `", printable(part), "` to describe"))
-                .with_help("items, functions, glossary, library, macros, options, compatibility, "
+                .with_help("items, functions, glossary, examples, library, macros, options, "
+                           "compatibility, "
                            "missing, words, warnings or textmate"));
         return {};
     }

@@ -22,14 +22,20 @@ OrderedJson json_file(const LibraryFile& file) {
     OrderedJson macros = OrderedJson::array();
     for (const LibraryMacro& each : file.macros)
         if (each.listed)
-            macros.push_back({{"name", each.name}, {"form", each.form}, {"help", each.help}});
+            macros.push_back({{"name", each.name},
+                              {"form", each.form},
+                              {"help", each.help},
+                              {"example", each.example},
+                              {"value", each.value}});
     return {{"file", file.name}, {"about", file.about}, {"macros", std::move(macros)}};
 }
 
 }  // namespace
 
 ManualEntry manual_entry(const LibraryMacro& macro, std::string_view file) {
-    return {macro.form, macro.help.empty() ? message("a macro of ", file) : macro.help};
+    const std::string value = macro.value.empty() ? "" : " -> " + macro.value;
+    return {macro.form, macro.help.empty() ? message("a macro of ", file) : macro.help,
+            macro.example + value};
 }
 
 std::string library_manual(const LibraryGuide& guide, ManualForm form) {

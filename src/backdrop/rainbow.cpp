@@ -12,7 +12,11 @@ namespace candelabra {
 const ItemInfo Rainbow::vocabulary = described<Rainbow>([] {
     using F = Field<Rainbow>;
     return schema<Rainbow>(
-        "rainbow", "Coloured arcs around a direction; color_map { } has the colours.",
+        "rainbow",
+        {"Coloured arcs around a direction; color_map { } has the colours.",
+         "rainbow { direction <0.2, -0.3, 1> angle 42.5 width 5 distance 1000 jitter 0.01 up y "
+         "arc_angle 120 falloff_angle 30 color_map { [0 rgbt <1, 0, 0, 1>] [0.5 rgbt <0, 1, 0, "
+         "0.7>] [1 rgbt <0, 0, 1, 1>] } }"},
         F{"direction", &Rainbow::direction, item, "in which the light goes: the middle of the arc"},
         F{"angle", &Rainbow::angle, item, "degrees from there to the middle of the band"},
         F{"width", &Rainbow::width, item,

@@ -8,7 +8,12 @@ namespace candelabra {
 const ItemInfo SkySphere::vocabulary = described<SkySphere>([] {
     using F = Field<SkySphere>;
     return schema<SkySphere>(
-        "sky_sphere", "Pigments by direction, far behind everything: the last one on top.",
+        "sky_sphere",
+        {"Pigments by direction, far behind everything: the last one on top.",
+         "sky_sphere { pigment { gradient y color_map { [0 rgb <0.9, 0.9, 0.8>] [1 rgb <0.3, 0.5, "
+         "0.9>] } } }",
+         "sky_sphere { pigment { gradient y color_map { [0 rgb 1] [1 rgb <0.3, 0.5, 0.9>] } } "
+         "emission 2 luminaire }"},
         as_colour(F{"emission", &SkySphere::emission, item, "brightness of all pigments together"}),
         F{"luminaire", &SkySphere::luminaire, flag,
           "lights the scene, from the directions where it is bright"});

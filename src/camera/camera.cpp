@@ -16,7 +16,7 @@ namespace {
 
 /// Fields that all cameras share; some cameras have others before or behind them.
 template <class T, std::size_t N = 0, std::size_t M = 0>
-consteval auto camera_schema(std::string_view name, std::string_view help,
+consteval auto camera_schema(std::string_view name, ItemText text,
                              const std::array<Field<T>, N>& before = {},
                              const std::array<Field<T>, M>& behind = {}) {
     using F = Field<T>;
@@ -54,7 +54,7 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
           "degrees from the left edge to the right; 0: as without, but look_at says how much "
           "parallel rays see",
           at_least(0)}};
-    Schema<T, N + common.size() + M> result{name, help, {}};
+    Schema<T, N + common.size() + M> result{name, text, {}};
     auto to = std::copy(before.begin(), before.end(), result.fields.begin());
     to = std::copy(common.begin(), common.end(), to);
     std::copy(behind.begin(), behind.end(), to);
@@ -63,47 +63,83 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
 
 }  // namespace
 
-const ItemInfo Perspective::vocabulary = described<Perspective>(
-    [] { return camera_schema<Perspective>("perspective", "All rays start at the camera."); });
+const ItemInfo Perspective::vocabulary = described<Perspective>([] {
+    return camera_schema<Perspective>(
+        "perspective",
+        {"All rays start at the camera.",
+         "camera { perspective location <0, 2, -6> look_at 0.5*y angle 50 }",
+         "camera { location <0, 2, -6> direction 2*z right 4/3*x up y sky y look_at 0.5*y }",
+         "camera { location <0, 2, -6> look_at 0.5*y aperture 1.2 focal_point 0.5*y blur_samples "
+         "60 }",
+         "camera { location <0, 2, -6> look_at 0.5*y aperture 1.2 focal_point 0.5*y blur_samples "
+         "20, 60 confidence 0.9 variance 1/100 }",
+         "camera { location <0, 2, -6> look_at 0.5*y normal { ripples 0.3 scale 0.2 } }",
+         "camera { location <-1 + clock, 2, -6> look_at 0.5*y shutter 1, 12 }"});
+});
 
-const ItemInfo Orthographic::vocabulary = described<Orthographic>(
-    [] { return camera_schema<Orthographic>("orthographic", "All rays are parallel."); });
+const ItemInfo Orthographic::vocabulary = described<Orthographic>([] {
+    return camera_schema<Orthographic>(
+        "orthographic", {"All rays are parallel.",
+                         "camera { orthographic location <0, 2, -6> look_at 0.5*y angle 50 }"});
+});
 
 const ItemInfo Fisheye::vocabulary = described<Fisheye>([] {
     return camera_schema<Fisheye>(
-        "fisheye", "A round picture; equal angles are equal lengths from its middle.");
+        "fisheye", {"A round picture; equal angles are equal lengths from its middle.",
+                    "camera { fisheye location <0, 2, -3> look_at 0.5*y angle 180 }"});
 });
 
 const ItemInfo UltraWideAngle::vocabulary = described<UltraWideAngle>([] {
-    return camera_schema<UltraWideAngle>("ultra_wide_angle", "Wide angles, with edges that bend.");
+    return camera_schema<UltraWideAngle>(
+        "ultra_wide_angle",
+        {"Wide angles, with edges that bend.",
+         "camera { ultra_wide_angle location <0, 2, -3> look_at 0.5*y angle 120 }"});
 });
 
-const ItemInfo Omnimax::vocabulary = described<Omnimax>(
-    [] { return camera_schema<Omnimax>("omnimax", "A wide picture for a dome."); });
+const ItemInfo Omnimax::vocabulary = described<Omnimax>([] {
+    return camera_schema<Omnimax>(
+        "omnimax", {"A wide picture for a dome.",
+                    "camera { omnimax location <0, 2, -3> look_at 0.5*y angle 180 }"});
+});
 
 const ItemInfo Panoramic::vocabulary = described<Panoramic>([] {
-    return camera_schema<Panoramic>("panoramic", "Half a turn; upright lines stay straight.");
+    return camera_schema<Panoramic>(
+        "panoramic", {"Half a turn; upright lines stay straight.",
+                      "camera { panoramic location <0, 1, -2> look_at 0.5*y angle 180 }"});
 });
 
 const ItemInfo CylinderCamera::vocabulary = described<CylinderCamera>([] {
     return camera_schema<CylinderCamera>(
         "cylinder",
-        "The picture on a cylinder: 1 upright, 2 lying, 3 and 4 with rays from its axis.",
+        {"The picture on a cylinder: 1 upright, 2 lying, 3 and 4 with rays from its axis.",
+         "camera { cylinder 1 location <0, 1, -2> look_at 0.5*y angle 180 }",
+         "camera { cylinder 2 location <0, 1, -2> look_at 0.5*y angle 90 }",
+         "camera { cylinder 3 location <0, 1, -2> look_at 0.5*y angle 180 }",
+         "camera { cylinder 4 location <0, 1, -2> look_at 0.5*y angle 90 }"},
         std::array{Field<CylinderCamera>{"type", &CylinderCamera::type, positional, "1 to 4",
                                          between(1, 4)}});
 });
 
-const ItemInfo MeshCamera::vocabulary = described<MeshCamera>(
-    [] { return camera_schema<MeshCamera>("mesh_camera", "Rays from the faces of meshes."); });
+const ItemInfo MeshCamera::vocabulary = described<MeshCamera>([] {
+    return camera_schema<MeshCamera>("mesh_camera",
+                                     {"Rays from the faces of meshes.",
+                                      "camera { mesh_camera { 1, 0 mesh { triangle { <-3, 0, -4>, "
+                                      "<3, 0, -4>, <0, 4, -4> } } } direction z }"});
+});
 
 const ItemInfo UserDefinedCamera::vocabulary = described<UserDefinedCamera>([] {
-    return camera_schema<UserDefinedCamera>("user_defined",
-                                            "Rays by functions of the place in the picture.");
+    return camera_schema<UserDefinedCamera>(
+        "user_defined", {"Rays by functions of the place in the picture.",
+                         "camera { user_defined location <0, 1, -4> direction { function { "
+                         "sin(4*x) } function { y - x*x } function { cos(4*x) } } }"});
 });
 
 const ItemInfo SphericalCamera::vocabulary = described<SphericalCamera>([] {
     return camera_schema<SphericalCamera>(
-        "spherical", "All around: longitude to the right, latitude upwards.",
+        "spherical",
+        {"All around: longitude to the right, latitude upwards.",
+         "camera { spherical location <0, 1, -2> look_at 0.5*y }",
+         "camera { spherical location <0, 1, -2> look_at 0.5*y angle 180 90 }"},
         std::array<Field<SphericalCamera>, 0>{},
         std::array{maybe(Field<SphericalCamera>{
             "vertical_angle", &SphericalCamera::vertical_angle, following,

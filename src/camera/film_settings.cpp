@@ -96,8 +96,13 @@ const ItemInfo Glare::vocabulary = described<Glare>([] {
     using F = Field<Glare>;
     return schema<Glare>(
         "glare",
-        "Light that lenses and eyes scatter: shares of all light, which is kept. What a share "
-        "does was measured in eyes.",
+        {"Light that lenses and eyes scatter: shares of all light, which is kept. What a share "
+         "does was measured in eyes.",
+         "film { exposure auto response agx glare { } }",
+         "film { exposure auto response agx glare { veil 0.4 halo 0.03 star 0 } }",
+         "film { exposure auto response agx glare { veil 0.1 halo 0 star 0.12 blades 6 angle 10 } "
+         "}",
+         "film { exposure auto response agx glare { star 0.2 length 0.3 field 40 } }"},
         F{"veil", &Glare::veil, item,
           "share that is scattered around each light; 0.62 in an eye by day", between(0, 1)},
         F{"halo", &Glare::halo, item,
@@ -120,8 +125,17 @@ const ItemInfo FilmSettings::vocabulary = described<FilmSettings>([] {
     using F = Field<FilmSettings>;
     return schema<FilmSettings>(
         "film",
-        "What is made of the light that the camera gathers, in pictures that people look at. "
-        "OpenEXR and Radiance HDR files keep the light as it is.",
+        {"What is made of the light that the camera gathers, in pictures that people look at. "
+         "OpenEXR and Radiance HDR files keep the light as it is.",
+         "film { exposure 2 }", "film { exposure auto }", "film { exposure auto key 0.06 }",
+         "film { exposure auto response filmic }", "film { exposure auto response agx }",
+         "film { exposure auto response agx contrast 1.3 }",
+         "film { exposure auto response agx saturation 0.4 }",
+         "film { exposure auto response agx white_balance 3400 }",
+         "film { exposure auto response agx white_balance 9000 }",
+         "film { exposure auto response agx vignette 0.8 }",
+         "film { exposure auto response agx grain 0.08 grain_seed 2 }",
+         "film { pixel_filter mitchell smooth_edges }", "film { auto_exposure exposure 1.5 }"},
         F{"exposure", &FilmSettings::exposure, item,
           "stops, each of which doubles the light; `exposure auto` is `auto_exposure`",
           between(-40, 40)},

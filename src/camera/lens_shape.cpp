@@ -32,8 +32,10 @@ const ItemInfo Bokeh::vocabulary = described<Bokeh>([] {
     using F = Field<Bokeh>;
     return schema<Bokeh>(
         "bokeh",
-        "The shape of points of light that are out of focus: a polygon by `blades`, or a picture "
-        "by a pigment over the square from 0 to x + y. Without it they are round.",
+        {"The shape of points of light that are out of focus: a polygon by `blades`, or a picture "
+         "by a pigment over the square from 0 to x + y. Without it they are round.",
+         "bokeh { blades 6 }", "bokeh { blades 5 angle 36 }",
+         "bokeh { pigment { radial frequency 5 color_map { [0.5 rgb 0] [0.5 rgb 1] } } }"},
         F{"blades", &Bokeh::blades, item, "corners of the opening; 0: it is round", between(0, 64)},
         F{"angle", &Bokeh::angle, item, "degrees by which the opening is turned"});
 });

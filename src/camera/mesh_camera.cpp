@@ -10,7 +10,10 @@ namespace candelabra {
 const ItemInfo MeshRays::vocabulary = described<MeshRays>([] {
     using F = Field<MeshRays>;
     return schema<MeshRays>(
-        "mesh_camera", "Rays from the faces of meshes, which stand in its braces.",
+        "mesh_camera",
+        {"Rays from the faces of meshes, which stand in its braces.",
+         "camera { mesh_camera { 2, 2 mesh { triangle { <-3, 0, -4>, <3, 0, -4>, <0, 4, -4> } } "
+         "smooth } direction z }"},
         F{"rays", &MeshRays::rays, positional, "rays of each pixel", between(1, 1e6)},
         F{"distribution", &MeshRays::distribution, positional,
           "which face: 0 by the pixel's number, the n-th ray from the n-th mesh; 1 counted through "

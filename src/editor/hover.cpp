@@ -5,6 +5,7 @@
 #include "objects/object_functions.h"
 #include "scene/catalogue.h"
 #include "text/message.h"
+#include "vocabulary/examples.h"
 #include "vocabulary/glossary.h"
 #include "vocabulary/manual.h"
 
@@ -16,6 +17,11 @@ namespace candelabra {
 namespace {
 
 std::string fenced(std::string_view text) { return message("```pov\n", text, "\n```\n"); }
+
+/// The example below an explanation.
+std::string with_example(std::string_view example) {
+    return example.empty() ? "" : "\n\n" + fenced(example);
+}
 
 std::string function_help(std::string_view word) {
     for (const FunctionInfo& each : all_functions())
@@ -34,7 +40,8 @@ std::string help_in_block(std::string_view word, std::string_view block) {
             for (std::size_t i = 0; i < item->fields.size(); ++i)
                 if (item->fields[i].name == word)
                     return message(fenced(message(word, " ", values(*item, i))),
-                                   item->fields[i].help, "\n\nin `", item->name, "`");
+                                   item->fields[i].help, "\n\nin `", item->name, "`",
+                                   with_example(example_of(word, item->examples)));
         }
     return {};
 }
@@ -56,7 +63,8 @@ std::string word_help(const EditedFile& file, const Token& token, const Names& n
     std::string text = function_help(word);
     if (text.empty()) text = item_help(word);
     if (const GlossaryEntry* entry = glossary_entry(word); entry && text.empty())
-        text = fenced(entry->form) + std::string(entry->help);
+        text = message(fenced(entry->form), entry->help,
+                       with_example(example_of(word, entry->examples)));
     return text;
 }
 
@@ -94,7 +102,9 @@ std::string library_help(const EditedFile& file, std::string_view name) {
     const LibraryFile library = library_file({}, file.text);
     const LibraryMacro* const macro = find_macro(library, name);
     if (!macro || macro->help.empty()) return {};
-    return message(fenced(macro->form), macro->help, "\n\n");
+    const std::string value = macro->value.empty() ? "" : " -> " + macro->value;
+    return message(fenced(macro->form), macro->help, "\n\n",
+                   macro->example.empty() ? "" : fenced(macro->example + value));
 }
 
 std::string name_help(Workspace& workspace, const Workspace::Found& found) {

@@ -4,6 +4,7 @@
 #include "base/order.h"
 #include "text/ascii.h"
 #include "text/loader.h"
+#include "vocabulary/examples.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -39,11 +40,28 @@ std::vector<std::string_view> lines_of(std::string_view text) {
     return lines;
 }
 
+constexpr std::string_view example_sign = "e.g. ";
+
+/// An entry of the comment at a file's beginning: one or several macros with what is said of them,
+/// and their examples.
+struct ListedEntry {
+    std::string text;
+    std::vector<std::string> examples = {};
+
+    /// Adds a further line.
+    void add(std::string_view line) {
+        if (line.starts_with(example_sign))
+            examples.emplace_back(line.substr(example_sign.size()));
+        else
+            append_line(examples.empty() ? text : examples.back(), line);
+    }
+};
+
 /// The comment at the beginning of a file: its first paragraph, and the indented entries that list
 /// the file's macros.
 struct Header {
     std::string about;
-    std::vector<std::string> entries;
+    std::vector<ListedEntry> entries;
 };
 
 Header header_of(const std::vector<std::string_view>& lines) {
@@ -59,9 +77,9 @@ Header header_of(const std::vector<std::string_view>& lines) {
         if (text.empty()) {
             about_ended = !header.about.empty();
         } else if (indent == of_entry) {
-            header.entries.emplace_back(text);
+            header.entries.push_back({std::string(text)});
         } else if (indent > of_entry && !header.entries.empty()) {
-            append_line(header.entries.back(), text);
+            header.entries.back().add(text);
         } else if (indent == of_text && !about_ended) {
             append_line(header.about, text);
         }
@@ -122,15 +140,26 @@ std::vector<Definition> definitions_in(const std::vector<std::string_view>& line
 }
 
 /// Returns the comment directly above a line.
-std::string comment_of(const std::vector<std::string_view>& lines, std::size_t line) {
+ListedEntry comment_of(const std::vector<std::string_view>& lines, std::size_t line) {
     std::size_t first = line;
     while (first > 0 && lines[first - 1].starts_with("// ") &&
            lines[first - 1].find("----") == std::string_view::npos)
         --first;
-    std::string text;
+    ListedEntry comment;
     for (; first < line; ++first)
-        append_line(text, trimmed_line(lines[first].substr(comment_sign.size())));
-    return text;
+        comment.add(trimmed_line(lines[first].substr(comment_sign.size())));
+    return comment;
+}
+
+/// Gives the macro that of the examples in which it stands.
+void choose_example(LibraryMacro& macro, const std::vector<std::string>& examples) {
+    constexpr std::string_view arrow = " -> ";
+    const auto found = std::ranges::find_if(
+        examples, [&](const std::string& text) { return contains_word(text, macro.name); });
+    if (found == examples.end()) return;
+    const std::size_t end = std::min(found->find(arrow), found->size());
+    macro.example = found->substr(0, end);
+    macro.value = found->substr(std::min(end + arrow.size(), found->size()));
 }
 
 }  // namespace
@@ -149,12 +178,15 @@ LibraryFile library_file(std::string name, std::string_view text) {
         const bool known =
             std::ranges::find(file.macros, each.name, &LibraryMacro::name) != file.macros.end();
         if (known) continue;
-        LibraryMacro macro{std::string(each.name), each.form, comment_of(lines, each.line)};
-        for (const std::string& entry : header.entries) {
-            const HeaderEntry said(entry, is_macro);
+        const ListedEntry comment = comment_of(lines, each.line);
+        LibraryMacro macro{std::string(each.name), each.form, comment.text};
+        choose_example(macro, comment.examples);
+        for (const ListedEntry& entry : header.entries) {
+            const HeaderEntry said(entry.text, is_macro);
             if (!said.names(each.name)) continue;
             macro.listed = true;
             if (!said.text().empty()) macro.help = said.text();
+            choose_example(macro, entry.examples);
         }
         file.macros.push_back(std::move(macro));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Documentation that the files of the standard library contain: the comment at the beginning, and
-// the macros that they define with a description of each. For --help, the manual and editors.
+// the macros that they define, each with a description and an example behind `e.g.`. For --help, the
+// manual and editors.
 #pragma once
 
 #include <string>
@@ -13,6 +14,10 @@ struct LibraryMacro {
     std::string name;
     std::string form;  ///< Light_Ring(Lamp, Count, Radius)
     std::string help;  ///< may be empty
+    /// Statements that show the macro (vocabulary/examples.h), which include the file. `Bulb` is a
+    /// small lamp in them, and `Stream` a stream of random numbers. May be empty.
+    std::string example = {};
+    std::string value = {};  ///< of the expression at the example's end, if it has one
     /// Whether the macro is for scenes, and not an aid of other macros: named in the comment at the
     /// file's beginning or, if that names none, not starting with the file's name.
     bool listed = false;

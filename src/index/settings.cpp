@@ -16,8 +16,10 @@ const ItemInfo KdTree::vocabulary = described<KdTree>([] {
     using F = Field<KdTree>;
     return schema<KdTree>(
         "kd_tree",
-        "Divides space by planes into cells, and has each item in all cells that it passes "
-        "through.",
+        {"Divides space by planes into cells, and has each item in all cells that it passes "
+         "through.",
+         "global_settings { index { kd_tree } }",
+         "global_settings { index { kd_tree node_cost 0.5 group_cost 2 reference_cost 1 } }"},
         F{"node_cost", &KdTree::node_cost, item, node_help, between(0, 1000)},
         F{"group_cost", &KdTree::group_cost, item, group_help, between(0, 1000)},
         F{"reference_cost", &KdTree::reference_cost, item,
@@ -27,7 +29,10 @@ const ItemInfo KdTree::vocabulary = described<KdTree>([] {
 const ItemInfo BoundingBoxes::vocabulary = described<BoundingBoxes>([] {
     using F = Field<BoundingBoxes>;
     return schema<BoundingBoxes>(
-        "bounding_boxes", "Divides items into groups, whose boxes may overlap.",
+        "bounding_boxes",
+        {"Divides items into groups, whose boxes may overlap.",
+         "global_settings { index { bounding_boxes } }",
+         "global_settings { index { bounding_boxes node_cost 1 group_cost 2 } }"},
         F{"node_cost", &BoundingBoxes::node_cost, item, node_help, between(0, 1000)},
         F{"group_cost", &BoundingBoxes::group_cost, item, group_help, between(0, 1000)});
 });

@@ -17,7 +17,28 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
     using F = Field<PointLight>;
     using Web = WebFields<PointLight>;
     return schema<PointLight>(
-        "light_source", "A light: a point, a cone, a beam, or a grid of points.",
+        "light_source",
+        {"A light: a point, a cone, a beam, or a grid of points.",
+         "light_source { <-2, 4, -3>, rgb 1 }", "light_source { <-2, 4, -3>, rgb <1, 0.6, 0.3> }",
+         "light_source { <-2, 4, -3>, rgb 1 shadowless }",
+         "light_source { <-2, 4, -3>, rgb 1.5 spotlight point_at 0 radius 12 falloff 20 }",
+         "light_source { <-2, 4, -3>, rgb 1.5 spotlight point_at 0 radius 5 falloff 25 tightness "
+         "10 }",
+         "light_source { <-2, 4, -3>, rgb 1 cylinder point_at 0 radius 0.8 falloff 1.2 }",
+         "light_source { <-2, 4, -3>, rgb 1 parallel point_at 0 }",
+         "light_source { <-2, 4, -3>, rgb 3 fade_distance 2 fade_power 2 }",
+         "light_source { <-2, 4, -3>, rgb 1 area_light 2*x, 2*z, 4, 4 }",
+         "light_source { <-2, 4, -3>, rgb 1 area_light 2*x, 2*z, 5, 5 adaptive 1 jitter }",
+         "light_source { <-2, 4, -3>, rgb 1 area_light 2*x, 2*z, 9, 9 circular orient }",
+         "light_source { <-2, 4, -3>, rgb 1 area_light 3*x, 3*z, 9, 9 area_illumination }",
+         "light_source { <-2, 4, -3>, rgb 1 media_attenuation on media_interaction off }",
+         "light_source { <-2, 4, -3>, rgb 1 looks_like { sphere { 0, 0.2 pigment { rgb 1 } finish "
+         "{ ambient 1 } } } }",
+         "light_source { <-2, 4, -3>, rgb 1 projected_through { disc { <-1, 2, -1.5>, y, 0.3 } } }",
+         "global_settings { photometry { white 100 } } light_source { <-2, 4, -3>, rgb 1 intensity "
+         "800 }",
+         "global_settings { photometry { white 100 } } light_source { <-2, 4, -3>, rgb 1 flux 3000 "
+         "}"},
         F{"location", &PointLight::location, positional, "where it is"},
         maybe(as_colour(
             F{"colour", &PointLight::colour, positional, "colour of the light, of any strength"})),

@@ -7,23 +7,29 @@ namespace candelabra {
 
 const ItemInfo EveryLight::vocabulary = described<EveryLight>([] {
     return schema<EveryLight>("every_light",
-                              "A shadow ray to every luminaire at every hit: exact, slow.");
+                              {"A shadow ray to every luminaire at every hit: exact, slow.",
+                               "global_settings { light_sampler { every_light } }"});
 });
 
 const ItemInfo ConstantAlpha::vocabulary = described<ConstantAlpha>([] {
     return schema<ConstantAlpha>("constant_alpha",
-                                 "Chooses each luminaire with equal probability.");
+                                 {"Chooses each luminaire with equal probability.",
+                                  "global_settings { light_sampler { constant_alpha } }"});
 });
 
 const ItemInfo LinearAlpha::vocabulary = described<LinearAlpha>([] {
-    return schema<LinearAlpha>("linear_alpha",
-                               "Chooses in proportion to each luminaire's unoccluded contribution, "
-                               "which it computes for all of them.");
+    return schema<LinearAlpha>(
+        "linear_alpha", {"Chooses in proportion to each luminaire's unoccluded contribution, "
+                         "which it computes for all of them.",
+                         "global_settings { light_sampler { linear_alpha } }"});
 });
 
 const ItemInfo LightBvh::vocabulary = described<LightBvh>([] {
     using F = Field<LightBvh>;
-    return schema<LightBvh>("light_bvh", "Walks down a hierarchy of luminaires by importance.",
+    return schema<LightBvh>("light_bvh",
+                            {"Walks down a hierarchy of luminaires by importance.",
+                             "global_settings { light_sampler { light_bvh } }",
+                             "global_settings { light_sampler { light_bvh mis exponential } }"},
                             F{"mis", &LightBvh::mis, flag,
                               "each shadow ray has a partner that the surface chooses; the two are "
                               "weighed against each other (multiple importance sampling)"},
@@ -36,7 +42,14 @@ const ItemInfo LightOctree::vocabulary = described<LightOctree>([] {
     using F = Field<LightOctree>;
     return schema<LightOctree>(
         "light_octree",
-        "Chooses from a short partition of all luminaires that each cell of space has.",
+        {"Chooses from a short partition of all luminaires that each cell of space has.",
+         "global_settings { light_sampler { light_octree } }",
+         "global_settings { light_sampler { light_octree cut 8 eta 0.5 } }",
+         "global_settings { light_sampler { light_octree outlook 0.9 max_depth 8 representatives 4 "
+         "} }",
+         "global_settings { light_sampler { light_octree alone } }",
+         "global_settings { light_sampler { light_octree paper threshold 0.01 white 1 max_bright "
+         "16 } }"},
         F{"eta", &LightOctree::eta, item,
           "variance over squared mean that the choice may have where nothing is between", above(0)},
         F{"cut", &LightOctree::cut, item,

@@ -12,7 +12,10 @@ namespace candelabra {
 const ItemInfo Fog::vocabulary = described<Fog>([] {
     using F = Field<Fog>;
     return schema<Fog>(
-        "fog", "Fog in the open, not inside of solids.",
+        "fog",
+        {"Fog in the open, not inside of solids.", "fog { rgb 0.8, distance 20 }",
+         "fog { fog_type 2 rgb 0.8, distance 4 fog_offset 0.2 fog_alt 0.4 up y turbulence 0.3 "
+         "turb_depth 0.5 octaves 3 omega 0.5 lambda 2 }"},
         maybe(
             F{"colour", &Fog::colour, positional,
               "colour of the fog; filter tints what is behind, transmit is seen through any fog"}),

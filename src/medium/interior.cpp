@@ -11,7 +11,11 @@ namespace candelabra {
 const ItemInfo Interior::vocabulary = described<Interior>([] {
     using F = Field<Interior>;
     return schema<Interior>(
-        "interior", "What is inside a solid.",
+        "interior",
+        {"What is inside a solid.", "interior { ior 1.5 }",
+         "interior { ior 1.5 fade_distance 1 fade_power 1001 fade_color <0.2, 0.6, 0.3> }",
+         "interior { ior 1.5 dispersion 1.02 dispersion_samples 7 caustics 0.5 }",
+         "sphere { y, 1 hollow pigment { rgbt 1 } interior { media { emission 0.2 } luminaire } }"},
         F{"ior", &Interior::ior, item, "index of refraction; 0: 1, and no dispersion", at_least(0)},
         F{"fade_distance", &Interior::fade_distance, item,
           "way by which light is dimmed to half; 0: it is not", at_least(0)},

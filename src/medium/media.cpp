@@ -13,7 +13,10 @@ namespace candelabra {
 const ItemInfo Scattering::vocabulary = described<Scattering>([] {
     using F = Field<Scattering>;
     return schema<Scattering>(
-        "scattering", "How much light a medium scatters, and where to.",
+        "scattering",
+        {"How much light a medium scatters, and where to.", "media { scattering { 1, 0.05 } }",
+         "media { scattering { 5, 0.05 eccentricity 0.6 extinction 0.5 } }",
+         "media { scattering { 1, 0.05 multiple } }"},
         F{"type", &Scattering::type, positional,
           "1: to all sides, 2: haze, 3: murky air, 4: as the sky does (Rayleigh), 5: by its "
           "eccentricity (Henyey and Greenstein)"},
@@ -30,7 +33,13 @@ const ItemInfo Scattering::vocabulary = described<Scattering>([] {
 const ItemInfo Media::vocabulary = described<Media>([] {
     using F = Field<Media>;
     return schema<Media>(
-        "media", "What absorbs, emits and scatters light between surfaces.",
+        "media",
+        {"What absorbs, emits and scatters light between surfaces.", "media { absorption 0.1 }",
+         "media { emission 0.05 density { bozo scale 2 } }",
+         "media { scattering { 1, 0.05 } method 3 intervals 1 samples 2, 6 jitter 0.5 }",
+         "media { emission 0.05 method 3 aa_level 3 aa_threshold 0.1 confidence 0.9 variance 1/128 "
+         "ratio 0.9 }",
+         "media { scattering { 1, 0.05 } collect on }"},
         as_colour(F{"absorption", &Media::absorption, item,
                     "light that is lost along one unit of length"}),
         as_colour(

@@ -53,7 +53,23 @@ const ItemInfo Meter::vocabulary = described<Meter>([] {
         return chooses<Meter>(name, &Meter::rule, static_cast<int>(rule), help);
     };
     return schema<Meter>(
-        "meter", "What is measured by --measure, and where. It changes no picture.",
+        "meter",
+        {"What is measured by --measure, and where. It changes no picture.",
+         "meter { \"desk\" corner <-1, 0.8, -1> along 2*x across 2*z counts <4, 4> }",
+         "meter { \"road\" luminance eye <-60, 1.5, 1.75> corner 0 along 35*x across 7*z en_13201 "
+         "lanes 2 }",
+         "meter { \"road\" luminance eye <-60, 1.5, 1.75> corner 0 along 35*x across 7*z en_13201 "
+         "} meter { \"driver\" threshold_increment road \"road\" points { 1, <-18, 1.5, 1.75> } "
+         "direction <1, -0.0175, 0> }",
+         "meter { \"faces\" semi_cylindrical points { 2, <2, 1.5, 0>, <4, 1.5, 0> } direction -x "
+         "up y }",
+         "meter { \"room\" cylindrical corner <-1, 1.2, -1> along 2*x across 2*z en_12464 }",
+         "meter { \"glare\" ugr points { 1, <0, 1.2, -2> } direction z }",
+         "meter { \"ball\" spherical points { 1, y } }",
+         "meter { \"sky\" hemispherical points { 1, y } maintenance 0.8 }",
+         "meter { \"window\" daylight_factor corner <-1, 0.8, -1> along 2*x across 2*z }",
+         "meter { \"desk\" illuminance points { 1, 0.8*y } }",
+         "meter { \"spot\" luminance cone 1 points { 1, 2*y } direction -y }"},
         maybe(F{"name", &Meter::name, positional, "the name in results"}),
         measures(Quantity::illuminance, "lux on a plane that faces `direction`; the default"),
         measures(Quantity::cylindrical, "lux, the mean on the sides of a small upright cylinder"),

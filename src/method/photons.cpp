@@ -10,9 +10,12 @@ const ItemInfo PhotonSettings::vocabulary = described<PhotonSettings>([] {
     constexpr const char* of_map = "of POV-Ray's map; no effect, as none is kept";
     return schema<PhotonSettings>(
         "photons",
-        "Lets light reach surfaces by way of mirrors and glasses that are targets. Photons are "
-        "shot anew for some samples at a time, and looked for in ever smaller circles, so that "
-        "more samples make the light quieter and sharper.",
+        {"Lets light reach surfaces by way of mirrors and glasses that are targets. Photons are "
+         "shot anew for some samples at a time, and looked for in ever smaller circles, so that "
+         "more samples make the light quieter and sharper.",
+         "global_settings { photons { count 2000 } }",
+         "global_settings { photons { spacing 0.1 gather 20, 60 radius 0.2 media 10, 2 jitter 0.4 "
+         "autostop 0 expand_thresholds 0.2, 40 max_trace_level 5 adc_bailout 0.01 } }"},
         F{"count", &PhotonSettings::count, item,
           "photons that are shot at a time, at most 262144; or by `spacing`"},
         F{"spacing", &PhotonSettings::spacing, item, "mean distance of photons on a target"},
@@ -59,7 +62,11 @@ PhotonWay way(const std::optional<double>& said) {
 const ItemInfo ObjectPhotons::vocabulary = described<ObjectPhotons>([] {
     using F = Field<ObjectPhotons>;
     return schema<ObjectPhotons>(
-        "photons", "What photons do at an object. Lights that glow shoot at targets that say `on`.",
+        "photons",
+        {"What photons do at an object. Lights that glow shoot at targets that say `on`.",
+         "sphere { y, 1 pigment { rgbt 0.9 } interior { ior 1.5 } photons { target reflection on "
+         "refraction on } }",
+         "sphere { y, 1 photons { target on reflection off collect off pass_through } }"},
         F{"target", &ObjectPhotons::target, item,
           "photons are shot at it; a number above 0 multiplies their spacing"},
         F{"reflection", &ObjectPhotons::reflection, item, of_reflection},
@@ -71,11 +78,15 @@ const ItemInfo ObjectPhotons::vocabulary = described<ObjectPhotons>([] {
 
 const ItemInfo LightPhotons::vocabulary = described<LightPhotons>([] {
     using F = Field<LightPhotons>;
-    return schema<LightPhotons>("photons", "Whether a light shoots photons at targets.",
-                                F{"reflection", &LightPhotons::reflection, item, of_reflection},
-                                F{"refraction", &LightPhotons::refraction, item, of_refraction},
-                                F{"area_light", &LightPhotons::area_light, flag,
-                                  "photons start from all of the light's grid"});
+    return schema<LightPhotons>(
+        "photons",
+        {"Whether a light shoots photons at targets.",
+         "light_source { <-2, 4, -3>, rgb 1 photons { reflection on refraction on } }",
+         "light_source { <-2, 4, -3>, rgb 1 area_light x, z, 3, 3 photons { area_light } }"},
+        F{"reflection", &LightPhotons::reflection, item, of_reflection},
+        F{"refraction", &LightPhotons::refraction, item, of_refraction},
+        F{"area_light", &LightPhotons::area_light, flag,
+          "photons start from all of the light's grid"});
 });
 
 PhotonWays ObjectPhotons::ways() const { return {way(reflection), way(refraction)}; }

@@ -11,8 +11,14 @@ const ItemInfo Radiosity::vocabulary = described<Radiosity>([] {
     constexpr const char* of_cache = "of POV-Ray's cache; no effect, as there is none";
     return schema<Radiosity>(
         "radiosity",
-        "Light that surfaces reflect lights others, too. Every camera ray follows some of it, so "
-        "that the picture is exact on average; more samples make it quieter.",
+        {"Light that surfaces reflect lights others, too. Every camera ray follows some of it, so "
+         "that the picture is exact on average; more samples make it quieter.",
+         "global_settings { radiosity { count 50 recursion_limit 2 error_bound 0.5 } }",
+         "global_settings { radiosity { count 50 normal on media on always_sample off brightness 1 "
+         "gray_threshold 0 } }",
+         "global_settings { radiosity { nearest_count 5 low_error_factor 0.5 minimum_reuse 0.015 "
+         "maximum_reuse 0.2 max_sample 2 adc_bailout 0.01 pretrace_start 0.08 pretrace_end 0.01 "
+         "subsurface on } }"},
         F{"recursion_limit", &Radiosity::recursion_limit, item,
           "diffuse reflections on the way of light to a surface that is seen", between(1, 20)},
         F{"brightness", &Radiosity::brightness, item, "factor of the light at each of them",

@@ -11,37 +11,51 @@ namespace candelabra {
 const ItemInfo Gradient::vocabulary = described<Gradient>([] {
     using F = Field<Gradient>;
     return schema<Gradient>(
-        "gradient", "A value that grows along a direction and starts again at each whole step.",
+        "gradient",
+        {"A value that grows along a direction and starts again at each whole step.",
+         "pigment { gradient x scale 0.4 }",
+         "pigment { gradient x color_map { [0 rgb <0.1, 0.3, 0.7>] [0.5 rgb 1] [1 rgb <0.9, 0.5, "
+         "0.2>] } }"},
         F{"direction", &Gradient::direction, positional,
           "direction of growth; only its direction counts"});
 });
 
-const ItemInfo Marble::vocabulary = described<Marble>(
-    [] { return schema<Marble>("marble", "Layers across the x axis, disturbed by turbulence."); });
+const ItemInfo Marble::vocabulary = described<Marble>([] {
+    return schema<Marble>("marble", {"Layers across the x axis, disturbed by turbulence.",
+                                     "pigment { marble turbulence 0.6 scale 0.4 }"});
+});
 
-const ItemInfo Wood::vocabulary = described<Wood>(
-    [] { return schema<Wood>("wood", "Rings around the z axis, disturbed by turbulence."); });
+const ItemInfo Wood::vocabulary = described<Wood>([] {
+    return schema<Wood>("wood", {"Rings around the z axis, disturbed by turbulence.",
+                                 "pigment { wood turbulence 0.05 scale 0.15 }"});
+});
 
-const ItemInfo Onion::vocabulary = described<Onion>(
-    [] { return schema<Onion>("onion", "Spheres within spheres, each of thickness 1."); });
+const ItemInfo Onion::vocabulary = described<Onion>([] {
+    return schema<Onion>(
+        "onion", {"Spheres within spheres, each of thickness 1.", "pigment { onion scale 0.2 }"});
+});
 
-const ItemInfo Leopard::vocabulary =
-    described<Leopard>([] { return schema<Leopard>("leopard", "Regular round spots."); });
+const ItemInfo Leopard::vocabulary = described<Leopard>([] {
+    return schema<Leopard>("leopard", {"Regular round spots.", "pigment { leopard scale 0.05 }"});
+});
 
-const ItemInfo Radial::vocabulary = described<Radial>(
-    [] { return schema<Radial>("radial", "A value that grows once around the y axis."); });
+const ItemInfo Radial::vocabulary = described<Radial>([] {
+    return schema<Radial>("radial", {"A value that grows once around the y axis.",
+                                     "pigment { radial rotate 90*x frequency 6 }"});
+});
 
 const ItemInfo Spiral1::vocabulary = described<Spiral1>([] {
     using F = Field<Spiral1>;
     return schema<Spiral1>(
-        "spiral1", "A spiral around the z axis.",
+        "spiral1", {"A spiral around the z axis.", "pigment { spiral1 4 scale 0.3 }"},
         F{"arms", &Spiral1::arms, positional, "number of arms", between(-32768, 32767)});
 });
 
 const ItemInfo Spiral2::vocabulary = described<Spiral2>([] {
     using F = Field<Spiral2>;
     return schema<Spiral2>(
-        "spiral2", "A spiral around the z axis, laid over rings.",
+        "spiral2",
+        {"A spiral around the z axis, laid over rings.", "pigment { spiral2 4 scale 0.3 }"},
         F{"arms", &Spiral2::arms, positional, "number of arms", between(-32768, 32767)});
 });
 

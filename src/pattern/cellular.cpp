@@ -8,13 +8,19 @@
 
 namespace candelabra {
 
-const ItemInfo Cells::vocabulary =
-    described<Cells>([] { return schema<Cells>("cells", "Unit cubes with a random value each."); });
+const ItemInfo Cells::vocabulary = described<Cells>([] {
+    return schema<Cells>("cells",
+                         {"Unit cubes with a random value each.", "pigment { cells scale 0.3 }"});
+});
 
 const ItemInfo Crackle::vocabulary = described<Crackle>([] {
     using F = Field<Crackle>;
     return schema<Crackle>(
-        "crackle", "Cells around random nuclei: by default 0 on their borders.",
+        "crackle",
+        {"Cells around random nuclei: by default 0 on their borders.",
+         "pigment { crackle scale 0.25 }", "pigment { crackle form <1, 0, 0> scale 0.3 }",
+         "pigment { crackle metric 1 scale 0.3 }", "pigment { crackle solid scale 0.25 }",
+         "pigment { crackle offset 0.3 repeat <4, 4, 0> scale 0.25 }"},
         F{"form", &Crackle::form, item,
           "weights of the distances to the nearest, second and third nucleus"},
         F{"metric", &Crackle::metric, item,
@@ -29,7 +35,9 @@ const ItemInfo Crackle::vocabulary = described<Crackle>([] {
 const ItemInfo Facets::vocabulary = described<Facets>([] {
     using F = Field<Facets>;
     return schema<Facets>(
-        "facets", "Flat faces in random directions, for normals only.",
+        "facets",
+        {"Flat faces in random directions, for normals only.", "normal { facets size 0.2 }",
+         "normal { facets coords 0.4 size 0.3 metric 1 }"},
         F{"size", &Facets::size, item, "size of the faces"},
         F{"coords", &Facets::coords, item,
           "0: faces by the surface's direction; above: by the point, tilted by this much"},

@@ -10,7 +10,9 @@ namespace candelabra {
 const ItemInfo DensityFile::vocabulary = described<DensityFile>([] {
     using F = Field<DensityFile>;
     return schema<DensityFile>(
-        "density_file", "Numbers from a file, in the cube from 0 to 1; 0 outside of it.",
+        "density_file",
+        {"Numbers from a file, in the cube from 0 to 1; 0 outside of it.",
+         "pigment { density_file df3 \"spiral.df3\" interpolate 1 translate -0.5 scale 2.4 }"},
         F{"df3", &DensityFile::df3, item, "name of a file of format df3"},
         F{"interpolate", &DensityFile::interpolate, item,
           "0: none, 1: linear, 2: cubic; only the last digit counts", at_least(0)});

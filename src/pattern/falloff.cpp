@@ -6,20 +6,24 @@
 namespace candelabra {
 
 const ItemInfo Boxed::vocabulary = described<Boxed>([] {
-    return schema<Boxed>("boxed", "1 at the origin, 0 from the faces of a cube of side 2 on.");
+    return schema<Boxed>("boxed", {"1 at the origin, 0 from the faces of a cube of side 2 on.",
+                                   "pigment { boxed scale 0.8 }"});
 });
 
 const ItemInfo PlanarPattern::vocabulary = described<PlanarPattern>([] {
-    return schema<PlanarPattern>("planar", "1 on the plane y = 0, 0 at distance 1 and beyond.");
+    return schema<PlanarPattern>(
+        "planar", {"1 on the plane y = 0, 0 at distance 1 and beyond.", "pigment { planar }"});
 });
 
 const ItemInfo CylindricalPattern::vocabulary = described<CylindricalPattern>([] {
-    return schema<CylindricalPattern>("cylindrical",
-                                      "1 on the y axis, 0 at distance 1 and beyond.");
+    return schema<CylindricalPattern>(
+        "cylindrical",
+        {"1 on the y axis, 0 at distance 1 and beyond.", "pigment { cylindrical rotate 90*x }"});
 });
 
 const ItemInfo SphericalPattern::vocabulary = described<SphericalPattern>([] {
-    return schema<SphericalPattern>("spherical", "1 at the origin, 0 at distance 1 and beyond.");
+    return schema<SphericalPattern>(
+        "spherical", {"1 at the origin, 0 at distance 1 and beyond.", "pigment { spherical }"});
 });
 
 namespace {

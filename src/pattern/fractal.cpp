@@ -13,9 +13,9 @@ namespace {
 
 /// Returns the vocabulary of a fractal, with the words that all fractals share.
 template <class T, class... F>
-consteval auto described_fractal(std::string_view name, std::string_view help, F... fields) {
+consteval auto described_fractal(std::string_view name, ItemText text, F... fields) {
     return schema<T>(
-        name, help, fields...,
+        name, text, fields...,
         Field<T>{
             "exterior", &T::exterior, item,
             "value outside: 0 factor, 1 share of iterations, 2 a, 3 b, 4 a^2, 5 b^2, 6 |a+bi|, "
@@ -33,7 +33,9 @@ consteval auto described_fractal(std::string_view name, std::string_view help, F
 const ItemInfo Mandel::vocabulary = described<Mandel>([] {
     using F = Field<Mandel>;
     return described_fractal<Mandel>(
-        "mandel", "The Mandelbrot set in the x-y plane.",
+        "mandel",
+        {"The Mandelbrot set in the x-y plane.", "pigment { mandel 40 scale 0.5 }",
+         "pigment { mandel 40 exponent 4 exterior 2, 1 interior 1, 1 scale 0.7 }"},
         F{"iterations", &Mandel::iterations, positional, "most steps of an orbit",
           between(0, max_iterations)},
         F{"exponent", &Mandel::exponent, item, "the power in z^n + c", between(2, 33)});
@@ -42,7 +44,9 @@ const ItemInfo Mandel::vocabulary = described<Mandel>([] {
 const ItemInfo JuliaPattern::vocabulary = described<JuliaPattern>([] {
     using F = Field<JuliaPattern>;
     return described_fractal<JuliaPattern>(
-        "julia", "A Julia set in the x-y plane.",
+        "julia",
+        {"A Julia set in the x-y plane.", "pigment { julia <0.353, 0.288>, 30 scale 0.7 }",
+         "pigment { julia <0.353, 0.288>, 30 exponent 3 exterior 1, 1 interior 1, 1 scale 0.7 }"},
         F{"constant", &JuliaPattern::constant, positional, "c in z^n + c"},
         F{"iterations", &JuliaPattern::iterations, positional, "most steps of an orbit",
           between(0, max_iterations)},
@@ -52,7 +56,10 @@ const ItemInfo JuliaPattern::vocabulary = described<JuliaPattern>([] {
 const ItemInfo Magnet::vocabulary = described<Magnet>([] {
     using F = Field<Magnet>;
     return described_fractal<Magnet>(
-        "magnet", "A set from the theory of magnetism in the x-y plane.",
+        "magnet",
+        {"A set from the theory of magnetism in the x-y plane.",
+         "pigment { magnet 1 mandel 30 scale 0.3 }",
+         "pigment { magnet 2 julia <0.3, 0.4>, 30 exterior 1, 1 interior 2, 1 scale 0.3 }"},
         F{"type", &Magnet::type, positional, "which of two formulas", between(1, 2)},
         F{"mandel", &Magnet::mandel, item, "orbits of 0; most steps of an orbit",
           between(0, max_iterations)},

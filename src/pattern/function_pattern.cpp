@@ -10,7 +10,8 @@ namespace candelabra {
 
 const ItemInfo FunctionPattern::vocabulary = described<FunctionPattern>([] {
     return schema<FunctionPattern>("function",
-                                   "A function of x, y and z: function { expression }.");
+                                   {"A function of x, y and z: function { expression }.",
+                                    "pigment { function { 0.5 + 0.5*sin(9*x)*cos(9*y) } }"});
 });
 
 double evaluate(const FunctionPattern& kind, const Vec3& point) {

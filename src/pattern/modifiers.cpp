@@ -8,7 +8,12 @@ namespace candelabra {
 const ItemInfo PatternModifiers::vocabulary = described<PatternModifiers>([] {
     using F = Field<PatternModifiers>;
     return schema<PatternModifiers>(
-        "pattern", "What may follow a pattern's name and values.",
+        "pattern",
+        {"What may follow a pattern's name and values.",
+         "pigment { granite turbulence 0.5 scale 0.5 }",
+         "pigment { gradient x turbulence 0.4 octaves 3 omega 0.6 lambda 2.5 scale 0.4 }",
+         "pigment { bozo noise_generator 1 scale 0.2 }",
+         "pigment { radial frequency 6 phase 0.25 rotate 90*x }"},
         F{"turbulence", &PatternModifiers::turbulence, item,
           "how far noise displaces the point along each axis, or what the pattern says"},
         F{"octaves", &PatternModifiers::octaves, item,

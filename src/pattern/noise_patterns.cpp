@@ -11,32 +11,44 @@
 
 namespace candelabra {
 
-const ItemInfo Bozo::vocabulary =
-    described<Bozo>([] { return schema<Bozo>("bozo", "Smooth noise: soft spots of all values."); });
+const ItemInfo Bozo::vocabulary = described<Bozo>([] {
+    return schema<Bozo>("bozo",
+                        {"Smooth noise: soft spots of all values.", "pigment { bozo scale 0.2 }"});
+});
 
 const ItemInfo Spotted::vocabulary = described<Spotted>([] {
-    return schema<Spotted>("spotted", "The noise of bozo, with a map from black to white.");
+    return schema<Spotted>("spotted", {"The noise of bozo, with a map from black to white.",
+                                       "pigment { spotted scale 0.2 }"});
 });
 
-const ItemInfo Bumps::vocabulary = described<Bumps>(
-    [] { return schema<Bumps>("bumps", "The noise of bozo; as a normal, gentle bumps."); });
+const ItemInfo Bumps::vocabulary = described<Bumps>([] {
+    return schema<Bumps>(
+        "bumps", {"The noise of bozo; as a normal, gentle bumps.", "pigment { bumps scale 0.15 }"});
+});
 
 const ItemInfo Dents::vocabulary = described<Dents>([] {
-    return schema<Dents>("dents", "The third power of noise: small spots on a plain ground.");
+    return schema<Dents>("dents", {"The third power of noise: small spots on a plain ground.",
+                                   "pigment { dents scale 0.2 }"});
 });
 
-const ItemInfo Wrinkles::vocabulary = described<Wrinkles>(
-    [] { return schema<Wrinkles>("wrinkles", "Ten octaves of noise: crumpled paper."); });
+const ItemInfo Wrinkles::vocabulary = described<Wrinkles>([] {
+    return schema<Wrinkles>(
+        "wrinkles", {"Ten octaves of noise: crumpled paper.", "pigment { wrinkles scale 0.4 }"});
+});
 
 const ItemInfo Granite::vocabulary = described<Granite>([] {
-    return schema<Granite>("granite", "Six octaves of folded noise, with many fine veins.");
+    return schema<Granite>("granite", {"Six octaves of folded noise, with many fine veins.",
+                                       "pigment { granite scale 0.6 }"});
 });
 
 const ItemInfo Agate::vocabulary = described<Agate>([] {
     using F = Field<Agate>;
-    return schema<Agate>("agate", "Thin bands, much disturbed, as in the stone.",
-                         F{"agate_turb", &Agate::agate_turb, item,
-                           "how much the bands are disturbed, beside any turbulence"});
+    return schema<Agate>(
+        "agate",
+        {"Thin bands, much disturbed, as in the stone.", "pigment { agate scale 0.3 }",
+         "pigment { agate agate_turb 0.5 scale 0.3 }"},
+        F{"agate_turb", &Agate::agate_turb, item,
+          "how much the bands are disturbed, beside any turbulence"});
 });
 
 namespace {

@@ -12,7 +12,11 @@ namespace candelabra {
 const ItemInfo Pavement::vocabulary = described<Pavement>([] {
     using F = Field<Pavement>;
     return schema<Pavement>(
-        "pavement", "Tiles of several equal polygons in the x-z plane, 1 at their borders.",
+        "pavement",
+        {"Tiles of several equal polygons in the x-z plane, 1 at their borders.",
+         "pigment { pavement number_of_sides 4 number_of_tiles 5 pattern 7 rotate 90*x scale 0.3 }",
+         "pigment { pavement number_of_sides 6 number_of_tiles 4 pattern 3 exterior 0 interior 2 "
+         "form 2 rotate 90*x scale 0.2 }"},
         F{"number_of_sides", &Pavement::number_of_sides, item,
           "polygons: 3 triangles, 4 squares, 6 hexagons"},
         F{"number_of_tiles", &Pavement::number_of_tiles, item,

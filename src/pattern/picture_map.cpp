@@ -14,10 +14,10 @@ namespace {
 
 /// Returns the vocabulary of one of the four kinds: the common fields, then its own.
 template <class T, class... Own>
-consteval auto picture_schema(std::string_view name, std::string_view help, Own... own) {
+consteval auto picture_schema(std::string_view name, ItemText text, Own... own) {
     using F = Field<T>;
     return schema<T>(
-        name, help,
+        name, text,
         maybe(F{"function", &T::function, positional,
                 "`function width, height { ... }` of x and y from 0 to 1, instead of a file"}),
         maybe(F{"file", &T::file, positional, "name of a picture; its kind may come before it"}),
@@ -42,27 +42,42 @@ consteval auto picture_schema(std::string_view name, std::string_view help, Own.
 }  // namespace
 
 const ItemInfo ImageMap::vocabulary = described<ImageMap>([] {
-    return picture_schema<ImageMap>("image_map",
-                                    "The colours of a picture, in braces. `filter all n` and "
-                                    "`transmit all n` make it clear, `filter i, n` and "
-                                    "`transmit i, n` one colour of the file's table.");
+    return picture_schema<ImageMap>(
+        "image_map",
+        {"The colours of a picture, in braces. `filter all n` and "
+         "`transmit all n` make it clear, `filter i, n` and "
+         "`transmit i, n` one colour of the file's table.",
+         "pigment { image_map { png \"test.png\" interpolate 2 } translate -0.5 scale <3, 2, 1> }",
+         "pigment { image_map { png \"test.png\" map_type 1 gamma 1.0 transmit all 0.3 } }",
+         "pigment { image_map { png \"test.png\" once offset <0.2, 0.1> premultiplied off } }"});
 });
 
 const ItemInfo ImagePattern::vocabulary = described<ImagePattern>([] {
-    return picture_schema<ImagePattern>("image_pattern", "The brightness of a picture, in braces.");
+    return picture_schema<ImagePattern>(
+        "image_pattern",
+        {"The brightness of a picture, in braces.",
+         "pigment { image_pattern { png \"fract003.png\" } translate -0.5 scale <3, 2, 1> "
+         "color_map { [0 rgb <0.1, 0.3, 0.7>] [0.4 rgb <0.2, 0.6, 0.2>] [1 rgb 1] } }",
+         "pigment { image_pattern { png \"fract003.png\" use_color repeat <2, 2> } }",
+         "pigment { image_pattern { png \"test.png\" use_alpha } }",
+         "pigment { image_pattern { png \"fract003.png\" use_colour } }"});
 });
 
 const ItemInfo BumpMap::vocabulary = described<BumpMap>([] {
     return picture_schema<BumpMap>(
-        "bump_map", "Bumps as high as a picture is bright, in braces; for normals only.",
+        "bump_map",
+        {"Bumps as high as a picture is bright, in braces; for normals only.",
+         "normal { bump_map { png \"bumpmap_.png\" bump_size 4 } translate -0.5 scale 2 }"},
         Field<BumpMap>{"bump_size", &BumpMap::bump_size, item, "height of the bumps"});
 });
 
 const ItemInfo MaterialMap::vocabulary = described<MaterialMap>([] {
     return picture_schema<MaterialMap>(
-        "material_map",
-        "Textures by the numbers of a picture's colours, or by their red from 0 to 255, in braces; "
-        "for textures only.");
+        "material_map", {"Textures by the numbers of a picture's colours, or by their red from 0 "
+                         "to 255, in braces; "
+                         "for textures only.",
+                         "texture { material_map { png \"test.png\" use_index texture { pigment { "
+                         "rgb 1 } } texture { pigment { rgb <0.9, 0.4, 0.2> } } } }"});
 });
 
 namespace {

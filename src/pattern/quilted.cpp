@@ -7,7 +7,9 @@ namespace candelabra {
 
 const ItemInfo Quilted::vocabulary = described<Quilted>([] {
     using F = Field<Quilted>;
-    return schema<Quilted>("quilted", "A cushion in each unit cube.",
+    return schema<Quilted>("quilted",
+                           {"A cushion in each unit cube.", "pigment { quilted scale 0.4 }",
+                            "pigment { quilted control0 0.2 control1 0.8 scale 0.4 }"},
                            F{"control0", &Quilted::control0, item, "steepness of the seams"},
                            F{"control1", &Quilted::control1, item, "steepness of the middle"});
 });

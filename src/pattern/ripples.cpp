@@ -9,11 +9,15 @@
 
 namespace candelabra {
 
-const ItemInfo Ripples::vocabulary = described<Ripples>(
-    [] { return schema<Ripples>("ripples", "Rings around random points, as of drops in water."); });
+const ItemInfo Ripples::vocabulary = described<Ripples>([] {
+    return schema<Ripples>("ripples", {"Rings around random points, as of drops in water.",
+                                       "pigment { ripples scale 0.2 }"});
+});
 
-const ItemInfo Waves::vocabulary = described<Waves>(
-    [] { return schema<Waves>("waves", "Rings of different lengths around random points."); });
+const ItemInfo Waves::vocabulary = described<Waves>([] {
+    return schema<Waves>("waves", {"Rings of different lengths around random points.",
+                                   "pigment { waves scale 0.2 }"});
+});
 
 namespace {
 

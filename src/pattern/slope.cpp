@@ -12,7 +12,10 @@ namespace candelabra {
 const ItemInfo Slope::vocabulary = described<Slope>([] {
     using F = Field<Slope>;
     return schema<Slope>(
-        "slope", "Steepness: 1 where the surface faces a direction, 0 where it faces away.",
+        "slope",
+        {"Steepness: 1 where the surface faces a direction, 0 where it faces away.",
+         "pigment { slope { <-1, 1, 0> } }", "pigment { slope { y, 0.2, 0.9 altitude y, 0, 1 } }",
+         "pigment { slope { point_at <0, 1, 0>, 0, 2 } }"},
         maybe(F{"direction", &Slope::direction, positional,
                 "the direction; its length is its weight against altitude"}),
         maybe(F{"low", &Slope::low, positional, "steepness that becomes 0"}),
@@ -27,7 +30,9 @@ const ItemInfo Slope::vocabulary = described<Slope>([] {
 });
 
 const ItemInfo Aoi::vocabulary = described<Aoi>([] {
-    return schema<Aoi>("aoi", "The angle between the surface's normal and the ray, over 180.");
+    return schema<Aoi>("aoi",
+                       {"The angle between the surface's normal and the ray, over 180.",
+                        "pigment { aoi color_map { [0.5 rgb <0.2, 0.3, 0.6>] [1 rgb 1] } }"});
 });
 
 namespace {

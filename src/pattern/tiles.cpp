@@ -9,29 +9,42 @@
 
 namespace candelabra {
 
-const ItemInfo Checker::vocabulary = described<Checker>(
-    [] { return schema<Checker>("checker", "Unit cubes of two colours in turn."); });
+const ItemInfo Checker::vocabulary = described<Checker>([] {
+    return schema<Checker>("checker",
+                           {"Unit cubes of two colours in turn.", "pigment { checker scale 0.3 }",
+                            "pigment { checker rgb 0.2, rgb <0.9, 0.8, 0.6> scale 0.3 }"});
+});
 
 const ItemInfo Brick::vocabulary = described<Brick>([] {
     using F = Field<Brick>;
-    return schema<Brick>("brick", "A wall of bricks: mortar, then brick.",
-                         F{"brick_size", &Brick::brick_size, item,
-                           "width, height and depth of a brick and its mortar"},
-                         F{"mortar", &Brick::mortar, item, "thickness of the mortar"});
+    return schema<Brick>(
+        "brick",
+        {"A wall of bricks: mortar, then brick.", "pigment { brick scale 0.05 }",
+         "pigment { brick rgb 0.6, rgb <0.7, 0.3, 0.2> brick_size <0.8, 0.3, 0.4> mortar 0.05 }"},
+        F{"brick_size", &Brick::brick_size, item,
+          "width, height and depth of a brick and its mortar"},
+        F{"mortar", &Brick::mortar, item, "thickness of the mortar"});
 });
 
-const ItemInfo Hexagon::vocabulary = described<Hexagon>(
-    [] { return schema<Hexagon>("hexagon", "Hexagonal columns along y, of three colours."); });
+const ItemInfo Hexagon::vocabulary = described<Hexagon>([] {
+    return schema<Hexagon>("hexagon", {"Hexagonal columns along y, of three colours.",
+                                       "pigment { hexagon rotate 90*x scale 0.2 }"});
+});
 
-const ItemInfo Square::vocabulary = described<Square>(
-    [] { return schema<Square>("square", "Square columns along y, of four colours."); });
+const ItemInfo Square::vocabulary = described<Square>([] {
+    return schema<Square>("square", {"Square columns along y, of four colours.",
+                                     "pigment { square rotate 90*x scale 0.3 }"});
+});
 
-const ItemInfo Triangular::vocabulary = described<Triangular>(
-    [] { return schema<Triangular>("triangular", "Triangular columns along y, of six colours."); });
+const ItemInfo Triangular::vocabulary = described<Triangular>([] {
+    return schema<Triangular>("triangular", {"Triangular columns along y, of six colours.",
+                                             "pigment { triangular rotate 90*x scale 0.3 }"});
+});
 
 const ItemInfo CubicPattern::vocabulary = described<CubicPattern>([] {
     return schema<CubicPattern>(
-        "cubic", "Six colours by the face of a cube around the origin that a point is behind.");
+        "cubic", {"Six colours by the face of a cube around the origin that a point is behind.",
+                  "pigment { cubic }"});
 });
 
 namespace {

@@ -16,7 +16,14 @@ namespace candelabra {
 const ItemInfo Tiling::vocabulary = described<Tiling>([] {
     using F = Field<Tiling>;
     return schema<Tiling>(
-        "tiling", "Tiles in the x-z plane: columns along y, shaded towards their borders.",
+        "tiling",
+        {"Tiles in the x-z plane: columns along y, shaded towards their borders.",
+         "pigment { tiling 8 rotate 90*x scale 0.25 }",
+         "pigment { tiling 16 rotate 90*x scale 0.2 }",
+         "pigment { tiling 24 rotate 90*x scale 0.2 }",
+         "pigment { tiling 25 rotate 90*x scale 0.25 }",
+         "pigment { tiling 26 rotate 90*x scale 0.3 }",
+         "pigment { tiling 27 rotate 90*x scale 0.3 }"},
         F{"type", &Tiling::type, positional,
           "1 squares, 2 hexagons, 3 triangles, 4 and 5 rhombi, 6 dominoes, 7 octagons and "
           "squares ... 24 dodecagons, hexagons and squares, 25 to 27 Penrose's tilings: "

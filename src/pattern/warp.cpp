@@ -13,7 +13,9 @@ namespace candelabra {
 const ItemInfo CylindricalWarp::vocabulary = described<CylindricalWarp>([] {
     using F = Field<CylindricalWarp>;
     return schema<CylindricalWarp>(
-        "cylindrical", "Wraps the plane around the y axis: once for a width of 1.",
+        "cylindrical",
+        {"Wraps the plane around the y axis: once for a width of 1.",
+         "pigment { checker scale 0.1 warp { cylindrical orientation z dist_exp 1 } }"},
         F{"orientation", &CylindricalWarp::orientation, item, "normal of the plane"},
         F{"dist_exp", &CylindricalWarp::dist_exp, item,
           "power of the distance by which the map is stretched"});
@@ -22,7 +24,10 @@ const ItemInfo CylindricalWarp::vocabulary = described<CylindricalWarp>([] {
 const ItemInfo SphericalWarp::vocabulary = described<SphericalWarp>([] {
     using F = Field<SphericalWarp>;
     return schema<SphericalWarp>(
-        "spherical", "Wraps the plane around a sphere: once for a square of 1.",
+        "spherical",
+        {"Wraps the plane around a sphere: once for a square of 1.",
+         "pigment { brick scale 0.06 warp { spherical } }",
+         "pigment { checker scale 0.1 warp { spherical orientation z dist_exp 1 } }"},
         F{"orientation", &SphericalWarp::orientation, item, "normal of the plane"},
         F{"dist_exp", &SphericalWarp::dist_exp, item,
           "power of the distance by which the map is stretched"});
@@ -31,7 +36,10 @@ const ItemInfo SphericalWarp::vocabulary = described<SphericalWarp>([] {
 const ItemInfo ToroidalWarp::vocabulary = described<ToroidalWarp>([] {
     using F = Field<ToroidalWarp>;
     return schema<ToroidalWarp>(
-        "toroidal", "Wraps the plane around a ring: once for a square of 1.",
+        "toroidal",
+        {"Wraps the plane around a ring: once for a square of 1.",
+         "pigment { checker scale 0.1 warp { toroidal orientation z dist_exp 1 major_radius 0.8 } "
+         "}"},
         F{"orientation", &ToroidalWarp::orientation, item, "normal of the plane"},
         F{"dist_exp", &ToroidalWarp::dist_exp, item,
           "power of the distance by which the map is stretched"},
@@ -41,19 +49,25 @@ const ItemInfo ToroidalWarp::vocabulary = described<ToroidalWarp>([] {
 const ItemInfo PlanarWarp::vocabulary = described<PlanarWarp>([] {
     using F = Field<PlanarWarp>;
     return schema<PlanarWarp>(
-        "planar", "Takes the pattern of a plane everywhere.",
+        "planar",
+        {"Takes the pattern of a plane everywhere.",
+         "pigment { onion scale 0.3 warp { planar z, 0 } }"},
         maybe(F{"orientation", &PlanarWarp::orientation, positional, "normal of the plane"}),
         maybe(F{"distance", &PlanarWarp::distance, positional, "of the plane"}));
 });
 
 const ItemInfo CubicWarp::vocabulary = described<CubicWarp>([] {
-    return schema<CubicWarp>("cubic", "Wraps the plane around a cube, as the cross of 4 by 3.");
+    return schema<CubicWarp>("cubic", {"Wraps the plane around a cube, as the cross of 4 by 3.",
+                                       "pigment { checker scale 0.1 warp { cubic } }"});
 });
 
 const ItemInfo TurbulenceWarp::vocabulary = described<TurbulenceWarp>([] {
     using F = Field<TurbulenceWarp>;
     return schema<TurbulenceWarp>(
-        "turbulence", "Displaces points by noise, in its place among the transformations.",
+        "turbulence",
+        {"Displaces points by noise, in its place among the transformations.",
+         "pigment { checker warp { turbulence 0.4 } scale 0.3 }",
+         "pigment { checker warp { turbulence 0.4 octaves 4 omega 0.6 lambda 2.5 } scale 0.3 }"},
         F{"amount", &TurbulenceWarp::amount, positional, "how far, along each axis"},
         F{"octaves", &TurbulenceWarp::octaves, item,
           "terms of the sum; below 1 counts as 1, above 10 as 10"},
@@ -64,7 +78,10 @@ const ItemInfo TurbulenceWarp::vocabulary = described<TurbulenceWarp>([] {
 const ItemInfo RepeatWarp::vocabulary = described<RepeatWarp>([] {
     using F = Field<RepeatWarp>;
     return schema<RepeatWarp>(
-        "repeat", "Repeats a slice of space along one axis.",
+        "repeat",
+        {"Repeats a slice of space along one axis.",
+         "pigment { spherical warp { repeat x offset 0.2*y } scale 0.5 }",
+         "pigment { agate scale 0.3 warp { repeat 0.5*x flip x } }"},
         F{"width", &RepeatWarp::width, positional,
           "axis and thickness of the slice: two components are 0"},
         F{"offset", &RepeatWarp::offset, item, "shifts each repeat against the one before"},
@@ -75,7 +92,12 @@ const ItemInfo RepeatWarp::vocabulary = described<RepeatWarp>([] {
 const ItemInfo BlackHole::vocabulary = described<BlackHole>([] {
     using F = Field<BlackHole>;
     return schema<BlackHole>(
-        "black_hole", "Draws what is in a sphere together, or apart.",
+        "black_hole",
+        {"Draws what is in a sphere together, or apart.",
+         "pigment { checker warp { black_hole 0, 2 strength 1.2 } scale 0.4 }",
+         "pigment { checker scale 0.3 warp { black_hole <0.4, 0.4, 0>, 0.5 falloff 2 strength 0.8 "
+         "repeat <1, 1, 0> turbulence 0.1 inverse } }",
+         "pigment { checker scale 0.3 warp { black_hole 0, 1 type 0 } }"},
         F{"centre", &BlackHole::centre, positional, "middle of the sphere"},
         F{"radius", &BlackHole::radius, positional, "radius of the hole", above(0)},
         F{"strength", &BlackHole::strength, item, "how strong it is in the middle"},

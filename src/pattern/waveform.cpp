@@ -8,25 +8,38 @@
 
 namespace candelabra {
 
-const ItemInfo RampWave::vocabulary = described<RampWave>(
-    [] { return schema<RampWave>("ramp_wave", "Straight up, then back at once."); });
+const ItemInfo RampWave::vocabulary = described<RampWave>([] {
+    return schema<RampWave>(
+        "ramp_wave", {"Straight up, then back at once.", "pigment { onion ramp_wave scale 0.3 }"});
+});
 
-const ItemInfo TriangleWave::vocabulary = described<TriangleWave>(
-    [] { return schema<TriangleWave>("triangle_wave", "Straight up, then straight down."); });
+const ItemInfo TriangleWave::vocabulary = described<TriangleWave>([] {
+    return schema<TriangleWave>(
+        "triangle_wave",
+        {"Straight up, then straight down.", "pigment { gradient x triangle_wave scale 0.4 }"});
+});
 
-const ItemInfo SineWave::vocabulary = described<SineWave>(
-    [] { return schema<SineWave>("sine_wave", "Up and down without corners."); });
+const ItemInfo SineWave::vocabulary = described<SineWave>([] {
+    return schema<SineWave>("sine_wave", {"Up and down without corners.",
+                                          "pigment { gradient x sine_wave frequency 3 }"});
+});
 
-const ItemInfo ScallopWave::vocabulary = described<ScallopWave>(
-    [] { return schema<ScallopWave>("scallop_wave", "Half circles side by side, more or less."); });
+const ItemInfo ScallopWave::vocabulary = described<ScallopWave>([] {
+    return schema<ScallopWave>("scallop_wave", {"Half circles side by side, more or less.",
+                                                "pigment { gradient x scallop_wave frequency 3 }"});
+});
 
-const ItemInfo CubicWave::vocabulary = described<CubicWave>(
-    [] { return schema<CubicWave>("cubic_wave", "Up with a gentle start and end, then back."); });
+const ItemInfo CubicWave::vocabulary = described<CubicWave>([] {
+    return schema<CubicWave>("cubic_wave", {"Up with a gentle start and end, then back.",
+                                            "pigment { gradient x cubic_wave frequency 3 }"});
+});
 
 const ItemInfo PolyWave::vocabulary = described<PolyWave>([] {
     using F = Field<PolyWave>;
-    return schema<PolyWave>("poly_wave", "Up along a power, then back.",
-                            maybe(F{"exponent", &PolyWave::exponent, positional, "the power"}));
+    return schema<PolyWave>(
+        "poly_wave",
+        {"Up along a power, then back.", "pigment { gradient x poly_wave 3 frequency 3 }"},
+        maybe(F{"exponent", &PolyWave::exponent, positional, "the power"}));
 });
 
 namespace {

@@ -8,7 +8,9 @@ namespace candelabra {
 const ItemInfo PhotometricUnits::vocabulary = described<PhotometricUnits>([] {
     using F = Field<PhotometricUnits>;
     return schema<PhotometricUnits>(
-        "photometry", "What the numbers of the scene are in metres and in candela.",
+        "photometry",
+        {"What the numbers of the scene are in metres and in candela.",
+         "global_settings { photometry { unit 1 white 1000 } }"},
         F{"unit", &PhotometricUnits::unit, item,
           "how many metres a unit of the scene is; without it, mm_per_unit / 1000", above(0)},
         F{"white", &PhotometricUnits::white, item,

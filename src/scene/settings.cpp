@@ -8,7 +8,11 @@ namespace candelabra {
 const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
     using F = Field<GlobalSettings>;
     return schema<GlobalSettings>(
-        "global_settings", "What holds for the whole scene.",
+        "global_settings",
+        {"What holds for the whole scene.", "global_settings { assumed_gamma 1 }",
+         "global_settings { max_trace_level 10 adc_bailout 1/255 ambient_light rgb 0.5 }",
+         "global_settings { noise_generator 2 number_of_waves 10 irid_wavelength rgb <0.25, 0.18, "
+         "0.14> mm_per_unit 100 }"},
         as_colour(F{"ambient_light", &GlobalSettings::ambient_light, item,
                     "light that seems to come from everywhere"}),
         F{"assumed_gamma", &GlobalSettings::assumed_gamma, item,

@@ -9,7 +9,12 @@ namespace candelabra {
 const ItemInfo BicubicPatch::vocabulary = described<BicubicPatch>([] {
     using F = Field<BicubicPatch>;
     return schema<BicubicPatch>(
-        "bicubic_patch", "A curved sheet between 16 points.",
+        "bicubic_patch",
+        {"A curved sheet between 16 points.",
+         "bicubic_patch { type 1 flatness 0.01 u_steps 4 v_steps 4 accuracy 0.01 <-1.2, 0.2, -1>, "
+         "<-0.4, 0.9, -1>, <0.4, 0.9, -1>, <1.2, 0.2, -1>, <-1.2, 0.6, -0.3>, <-0.4, 2, -0.3>, "
+         "<0.4, 2, -0.3>, <1.2, 0.6, -0.3>, <-1.2, 0.6, 0.3>, <-0.4, 2, 0.3>, <0.4, 2, 0.3>, <1.2, "
+         "0.6, 0.3>, <-1.2, 0.2, 1>, <-0.4, 0.9, 1>, <0.4, 0.9, 1>, <1.2, 0.2, 1> }"},
         always(16, F{"points", &BicubicPatch::points, counted, "the points, row by row"}),
         F{"type", &BicubicPatch::type, item, "0 or 1, without effect"},
         F{"flatness", &BicubicPatch::flatness, item, "how far pieces may be from flat",

@@ -46,11 +46,16 @@ const ItemInfo BlobComponent::vocabulary = described<BlobComponent>([] {
 
 const ItemInfo Blob::vocabulary = described<Blob>([] {
     using F = Field<Blob>;
-    return schema<Blob>("blob", "Balls and rods that flow into each other.",
-                        F{"threshold", &Blob::threshold, item, "field on the surface", above(0)},
-                        parts<&Blob::spheres>("sphere", "a field around a point"),
-                        parts<&Blob::cylinders>("cylinder", "a field around a line"),
-                        loose_parts<&Blob::components>("component", "a sphere in the old form"));
+    return schema<Blob>(
+        "blob",
+        {"Balls and rods that flow into each other.",
+         "blob { threshold 0.5 sphere { <-0.6, 0.8, 0>, 1, 1 } sphere { <0.6, 0.8, 0>, 1, 1 } "
+         "cylinder { <0, 0.8, 0>, <0, 1.9, 0>, 0.5, 1 } }",
+         "blob { threshold 0.5 component 1, 1, <-0.6, 0.8, 0> component 1, 1, <0.6, 0.8, 0> }"},
+        F{"threshold", &Blob::threshold, item, "field on the surface", above(0)},
+        parts<&Blob::spheres>("sphere", "a field around a point"),
+        parts<&Blob::cylinders>("cylinder", "a field around a line"),
+        loose_parts<&Blob::components>("component", "a sphere in the old form"));
 });
 
 namespace {

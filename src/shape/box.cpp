@@ -8,7 +8,9 @@ namespace candelabra {
 const ItemInfo Cuboid::vocabulary = described<Cuboid>([] {
     using F = Field<Cuboid>;
     return schema<Cuboid>(
-        "box", "A solid between two opposite corners, its faces along the axes.",
+        "box",
+        {"A solid between two opposite corners, its faces along the axes.",
+         "box { <-0.9, 0, -0.9>, <0.9, 1.6, 0.9> rotate 25*y }"},
         F{"corner1", &Cuboid::corner1, positional, "one corner"},
         F{"corner2", &Cuboid::corner2, positional, "the opposite corner, in any order"});
 });

@@ -10,7 +10,9 @@ namespace candelabra {
 
 const ItemInfo Cone::vocabulary = described<Cone>([] {
     using F = Field<Cone>;
-    return schema<Cone>("cone", "A cone or a frustum with flat ends.",
+    return schema<Cone>("cone",
+                        {"A cone or a frustum with flat ends.", "cone { 0, 1, 1.8*y, 0.3 }",
+                         "cone { 0, 1, 1.8*y, 0.3 open }"},
                         F{"base", &Cone::base, positional, "centre of one end"},
                         F{"base_radius", &Cone::base_radius, positional,
                           "radius at that end; the side goes through the axis when one is below 0"},

@@ -11,7 +11,9 @@ namespace candelabra {
 
 const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
     using F = Field<Cylinder>;
-    return schema<Cylinder>("cylinder", "A cylinder with flat ends.",
+    return schema<Cylinder>("cylinder",
+                            {"A cylinder with flat ends.", "cylinder { 0, 1.7*y, 0.8 }",
+                             "cylinder { <-1, 0.8, 0>, <1, 0.8, 0>, 0.8 open }"},
                             F{"base", &Cylinder::base, positional, "centre of one end"},
                             F{"cap", &Cylinder::cap, positional, "centre of the other end"},
                             F{"radius", &Cylinder::radius, positional, "radius", any_sign()},

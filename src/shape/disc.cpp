@@ -8,7 +8,7 @@ namespace candelabra {
 const ItemInfo Disc::vocabulary = described<Disc>([] {
     using F = Field<Disc>;
     return schema<Disc>(
-        "disc", "A flat disc, with or without a hole.",
+        "disc", {"A flat disc, with or without a hole.", "disc { y, <0, 1, -1>, 1, 0.4 }"},
         F{"centre", &Disc::centre, positional, "centre"},
         F{"normal", &Disc::normal, positional, "direction of its face, of any length but 0"},
         F{"radius", &Disc::radius, positional, "outer radius", any_sign()},

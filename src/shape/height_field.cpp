@@ -12,7 +12,14 @@ const ItemInfo HeightField::vocabulary = described<HeightField>([] {
     using F = Field<HeightField>;
     constexpr auto file = &HeightField::file;
     return schema<HeightField>(
-        "height_field", "A landscape over the unit square.",
+        "height_field",
+        {"A landscape over the unit square.",
+         "height_field { function 120, 120 { 0.5 + 0.3*sin(12*x)*cos(12*y) } smooth translate "
+         "<-0.5, 0, -0.5> scale <2.6, 1, 2.6> }",
+         "height_field { png \"Mount1.png\" water_level 0.1 translate <-0.5, 0, -0.5> scale <2.6, "
+         "0.9, 2.6> }",
+         "height_field { pot \"mtmand.pot\" gamma 1 translate <-0.5, 0, -0.5> scale <2.6, 0.9, "
+         "2.6> }"},
         maybe(F{"function", &HeightField::function, positional,
                 "`function width, height { ... }` of x and y from 0 to 1"}),
         maybe(F{"file", file, positional, "name of a picture"}),

@@ -16,7 +16,16 @@ const ItemInfo Container::vocabulary = described<Container>([] {
 const ItemInfo Isosurface::vocabulary = described<Isosurface>([] {
     using F = Field<Isosurface>;
     return schema<Isosurface>(
-        "isosurface", "Where a function of x, y, z has a value.",
+        "isosurface",
+        {"Where a function of x, y, z has a value.",
+         "isosurface { function { x*x + y*y + z*z - 1 + 0.2*sin(9*x)*sin(9*y)*sin(9*z) } "
+         "max_gradient 5 contained_by { sphere { 0, 1.3 } } translate 1.1*y }",
+         "isosurface { function { abs(x) + abs(y) + abs(z) } threshold 1 accuracy 0.001 evaluate "
+         "2, 1.2, 0.99 contained_by { box { -1, 1 } } open translate y }",
+         "isosurface { function { 1 - x*x - y*y - z*z } polarity 1 max_gradient 4 max_trace 4 "
+         "contained_by { box { -1, 1 } } translate y }",
+         "isosurface { function { x*x + z*z - 0.2 } max_gradient 4 all_intersections contained_by "
+         "{ box { -1, 1 } } translate y }"},
         F{"function", &Isosurface::function, positional, "the function; inside it is lower"},
         parts<&Isosurface::containers>("contained_by", "box or sphere that closes the surface"),
         F{"threshold", &Isosurface::threshold, item, "value on the surface"},

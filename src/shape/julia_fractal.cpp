@@ -14,7 +14,13 @@ const ItemInfo JuliaFractal::vocabulary = described<JuliaFractal>([] {
     using F = Field<JuliaFractal>;
     constexpr auto function = &JuliaFractal::function;
     return schema<JuliaFractal>(
-        "julia_fractal", "A slice of a Julia set of four dimensions.",
+        "julia_fractal",
+        {"A slice of a Julia set of four dimensions.",
+         "julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 20 "
+         "translate y }",
+         "julia_fractal { <-0.745, 0, 0.113, 0.05> quaternion cube slice <0, 0, 0, 1>, 0 translate "
+         "y }",
+         "julia_fractal { <-0.5, 0.2, 0, 0> hypercomplex pwr(3, 0) translate y }"},
         F{"parameter", &JuliaFractal::parameter, positional, "the c of q -> F(q) + c"},
         chooses("quaternion", &JuliaFractal::algebra, quaternions, "the numbers are quaternions"),
         chooses("hypercomplex", &JuliaFractal::algebra, hypercomplex_numbers,

@@ -12,7 +12,13 @@ namespace candelabra {
 const ItemInfo Lathe::vocabulary = described<Lathe>([] {
     using F = Field<Lathe>;
     return schema<Lathe>(
-        "lathe", "A curve turned around the y axis.",
+        "lathe",
+        {"A curve turned around the y axis.",
+         "lathe { cubic_spline 7, <0, 0.1>, <0.8, 0>, <0.9, 0.5>, <0.4, 1>, <0.5, 1.5>, <0.8, "
+         "1.8>, <0.9, 2> }",
+         "lathe { linear_spline 4, <0.9, 0>, <0.9, 0.2>, <0.3, 0.4>, <0.8, 1.8> }",
+         "lathe { quadratic_spline 5, <0, 0>, <0.9, 0>, <0.9, 0.5>, <0.3, 1>, <0.8, 1.8> }",
+         "lathe { bezier_spline 4, <0.9, 0>, <0.9, 0.8>, <0.2, 1>, <0.8, 1.8> }"},
         F{"points", &Lathe::points, counted, "<radius, y> along the curve"},
         chooses("linear_spline", &Lathe::spline, linear_curve, "straight between the points"),
         chooses("quadratic_spline", &Lathe::spline, quadratic_curve,

@@ -11,7 +11,14 @@ namespace candelabra {
 const ItemInfo Mesh::vocabulary = described<Mesh>([] {
     using F = Field<Mesh>;
     return schema<Mesh>(
-        "mesh2", "Triangles over a list of shared vertices.",
+        "mesh2",
+        {"Triangles over a list of shared vertices.",
+         "mesh2 { vertex_vectors { 4, <-1, 0, -1>, <1, 0, -1>, <0, 0, 1>, <0, 1.7, 0> } "
+         "face_indices { 4, <0, 1, 2>, <0, 1, 3>, <1, 2, 3>, <2, 0, 3> } inside_vector y }",
+         "mesh2 { vertex_vectors { 3, <-1, 0, 0>, <1, 0, 0>, <0, 1.6, 0> } normal_vectors { 3, "
+         "<-1, 0, -1>, <1, 0, -1>, <0, 1, -1> } uv_vectors { 3, <0, 0>, <1, 0>, <0.5, 1> } "
+         "face_indices { 1, <0, 1, 2> } normal_indices { 1, <0, 1, 2> } uv_indices { 1, <0, 1, 2> "
+         "} }"},
         F{"vertex_vectors", &Mesh::vertices, list, "corners"},
         F{"normal_vectors", &Mesh::normals, list, "surface normals, for smooth shading"},
         F{"uv_vectors", &Mesh::uvs, list, "places in a picture that is mapped on the faces"},

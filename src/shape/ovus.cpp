@@ -12,7 +12,7 @@ namespace candelabra {
 const ItemInfo Ovus::vocabulary = described<Ovus>([] {
     using F = Field<Ovus>;
     return schema<Ovus>(
-        "ovus", "An egg.",
+        "ovus", {"An egg.", "ovus { 1, 0.5 scale 0.8 translate 0.8*y }"},
         F{"bottom_radius", &Ovus::bottom_radius, positional,
           "radius of the sphere around the origin, and height of the other's centre", at_least(0)},
         F{"top_radius", &Ovus::top_radius, positional, "radius of the sphere at the top",

@@ -14,7 +14,13 @@ namespace candelabra {
 const ItemInfo Parametric::vocabulary = described<Parametric>([] {
     using F = Field<Parametric>;
     return schema<Parametric>(
-        "parametric", "A surface whose points are functions of u and v.",
+        "parametric",
+        {"A surface whose points are functions of u and v.",
+         "parametric { function { (1 + 0.3*cos(v))*cos(u) }, function { 0.3*sin(v) + 0.08*u }, "
+         "function { (1 + 0.3*cos(v))*sin(u) } <0, 0>, <2*pi, 2*pi> contained_by { box { -2, 2 } } "
+         "translate 0.5*y }",
+         "parametric { function { u }, function { 0.3*sin(3*u)*cos(3*v) }, function { v } <-1, "
+         "-1>, <1, 1> accuracy 0.001 max_gradient 3 precompute 8 x, y, z translate 0.6*y }"},
         F{"x", &Parametric::x, positional, "x as a function of u, v"},
         F{"y", &Parametric::y, positional, "y as a function of u, v"},
         F{"z", &Parametric::z, positional, "z as a function of u, v"},

@@ -7,7 +7,9 @@ namespace candelabra {
 
 const ItemInfo Plane::vocabulary = described<Plane>([] {
     using F = Field<Plane>;
-    return schema<Plane>("plane", "An unbounded plane; its inside is the half space behind it.",
+    return schema<Plane>("plane",
+                         {"An unbounded plane; its inside is the half space behind it.",
+                          "plane { <0.3, 1, 0.2>, 0.5 }"},
                          F{"normal", &Plane::normal, positional,
                            "direction away from the inside, of any length but 0"},
                          F{"distance", &Plane::distance, positional,

@@ -9,9 +9,12 @@ namespace candelabra {
 
 const ItemInfo Polygon::vocabulary = described<Polygon>([] {
     using F = Field<Polygon>;
-    return schema<Polygon>("polygon", "A flat area between straight edges.",
-                           F{"points", &Polygon::points, counted,
-                             "corners, loop after loop; each loop ends with its first corner"});
+    return schema<Polygon>(
+        "polygon",
+        {"A flat area between straight edges.",
+         "polygon { 6, <0, 1.8>, <1, 1.1>, <0.6, 0.1>, <-0.6, 0.1>, <-1, 1.1>, <0, 1.8> }"},
+        F{"points", &Polygon::points, counted,
+          "corners, loop after loop; each loop ends with its first corner"});
 });
 
 namespace {

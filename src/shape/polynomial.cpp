@@ -14,7 +14,10 @@ namespace candelabra {
 
 const ItemInfo Cubic::vocabulary = described<Cubic>([] {
     using F = Field<Cubic>;
-    return schema<Cubic>("cubic", "The surface of a polynomial of degree 3; inside it is below 0.",
+    return schema<Cubic>("cubic",
+                         {"The surface of a polynomial of degree 3; inside it is below 0.",
+                          "cubic { <0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0> "
+                          "clipped_by { box { -1, 1 } } translate y }"},
                          F{"factors", &Cubic::factors, positional,
                            "<20 factors>, of x^3, x^2 y, x^2 z, x^2, x y^2 ... to the constant"});
 });
@@ -22,14 +25,19 @@ const ItemInfo Cubic::vocabulary = described<Cubic>([] {
 const ItemInfo Quartic::vocabulary = described<Quartic>([] {
     using F = Field<Quartic>;
     return schema<Quartic>(
-        "quartic", "The surface of a polynomial of degree 4; inside it is below 0.",
+        "quartic",
+        {"The surface of a polynomial of degree 4; inside it is below 0.",
+         "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -2.4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, "
+         "1.6, 0, 0, 0, 0, 1, 0, -2.4, 0, 0.64> rotate 70*x translate 0.9*y }"},
         F{"factors", &Quartic::factors, positional,
           "<35 factors>, of x^4, x^3 y, x^3 z, x^3, x^2 y^2 ... to the constant"});
 });
 
 const ItemInfo Poly::vocabulary = described<Poly>([] {
     using F = Field<Poly>;
-    return schema<Poly>("poly", "The surface of a polynomial of any degree; inside it is below 0.",
+    return schema<Poly>("poly",
+                        {"The surface of a polynomial of any degree; inside it is below 0.",
+                         "poly { 2, <1, 0, 0, 0, 0.5, 0, 0, 1, 0, -0.8> translate y }"},
                         F{"degree", &Poly::degree, positional, "degree", between(2, 35)},
                         F{"factors", &Poly::factors, positional,
                           "<factors>, powers of x falling, then of y, then of z"});
@@ -48,7 +56,10 @@ const ItemInfo PolynomialTerm::vocabulary = described<PolynomialTerm>([] {
 const ItemInfo Polynomial::vocabulary = described<Polynomial>([] {
     using F = Field<Polynomial>;
     return schema<Polynomial>(
-        "polynomial", "The surface of a polynomial of any degree; inside it is below 0.",
+        "polynomial",
+        {"The surface of a polynomial of any degree; inside it is below 0.",
+         "polynomial { 3, xyz(1, 1, 1): 2, xyz(2, 0, 0): 1, xyz(0, 2, 0): 1, xyz(0, 0, 2): 1, "
+         "xyz(0, 0, 0): -0.9 clipped_by { sphere { 0, 1.2 } } translate 1.2*y }"},
         F{"degree", &Polynomial::degree, positional, "degree", between(2, greatest_degree)},
         parts<&Polynomial::terms>("xyz", "a term, as `xyz(2, 0, 1): 3`"));
 });

@@ -10,7 +10,16 @@ namespace candelabra {
 const ItemInfo Prism::vocabulary = described<Prism>([] {
     using F = Field<Prism>;
     return schema<Prism>(
-        "prism", "Closed curves in the xz plane, swept along y.",
+        "prism",
+        {"Closed curves in the xz plane, swept along y.",
+         "prism { linear_sweep linear_spline 0, 1.2, 5, <-1, -1>, <1, -1>, <1, 0.5>, <-0.5, 1>, "
+         "<-1, -1> open }",
+         "prism { cubic_spline 0, 1.2, 7, <-0.5, 1>, <-1, -1>, <1, -1>, <1.1, 0.7>, <-0.5, 1>, "
+         "<-1, -1>, <1, -1> }",
+         "prism { conic_sweep quadratic_spline 0, 1, 6, <-0.5, 1>, <-1, -1>, <1, -1>, <1.1, 0.7>, "
+         "<-0.5, 1>, <-1, -1> scale <1, -1.6, 1> translate 1.6*y }",
+         "prism { bezier_spline 0, 1.2, 8, <-1, 0>, <-1, 1.3>, <1, 1.3>, <1, 0>, <1, 0>, <1, "
+         "-1.3>, <-1, -1.3>, <-1, 0> }"},
         F{"height1", &Prism::height1, positional, "height of one end"},
         F{"height2", &Prism::height2, positional, "height of the other"},
         F{"points", &Prism::points, counted, "<x, z>, loop after loop; each ends at its start"},

@@ -11,7 +11,9 @@ namespace candelabra {
 const ItemInfo Quadric::vocabulary = described<Quadric>([] {
     using F = Field<Quadric>;
     return schema<Quadric>("quadric",
-                           "The surface of a polynomial of degree 2; inside it is below 0.",
+                           {"The surface of a polynomial of degree 2; inside it is below 0.",
+                            "quadric { <1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0 clipped_by { box { "
+                            "-1.3, <1.3, 1.6, 1.3> } } }"},
                            F{"squares", &Quadric::squares, positional, "factors of x^2, y^2, z^2"},
                            F{"products", &Quadric::products, positional, "factors of xy, xz, yz"},
                            F{"linear", &Quadric::linear, positional, "factors of x, y, z"},

@@ -11,10 +11,13 @@ namespace candelabra {
 
 const ItemInfo Sor::vocabulary = described<Sor>([] {
     using F = Field<Sor>;
-    return schema<Sor>("sor", "A curve turned around the y axis, with one radius at each height.",
-                       F{"points", &Sor::points, counted,
-                         "<radius, y> with rising y; the first and the last only shape the curve"},
-                       F{"open", &Sor::open, flag, "leaves the ends out"});
+    return schema<Sor>(
+        "sor",
+        {"A curve turned around the y axis, with one radius at each height.",
+         "sor { 6, <0.8, -0.3>, <0.8, 0>, <0.5, 0.6>, <0.8, 1.2>, <0.5, 1.7>, <0.2, 2> open }"},
+        F{"points", &Sor::points, counted,
+          "<radius, y> with rising y; the first and the last only shape the curve"},
+        F{"open", &Sor::open, flag, "leaves the ends out"});
 });
 
 namespace {

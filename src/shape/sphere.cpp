@@ -7,7 +7,8 @@ namespace candelabra {
 
 const ItemInfo Sphere::vocabulary = described<Sphere>([] {
     using F = Field<Sphere>;
-    return schema<Sphere>("sphere", "All points at one distance from a centre.",
+    return schema<Sphere>("sphere",
+                          {"All points at one distance from a centre.", "sphere { y, 1 }"},
                           F{"centre", &Sphere::centre, positional, "centre"},
                           F{"radius", &Sphere::radius, positional, "radius", any_sign()});
 });

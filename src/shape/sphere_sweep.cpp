@@ -13,7 +13,13 @@ namespace candelabra {
 const ItemInfo SphereSweep::vocabulary = described<SphereSweep>([] {
     using F = Field<SphereSweep>;
     return schema<SphereSweep>(
-        "sphere_sweep", "The solid that a moving sphere fills.",
+        "sphere_sweep",
+        {"The solid that a moving sphere fills.",
+         "sphere_sweep { linear_spline 3, <-1, 0.3, 0>, 0.3, <0, 1.5, 0>, 0.2, <1, 0.4, 0>, 0.4 }",
+         "sphere_sweep { cubic_spline 6, <-2, 0.4, 0>, 0.3, <-1.2, 0.4, 0>, 0.3, <-0.4, 1.5, 0>, "
+         "0.2, <0.5, 0.5, 0>, 0.35, <1.2, 1.2, 0>, 0.15, <2, 1, 0>, 0.1 }",
+         "sphere_sweep { b_spline 5, <-2, 0.4, 0>, 0.3, <-1.2, 0.4, 0>, 0.3, <0, 2.2, 0>, 0.2, "
+         "<1.2, 0.5, 0>, 0.3, <2, 1, 0>, 0.1 tolerance 1e-5 }"},
         F{"spheres", &SphereSweep::spheres, counted, "centre, radius of each"},
         chooses("linear_spline", &SphereSweep::spline, linear_way,
                 "straight from sphere to sphere"),

@@ -12,7 +12,9 @@ namespace candelabra {
 const ItemInfo Superellipsoid::vocabulary = described<Superellipsoid>([] {
     using F = Field<Superellipsoid>;
     return schema<Superellipsoid>(
-        "superellipsoid", "A solid between box, cylinder, sphere and octahedron.",
+        "superellipsoid",
+        {"A solid between box, cylinder, sphere and octahedron.",
+         "superellipsoid { <0.25, 0.25> scale 0.8 rotate <-20, 25, 0> translate 0.9*y }"},
         F{"exponents", &Superellipsoid::exponents, positional,
           "<e, n>: 1 is round, towards 0 square, 2 is straight, above it pinched", above(0)});
 });

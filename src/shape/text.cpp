@@ -8,7 +8,10 @@ namespace candelabra {
 const ItemInfo Text::vocabulary = described<Text>([] {
     using F = Field<Text>;
     return schema<Text>(
-        "text", "Letters of a font with a thickness.",
+        "text",
+        {"Letters of a font with a thickness.",
+         "text { ttf \"timrom.ttf\" \"Abc\" 0.3, 0 scale 1.5 translate <-1.2, 0.4, 0> }",
+         "text { internal 1 \"Abc\" 0.3, 0 scale 1.5 translate <-1.2, 0.4, 0> }"},
         F{"text", &Text::text, positional, "what is written, in UTF-8"},
         F{"thickness", &Text::thickness, positional, "from z = 0 backwards"},
         F{"offset", &Text::offset, positional, "added from letter to letter: <x, y>"},

@@ -12,7 +12,12 @@ namespace candelabra {
 const ItemInfo Torus::vocabulary = described<Torus>([] {
     using F = Field<Torus>;
     return schema<Torus>(
-        "torus", "A ring around the y axis.",
+        "torus",
+        {"A ring around the y axis.", "torus { 1, 0.4 rotate -30*x translate 0.9*y }",
+         "torus { 0.5, 0.7 merge translate 0.7*y }",
+         "difference { torus { 0.5, 0.7 union } plane { z, 0 } translate 0.7*y }",
+         "difference { torus { 0.5, 0.7 difference } plane { z, 0 } translate 0.7*y }",
+         "torus { 0.5, 0.9 intersection translate 0.7*y }"},
         F{"major", &Torus::major, positional, "radius of the ring's centre line", at_least(0)},
         F{"minor", &Torus::minor, positional, "radius of the tube", at_least(0)},
         F{"union", &Torus::whole, flag, "a tube wider than the ring: all of its surface"},

@@ -7,16 +7,21 @@ namespace candelabra {
 
 const ItemInfo Triangle::vocabulary = described<Triangle>([] {
     using F = Field<Triangle>;
-    return schema<Triangle>("triangle", "A flat triangle.",
-                            F{"corner1", &Triangle::corner1, positional, "first corner"},
-                            F{"corner2", &Triangle::corner2, positional, "second corner"},
-                            F{"corner3", &Triangle::corner3, positional, "third corner"});
+    return schema<Triangle>(
+        "triangle",
+        {"A flat triangle.", "triangle { <-1.2, 0.2, 0>, <1.2, 0.2, 0>, <0, 1.8, 0.3> }"},
+        F{"corner1", &Triangle::corner1, positional, "first corner"},
+        F{"corner2", &Triangle::corner2, positional, "second corner"},
+        F{"corner3", &Triangle::corner3, positional, "third corner"});
 });
 
 const ItemInfo SmoothTriangle::vocabulary = described<SmoothTriangle>([] {
     using F = Field<SmoothTriangle>;
     return schema<SmoothTriangle>(
-        "smooth_triangle", "A flat triangle that is shaded as if it were curved.",
+        "smooth_triangle",
+        {"A flat triangle that is shaded as if it were curved.",
+         "smooth_triangle { <-1.2, 0.2, 0>, <-1, 0, -1>, <1.2, 0.2, 0>, <1, 0, -1>, <0, 1.8, 0>, "
+         "<0, 1, -1> }"},
         F{"corner1", &SmoothTriangle::corner1, positional, "first corner"},
         F{"normal1", &SmoothTriangle::normal1, positional, "surface normal there"},
         F{"corner2", &SmoothTriangle::corner2, positional, "second corner"},

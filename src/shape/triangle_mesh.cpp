@@ -36,9 +36,17 @@ const ItemInfo TriangleMesh::vocabulary = described<TriangleMesh>([] {
     using F = Field<TriangleMesh>;
     return schema<TriangleMesh>(
         "mesh",
-        "Triangles: one by one, from a file, or of a solid that is given as an object. Unions, "
-        "intersections and differences are then exact; convex_hull { points, objects } is the "
-        "smallest convex solid around all.",
+        {"Triangles: one by one, from a file, or of a solid that is given as an object. Unions, "
+         "intersections and differences are then exact; convex_hull { points, objects } is the "
+         "smallest convex solid around all.",
+         "mesh { triangle { <-1, 0, 0>, <1, 0, 0>, <0, 0.2, -1> } triangle { <-1, 0, 0>, <1, 0, "
+         "0>, <0, 1.6, 0.5> } }",
+         "mesh { smooth_triangle { <-1, 0, 0>, <-1, 0, -1>, <1, 0, 0>, <1, 0, -1>, <0, 1.6, 0>, "
+         "<0, 1, -1> } inside_vector y }",
+         "mesh { difference { box { -0.9, 0.9 } sphere { 0, 1.15 } } rotate 25*y translate 0.9*y }",
+         "mesh { convex_hull { 1.8*y, box { <-1, 0, -1>, <1, 0.6, 1> } } rotate 25*y }",
+         "mesh { sphere { y, 1 } resolution 12 }",
+         "mesh { box { <-1, 0, -1>, <1, 1.6, 1> } subdivide 2 smooth rotate 25*y }"},
         parts<&TriangleMesh::triangles>("triangle", "a flat triangle"),
         parts<&TriangleMesh::smooth_triangles>("smooth_triangle", "one with normals"),
         F{"inside_vector", &TriangleMesh::inside_vector, item,

@@ -8,7 +8,13 @@ namespace candelabra {
 const ItemInfo Reflection::vocabulary = described<Reflection>([] {
     using F = Field<Reflection>;
     return schema<Reflection>(
-        "reflection", "Mirror reflection, from straight on to grazing.",
+        "reflection",
+        {"Mirror reflection, from straight on to grazing.", "finish { reflection 0.4 }",
+         "finish { reflection { 0, 1 falloff 4 } }",
+         "finish { reflection { 0.8 metallic } diffuse 0.3 }",
+         "finish { reflection { 0.7 exponent 2 } diffuse 0.3 }",
+         "finish { reflection { 0, 1 fresnel } }",
+         "finish { reflection 0.5 reflection_exponent 1 }"},
         as_colour(F{"minimum", &Reflection::least, positional, "amount seen straight on"}),
         maybe(as_colour(F{"maximum", &Reflection::greatest, positional,
                           "amount at grazing angles; the minimum when left out"})),
@@ -22,7 +28,10 @@ const ItemInfo Reflection::vocabulary = described<Reflection>([] {
 
 const ItemInfo Irid::vocabulary = described<Irid>([] {
     using F = Field<Irid>;
-    return schema<Irid>("irid", "Colours as of a film of oil, which change with the angle.",
+    return schema<Irid>("irid",
+                        {"Colours as of a film of oil, which change with the angle.",
+                         "finish { irid { 0.5 thickness 0.6 } }",
+                         "finish { irid { 0.5 thickness 0.6 turbulence 0.2 } }"},
                         F{"amount", &Irid::amount, positional, "how strongly light is tinted"},
                         F{"thickness", &Irid::thickness, item, "of the film"},
                         F{"turbulence", &Irid::turbulence, item,
@@ -32,7 +41,14 @@ const ItemInfo Irid::vocabulary = described<Irid>([] {
 const ItemInfo Microfacet::vocabulary = described<Microfacet>([] {
     using F = Field<Microfacet>;
     return schema<Microfacet>(
-        "microfacet", "Scatters light as small facets do; the pigment is the base colour.",
+        "microfacet",
+        {"Scatters light as small facets do; the pigment is the base colour.",
+         "finish { microfacet { roughness 0.1 metallic 1 } }",
+         "finish { microfacet { roughness 0.3 metallic 1 } }",
+         "finish { microfacet { roughness 0.6 metallic 1 } }",
+         "finish { microfacet { roughness 0.4 } }",
+         "finish { microfacet { roughness 0.9 specular 0.5 } }",
+         "finish { microfacet { roughness 0.6 coat 1 coat_roughness 0.05 } }"},
         F{"roughness", &Microfacet::roughness, item, "0: a mirror, 1: dull", between(0, 1)},
         F{"metallic", &Microfacet::metallic, item,
           "1: a metal, which reflects with its base colour", between(0, 1)},
@@ -46,7 +62,16 @@ const ItemInfo Microfacet::vocabulary = described<Microfacet>([] {
 const ItemInfo Finish::vocabulary = described<Finish>([] {
     using F = Field<Finish>;
     return schema<Finish>(
-        "finish", "How a surface answers light.",
+        "finish",
+        {"How a surface answers light.", "finish { diffuse 0.9 }",
+         "finish { ambient 0.6 diffuse 0.3 }", "finish { brilliance 4 }",
+         "finish { phong 0.9 phong_size 60 }", "finish { specular 0.9 roughness 0.02 }",
+         "finish { specular 0.8 roughness 0.05 metallic }", "finish { crand 0.3 }",
+         "finish { emission 0.7 diffuse 0.2 }", "finish { diffuse 0.4, 0.6 }",
+         "finish { emission 0.7 no_luminaire }",
+         "finish { diffuse albedo 0.5 specular albedo 0.3 }",
+         "finish { reflection 0.4 conserve_energy use_alpha }",
+         "finish { refraction 1 ior 1.3 caustics 0.5 }"},
         as_colour(F{"ambient", &Finish::ambient, item,
                     "share of ambient_light that it seems to reflect everywhere"}),
         as_colour(F{"emission", &Finish::emission, item,

@@ -11,7 +11,9 @@ namespace candelabra {
 
 const ItemInfo Subsurface::vocabulary = described<Subsurface>([] {
     return schema<Subsurface>(
-        "subsurface", "Light that goes in at one point of the surface and comes out at others.",
+        "subsurface",
+        {"Light that goes in at one point of the surface and comes out at others.",
+         "finish { diffuse 0.9 subsurface { translucency 3 } }"},
         as_colour(Field<Subsurface>{
             "translucency", &Subsurface::translucency, item,
             "how far light gets between two scatterings, in millimetres; see mm_per_unit"}));
@@ -20,7 +22,9 @@ const ItemInfo Subsurface::vocabulary = described<Subsurface>([] {
 const ItemInfo SubsurfaceSettings::vocabulary = described<SubsurfaceSettings>([] {
     using F = Field<SubsurfaceSettings>;
     return schema<SubsurfaceSettings>(
-        "subsurface", "Has finishes with subsurface scatter light inside of their objects.",
+        "subsurface",
+        {"Has finishes with subsurface scatter light inside of their objects.",
+         "global_settings { subsurface { samples 50, 50 } }"},
         F{"samples", &SubsurfaceSettings::samples, item,
           "points of the surface where light may go in, for each point that is seen",
           between(0, 1e6)},

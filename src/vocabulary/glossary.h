@@ -3,6 +3,7 @@
 // that contain other blocks, constants. Read by --help and by editors.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -12,6 +13,8 @@ struct GlossaryEntry {
     std::string_view words;  ///< words that it explains, separated by spaces
     std::string_view form;   ///< how they are written
     std::string_view help;
+    /// Texts that show them (vocabulary/examples.h); the rest is empty.
+    std::array<std::string_view, 4> examples = {};
 };
 
 std::span<const GlossaryEntry> glossary();

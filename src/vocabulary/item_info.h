@@ -126,6 +126,8 @@ struct ItemInfo {
     FieldValue (*default_value)(std::size_t field);
     NameId word;     ///< of the name, if it is reserved
     int positional;  ///< number of fields without a word, which come first
+    /// Texts that show it, the simplest first (vocabulary/examples.h).
+    std::span<const std::string_view> examples = {};
 };
 
 }  // namespace candelabra

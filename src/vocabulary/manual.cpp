@@ -169,11 +169,20 @@ std::string text_entry(const ManualEntry& entry) {
         line += "\n" + indent;
     else
         line.resize(term_width, ' ');
-    return line + wrapped(entry.help, term_width) + "\n";
+    line += wrapped(entry.help, term_width) + "\n";
+    if (!entry.example.empty())
+        line += message(indent, "e.g. ", wrapped(entry.example, term_width + 2), "\n");
+    return line;
+}
+
+/// The example as code below what stands before it.
+std::string roff_example(std::string_view example) {
+    return example.empty() ? "" : message(".br\n\\f(CR", roff(example), "\\fR\n");
 }
 
 std::string roff_entry(const ManualEntry& entry) {
-    return message(".TP\n.B ", roff(entry.term), "\n", roff_lines(entry.help));
+    return message(".TP\n.B ", roff(entry.term), "\n", roff_lines(entry.help),
+                   roff_example(entry.example));
 }
 
 std::string text_groups(std::span<const ItemGroup> groups) {
@@ -188,6 +197,7 @@ std::string text_groups(std::span<const ItemGroup> groups) {
 std::string roff_item(const ItemInfo& item, std::string_view block) {
     std::string text =
         message(".PP\n.B ", roff(usage(item, block)), "\n.br\n", roff_lines(item.help));
+    if (!item.examples.empty()) text += roff_example(item.examples.front());
     if (!item.fields.empty())
         text += message(".RS\n", manual(entries_of(item), ManualForm::roff), ".RE\n");
     return text;
@@ -236,6 +246,7 @@ Json json_item(const ItemInfo& item, std::string_view block) {
     return {{"name", item.name},
             {"usage", usage(item, block)},
             {"help", item.help},
+            {"examples", item.examples},
             {"fields", fields}};
 }
 
@@ -303,7 +314,9 @@ std::string values(const ItemInfo& item, std::size_t field) {
 }
 
 std::string manual(const ItemInfo& item, std::string_view block) {
-    return message(wrapped(usage(item, block), 4), "\n  ", wrapped(item.help, 2), "\n",
+    const std::string example =
+        item.examples.empty() ? "" : message("  e.g. ", wrapped(item.examples.front(), 4), "\n");
+    return message(wrapped(usage(item, block), 4), "\n  ", wrapped(item.help, 2), "\n", example,
                    manual(entries_of(item), ManualForm::text));
 }
 
@@ -322,8 +335,10 @@ std::string manual(std::span<const ItemGroup> groups, ManualForm form) {
 std::string manual(std::span<const ManualEntry> list, ManualForm form) {
     if (form == ManualForm::json) {
         Json all = Json::array();
-        for (const ManualEntry& entry : list)
+        for (const ManualEntry& entry : list) {
             all.push_back({{"term", entry.term}, {"help", entry.help}});
+            if (!entry.example.empty()) all.back()["example"] = entry.example;
+        }
         return all.dump(2) + "\n";
     }
     std::string text;

@@ -28,6 +28,7 @@ struct ItemGroup {
 struct ManualEntry {
     std::string term;
     std::string help;
+    std::string example = {};  ///< may be empty
 };
 
 /// Usage of the item: "sphere { centre, radius }", or in a block "camera { perspective ... }".

@@ -12,17 +12,32 @@
 
 namespace candelabra {
 
+/// One sentence of help on an item, and examples of it, the simplest first. An example is written
+/// as examples.h states.
+struct ItemText {
+    static constexpr std::size_t most = 20;
+
+    template <class... Example>
+    consteval ItemText(const char* text, Example... example)
+        : help(text), examples{example...}, count(sizeof...(example)) {}
+
+    std::string_view help;
+    std::array<std::string_view, most> examples;
+    std::size_t count;
+};
+
 template <class T, std::size_t N>
 struct Schema {
     std::string_view name;
-    std::string_view help;
+    ItemText text;
     std::array<Field<T>, N> fields;
 };
 
-/// The vocabulary of T: keyword, one sentence of help, fields in the order of their places.
+/// The vocabulary of T: keyword, one sentence of help or `{help, example, ...}`, fields in the order
+/// of their places.
 template <class T, class... F>
-consteval auto schema(std::string_view name, std::string_view help, F... fields) {
-    return Schema<T, sizeof...(F)>{name, help, {fields...}};
+consteval auto schema(std::string_view name, ItemText text, F... fields) {
+    return Schema<T, sizeof...(F)>{name, text, {fields...}};
 }
 
 namespace schema_detail {
@@ -182,9 +197,15 @@ struct Access {
             ++count;
         return count;
     }();
-    static constexpr ItemInfo info{
-        typed.name, typed.help, fields, set, get, default_value, reserved_word(typed.name),
-        positional};
+    static constexpr ItemInfo info{typed.name,
+                                   typed.text.help,
+                                   fields,
+                                   set,
+                                   get,
+                                   default_value,
+                                   reserved_word(typed.name),
+                                   positional,
+                                   {typed.text.examples.data(), typed.text.count}};
 };
 
 }  // namespace schema_detail
