@@ -3,3 +3,9 @@
 #version 3.7;
 #declare I = 2;
 #if I > 1 sphere { 0, 1 } #end
+//! error: expected `(`, but found `I`
+//!  --> condition_without_parentheses.pov:5:5
+//!   |
+//! 5 | #if I > 1 sphere { 0, 1 } #end
+//!   |     ^
+//! help: a condition stands in parentheses: (a > b)

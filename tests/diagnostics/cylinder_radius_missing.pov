@@ -2,3 +2,9 @@
 // The radius of a cylinder
 #version 3.7;
 cylinder { 0, y }
+//! error: `cylinder` needs `radius`
+//!  --> cylinder_radius_missing.pov:4:1
+//!   |
+//! 4 | cylinder { 0, y }
+//!   | ^^^^^^^^
+//! help: cylinder { base, cap, radius [open] }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every scene of this folder has one fault, or a few of one kind; all that is said about it is in
-// the file .expected beside it. UPDATE_EXPECTED=1 writes these files anew.
+// Every scene of this folder has one fault, or a few of one kind. All that is said about it stands in
+// the scene itself, in comments `//!` below the line that it is about, which are no part of the scene
+// that is read: lines are counted without them. What is about another file stands at the end, and so
+// does everything where the messages are not in the order of the lines. UPDATE_EXPECTED=1 writes the
+// comments anew.
 #include "bind/evaluate.h"
 #include "text/excerpt.h"
+#include "text/message.h"
 
 #include <catch2/catch.hpp>
 
@@ -39,8 +43,34 @@ std::vector<fs::path> scenes() {
     return found;
 }
 
-struct Said {
+constexpr std::string_view comment_sign = "//!";
+
+/// The lines of a text, each with its end.
+std::vector<std::string> whole_lines(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find('\n', from), text.size() - 1) + 1;
+        lines.push_back(text.substr(from, end - from));
+        from = end;
+    }
+    return lines;
+}
+
+std::string without_comments(const std::string& text) {
+    std::string scene;
+    for (const std::string& line : whole_lines(text))
+        if (!line.starts_with(comment_sign)) scene += line;
+    return scene;
+}
+
+/// What is said, and the number of the scene's line that it is about.
+struct Comment {
+    std::size_t line;
     std::string text;
+};
+
+struct Said {
+    std::vector<Comment> comments;
     std::set<Fault> faults;
 };
 
@@ -56,37 +86,47 @@ Said said_about(const fs::path& scene) {
     options.limits.call_depth = 10'000;
     options.limits.objects = 25'000;
     options.limits.text_bytes = 1000;
-    evaluate(sources, loader, sources.add(scene.filename().string(), read(scene)), options,
-             diagnostics);
+    const SourceId main = sources.add(scene.filename().string(), without_comments(read(scene)));
+    evaluate(sources, loader, main, options, diagnostics);
     Said said;
     for (const Diagnostic& diagnostic : diagnostics.all()) {
-        said.text += format(diagnostic, sources, false);
+        const Span& span = diagnostic.span;
+        const bool here = span.known() && span.source == main;
+        const int line = here ? sources.place(main, span.first).line : sources.line_count(main);
+        said.comments.push_back(
+            {static_cast<std::size_t>(line), format(diagnostic, sources, false)});
         said.faults.insert(diagnostic.fault);
     }
     return said;
 }
 
+/// The scene with the comments below their lines.
+std::string with_comments(const std::string& scene, std::vector<Comment> comments) {
+    const std::vector<std::string> lines = whole_lines(scene);
+    const bool ordered = std::ranges::is_sorted(comments, {}, &Comment::line);
+    std::string text;
+    for (std::size_t i = 1; i <= lines.size(); ++i) {
+        text += lines[i - 1];
+        for (const Comment& comment : comments)
+            if ((ordered ? std::min(comment.line, lines.size()) : lines.size()) == i)
+                for (const std::string& line : whole_lines(comment.text))
+                    text += message(comment_sign, line == "\n" ? "" : " ", line);
+    }
+    return text;
+}
+
 }  // namespace
 
-TEST_CASE("every faulty scene is told what its expected file says", "[diagnostics]") {
+TEST_CASE("every faulty scene is told what its comments say", "[diagnostics]") {
     const bool update = std::getenv("UPDATE_EXPECTED") != nullptr;
     REQUIRE(scenes().size() > 20);
     for (const fs::path& scene : scenes()) {
-        fs::path expected = scene;
-        expected.replace_extension(".expected");
-        const std::string text = said_about(scene).text;
-        if (update) std::ofstream(expected, std::ios::binary) << text;
+        const Said said = said_about(scene);
+        const std::string text = with_comments(without_comments(read(scene)), said.comments);
+        if (update) std::ofstream(scene, std::ios::binary) << text;
         INFO(scene.filename().string());
-        CHECK_FALSE(text.empty());
-        CHECK(text == read(expected));
-    }
-}
-
-TEST_CASE("every expected file has its scene", "[diagnostics]") {
-    for (const auto& entry : fs::directory_iterator(folder())) {
-        if (entry.path().extension() != ".expected") continue;
-        fs::path scene = entry.path();
-        CHECK(fs::exists(scene.replace_extension(".pov")));
+        CHECK_FALSE(said.comments.empty());
+        CHECK(text == read(scene));
     }
 }
 

@@ -5,5 +5,11 @@
 #if (X = 1)
   sphere { 0, 1 }
 #else if (X = 2)
+//! error: `#else if` is one word
+//!  --> else_if.pov:7:1
+//!   |
+//! 7 | #else if (X = 2)
+//!   | ^^^^^^^^
+//! help: write `#elseif`, which has the `#end` of its `#if`
   sphere { 0, 2 }
 #end

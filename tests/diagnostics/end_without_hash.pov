@@ -4,3 +4,9 @@
 #for (I, 1, 3)
     sphere { I, 1 }
 end
+//! error: `end` needs a # before it
+//!  --> end_without_hash.pov:6:1
+//!   |
+//! 6 | end
+//!   | ^^^
+//! help: write `#end`

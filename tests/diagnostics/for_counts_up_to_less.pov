@@ -6,3 +6,9 @@
     sphere { I, Unknown }
 #end
 sphere { 0, Unknown }
+//! error: nothing is declared as `Unknown`
+//!  --> for_counts_up_to_less.pov:8:13
+//!   |
+//! 8 | sphere { 0, Unknown }
+//!   |             ^^^^^^^
+//! help: declare it first: #declare Unknown = ...;

@@ -2,3 +2,8 @@
 // A function gives a number
 #version 3.7;
 #declare F = function { <x,y,z> }
+//! error: a function computes with single numbers only
+//!  --> function_gives_vector.pov:4:25
+//!   |
+//! 4 | #declare F = function { <x,y,z> }
+//!   |                         ^^^^^^^

@@ -7,3 +7,9 @@
 #declare G = function(x) { F(x) + F(x + 1) + F(x + 2) + F(x + 3) + F(x + 4) + F(x + 5) + F(x + 6) }
 #declare H = function(x) { G(x) + G(x + 1) + G(x + 2) + G(x + 3) + G(x + 4) + G(x + 5) + G(x + 6) }
 #declare I = function(x) { H(x) + H(x + 1) + H(x + 2) + H(x + 3) + H(x + 4) + H(x + 5) + H(x + 6) }
+//! error: a call of this function can take more than 10000000 steps, which is the limit
+//!  --> function_too_costly.pov:9:14
+//!   |
+//! 9 | #declare I = function(x) { H(x) + H(x + 1) + H(x + 2) + H(x + 3) + H(x + 4) + H(x + 5) + H(x + 6) }
+//!   |              ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+//! help: functions that call others twice grow fast: compute a part beforehand, or pass it as an argument; --limit-function raises the limit

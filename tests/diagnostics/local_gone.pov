@@ -7,3 +7,9 @@
 #end
 M()
 sphere { 0, Size }
+//! error: nothing is declared as `Size`
+//!  --> local_gone.pov:9:13
+//!   |
+//! 9 | sphere { 0, Size }
+//!   |             ^^^^
+//! help: declare it first: #declare Size = ...;

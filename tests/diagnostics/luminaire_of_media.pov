@@ -3,6 +3,12 @@
 light_source { <9, 9, -9>, rgb 1 }
 // Nothing that is emitted
 sphere { 0, 1 hollow interior { media { absorption 1 } luminaire } }
+//! warning[no-effect]: `luminaire` has no effect: no media of the interior emit light
+//!  --> luminaire_of_media.pov:5:22
+//!   |
+//! 5 | sphere { 0, 1 hollow interior { media { absorption 1 } luminaire } }
+//!   |                      ^^^^^^^^
+//! help: interior { media { emission 2 } luminaire }
 // Not hollow
 sphere { 3*x, 1 interior { media { emission 1 } luminaire } }
 // Without an end

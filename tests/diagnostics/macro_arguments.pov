@@ -5,4 +5,20 @@
     sphere { Place, Size }
 #end
 Lamp(<0, 1, 0>)
+//! error: macro `Lamp` takes 2 arguments, but here is 1
+//!  --> macro_arguments.pov:7:1
+//!   |
+//! 4 | #macro Lamp(Place, Size)
+//!   | ----------- defined as Lamp(Place, Size)
+//! ...
+//! 7 | Lamp(<0, 1, 0>)
+//!   | ^^^^^^^^^^^^^^^
 Lamp(<0, 1, 0>, 1, 2)
+//! error: macro `Lamp` takes 2 arguments, but here are 3
+//!  --> macro_arguments.pov:8:1
+//!   |
+//! 4 | #macro Lamp(Place, Size)
+//!   | ----------- defined as Lamp(Place, Size)
+//! ...
+//! 8 | Lamp(<0, 1, 0>, 1, 2)
+//!   | ^^^^^^^^^^^^^^^^^^^^^

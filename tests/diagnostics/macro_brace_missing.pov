@@ -1,6 +1,16 @@
 #version 3.7;
 #macro Lamp(At)
     light_source { At, rgb 1
+//! error: this `{` is not closed before `#end`
+//!  --> macro_brace_missing.pov:3:18
+//!   |
+//! 2 | #macro Lamp(At)
+//!   | ------ what it belongs to
+//! 3 |     light_source { At, rgb 1
+//!   |                  ^
+//! 4 | #end
+//!   | ---- the macro ends here
+//! help: add the missing `}`; or let another macro, defined outside of directives as this one is, close it: #macro End() } #end
 #end
 union { Lamp(0) sphere { 0, 1 } }
 Lamp(y)

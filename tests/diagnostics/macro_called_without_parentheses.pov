@@ -5,3 +5,8 @@
     sphere { 0, 1 }
 #end
 Lamp
+//! error: `Lamp` is a macro: its call needs parentheses
+//!  --> macro_called_without_parentheses.pov:7:1
+//!   |
+//! 7 | Lamp
+//!   | ^^^^

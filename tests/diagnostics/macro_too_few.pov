@@ -5,3 +5,11 @@
     sphere { Place, Size }
 #end
 Lamp(<0, 1, 0>)
+//! error: macro `Lamp` takes 2 arguments, but here is 1
+//!  --> macro_too_few.pov:7:1
+//!   |
+//! 4 | #macro Lamp(Place, Size)
+//!   | ----------- defined as Lamp(Place, Size)
+//! ...
+//! 7 | Lamp(<0, 1, 0>)
+//!   | ^^^^^^^^^^^^^^^

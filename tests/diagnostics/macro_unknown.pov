@@ -5,3 +5,9 @@
     sphere { Place, 1 }
 #end
 Lmap(0)
+//! error: nothing is declared as `Lmap`
+//!  --> macro_unknown.pov:7:1
+//!   |
+//! 7 | Lmap(0)
+//!   | ^^^^
+//! help: did you mean `Lamp`?

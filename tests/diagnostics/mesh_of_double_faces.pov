@@ -6,6 +6,12 @@
 }
 mesh {
     union {
+//! error: this does not become a mesh: surface 1 bounds no solid: two of its faces have the same corners
+//!  --> mesh_of_double_faces.pov:8:5
+//!   |
+//! 8 |     union {
+//!   |     ^^^^^
+//! help: what becomes a mesh is closed and has an end; planes may cut it
         object { Sheet }
         object { Sheet translate 0.25 * x }
     }

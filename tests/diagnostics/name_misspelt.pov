@@ -3,3 +3,9 @@
 #version 3.7;
 #declare Radius = 1;
 sphere { 0, Raduis }
+//! error: nothing is declared as `Raduis`
+//!  --> name_misspelt.pov:5:13
+//!   |
+//! 5 | sphere { 0, Raduis }
+//!   |             ^^^^^^
+//! help: did you mean `Radius`?

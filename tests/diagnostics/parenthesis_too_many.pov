@@ -2,3 +2,8 @@
 // A `)` too many
 #version 3.7;
 #declare A = (1 + 2));
+//! error: `)` closes nothing that is open
+//!  --> parenthesis_too_many.pov:4:21
+//!   |
+//! 4 | #declare A = (1 + 2));
+//!   |                     ^

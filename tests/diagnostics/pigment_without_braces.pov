@@ -3,3 +3,9 @@
 #version 3.7;
 #declare C = rgb <1, 0, 0>;
 sphere { 0, 1 pigment C }
+//! error: what belongs to `pigment` stands in braces
+//!  --> pigment_without_braces.pov:5:15
+//!   |
+//! 5 | sphere { 0, 1 pigment C }
+//!   |               ^^^^^^^
+//! help: write `pigment { C }`

@@ -3,3 +3,8 @@
 #version 3.7;
 #macro Size() 1 #end
 #declare Size = 2;
+//! error: `Size` is a macro and cannot become something else
+//!  --> redefinition.pov:5:10
+//!   |
+//! 5 | #declare Size = 2;
+//!   |          ^^^^

@@ -2,3 +2,8 @@
 // #undef of nothing
 #version 3.7;
 #undef Nothing
+//! warning[unknown-name]: nothing is declared as `Nothing`
+//!  --> undef_unknown.pov:4:8
+//!   |
+//! 4 | #undef Nothing
+//!   |        ^^^^^^^

@@ -5,3 +5,8 @@
 #declare Sizes[0] = 1;
 sphere { 0, Sizes[0] }
 sphere { 0, Sizes[1] }
+//! error: this element of the array was never set
+//!  --> uninitialised.pov:7:13
+//!   |
+//! 7 | sphere { 0, Sizes[1] }
+//!   |             ^^^^^^^^

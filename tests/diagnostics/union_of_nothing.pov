@@ -5,6 +5,11 @@
 camera { location <0, 0, -9> look_at 0 }
 light_source { <9, 9, -9>, 1 }
 union {
+//! warning[no-effect]: there is no object in this `union`
+//!  --> union_of_nothing.pov:7:1
+//!   |
+//! 7 | union {
+//!   | ^^^^^
     #for (I, 1, Count)
         sphere { I * x, 1 }
     #end
