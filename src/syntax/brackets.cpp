@@ -2,6 +2,7 @@
 #include "syntax/brackets.h"
 
 #include "syntax/misindented.h"
+#include "text/ascii.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -91,27 +92,20 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
     return wants_operand(last_.kind) ? std::optional(between) : std::nullopt;
 }
 
-/// Whether the token is an unreserved word that takes a possibly negative value, in its own block:
-/// `film { exposure -1 }`, `luminaire { ies "a.ies" aim -y }`,
-/// `meter { corner -x along 2*x }`.
+/// Whether the token is an unreserved word that takes a possibly negative value, in its own block.
 bool Brackets::is_signed_word(const Token& token) const {
     if (token.kind != TokenKind::name || !in_braces()) return false;
-    const std::string_view word = spelling(token);
-    const bool exposes = word == "exposure";
-    const bool aims = word == "aim" || word == "c0";
-    const bool measures =
-        word == "corner" || word == "along" || word == "across" || word == "eye";
-    if (!exposes && !aims && !measures) return false;
-    const std::size_t inside = open_.back().token.last;
-    // Old scenes may begin a light source with a vector of that name.
     constexpr std::string_view blanks = " \t\r\n";
+    std::string_view block = text_.substr(0, open_.back().token.first);
+    block = block.substr(0, block.find_last_not_of(blanks) + 1);
+    std::size_t length = 0;
+    while (length < block.size() && in_name(block[block.size() - 1 - length])) ++length;
+    block.remove_prefix(block.size() - length);
+    if (!takes_sign(block, spelling(token))) return false;
+    // Old scenes may begin a light source with a vector of such a name.
+    const std::size_t inside = open_.back().token.last;
     const std::string_view ahead = text_.substr(inside, token.first - inside);
-    if (aims && ahead.find_first_not_of(blanks) == ahead.npos) return false;
-    std::string_view before = text_.substr(0, open_.back().token.first);
-    while (!before.empty() && blanks.find(before.back()) != blanks.npos) before.remove_suffix(1);
-    if (measures) return before.ends_with("meter");
-    return exposes ? before.ends_with("film")
-                   : before.ends_with("luminaire") || before.ends_with("light_source");
+    return block != "light_source" || ahead.find_first_not_of(blanks) != ahead.npos;
 }
 
 /// Whether the directive that has just begun is the left operand of an operator, as in

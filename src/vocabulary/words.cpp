@@ -3,6 +3,9 @@
 
 #include "vocabulary/reserved.h"
 
+#include <algorithm>
+#include <array>
+
 namespace candelabra {
 
 namespace {
@@ -15,9 +18,32 @@ constexpr std::uint32_t hash_of(std::string_view spelling) {
 
 constexpr std::span<const Word> words = reserved_detail::words;
 
+/// Words that are not reserved, before values that may begin with a sign, and their blocks. The
+/// parser has to know them before any vocabulary is read (tests/scene/catalogue_test.cpp).
+struct SignedWord {
+    std::string_view block, word;
+    friend bool operator==(const SignedWord&, const SignedWord&) = default;
+};
+constexpr auto signed_words = std::to_array<SignedWord>({
+    {"film", "exposure"},
+    {"isosurface", "polarity"},
+    {"light_source", "aim"},
+    {"light_source", "c0"},
+    {"luminaire", "aim"},
+    {"luminaire", "c0"},
+    {"meter", "corner"},
+    {"meter", "along"},
+    {"meter", "across"},
+    {"meter", "eye"},
+});
+
 }  // namespace
 
 std::span<const Word> reserved_words() { return words; }
+
+bool takes_sign(std::string_view block, std::string_view word) {
+    return std::ranges::find(signed_words, SignedWord{block, word}) != signed_words.end();
+}
 
 Names::Names() : slots_(4096) {
     for (const Word& word : words) intern(word.spelling);

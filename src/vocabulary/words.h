@@ -43,6 +43,11 @@ std::span<const Word> reserved_words();
 /// Number of reserved words.
 inline constexpr std::size_t reserved_word_count = 498;
 
+/// Whether the word, which is not reserved, has a value in the block that may begin with a sign:
+/// `film { exposure -1 }`. Elsewhere it may be the name of a number, from which another is
+/// subtracted.
+bool takes_sign(std::string_view block, std::string_view word);
+
 /// The number of a spelling in one Names table.
 enum class NameId : std::uint32_t {};
 

@@ -33,6 +33,24 @@ TEST_CASE("every group and item has a name and an explanation, no name twice in 
         CHECK(groups.count(expected) == 1);
 }
 
+TEST_CASE("the parser knows each word that is not reserved and takes values with a sign") {
+    const auto takes_negative = [](const FieldInfo& field) {
+        const bool numbers = field.type == FieldType::number || field.type == FieldType::integer ||
+                             field.type == FieldType::vector2 ||
+                             field.type == FieldType::vector3 || field.type == FieldType::vector4;
+        return numbers && field.place == Placement::item && field.range.low < 0;
+    };
+    for (const ItemGroup& group : catalogue())
+        for (const ItemInfo* item : group.items)
+            for (const FieldInfo& field : item->fields) {
+                if (!field.is_word() || field.word != no_name) continue;
+                INFO(group.name << ": " << item->name << ": " << field.name);
+                const std::string_view block = group.block.empty() ? item->name : group.block;
+                CHECK(takes_sign(block, field.name) == takes_negative(field));
+            }
+    CHECK_FALSE(takes_sign("sphere", "exposure"));
+}
+
 TEST_CASE("the default values of numbers lie in their ranges") {
     for (const ItemGroup& group : catalogue()) {
         for (const ItemInfo* item : group.items) {
