@@ -179,8 +179,8 @@ constexpr auto commands = std::to_array<Command>({
     {"describe", describe,
      "usage: candelabra describe [--json | --roff] [part]\n"
      "Says what the language, the options and the library have, for programs as JSON. The parts:\n"
-     "items, functions, glossary, examples, library, macros, options, compatibility, missing, words\n"
-     "and warnings; without one, all of it as JSON, or the items as text.\n"},
+     "items, functions, glossary, examples, library, macros, options, compatibility, missing,\n"
+     "words and warnings; without one, all of it as JSON, or the items as text.\n"},
     {"lsp",
      [](std::span<const std::string_view>, const Console& console) {
          // Each scene has a smaller limit of its own (editor/checking.h).

@@ -49,8 +49,8 @@ std::string glossary_help(std::string_view topic) {
                  : std::string();
 }
 
-/// Returns an example of the item that has the word of a field, or one of its kin, if they share the
-/// field; empty if there is none.
+/// Returns an example of the item, or of its kin, that has the word of a field; empty if there is
+/// none.
 std::string_view example_with(std::string_view field, const ItemInfo& item,
                               const ItemGroup& group) {
     const std::string_view own = example_of(field, item.examples);

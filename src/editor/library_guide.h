@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Documentation that the files of the standard library contain: the comment at the beginning, and
-// the macros that they define, each with a description and an example behind `e.g.`. For --help, the
-// manual and editors.
+// the macros that they define, each with a description and an example behind `e.g.`. For --help,
+// the manual and editors.
 #pragma once
 
 #include <string>

@@ -33,8 +33,8 @@ struct Schema {
     std::array<Field<T>, N> fields;
 };
 
-/// The vocabulary of T: keyword, one sentence of help or `{help, example, ...}`, fields in the order
-/// of their places.
+/// The vocabulary of T: keyword, one sentence of help or `{help, example, ...}`, fields in the
+/// order of their places.
 template <class T, class... F>
 consteval auto schema(std::string_view name, ItemText text, F... fields) {
     return Schema<T, sizeof...(F)>{name, text, {fields...}};

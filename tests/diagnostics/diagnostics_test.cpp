@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every scene of this folder has one fault, or a few of one kind. All that is said about it stands in
-// the scene itself, in comments `//!` below the line that it is about, which are no part of the scene
-// that is read: lines are counted without them. What is about another file stands at the end, and so
-// does everything where the messages are not in the order of the lines. UPDATE_EXPECTED=1 writes the
-// comments anew.
+// Every scene of this folder has one fault, or a few of one kind. Its messages stand in the scene
+// itself, in comments `//!` below the line that they are about. These are no part of the scene that
+// is read: lines are counted without them. Messages about other files stand at the end, and so do
+// all where they are not in the order of the lines. UPDATE_EXPECTED=1 writes the comments anew.
 #include "bind/evaluate.h"
 #include "text/excerpt.h"
 #include "text/message.h"

@@ -117,4 +117,10 @@ TEST_CASE("each wrong value is told of once, with place and rule", "[reading]") 
     CHECK(complaint(script) == expected);
 }
 
+TEST_CASE("a word that is not reserved may have a value with a sign", "[reading]") {
+    CHECK(complaint("isosurface { function { x } polarity -1 contained_by { box { -1, 1 } } }") ==
+          "nothing");
+    CHECK(complaint("#declare polarity = 3; sphere { 0, polarity -1 }") == "nothing");
+}
+
 }  // namespace candelabra
