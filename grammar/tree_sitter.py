@@ -66,13 +66,29 @@ def directive_words(text):
     return words
 
 
+def described(program, part):
+    """What the program has of that part."""
+    done = subprocess.run([program, "--describe", "json", part], check=True, capture_output=True, text=True)
+    return json.loads(done.stdout)
+
+
+def own_words(program):
+    """The words of blocks that only this language has: they are no reserved words, but names that blocks know."""
+    reserved = {word for words in described(program, "words").values() for word in words}
+    known = set()
+    for group in described(program, "items"):
+        for item in group["items"]:
+            known.add(item["name"])
+            known.update(field["name"] for field in item["fields"])
+    return sorted(word for word in known - reserved if re.fullmatch(r"[a-z]\w*_\w+|[a-z]\w{3,}", word))
+
+
 class Grammar:
     def __init__(self, program):
         tokens = (here / "tokens.re").read_text()
         self.rules = productions((here / "scene.yy").read_text())
         self.directives = directive_words((here.parent / "src/syntax/lexer.cpp").read_text())
-        self.words = json.loads(subprocess.run([program, "--describe", "json", "words"], check=True,
-                                               capture_output=True, text=True).stdout)
+        self.words = described(program, "words")
         self.regular = definitions(tokens)
         literal = re.search(r'("<" blank.*?">")', tokens).group(1)
         self.vector = javascript(literal, self.regular)
@@ -237,6 +253,7 @@ highlights = """; SPDX-License-Identifier: GPL-3.0-or-later
 (macro_directive name: (name) @function)
 (hash_word) @keyword.directive
 (sign) @operator
+((name) @property (#any-of? @property OWN_WORDS))
 ["{" "}" "(" ")" "[" "]"] @punctuation.bracket
 """
 
@@ -259,7 +276,8 @@ def main():
     facts["metadata"]["version"] = version
     (folder / "grammar.js").write_text(Grammar(program).text())
     (folder / "src/scanner.c").write_text(scanner)
-    (folder / "queries/highlights.scm").write_text(highlights)
+    own = " ".join(f'"{word}"' for word in own_words(program))
+    (folder / "queries/highlights.scm").write_text(highlights.replace("OWN_WORDS", own))
     (folder / "queries/folds.scm").write_text(folds)
     (folder / "tree-sitter.json").write_text(json.dumps(facts, indent=2) + "\n")
 

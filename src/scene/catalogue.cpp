@@ -11,6 +11,7 @@ namespace candelabra {
 
 namespace {
 
+constexpr auto objects = std::array{&Switches::vocabulary};
 constexpr auto surface = std::array{
     &BumpSettings::vocabulary, &Finish::vocabulary,     &Reflection::vocabulary, &Irid::vocabulary,
     &Microfacet::vocabulary,   &Subsurface::vocabulary, &Interior::vocabulary};
@@ -33,6 +34,9 @@ constexpr auto meters = std::array{&Meter::vocabulary};
 
 constexpr auto groups = std::array{
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},
+    ItemGroup{"Objects",
+              "What any object may have, beside its appearance, its interior and transformations.",
+              objects},
     ItemGroup{"Cameras",
               "The type is the first word in camera { }; perspective when there is none.",
               Kinds<Camera>::infos, "camera"},

@@ -8,7 +8,15 @@ namespace candelabra {
 const ItemInfo Switches::vocabulary = described<Switches>([] {
     using F = Field<Switches>;
     return schema<Switches>(
-        "object", "What can be switched on an object.",
+        "object",
+        {"What can be switched on an object.", "sphere { y, 1 no_shadow }",
+         "sphere { y, 1 no_image }", "sphere { y, 1 no_reflection no_radiosity }",
+         "sphere { y, 0.2 finish { emission 3 } no_luminaire }",
+         "sphere { y, 1 hollow pigment { rgbt 0.9 } interior { media { emission 0.3 } } }",
+         "difference { box { <-1, 0, -1>, <1, 1.5, 1> } plane { y, 1 inverse } }",
+         "triangle { 0, 2*x, 2*y double_illuminate }",
+         "sphere { y, 1 pigment { checker scale 0.1 } uv_mapping }",
+         "object { sphere { y, 1 } hollow }"},
         F{"no_shadow", &Switches::no_shadow, flag, "casts no shadow"},
         F{"no_image", &Switches::no_image, flag, "is not seen by the camera"},
         F{"no_reflection", &Switches::no_reflection, flag, "is not seen in reflections"},

@@ -150,23 +150,6 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      {"light_source { <0, 2, -1>, rgb 1 looks_like { sphere { 0, 0.1 pigment { rgb 1 } finish { "
       "ambient 1 } } } }",
       "light_source { <-2, 4, -3>, rgb 1 projected_through { disc { <-1, 2, -1.5>, y, 0.3 } } }"}},
-    {"no_shadow no_image no_reflection no_radiosity",
-     "sphere { ... no_shadow }",
-     "an object that throws no shadow, that the camera does not see, that mirrors do not see, or "
-     "that "
-     "reflects no light to others",
-     {"sphere { y, 1 no_shadow }", "sphere { y, 1 no_image }",
-      "sphere { y, 1 no_reflection no_radiosity }"}},
-    {"no_luminaire",
-     "sphere { ... no_luminaire }",
-     "an object that glows, but lights nothing; in a finish: its emission does not",
-     {"sphere { y, 0.2 finish { emission 3 } no_luminaire }"}},
-    {"hollow inverse double_illuminate",
-     "sphere { ... hollow }",
-     "the inside is empty; inside and outside are exchanged; light on the back counts as well",
-     {"sphere { y, 1 hollow pigment { rgbt 0.9 } interior { media { emission 0.3 } } }",
-      "difference { box { <-1, 0, -1>, <1, 1.5, 1> } plane { y, 1 inverse } }",
-      "triangle { 0, 2*x, 2*y double_illuminate }"}},
     {"cutaway_textures",
      "difference { ... cutaway_textures }",
      "lets parts without a texture show the textures of the objects that they cut",

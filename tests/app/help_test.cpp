@@ -208,4 +208,17 @@ TEST_CASE("--help and the manual of scenes know every word, file and macro") {
     for (const char* each : {"#fopen", "#read", "#write", "#fclose"}) CHECK(has(page, each));
 }
 
+TEST_CASE("help shows an example that has the word") {
+    CHECK(has(help("torus"), "\n  e.g. torus { 1, 0.4 rotate -30*x translate 0.9*y }\n"));
+    CHECK(has(help("phong_size"), "e.g. finish { phong 0.9 phong_size 60 }"));
+    CHECK(has(help("Light_Ring"), "e.g. object { Light_Ring(Bulb, 24, 1.4) translate 0.5*y }"));
+    CHECK(has(help("VDist"), "e.g. VDist(<1, 2, 3>, <1, 2, 5>) -> 2"));
+    CHECK(has(help("no_shadow"), "e.g. sphere { y, 1 no_shadow }"));
+    CHECK(has(help("while"), "e.g. #declare I = 0; #while"));
+    Diagnostics diagnostics;
+    const std::string all = description("examples", ManualForm::text, stdlib, diagnostics);
+    CHECK(has(all, "\nfinish { phong 0.9 phong_size 60 }\n"));
+    CHECK(std::ranges::count(all, '\n') > 300);
+}
+
 }  // namespace candelabra

@@ -27,12 +27,17 @@ TEST_CASE("names show their declaration and the comment above it") {
     CHECK(hovering("#include \"light_arrays.inc\"\nobject { Light_R|ing(A, 2, 3) }") ==
           "```pov\nLight_Ring(Lamp object or array[], Count whole >= 1, Radius > 0)\n```\naround "
           "y, the lamp's +x outwards\n\n"
+          "```pov\nobject { Light_Ring(Bulb, 24, 1.4) translate 0.5*y }\n```\n"
           "in `light_arrays.inc`");
 }
 
 TEST_CASE("words show what the vocabulary says of them, in the block that they stand in") {
     CHECK(says(hovering("sphe|re { 0, 1 }"), "sphere { centre, radius }"));
     CHECK(says(hovering("sphere { 0, 1 finish { rough|ness 0.1 } }"), "in `finish`"));
+    CHECK(says(hovering("sphere { 0, 1 finish { rough|ness 0.1 } }"),
+               "```pov\nfinish { specular 0.9 roughness 0.02 }\n```"));
+    CHECK(says(hovering("sph|ere { 0, 1 }"), "e.g. sphere { y, 1 }"));
+    CHECK(says(hovering("#whi|le (A) #end"), "```pov\n#declare I = 0; #while (I < 5)"));
     CHECK(says(hovering("camera { orthogra|phic }"), "camera { orthographic"));
     CHECK(says(hovering("#declare A = vrot|ate(x, y);"), "vrotate("));
     CHECK(hovering("sphere { 0, 1 |   }").empty());

@@ -44,6 +44,35 @@ TEST_CASE("a library file says what its macros do") {
     CHECK_FALSE(bare.macros.at(1).listed);
 }
 
+TEST_CASE("an example stands below its macro, and may go on in further lines") {
+    const LibraryFile file = library_file("lamps.inc", R"(// About.
+//
+//   Ring(Lamp, Count)       around y
+//       e.g. object { Ring(Bulb,
+//         2) }
+//   Red(Size)  Blue(Size)   numbers
+//       e.g. Blue(2) -> 4, 5
+//       e.g. Red(3)
+
+#macro Ring(Lamp, Count) 1 #end
+#macro Red(Size) 2 #end
+#macro Blue(Size) 3 #end
+// Not in the list.
+// e.g. Bare(7)
+#macro Bare(A) 4 #end
+#macro Plain(A) 5 #end
+)");
+    std::string text;
+    for (const LibraryMacro& each : file.macros)
+        text += each.help + " | " + each.example + " | " + each.value + "\n";
+    CHECK(text ==
+          "around y | object { Ring(Bulb, 2) } | \n"
+          "numbers | Red(3) | \n"
+          "numbers | Blue(2) | 4, 5\n"
+          "Not in the list. | Bare(7) | \n"
+          " |  | \n");
+}
+
 TEST_CASE("the guide has the include files in order") {
     const LibraryGuide guide = library_guide(CANDELABRA_SOURCE_DIR "/stdlib");
     REQUIRE(guide.size() > 30);
