@@ -79,8 +79,9 @@ def own_words(program):
     for group in described(program, "items"):
         for item in group["items"]:
             known.add(item["name"])
-            known.update(field["name"] for field in item["fields"])
-    return sorted(word for word in known - reserved if re.fullmatch(r"[a-z]\w*_\w+|[a-z]\w{3,}", word))
+            known.update(field["name"] for field in item["fields"]
+                         if field["place"] not in ("positional", "counted", "following"))
+    return sorted(known - reserved)
 
 
 class Grammar:
@@ -253,7 +254,7 @@ highlights = """; SPDX-License-Identifier: GPL-3.0-or-later
 (macro_directive name: (name) @function)
 (hash_word) @keyword.directive
 (sign) @operator
-((name) @property (#any-of? @property OWN_WORDS))
+(braces (name) @property (#any-of? @property OWN_WORDS))
 ["{" "}" "(" ")" "[" "]"] @punctuation.bracket
 """
 

@@ -189,6 +189,8 @@ def main():
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
         subprocess.run([sys.executable, root / "grammar/tree_sitter.py", program, folder], check=True)
+        highlights = (folder / "queries/highlights.scm").read_text()
+        assert '"exposure"' in highlights and '"light_octree"' in highlights and '"sphere"' not in highlights
         if shutil.which("tree-sitter"):
             subprocess.run(["tree-sitter", "generate"], cwd=folder, check=True)
             failures = subprocess.run(["tree-sitter", "parse", "--quiet", *scenes], cwd=folder).returncode
