@@ -25,9 +25,8 @@ struct Guarded<operation> {
 
 extern "C" const Polyhedra* candelabra_polyhedra() {
     static constexpr Polyhedra entries{
-        &Guarded<&polyhedra::read>::call, &Guarded<&polyhedra::hull>::call,
-        &Guarded<&polyhedra::combine>::call, &Guarded<&polyhedra::subdivide>::call,
-        &Guarded<&polyhedra::triangulate>::call};
+        &Guarded<&polyhedra::hull>::call, &Guarded<&polyhedra::combine>::call,
+        &Guarded<&polyhedra::subdivide>::call, &Guarded<&polyhedra::triangulate>::call};
     return &entries;
 }
 

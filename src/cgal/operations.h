@@ -3,8 +3,8 @@
 // this module.
 #pragma once
 
-#include "cgal/fan.h"
 #include "cgal/polyhedra.h"
+#include "models/fan.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <map>
 #include <stdexcept>
-#include <string_view>
 
 namespace candelabra {
 
@@ -23,7 +22,6 @@ namespace polyhedra {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-std::string read(std::string_view name, std::string_view bytes, Polyhedron&, PolyhedronLook&);
 std::string hull(std::span<const Polyhedron::Point>, Polyhedron&);
 std::string combine(std::span<const SolidOperation>, std::span<const Polyhedron>, WorkCount,
                     Polyhedron&);

@@ -1,38 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operations of CGAL on triangle surfaces: files, hulls, boolean operations, subdivision,
+// The operations of CGAL on triangle surfaces: hulls, boolean operations, subdivision,
 // triangulations. CGAL's headers take minutes to compile, and its exact numbers need libraries of
 // their own. So this module is a library that is opened when a scene first needs such an operation.
 // Its interface has plain lists of points and faces only.
 #pragma once
 
+#include "models/polyhedron.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace candelabra {
-
-/// Triangles over shared points. Faces are indices of points, counted from 0, counterclockwise as
-/// seen from outside (in a right-handed space).
-struct Polyhedron {
-    using Point = std::array<double, 3>;
-    using Face = std::array<int, 3>;
-
-    std::vector<Point> points;
-    std::vector<Face> faces;
-};
-
-/// Optional data of a file beyond the shape. Without faces of their own, normals and texture
-/// coordinates are those of the points.
-struct PolyhedronLook {
-    std::vector<Polyhedron::Point> normals;
-    std::vector<Polyhedron::Face> normal_faces;
-    std::vector<std::array<double, 2>> uvs;
-    std::vector<Polyhedron::Face> uv_faces;
-    bool materials = false;  ///< faces have materials, which are not read
-};
 
 /// A step of a stack machine that builds a solid from others: each step pushes one solid. All kinds
 /// but the first pop the two topmost ones.
@@ -54,11 +35,6 @@ enum class SubdivisionRule {
 
 /// The entry points. Each returns an error or, with a complete result, an empty string.
 struct Polyhedra {
-    /// Reads the triangles of an OBJ, PLY, STL or OFF file, whose kind the name's extension
-    /// decides; larger faces are triangulated. Normals and texture coordinates are read from OBJ
-    /// and PLY files.
-    std::string (*read)(std::string_view name, std::string_view bytes, Polyhedron&,
-                        PolyhedronLook&);
     /// The convex hull of the points.
     std::string (*hull)(std::span<const Polyhedron::Point>, Polyhedron&);
     /// A solid from closed surfaces without self-intersections. Exact: coordinates are rounded

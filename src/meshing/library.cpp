@@ -4,6 +4,7 @@
 #include "base/elementary.h"
 #include "base/loaded_library.h"
 #include "base/long_work.h"
+#include "models/model_file.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -80,10 +81,8 @@ Mesh smooth_mesh(const Polyhedron& from) {
 }
 
 std::optional<MeshFile> read_mesh_file(const Found& file, Diagnostics& diagnostics, Span asked_at) {
-    const Polyhedra* library = modelling_library(diagnostics, asked_at);
-    if (!library) return std::nullopt;
     MeshFile made;
-    const std::string problem = library->read(file.path, file.text, made.shape, made.look);
+    const std::string problem = read_model(file.path, file.text, made.shape, made.look);
     if (problem.empty()) return made;
     diagnostics.add(
         error(Fault::io, asked_at,

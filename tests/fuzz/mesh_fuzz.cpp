@@ -3,6 +3,7 @@
 // itself and wrapped in a hull: no crash, and no place that is not there.
 #include "fuzz/target.h"
 #include "meshing/library.h"
+#include "models/model_file.h"
 
 #include <array>
 #include <cstdlib>
@@ -28,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!library) std::abort();
     Polyhedron read, made;
     PolyhedronLook look;
-    if (!library->read(endings[data[0] % endings.size()], bytes, read, look).empty()) return 0;
+    if (!read_model(endings[data[0] % endings.size()], bytes, read, look).empty()) return 0;
     check(read);
     constexpr std::size_t max_faces = 60;  // the operations take long
     if (read.faces.size() > max_faces) return 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/off_reader.h"
+#include "models/off_reader.h"
 
-#include "cgal/fan.h"
-#include "cgal/words.h"
+#include "models/fan.h"
+#include "models/words.h"
 
 #include <cstdint>
 

@@ -2,8 +2,9 @@
 // OFF files in text form: shapes only, without the colours and normals that some also have.
 #pragma once
 
-#include "cgal/polyhedra.h"
+#include "models/polyhedron.h"
 
+#include <string>
 #include <string_view>
 
 namespace candelabra {

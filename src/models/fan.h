@@ -2,11 +2,13 @@
 // Triangulates faces with many corners and checks indices, for the readers of files.
 #pragma once
 
-#include "cgal/polyhedra.h"
+#include "models/polyhedron.h"
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
+#include <string>
 
 namespace candelabra {
 

@@ -2,8 +2,9 @@
 // STL files, whose triangles have separate points; coincident points are merged.
 #pragma once
 
-#include "cgal/polyhedra.h"
+#include "models/polyhedron.h"
 
+#include <string>
 #include <string_view>
 
 namespace candelabra {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the texts of mesh files as the library does.
+// Reads the texts of files of models.
 #pragma once
 
-#include "cgal/shapes.h"
+#include "models/model_file.h"
+
+#include <catch2/catch.hpp>
 
 namespace candelabra {
 
@@ -14,7 +16,7 @@ struct ReadText {
 
 inline ReadText read_text(const std::string& extension, const std::string& text) {
     ReadText read;
-    read.wrong = the_polyhedra().read("a." + extension, text, read.shape, read.look);
+    read.wrong = read_model("a." + extension, text, read.shape, read.look);
     return read;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/shapes.h"
+#include "models/model_file.h"
+
+#include <catch2/catch.hpp>
 
 namespace candelabra {
 
-TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
+TEST_CASE("meshes are read from files, larger faces in parts", "[models]") {
     struct Case {
         const char *extension, *text;
         std::size_t points, faces;
@@ -25,7 +27,7 @@ TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
         const std::string name = std::string("a.") + c.extension;
         Polyhedron made;
         PolyhedronLook look;
-        REQUIRE(the_polyhedra().read(name, c.text, made, look) == "");
+        REQUIRE(read_model(name, c.text, made, look) == "");
         CHECK(look.normals.empty());
         CHECK(look.uvs.empty());
         CHECK(made.points.size() == c.points);
@@ -33,15 +35,15 @@ TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
     }
 }
 
-TEST_CASE("what is no mesh is said", "[polyhedra]") {
+TEST_CASE("what is no mesh is said", "[models]") {
     Polyhedron made;
     PolyhedronLook look;
-    CHECK(the_polyhedra().read("nothing.ply", "", made, look) != "");
-    CHECK(the_polyhedra().read("text.off", "no mesh", made, look) ==
+    CHECK(read_model("nothing.ply", "", made, look) != "");
+    CHECK(read_model("text.off", "no mesh", made, look) ==
           "it is no OBJ, PLY, STL or OFF file, or is damaged");
     const std::string_view wild = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n";
-    CHECK(the_polyhedra().read("wild.off", wild, made, look) != "");
-    CHECK(the_polyhedra().read("NONE.OBJ", "v 0 0 0\n", made, look) == "it has no faces");
+    CHECK(read_model("wild.off", wild, made, look) != "");
+    CHECK(read_model("NONE.OBJ", "v 0 0 0\n", made, look) == "it has no faces");
 }
 
 }  // namespace candelabra

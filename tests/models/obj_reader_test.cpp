@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/read_text.h"
+#include "models/read_text.h"
 
 namespace candelabra {
 
@@ -17,7 +17,7 @@ ReadText square(const std::string& faces) {
 
 }  // namespace
 
-TEST_CASE("corners of OBJ files name points, normals and places in pictures", "[polyhedra]") {
+TEST_CASE("corners of OBJ files name points, normals and places in pictures", "[models]") {
     const ReadText all = square("f 1/1/1 2/2/1 3/3/2 4/3/2\n");
     REQUIRE(all.wrong == "");
     CHECK(all.shape.points[3] == Polyhedron::Point{0, 1, 0});
@@ -28,7 +28,7 @@ TEST_CASE("corners of OBJ files name points, normals and places in pictures", "[
     CHECK(all.look.normals[1] == Polyhedron::Point{0, 1, 0});
 }
 
-TEST_CASE("an OBJ file's lines end in any way, go on, and count backwards", "[polyhedra]") {
+TEST_CASE("an OBJ file's lines end in any way, go on, and count backwards", "[models]") {
     const ReadText backwards = square("f -4//-2 -3//-2 \\\r\n -2//-1\r\n");
     REQUIRE(backwards.wrong == "");
     CHECK(backwards.shape.faces == Faces{{0, 1, 2}});
@@ -37,7 +37,7 @@ TEST_CASE("an OBJ file's lines end in any way, go on, and count backwards", "[po
     CHECK(square("f 1 2 3").shape.faces == Faces{{0, 1, 2}});
 }
 
-TEST_CASE("corners that name no normal get one without length", "[polyhedra]") {
+TEST_CASE("corners that name no normal get one without length", "[models]") {
     const ReadText mixed = square("f 1//1 2//1 3//1\nf 1 3 4\n");
     REQUIRE(mixed.wrong == "");
     CHECK(mixed.look.normal_faces == Faces{{0, 0, 0}, {2, 2, 2}});
@@ -45,7 +45,7 @@ TEST_CASE("corners that name no normal get one without length", "[polyhedra]") {
     CHECK(mixed.look.uv_faces.empty());
 }
 
-TEST_CASE("faults of OBJ files are told with their line", "[polyhedra]") {
+TEST_CASE("faults of OBJ files are told with their line", "[models]") {
     const std::string corner =
         "line 14: a corner of a face is `1`, `1/2`, `1//3` or `1/2/3`, and counts from 1";
     CHECK(square("f 1 2 x\n").wrong == corner);

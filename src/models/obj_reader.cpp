@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/obj_reader.h"
+#include "models/obj_reader.h"
 
-#include "cgal/fan.h"
+#include "models/fan.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/read_text.h"
+#include "models/read_text.h"
 
 namespace candelabra {
 
-TEST_CASE("OFF files may have comments, and more than places", "[polyhedra]") {
+TEST_CASE("OFF files may have comments, and more than places", "[models]") {
     for (const char* text :
          {"OFF # a triangle\n3 1 0\n# points\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n",
           "COFF 3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n",
@@ -16,7 +16,7 @@ TEST_CASE("OFF files may have comments, and more than places", "[polyhedra]") {
     }
 }
 
-TEST_CASE("OFF files that say they are large have what they say, or are refused", "[polyhedra]") {
+TEST_CASE("OFF files that say they are large have what they say, or are refused", "[models]") {
     CHECK(read_text("off", "OFF\n4000000000 1 0\n0 0 0\n").wrong ==
           "point 1 of 4000000000 is damaged, or missing");
     CHECK(read_text("off", "OFF\n1 4000000000 0\n0 0 0\n3 0 0 0\n").wrong ==

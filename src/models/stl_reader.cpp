@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/stl_reader.h"
+#include "models/stl_reader.h"
 
-#include "cgal/words.h"
+#include "models/words.h"
 
 #include <bit>
 #include <cmath>

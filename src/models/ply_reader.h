@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PLY files, as text or binary in either byte order: points, with normals and texture coordinates
-// if present, and faces; other elements are skipped. Called by files.cpp.
+// if present, and faces; other elements are skipped. Called by model_file.cpp.
 #pragma once
 
-#include "cgal/polyhedra.h"
+#include "models/polyhedron.h"
 
+#include <string>
 #include <string_view>
 
 namespace candelabra {

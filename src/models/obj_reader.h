@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OBJ files: points, normals and texture coordinates, and faces that reference one of each for
-// every corner. Lines, curves, groups and materials are skipped. Called by files.cpp.
+// every corner. Lines, curves, groups and materials are skipped. Called by model_file.cpp.
 #pragma once
 
-#include "cgal/polyhedra.h"
+#include "models/polyhedron.h"
 
+#include <string>
 #include <string_view>
 
 namespace candelabra {

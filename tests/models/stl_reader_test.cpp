@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/read_text.h"
+#include "models/read_text.h"
 
 #include <bit>
 #include <cstdint>
@@ -28,7 +28,7 @@ std::string binary_stl(const std::string& start, std::uint32_t said, int triangl
 
 }  // namespace
 
-TEST_CASE("an STL file is binary or text, and not both", "[polyhedra]") {
+TEST_CASE("an STL file is binary or text, and not both", "[models]") {
     const auto binary = read_text("stl", binary_stl("solid by its first word", 1, 1, 1));
     CHECK(binary.wrong == "");
     CHECK(binary.shape.points.size() == 3);
@@ -55,7 +55,7 @@ TEST_CASE("an STL file is binary or text, and not both", "[polyhedra]") {
     CHECK(mixed.shape.points.size() == (mixed.wrong.empty() ? 3 : 0));
 }
 
-TEST_CASE("damaged STL files are refused", "[polyhedra]") {
+TEST_CASE("damaged STL files are refused", "[models]") {
     CHECK(read_text("stl", "").wrong != "");
     CHECK(read_text("stl", binary_stl("", 0xffffffff, 1, 1)).wrong != "");
     CHECK(read_text("stl", binary_stl("", 1, 1, std::nanf(""))).wrong ==

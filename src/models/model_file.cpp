@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/fan.h"
-#include "cgal/obj_reader.h"
-#include "cgal/off_reader.h"
-#include "cgal/operations.h"
-#include "cgal/ply_reader.h"
-#include "cgal/stl_reader.h"
+#include "models/model_file.h"
+
+#include "models/fan.h"
+#include "models/obj_reader.h"
+#include "models/off_reader.h"
+#include "models/ply_reader.h"
+#include "models/stl_reader.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <exception>
 #include <utility>
 
 namespace candelabra {
@@ -46,17 +48,21 @@ std::string read_bytes(std::string_view name, std::string_view bytes, Polyhedron
 
 }  // namespace
 
-std::string polyhedra::read(std::string_view name, std::string_view bytes, Polyhedron& made,
-                            PolyhedronLook& look) {
-    Polyhedron shape;
-    PolyhedronLook of_shape;
-    std::string wrong = read_bytes(name, bytes, shape, of_shape);
-    if (wrong.empty()) wrong = wrong_places(shape, of_shape);
-    if (wrong.empty() && shape.faces.empty()) wrong = "it has no faces";
-    if (!wrong.empty()) return wrong;
-    made = std::move(shape);
-    look = std::move(of_shape);
-    return {};
+std::string read_model(std::string_view name, std::string_view bytes, Polyhedron& made,
+                       PolyhedronLook& look) {
+    try {
+        Polyhedron shape;
+        PolyhedronLook of_shape;
+        std::string wrong = read_bytes(name, bytes, shape, of_shape);
+        if (wrong.empty()) wrong = wrong_places(shape, of_shape);
+        if (wrong.empty() && shape.faces.empty()) wrong = "it has no faces";
+        if (!wrong.empty()) return wrong;
+        made = std::move(shape);
+        look = std::move(of_shape);
+        return {};
+    } catch (const std::exception& problem) {  // a file may be larger than memory
+        return problem.what();
+    }
 }
 
 }  // namespace candelabra

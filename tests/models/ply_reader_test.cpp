@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cgal/read_text.h"
+#include "models/read_text.h"
 
 #include <bit>
 #include <cstdint>
@@ -33,7 +33,7 @@ std::string stored(bool high_first, Stored... numbers) {
 
 }  // namespace
 
-TEST_CASE("points of PLY files have normals and places in pictures", "[polyhedra]") {
+TEST_CASE("points of PLY files have normals and places in pictures", "[models]") {
     const ReadText read = read_text(
         "ply", header("ascii", points +
                                    "property float nx\nproperty float ny\nproperty float nz\n"
@@ -50,7 +50,7 @@ TEST_CASE("points of PLY files have normals and places in pictures", "[polyhedra
     CHECK(read.look.normal_faces.empty());
 }
 
-TEST_CASE("corners of faces of PLY files may have places in pictures", "[polyhedra]") {
+TEST_CASE("corners of faces of PLY files may have places in pictures", "[models]") {
     const ReadText read =
         read_text("ply", header("ascii", points + "property float u\nproperty float v\n" +
                                              "element face 2\n"
@@ -65,7 +65,7 @@ TEST_CASE("corners of faces of PLY files may have places in pictures", "[polyhed
     CHECK(read.look.uvs[4] == std::array{0.0, 0.0});
 }
 
-TEST_CASE("numbers of PLY files are of any type and order of bytes", "[polyhedra]") {
+TEST_CASE("numbers of PLY files are of any type and order of bytes", "[models]") {
     const std::string elements =
         "element vertex 3\nproperty short x\nproperty double y\nproperty int8 z\n"
         "element edge 1\nproperty list uint32 uint16 of\n"
@@ -91,7 +91,7 @@ TEST_CASE("numbers of PLY files are of any type and order of bytes", "[polyhedra
     CHECK(whole.shape.points.size() == 3);
 }
 
-TEST_CASE("faults of PLY files are told", "[polyhedra]") {
+TEST_CASE("faults of PLY files are told", "[models]") {
     const std::string three = "0 0 0\n1 0 0\n0 1 0\n";
     struct Case {
         std::string text, wrong;
