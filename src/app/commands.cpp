@@ -116,9 +116,8 @@ void check_measuring(const Options& options, Diagnostics& diagnostics) {
                                       printable(options.readings_file), "` is not by its ending"))
                             .with_help("--measure light.csv, or light.json"));
     if (options.denoise)
-        diagnostics.add(
-            error(Fault::option, {},
-                  "--measure tells light as it is, which --denoise changes in pictures"));
+        diagnostics.add(error(Fault::option, {},
+                              "--measure reports light as it is, and --denoise changes pictures"));
 }
 
 /// A subcommand of the program, given as the first argument.
@@ -150,7 +149,7 @@ constexpr auto commands = std::to_array<Command>({
      "leds.\n"},
     {"merge", merge,
      "usage: candelabra merge [+Ofile] [+Fx] [--partial | --status] state.state.exr ...\n"
-     "Joins the states that shards of a picture have left; candelabra-merge(1) says more.\n"},
+     "Joins the states that shards of a picture have left; see candelabra-merge(1).\n"},
     {"develop", run_develop,
      "usage: candelabra develop [-o file] [+Fx] [--layer name] [--exposure stops] ... "
      "picture.exr ...\n"
@@ -159,7 +158,7 @@ constexpr auto commands = std::to_array<Command>({
     {"share", run_share,
      "usage: candelabra share [-o page.html] [option ...] scene.pov|picture.exr\n"
      "Makes a page to share: a picture whose lamps can be dimmed and coloured in any browser. "
-     "Options\nare those of a picture; section PAGES TO SHARE of candelabra(1) says more.\n"},
+     "Options\nare those of a picture; see section PAGES TO SHARE of candelabra(1).\n"},
     {"light",
      [](std::span<const std::string_view> arguments, const Console& console) {
          bound_memory();
@@ -175,10 +174,10 @@ constexpr auto commands = std::to_array<Command>({
      },
      "usage: candelabra fmt [--check] [file ...]\n"
      "Lays scenes out; without files, standard input to standard output. --check only names the\n"
-     "files that it would change; candelabra-fmt(1) says more.\n"},
+     "files that it would change; see candelabra-fmt(1).\n"},
     {"describe", describe,
      "usage: candelabra describe [--json | --roff] [part]\n"
-     "Says what the language, the options and the library have, for programs as JSON. The parts:\n"
+     "Lists what the language, the options and the library have, for programs as JSON. The parts:\n"
      "items, functions, glossary, examples, library, macros, options, compatibility, missing,\n"
      "words and warnings; without one, all of it as JSON, or the items as text.\n"},
     {"lsp",
@@ -189,7 +188,7 @@ constexpr auto commands = std::to_array<Command>({
      },
      "usage: candelabra lsp\n"
      "Answers an editor's questions by the Language Server Protocol, on standard input and\n"
-     "output; candelabra-lsp(1) says more.\n"},
+     "output; see candelabra-lsp(1).\n"},
 });
 
 const Command* command_of(std::span<const std::string_view> arguments) {

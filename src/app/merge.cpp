@@ -216,10 +216,11 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
     request.options = read_options(others, diagnostics);
     for (const auto& [row, given] : request.options.given)
         if (!matters(given))
-            diagnostics.add(warning(Fault::option, {},
-                                    message("`", printable(given),
-                                            "` is ignored: how the picture is made, its states "
-                                            "say")));
+            diagnostics.add(
+                warning(Fault::option, {},
+                        message("`", printable(given),
+                                "` is ignored: the states have the way in which the picture "
+                                "is made")));
     if (request.options.scene)
         diagnostics.add(error(Fault::option, {},
                               message("`", printable(*request.options.scene),

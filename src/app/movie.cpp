@@ -55,7 +55,7 @@ bool run_ffmpeg(const std::vector<std::string>& frames, double frame_rate, const
 bool fail(std::string text, Diagnostics& diagnostics) {
     if (!diagnostics.failed())
         diagnostics.add(error(Fault::io, {}, std::move(text))
-                            .with_help("the ending says which kind of film: mp4, webm, gif, ..."));
+                            .with_help("the ending decides the kind of film: mp4, webm, gif, ..."));
     return false;
 }
 

@@ -219,9 +219,8 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library) {
     if (rules.programs) rules.readable.push_back(folder_around(find_program("ffmpeg")));
     rules.writable = options.writable;
     if (makes_picture) add_picture_folder(rules, options, output.path);
-    for (const std::string& file :
-         {options.stats_file, options.depfile, options.mesh_file, options.readings_file,
-          options.movie})
+    for (const std::string& file : {options.stats_file, options.depfile, options.mesh_file,
+                                    options.readings_file, options.movie})
         if (!file.empty() && file != "-") rules.writable.push_back(folder_around(file));
     return rules;
 }
@@ -267,7 +266,7 @@ bool confined(const Options& options, const SandboxRules& rules, const Console& 
                 Fault::option, {},
                 "this system has no whole sandbox, Landlock and seccomp: only the program's own "
                 "rules keep the scene from other files")
-                .with_help("--sandbox off says that this is known"));
+                .with_help("--sandbox off accepts this"));
         return true;
     }
     diagnostics.add(

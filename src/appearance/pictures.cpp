@@ -116,7 +116,7 @@ bool PictureReader::take(const Element& element) {
     if (const Numbers* place = element.value.numbers();
         element.kind == Element::Kind::value && block_.taken == 0 && place && place->count > 1) {
         block_.report(warning(Fault::deprecated, element.span,
-                              "a vector before the file, which said where a picture lies, has no "
+                              "a vector before the file, once the place of a picture, has no "
                               "effect since version 3"));
         return true;
     }
@@ -209,7 +209,7 @@ void PictureReader::load() {
     if (map_.function) {
         if (map_.function->columns() == 0 || map_.function->parameters() > 3) {
             block_.report(error(Fault::wrong_type, block_.span,
-                                "the function of a picture says how many pixels it has")
+                                "the function of a picture needs the number of pixels")
                               .with_help("function 256, 256 { ... }"));
             return;
         }

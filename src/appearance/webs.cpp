@@ -28,7 +28,7 @@ void warn_of_repairs(OpenBlock& block, std::string_view name, const PhotometricF
     block.report(warning(Fault::no_effect, block.file_place(),
                          message("`", name, "`: ", all,
                                  more > 0 ? message("; and ", more, " more") : std::string()))
-                     .with_help(message("candelabra light ", name, " says all about it")));
+                     .with_help(message("candelabra light ", name, " describes it")));
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ bool LampReader::take(const Element& element) {
     if (!inner.broken) load_web(inner, made);
     if (!inner.broken && !made.has_flux() && !made.temperature)
         inner.report(warning(Fault::no_effect, element.word_span,
-                             "this `luminaire` says nothing: it has no flux, no temperature and no "
+                             "this `luminaire` is empty: it has no flux, no temperature and no "
                              "file")
                          .with_help("luminaire { flux lumen(800) temperature 2700 }"));
     block_.broken |= inner.broken;

@@ -300,7 +300,7 @@ bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
     const auto* user = std::get_if<UserDefinedCamera>(&camera);
     if (user && user->look_at && user->towards.given())
         block.report(warning(Fault::no_effect, element.word_span,
-                             "`look_at` has no effect: functions say where the rays go")
+                             "`look_at` has no effect: functions give the directions of the rays")
                          .with_help(block.help()));
     return !block.broken;
 }

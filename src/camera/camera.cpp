@@ -51,8 +51,8 @@ consteval auto camera_schema(std::string_view name, ItemText text,
                 "moments of that time that the picture is made of, after a comma",
                 between(1, 1000)}),
         F{"angle", &T::angle, item,
-          "degrees from the left edge to the right; 0: as without, but look_at says how much "
-          "parallel rays see",
+          "degrees from the left edge to the right; 0: as without, but the distance of look_at "
+          "decides the width of parallel rays",
           at_least(0)}};
     Schema<T, N + common.size() + M> result{name, text, {}};
     auto to = std::copy(before.begin(), before.end(), result.fields.begin());

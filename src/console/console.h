@@ -32,7 +32,7 @@ inline constexpr int stopped = 4;  ///< a signal ended the work, and the state w
 
 inline constexpr std::string_view no_memory_message =
     "error: there is not enough memory for this scene and picture\n"
-    "help: --limit-memory says how much there may be\n";
+    "help: --limit-memory sets how much there may be\n";
 
 struct Console {
     std::function<void(std::string_view)> out;  ///< results: dumps, help
@@ -45,11 +45,11 @@ struct Console {
     std::function<void(Stream, std::string_view plain)> heard;
     bool terminal = false;  ///< err can rewrite its line
     bool coloured = false;
-    std::string library;  ///< folder of the standard library; empty: none
+    std::string library;                            ///< folder of the standard library; empty: none
     std::vector<std::string> first_libraries = {};  ///< folders that come before it
     std::string povray_library;  ///< folder of POV-Ray's include files; empty: not installed
-    Interrupts interrupts;    ///< requests by signals
-    Environment environment;  ///< variables; empty: none
+    Interrupts interrupts;       ///< requests by signals
+    Environment environment;     ///< variables; empty: none
     /// Confines the process to these rules; returns false if the system cannot. If empty, the
     /// process is not confined.
     std::function<bool(const SandboxRules&)> confine;

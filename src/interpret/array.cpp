@@ -252,7 +252,7 @@ bool Evaluator::State::check_array(const Value& value, Span span) {
     if (const Numbers* numbers = value.numbers(); numbers && numbers->count > 1)
         problem.with_help("the parts of a vector V are V.x, V.y and V.z");
     if (value.text()) problem.with_help("substr(S, 1, 1) is the first letter of a string");
-    if (value.handle<Spline>()) problem.with_help("a spline S is asked with parentheses: S(0.5)");
+    if (value.handle<Spline>()) problem.with_help("the value of a spline S is written S(0.5)");
     report(std::move(problem));
     return false;
 }

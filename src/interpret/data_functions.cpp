@@ -77,7 +77,7 @@ public:
                                       message(column, " of `", name(),
                                               "` is text, because this cell is no number"))
                                   .pointing(call_.place(0), "read here")
-                                  .with_help("the option text says so: read_csv(name, \"text\")"));
+                                  .with_help("with the option text: read_csv(name, \"text\")"));
         }
     }
 

@@ -365,9 +365,9 @@ void Evaluator::State::set_version(const Tree& tree, const node::Version& node, 
     if (!value) return;
     const double rounded = std::floor(100 * *value + 0.5) / 100;
     if (!(rounded >= 1 && rounded <= newest_version)) {
-        report(error(Fault::out_of_range, tree.span(id),
-                     message("the language has versions 1 to ", newest_version,
-                             ", but this asks for ", *value)));
+        report(error(
+            Fault::out_of_range, tree.span(id),
+            message("the language has versions 1 to ", newest_version, ", but this is ", *value)));
         return;
     }
     check_version(tree, id, rounded);

@@ -199,9 +199,9 @@ void Evaluator::State::run_within_memory(SourceId main) {
                                    "there is not enough memory to evaluate this scene");
         if (loop) problem.with_label(message("this loop has run ", loop->passes, " times"));
         report(problem.with_help(loop ? "a loop that does not end needs a condition that becomes "
-                                        "false, or #break; --limit-memory says how much memory "
+                                        "false, or #break; --limit-memory sets how much memory "
                                         "there may be"
-                                      : "--limit-memory says how much there may be"));
+                                      : "--limit-memory sets how much there may be"));
     }
 }
 

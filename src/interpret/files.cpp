@@ -188,7 +188,7 @@ void Evaluator::State::warn_of_line_end(const DataFile& file, Span target, Span 
                    message("this #read goes on in the next line of `", printable(file.name), "`"))
                .with_label("this is in the next line")
                .pointing({before.source, before.last, before.last}, "here a line ends")
-               .with_help("read_csv(\"...\") reads tables, and tells of rows that are short"));
+               .with_help("read_csv(\"...\") reads tables, and reports short rows"));
 }
 
 /// Reads one value; false when reading cannot go on.

@@ -124,7 +124,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::name(
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::unary(
     const Tree& tree, const node::Unary& node, NodeId id) {
     if (node.sign == Operator::no)
-        return wrong(tree.span(id), "there is no `!` in functions; x = 0 says the same");
+        return wrong(tree.span(id), "there is no `!` in functions; x = 0 does the same");
     if (state.macro_call(tree, node.operand)) return open(tree, id);
     const Result operand = expression(tree, node.operand);
     return node.sign == Operator::plus ? operand : negative(operand);
@@ -377,7 +377,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::loop(
     if (!first || !last) return std::nullopt;
     const std::string counted = worded("i", ++counters);
     std::string written = worded(state.names.spelling(node.name), "(", counted, ", ", text(*first),
-                                  ", ", text(*last), ", ");
+                                 ", ", text(*last), ", ");
     const Operand i = builder.variable(), result = builder.variable();
     builder.pin(i);  // else each reading of the counter would release it
     builder.assign(i, *first);
@@ -422,7 +422,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::funct
                                    message("`", name, "` cannot be used in functions"));
         if (name == "rand")
             problem.with_help(
-                "a function gives the same whenever it is asked; at random over "
+                "a function has the same value at every call; at random over "
                 "space is f_noise3d(x, y, z) of functions.inc");
         state.report(problem);
         return std::nullopt;

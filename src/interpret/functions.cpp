@@ -202,14 +202,15 @@ constexpr auto table = std::array{
                  Unary([](double x) { return x * radians_per_degree; })},
     FunctionInfo{"rand", 1, 1, "stream", "the next random number of a stream, 0 to 1",
                  General(next_random)},
-    FunctionInfo{"read_csv", 1, 2, "name[, options]",
-                 "the rows of a table in a file: an array of rows by columns, of numbers and "
-                 "strings; A[row][\"name\"] asks by the header; options are words in a string: "
-                 "header, no_header, text, comma, semicolon, tab, bar, blank",
-                 General(csv_file)},
+    FunctionInfo{
+        "read_csv", 1, 2, "name[, options]",
+        "the rows of a table in a file: an array of rows by columns, of numbers and "
+        "strings; A[row][\"name\"] finds a column by its header; options are words in a string: "
+        "header, no_header, text, comma, semicolon, tab, bar, blank",
+        General(csv_file)},
     FunctionInfo{"read_json", 1, 2, "name[, path]",
                  "what is in a JSON file, or in one place of it: a number, a string, or an array, "
-                 "whose members are asked by name: A[\"lamps.0.radiance\"]",
+                 "whose members have names: A[\"lamps.0.radiance\"]",
                  General(json_file)},
     FunctionInfo{"seed", 1, 1, "n", "a new random stream", General(new_random)},
     FunctionInfo{"select", 3, 4, "v, a, b[, c]", "a if v < 0, else b; with c: b if v = 0, else c",

@@ -39,10 +39,10 @@ bool Evaluator::State::count_said(std::size_t bytes, Span span) {
     constexpr std::uint64_t least = 16;
     said_bytes += least + bytes;
     if (said_bytes <= limits.said_bytes) return spend(bytes, span);
-    exceeded(
-        span,
-        message("this scene has said more than ", limits.said_bytes, " bytes, which is the limit"),
-        "--limit-said, in megabytes, raises it");
+    exceeded(span,
+             message("this scene has printed more than ", limits.said_bytes,
+                     " bytes, which is the limit"),
+             "--limit-said, in megabytes, raises it");
     return false;
 }
 

@@ -140,7 +140,7 @@ Value substring(Call call) {
     if (length < 0 || length > size - start + 1)
         return call.fail(Fault::out_of_range, 2,
                          message("from ", start, " on the string has ", size - start + 1,
-                                 " characters, and this asks for ", length));
+                                 " characters, but the length is ", length));
     std::size_t first = 0;
     for (std::int64_t i = 1; i < start; ++i) first += character_size(text, first);
     std::size_t last = first;

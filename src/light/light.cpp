@@ -75,8 +75,7 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
           between(0, 1000)},
         F{"area_size2", &PointLight::size2, following, "lights along the other", between(0, 1000)},
         F{"adaptive", &PointLight::adaptive, item,
-          "asks only some lights of the grid where all agree: it is divided so often in any case",
-          at_least(0)},
+          "divisions of the grid before a part whose lights agree is taken as one", at_least(0)},
         F{"jitter", &PointLight::jitter, flag, "moves the lights of the grid at random"},
         F{"circular", &PointLight::circular, flag, "a disc instead of a rectangle"},
         F{"orient", &PointLight::orient, flag, "turns the grid towards each point"},
@@ -158,7 +157,7 @@ std::string measure(PointLight& light) {
         return "a light with a file of intensities has its shape from there: it is no `spotlight`";
     const double greatest = light.web ? light.web->greatest() * light.per_candela : 0;
     if (light.web && !(greatest > 0)) return "the file of this light has no light";
-    if (light.intensity && light.flux) return "`intensity` and `flux` say the same: give one";
+    if (light.intensity && light.flux) return "`intensity` and `flux` exclude each other: give one";
     if (light.along_axis())
         return "`intensity` and `flux` need light that spreads, but the rays of this one are "
                "parallel";

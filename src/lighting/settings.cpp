@@ -71,7 +71,7 @@ const ItemInfo LightOctree::vocabulary = described<LightOctree>([] {
         F{"max_bright", &LightOctree::max_bright, item,
           "paper: cells with more bright luminaires are subdivided", between(1, 1e6)},
         F{"representatives", &LightOctree::representatives, item,
-          "paper: dim luminaires that are asked at each hit", between(1, 64)});
+          "paper: number of dim luminaires sampled at each hit", between(1, 64)});
 });
 
 std::vector<IdleField> LightOctree::idle_fields() const {

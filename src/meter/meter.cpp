@@ -122,7 +122,7 @@ std::string problem(const Meter& meter) {
     if (meter.across != Vec3(0) && cross(meter.along, meter.across) == Vec3(0))
         return "`along` and `across` of `meter` have the same direction";
     if (faces && !meter.direction && meter.across != Vec3(0) && stands_upright(meter))
-        return "`meter` stands upright: `direction` says which side it measures";
+        return "`meter` stands upright: `direction` decides its side";
     const bool looks = quantity == Quantity::ugr || quantity == Quantity::threshold_increment ||
                        quantity == Quantity::semi_cylindrical;
     if (looks && !meter.direction)

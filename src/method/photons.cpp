@@ -48,9 +48,10 @@ const ItemInfo PhotonSettings::vocabulary = described<PhotonSettings>([] {
 namespace {
 
 constexpr const char* of_reflection =
-    "photons are reflected; where object and light say nothing, they are not";
+    "photons are reflected; off unless the object or the light switches it on";
 constexpr const char* of_refraction =
-    "photons go through, and no other light does; where object and light say nothing, they do not";
+    "photons go through, and no other light does; off unless the object or the light switches it "
+    "on";
 
 PhotonWay way(const std::optional<double>& said) {
     if (!said) return PhotonWay::unsaid;
@@ -63,7 +64,7 @@ const ItemInfo ObjectPhotons::vocabulary = described<ObjectPhotons>([] {
     using F = Field<ObjectPhotons>;
     return schema<ObjectPhotons>(
         "photons",
-        {"What photons do at an object. Lights that glow shoot at targets that say `on`.",
+        {"What photons do at an object. Luminaires shoot at targets with `on`.",
          "sphere { y, 1 pigment { rgbt 0.9 } interior { ior 1.5 } photons { target reflection on "
          "refraction on } }",
          "sphere { y, 1 photons { target on reflection off collect off pass_through } }"},

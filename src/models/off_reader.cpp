@@ -49,7 +49,7 @@ std::string polyhedra::read_off(std::string_view file, Polyhedron& made) {
     const bool more = kind != "OFF";
     std::uint64_t points = 0, faces = 0, edges = 0;
     if (!take_number(file, points) || !take_number(file, faces) || !take_number(file, edges))
-        return "it does not say how many points, faces and edges it has, as text";
+        return "its numbers of points, faces and edges are missing, or no text";
     for (std::uint64_t i = 0; i < points; ++i) {
         Polyhedron::Point& point = made.points.emplace_back();
         for (double& coordinate : point)

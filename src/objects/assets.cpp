@@ -112,7 +112,7 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
     }
     if (field->function) {
         block.report(error(Fault::wrong_type, block.span,
-                           "the function of a `height_field` says how many heights it has")
+                           "the function of a `height_field` needs the number of heights")
                          .with_help("function 256, 256 { ... }"));
         return;
     }

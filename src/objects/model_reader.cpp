@@ -128,8 +128,7 @@ std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const P
         if (look_.materials)
             block_.report(warning(Fault::no_effect, block_.file_place(),
                                   "the materials of this file are left out")
-                              .with_help("the mesh looks as its own texture, pigment and finish "
-                                         "say"));
+                              .with_help("the mesh has its own texture, pigment and finish"));
         return std::move(read->shape);
     }
     SolidMesh solid;

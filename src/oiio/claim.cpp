@@ -195,7 +195,7 @@ double covered(double width, double height, double tile_width, double tile_heigh
 
 std::string too_large(double pixel_bytes, double growth, std::size_t file_bytes) {
     if (pixel_bytes <= growth * static_cast<double>(file_bytes)) return {};
-    return "it says that it is larger than what its " + std::to_string(file_bytes) +
+    return "its header is for a larger picture than its " + std::to_string(file_bytes) +
            " bytes can hold";
 }
 

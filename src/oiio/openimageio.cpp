@@ -58,12 +58,11 @@ double stored_bytes(const OIIO::ImageSpec& spec) {
 std::string problem_of(const OIIO::ImageSpec& spec, std::string_view format,
                        std::int64_t max_pixels, std::size_t file_bytes) {
     if (spec.width < 1 || spec.height < 1 || std::int64_t{spec.width} * spec.height > max_pixels)
-        return "it says that it has " + number(spec.width) + " by " + number(spec.height) +
-               " pixels";
+        return "its header has " + number(spec.width) + " by " + number(spec.height) + " pixels";
     if (spec.depth > 1 || spec.deep) return "it has more than one layer of pixels";
     constexpr int max_channels = 1024;
     if (spec.nchannels < 1 || spec.nchannels > max_channels)
-        return "it says that it has " + number(spec.nchannels) + " channels";
+        return "its header has " + number(spec.nchannels) + " channels";
     const std::string compression = spec.get_string_attribute("compression");
     if (compression.starts_with("ccitt"))  // a row takes at least a bit
         return too_large(spec.height, 8, file_bytes);

@@ -202,13 +202,14 @@ std::string long_help() {
         if (!entries_of(group.group).empty()) text += message("\n", group_text(group));
     return message(
         text, "\n",
-        wrapped("Switches start with + or - (on or off), in either case of letters; of two the "
-                "later counts. Keyword=value "
-                "says the same in words. -- ends the options: what follows is a file name. Exit "
-                "status: 0 done, 1 error in "
-                "the scene, 2 error in the command line, 3 a file cannot be read or written, 4 "
-                "stopped by a signal, with the state kept.",
-                0),
+        wrapped(
+            "Switches start with + or - (on or off), in either case of letters; of two the "
+            "later counts. Keyword=value "
+            "is the same option as a word. -- ends the options: what follows is a file name. Exit "
+            "status: 0 done, 1 error in "
+            "the scene, 2 error in the command line, 3 a file cannot be read or written, 4 "
+            "stopped by a signal, with the state kept.",
+            0),
         "\n\n",
         wrapped("--help compatibility lists POV-Ray's other options; --help with a word explains "
                 "it: sphere, finish, union, #for, light_octree, vrotate, +A, --samples, shapes, "

@@ -107,8 +107,8 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
     if (options.draft) output.path = draft_path(output.path);
     if (const auto other = other_format(options.output); !other.empty() && !options.type)
         diagnostics.add(error(Fault::option, {},
-                              message("pictures are not written as ", other, ", which `",
-                                      printable(options.output), "` asks for"))
+                              message("pictures are not written as ", other, ", the kind of `",
+                                      printable(options.output), "`"))
                             .with_help(message("by the ending of the name: ", endings(),
                                                "; a film of frames is made by --movie")));
     const auto refuse = [&](std::string_view what, std::string help) {

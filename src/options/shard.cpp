@@ -65,7 +65,7 @@ std::optional<Shard> read_shard(const std::string& text, const Environment& vari
                           "SLURM_ARRAY_TASK_ID, AWS_BATCH_JOB_ARRAY_INDEX or JOB_COMPLETION_INDEX");
         shard = *found;
         if (slash == text.size() && shard.count == 0)
-            return refuse("the job array does not say how many jobs it has", "--shard auto/N");
+            return refuse("the number of jobs in the job array is unknown", "--shard auto/N");
     } else {
         shard.number = whole(text.substr(0, slash)).value_or(0);
         shard.count = 0;

@@ -93,7 +93,7 @@ std::optional<FilmSettings> film_of(const LightFile& file, const Options& option
     else
         diagnostics.add(warning(Fault::io, {},
                                 message("`", printable(file.path()),
-                                        "` tells of a film that this version does not know, "
+                                        "` has a film that this version does not know, "
                                         "and is developed as if it had none")));
     RenderSettings settings;
     settings.film = options.render.film;

@@ -15,7 +15,7 @@ const ItemInfo PatternModifiers::vocabulary = described<PatternModifiers>([] {
          "pigment { bozo noise_generator 1 scale 0.2 }",
          "pigment { radial frequency 6 phase 0.25 rotate 90*x }"},
         F{"turbulence", &PatternModifiers::turbulence, item,
-          "how far noise displaces the point along each axis, or what the pattern says"},
+          "how far noise displaces the point along each axis, or what the pattern states"},
         F{"octaves", &PatternModifiers::octaves, item,
           "terms of the turbulence; below 1 counts as 1, above 10 as 10"},
         F{"omega", &PatternModifiers::omega, item, "size of each octave over the one before"},

@@ -30,7 +30,7 @@ const ItemInfo Pavement::vocabulary = described<Pavement>([] {
           "corners above 180 degrees: 0 sharp, 1 cut off, 2 round"},
         F{"form", &Pavement::form, item,
           "corners of 120 degrees, and bends of squares: 0 sharp, 1 cut off, 2 round; 3, for "
-          "squares: as exterior and interior say"});
+          "squares: as exterior and interior"});
 });
 
 namespace {

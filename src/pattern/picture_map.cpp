@@ -22,7 +22,7 @@ consteval auto picture_schema(std::string_view name, ItemText text, Own... own) 
                 "`function width, height { ... }` of x and y from 0 to 1, instead of a file"}),
         maybe(F{"file", &T::file, positional, "name of a picture; its kind may come before it"}),
         F{"gamma", &T::gamma, item,
-          "of the file's values, instead of what it says; or `srgb`, `bt709`, `bt2020`"},
+          "of the file's values, in place of its own; or `srgb`, `bt709`, `bt2020`"},
         F{"premultiplied", &T::premultiplied, flag, "the file's colours are stored times alpha"},
         F{"map_type", &T::map_type, item,
           "0: on the plane of x and y, 1: around a sphere, 2: around a cylinder, 5: around a ring, "

@@ -49,7 +49,7 @@ void check_photometric(PhotometricFile& file) {
         const double found = 100 * flux / *file.lamp_flux();
         if (std::abs(found - file.efficiency) > 3)
             file.notes.push_back(message("the table gives ", std::round(10 * found) / 10,
-                                         " % of the lamps' flux, and the file says ",
+                                         " % of the lamps' flux, and the file states ",
                                          file.efficiency, " %"));
     }
 }

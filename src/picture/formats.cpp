@@ -19,7 +19,7 @@ namespace {
 std::string problem_of(const StoredPicture& stored) {
     if (stored.width < 1 || stored.height < 1) return "it has no pixels";
     if (std::int64_t{stored.width} * stored.height > max_pixels) return "it is too large";
-    if (stored.channels != 1 && stored.channels != 3) return "its channels cannot be told";
+    if (stored.channels != 1 && stored.channels != 3) return "its channels are unknown";
     const std::size_t pixels =
         static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height);
     const auto fits = [&](std::size_t size) { return size == 0 || size == pixels; };

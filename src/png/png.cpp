@@ -124,12 +124,12 @@ std::string read(PngWork& work, std::int64_t max_pixels, StoredPicture& picture)
     const std::int64_t width = png_get_image_width(work.png, work.info),
                        height = png_get_image_height(work.png, work.info);
     if (width * height > max_pixels)
-        return "it says that it has " + std::to_string(width) + " by " + std::to_string(height) +
+        return "its header has " + std::to_string(width) + " by " + std::to_string(height) +
                " pixels";
     // Deflate expands two bits to at most 258 bytes.
     constexpr std::size_t max_growth = 1032;
     if (work.file_row * static_cast<std::size_t>(height) > max_growth * file_bytes)
-        return "it says that it is larger than what its " + std::to_string(file_bytes) +
+        return "its header is for a larger picture than its " + std::to_string(file_bytes) +
                " bytes can hold";
     const std::size_t stored = png_get_channels(work.png, work.info);
     const bool wide = png_get_bit_depth(work.png, work.info) == 16;

@@ -70,9 +70,9 @@ std::string state_path(const JobPlan& plan) { return state_path(plan.picture, pl
 RenderJob::RenderJob(JobPlan plan, const Shot& shot, const Interrupts& interrupts,
                      Diagnostics& diagnostics)
     : plan_(std::move(plan)),
-      extras_(aovs_for(plan_.options.layers, plan_.options.alpha,
-                       {shot.view.film.smooths_edges(),
-                        plan_.options.denoise || plan_.options.draft})),
+      extras_(
+          aovs_for(plan_.options.layers, plan_.options.alpha,
+                   {shot.view.film.smooths_edges(), plan_.options.denoise || plan_.options.draft})),
       rendering_(planned(shot, plan_.options)),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}
@@ -124,7 +124,7 @@ bool RenderJob::fits(const Checkpoint& old) {
     if (rendering_.is_even() && max_samples(old.state) > checkpoint_.samples)
         return refuse(message("it has up to ", max_samples(old.state),
                               " samples in a pixel already, and ", checkpoint_.samples,
-                              " are asked for"));
+                              " are to be made"));
     return true;
 }
 

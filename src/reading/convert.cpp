@@ -188,12 +188,11 @@ std::optional<Colour> plain_colour(OpenBlock& block, const Element& element) {
         return value ? std::optional(std::get<Colour>(*value)) : std::nullopt;
     }
     const std::string kind = kind_name(element.value);
-    block.report(error(Fault::wrong_type, element.span,
-                       message("a colour must be said to be one, but this is ", kind))
-                     .with_help(numbers->is_scalar()
-                                    ? message("write `rgb ", numbers->at[0], "`")
-                                    : message("write `rgb <", numbers->at[0], ", ", numbers->at[1],
-                                              ", ", numbers->at[2], ">`")));
+    block.report(
+        error(Fault::wrong_type, element.span, message("expected a colour, but this is ", kind))
+            .with_help(numbers->is_scalar() ? message("write `rgb ", numbers->at[0], "`")
+                                            : message("write `rgb <", numbers->at[0], ", ",
+                                                      numbers->at[1], ", ", numbers->at[2], ">`")));
     return std::nullopt;
 }
 

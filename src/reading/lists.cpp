@@ -65,7 +65,7 @@ public:
                 error(Fault::wrong_count, block_.span,
                       message(block_.quoted(), " has ", found, found == 1 ? " entry" : " entries",
                               ", but its count is ", *count_))
-                    .pointing(count_span_, message("says ", *count_)));
+                    .pointing(count_span_, message("the count is ", *count_)));
     }
 
     std::vector<Vec3> vectors;

@@ -57,7 +57,7 @@ constexpr auto infos = std::array{
     FaultInfo{Fault::lookalike, "lookalike",
               "a name of the library that is only alike to POV-Ray's, which is installed"},
     FaultInfo{Fault::user_error, "user-error"},
-    FaultInfo{Fault::user_warning, "user-warning", "what the scene itself says by #warning"},
+    FaultInfo{Fault::user_warning, "user-warning", "messages of the scene itself by #warning"},
 };
 
 constexpr bool in_order() {

@@ -135,7 +135,7 @@ std::optional<Found> Loader::load(const std::string& name, const std::string& in
 
 std::string Loader::searched_note(const std::string& name,
                                   const std::string& including_directory) const {
-    if (is_absolute(name)) return "an absolute name is looked for only where it says";
+    if (is_absolute(name)) return "an absolute name is looked for in its own place only";
     std::string note;
     for (const std::string& folder : places(name, including_directory)) {
         note += note.empty() ? "looked in " : ", ";

@@ -145,12 +145,12 @@ std::string_view foreign(const Head& head, const WebKey& key) {
     if (head.method == "GET" && token_in_address(head, key)) return {};
     const Header* const host = head.find("Host");
     if (!host || !(key.open || is_own_host(host->value, key.port)))
-        return "the address must be the one that the program has said";
+        return "the address must be the one that the program has printed";
     if (key.open && !token_in_cookie(head, key))
         return "the address must be the whole one that the program has said, with its token";
     const Header* const origin = head.find("Origin");
     if (origin && !same_letters(origin->value, message("http://", host->value)))
-        return "a page of another site asks";
+        return "the request comes from a page of another site";
     const Header* const site = head.find("Sec-Fetch-Site");
     const bool typed = site && site->value == "none" && head.method == "GET";
     if (site && site->value != "same-origin" && !typed)

@@ -446,7 +446,7 @@ private:
                             "the media in this object have no effect: it is not hollow")
                         .with_help("sphere { 0, 1 hollow pigment { rgbt 1 } interior { ... } }")
                   : warning(Fault::no_effect, span,
-                            "the media in a mesh light nothing, though its interior says "
+                            "the media in a mesh light nothing, though its interior has "
                             "`luminaire`")
                         .with_help("put the media into a `sphere` or a `box` around it"));
     }
@@ -478,7 +478,7 @@ private:
     LightStatements statements_;
     std::uint32_t shared_interiors_ = 0;  ///< number of shared interiors so far
     bool all_;
-    bool measured_;  ///< meters receive light, too
+    bool measured_;           ///< meters receive light, too
     bool only_lights_count_;  ///< materials of objects that do not glow are not needed
     Materials materials_;
     ShapeStore shapes_;

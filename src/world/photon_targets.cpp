@@ -113,7 +113,7 @@ void refuse_many(const World& world, const PhotonPairs& pairs, Diagnostics& diag
                       " are shot at targets in more pairs than the limit of ",
                       sources ? max_of_sources : max_of_luminaires, ": there are ",
                       sources ? pairs.of_sources : pairs.of_luminaires))
-            .with_help("a `union` with `photons { target }` is one target, and lights that say "
+            .with_help("a `union` with `photons { target }` is one target, and lights with "
                        "`photons { refraction off reflection off }` shoot at none"));
 }
 

@@ -172,7 +172,7 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                 : world.facts.has_media
                     ? "the camera is inside of this object, which hides media: it is not hollow"
                     : "the camera is inside of this object, and all light is outside")
-                .with_help("the word `hollow` in the object says that this is meant"));
+                .with_help("the word `hollow` in the object shows that this is meant"));
     if (world.provenance.object_count == 0)
         diagnostics.add(warning(Fault::no_object, {}, "there is no object to be seen"));
     else if (dark(world))
@@ -191,14 +191,14 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                 world.provenance.light_statements[world.provenance.statement_of_luminaire[number]],
                 "the emission of this object, which is around the camera, lights the scene")
                 .with_help("the word `no_luminaire` in the object stops that; global_settings { "
-                           "luminaires emission } says that it is meant"));
+                           "luminaires emission } accepts it"));
     }
     const auto unused = [](const Material& m) { return lets_light_in(*m.texture); };
     if (!world.rules.settings.subsurface.on &&
         std::ranges::any_of(world.appearance.materials, unused))
         diagnostics.add(warning(Fault::no_effect, {},
-                                "`subsurface` of finishes has no effect: the scene does not ask "
-                                "for it")
+                                "`subsurface` of finishes has no effect: global_settings lacks "
+                                "it")
                             .with_help("global_settings { subsurface { } }"));
     const PhotonSettings& photons = world.rules.settings.photons;
     if (photons.on && !photons.shoots())

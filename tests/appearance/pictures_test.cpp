@@ -113,7 +113,7 @@ TEST_CASE("what is wrong with a picture is told of", "[appearance]") {
           "error include-not-found: there is no file `x.png`");
     CHECK(picture_complaint("gamma srgb") == "error missing: `image_map` needs a picture");
     CHECK(picture_complaint("function { x }") ==
-          "error wrong-type: the function of a picture says how many pixels it has");
+          "error wrong-type: the function of a picture needs the number of pixels");
     CHECK(picture_complaint("function 2, 2 { x } map_type 3") ==
           "error out-of-range: there is no `map_type` 3");
     CHECK(picture_complaint("function 2, 2 { x } interpolate 1") ==
@@ -162,7 +162,8 @@ TEST_CASE("uv_mapping may stand in textures and in what they consist of", "[appe
     CHECK(done.texture(2).pigment.transform == Transform());
 }
 
-TEST_CASE("what the loader has read is what becomes a picture: no file is opened again", "[appearance]") {
+TEST_CASE("what the loader has read is what becomes a picture: no file is opened again",
+          "[appearance]") {
     const fs::path pictures = CANDELABRA_SOURCE_DIR "/tests/conformance/pictures";
     std::size_t count = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(pictures)) {

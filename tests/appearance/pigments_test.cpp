@@ -102,9 +102,8 @@ TEST_CASE("a scene has a noise generator and a number of waves", "[appearance]")
 
 TEST_CASE("wrong pigments are told of once", "[appearance]") {
     CHECK(pigment_complaint("<1, 0, 0>") ==
-          "error wrong-type: a colour must be said to be one, but this is a vector of 3");
-    CHECK(pigment_complaint("0.5") ==
-          "error wrong-type: a colour must be said to be one, but this is a number");
+          "error wrong-type: expected a colour, but this is a vector of 3");
+    CHECK(pigment_complaint("0.5") == "error wrong-type: expected a colour, but this is a number");
     CHECK(pigment_complaint("\"red\"") == "error misplaced: a string has no place in `pigment`");
     CHECK(pigment_complaint("rgb 1 rgb 0") ==
           "error misplaced: a pigment has one colour or one pattern, and this is a second");
@@ -140,7 +139,7 @@ TEST_CASE("wrong pigments are told of once", "[appearance]") {
     CHECK(pigment_complaint("gradient x color_map { [0 rgb 1 rgb 0] }") ==
           "error wrong-count: an entry of `color_map` has one colour for each number");
     CHECK(pigment_complaint("gradient x color_map { [0 <1, 2, 3>] }") ==
-          "error wrong-type: a colour must be said to be one, but this is a vector of 3");
+          "error wrong-type: expected a colour, but this is a vector of 3");
     CHECK(pigment_complaint("quick_color") ==
           "warning missing: `quick_color` should have a colour");
 }

@@ -79,7 +79,7 @@ TEST_CASE("what is wrong with a file is said where the scene names it", "[appear
              {"light_source { 0, 1 ies \"a.ies\" parallel }", even, "parallel"},
              {"sphere { 0, 1 luminaire { ies \"b.ies\" } }", even, "b.ies"},
              {"sphere { 0, 1 luminaire { flux -1 } }", even, "flux"},
-             {"sphere { 0, 1 luminaire { } }", even, "says nothing"},
+             {"sphere { 0, 1 luminaire { } }", even, "is empty"},
              {"sphere { 0, 1 luminaire { glow 3 } }", even, "glow"}}) {
         CAPTURE(row.text);
         const Script done = with_web(row.text, row.file);

@@ -145,7 +145,7 @@ TEST_CASE("a user_defined camera has functions for its rays", "[bind]") {
     CHECK(complaint("camera { location { function { x } function { x } function { x } } }") != "");
     CHECK(complaint("camera { user_defined look_at x direction { function { x } function { y } "
                     "function { 1 } } }") ==
-          "warning no-effect: `look_at` has no effect: functions say where the rays go");
+          "warning no-effect: `look_at` has no effect: functions give the directions of the rays");
     // The word stays a name for scenes that declare it.
     CHECK(run("#version 3.7; #declare user_defined = 1; sphere { 0, user_defined }").text.empty());
 }

@@ -5,4 +5,4 @@
 //!   |
 //! 2 | #declare F = function(X) { X*rand(S) }
 //!   |                              ^^^^^^^
-//! help: a function gives the same whenever it is asked; at random over space is f_noise3d(x, y, z) of functions.inc
+//! help: a function has the same value at every call; at random over space is f_noise3d(x, y, z) of functions.inc

@@ -12,6 +12,6 @@
 //!   |
 //! 2 | 4, 5,
 //!   |     - here a line ends
-//! help: read_csv("...") reads tables, and tells of rows that are short
+//! help: read_csv("...") reads tables, and reports short rows
     sphere { <X, Y, Z>, 1 }
 #end

@@ -5,4 +5,4 @@ sphere { S[0.5], 1 }
 //!   |
 //! 2 | sphere { S[0.5], 1 }
 //!   |          ^^^^^^
-//! help: a spline S is asked with parentheses: S(0.5)
+//! help: the value of a spline S is written S(0.5)

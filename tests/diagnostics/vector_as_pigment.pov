@@ -2,7 +2,7 @@
 // A vector as a pigment
 #version 3.7;
 sphere { 0, 1 pigment { <1, 0, 0> } }
-//! error: a colour must be said to be one, but this is a vector of 3
+//! error: expected a colour, but this is a vector of 3
 //!  --> vector_as_pigment.pov:4:25
 //!   |
 //! 4 | sphere { 0, 1 pigment { <1, 0, 0> } }

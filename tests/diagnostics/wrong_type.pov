@@ -40,7 +40,7 @@ sphere { 0, 1 Wood }
 //!    |               ^^^^
 //! help: did you mean `texture { Wood }`?
 sphere { 0, 1 pigment { <1, 0, 0> } }
-//! error: a colour must be said to be one, but this is a vector of 3
+//! error: expected a colour, but this is a vector of 3
 //!   --> wrong_type.pov:12:25
 //!    |
 //! 12 | sphere { 0, 1 pigment { <1, 0, 0> } }

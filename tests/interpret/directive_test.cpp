@@ -85,7 +85,7 @@ TEST_CASE("a wrong directive gets one message", "[interpret]") {
         {"#error \"boom\\n\" P(1)", "error: boom\n"},
         {"#warning \"careful\\n\"", "warning: careful\n"},
         {"#debug 1", "error: a message is a string, but this is a number\n"},
-        {"#version 9;", "error: the language has versions 1 to 3.8, but this asks for 9\n"},
+        {"#version 9;", "error: the language has versions 1 to 3.8, but this is 9\n"},
         {"#include \"nosuch.inc\" P(nope)", "error: there is no file `nosuch.inc`\n"},
         {"#include 1", "error: #include takes the name of a file, but this is a number\n"},
         {"#fopen F \"a\" write", "error: a scene may not write `a`\n"},

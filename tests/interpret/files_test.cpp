@@ -121,7 +121,7 @@ TEST_CASE("a list that goes on in the next line is warned of, once a file", "[fi
     folder.put("d.txt", "1, 2, 3,\n4, 5,\n6, 7, 8\n9, 10, 11\n");
     const std::string warning =
         "this #read goes on in the next line of `d.txt` | read_csv(\"...\") reads tables, and "
-        "tells of rows that are short\n";
+        "reports short rows\n";
     const std::string open = "#fopen F \"d.txt\" read ";
     const std::string read = "#while (defined(F)) #read(F, A, B, C) #end ";
     CHECK(said(folder, open + read).messages == warning);

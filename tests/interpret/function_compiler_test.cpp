@@ -63,7 +63,7 @@ TEST_CASE("what functions cannot do is reported", "[interpret]") {
         {"a/zero", "this function always divides by zero"},
         {"<1,2,3>", "a function computes with single numbers only"},
         {"\"s\"", "a function computes with single numbers only"},
-        {"!a", "there is no `!` in functions; x = 0 says the same"},
+        {"!a", "there is no `!` in functions; x = 0 does the same"},
         {"(a?1:2)", "there is no `? :` in functions; select(v, a, b) gives a where v < 0"},
         {"a*k", "a function computes with single numbers only, and `k` is a vector of 3"},
         {"a*k.y", "in a function, only what another function gives has parts: f(x, y, z).x"},

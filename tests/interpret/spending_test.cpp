@@ -94,7 +94,7 @@ TEST_CASE("what a scene says has an end", "[interpret]") {
     Limits limits;
     limits.said_bytes = 10'000;
     const std::string message =
-        "this scene has said more than 10000 bytes, which is the limit | --limit-said, in "
+        "this scene has printed more than 10000 bytes, which is the limit | --limit-said, in "
         "megabytes, raises it\n";
     for (const char* what :
          {"#debug \"0123456789\"", "#debug \"\"", "#render \"x\"", "#statistics \"x\""}) {

@@ -43,7 +43,7 @@ TEST_CASE("what a function of strings cannot take is reported", "[interpret]") {
         {"#debug substr(\"abc\", -1, 1)",
          "error: the string has characters 1 to 3, and this is -1\n"},
         {"#debug substr(\"abc\", 2, 3)",
-         "error: from 2 on the string has 2 characters, and this asks for 3\n"},
+         "error: from 2 on the string has 2 characters, but the length is 3\n"},
         {"#debug concat(\"a\", 1)", "error: `concat` takes a string here, but this is a number\n"},
         {"#debug str(1)", "error: `str` takes 3 arguments, but here is 1\n"},
         {"P(strlen(5))", "error: `strlen` takes a string here, but this is a number\n"},

@@ -31,7 +31,7 @@ TEST_CASE("a meter that cannot measure says why", "[meter]") {
     CHECK(problem(both) == "`meter` has `points` and a grid: two meters are needed");
     Meter wall = plane();
     wall.across = Vec3(0, 3, 0);
-    CHECK(problem(wall) == "`meter` stands upright: `direction` says which side it measures");
+    CHECK(problem(wall) == "`meter` stands upright: `direction` decides its side");
     wall.direction = Vec3(0, 0, -1);
     CHECK(problem(wall).empty());
     wall.across = wall.along;

@@ -23,7 +23,7 @@ TEST_CASE("a height field takes its heights from a function", "[objects]") {
 
 TEST_CASE("what a shape lacks is told of", "[objects]") {
     CHECK(complaint("height_field { function { x } }") ==
-          "error wrong-type: the function of a `height_field` says how many heights it has");
+          "error wrong-type: the function of a `height_field` needs the number of heights");
     CHECK(complaint("height_field { function 0, 5 { x } }") ==
           "error out-of-range: a picture made by a function has a width and a height from 1 to "
           "16384");

@@ -24,7 +24,7 @@ std::string low(unsigned number, int count) {
 }
 
 std::string too_small(const std::string& bytes) {
-    return "it says that it is larger than what its " + std::to_string(bytes.size()) +
+    return "its header is for a larger picture than its " + std::to_string(bytes.size()) +
            " bytes can hold";
 }
 

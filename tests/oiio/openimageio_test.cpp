@@ -26,7 +26,7 @@ TEST_CASE("stored values come back as they were", "[formats]") {
     REQUIRE(stored.values.size() == expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
         CHECK(stored.values[i] == Approx(expected[i]));
-    CHECK(formats().read(bytes, 1, stored) == "it says that it has 2 by 1 pixels");
+    CHECK(formats().read(bytes, 1, stored) == "its header has 2 by 1 pixels");
 }
 
 TEST_CASE("what cannot be stored is said", "[formats]") {

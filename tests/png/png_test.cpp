@@ -84,7 +84,7 @@ TEST_CASE("damaged PNG files are refused", "[png]") {
     std::string bytes;
     REQUIRE(write_png(picture_of<std::uint8_t>(3), bytes) == "");
     StoredPicture stored;
-    CHECK(read_png(bytes, 14, stored) == "it says that it has 5 by 3 pixels");
+    CHECK(read_png(bytes, 14, stored) == "its header has 5 by 3 pixels");
     for (std::size_t length = 0; length + 12 < bytes.size(); ++length) {
         CAPTURE(length);
         CHECK(read_png(std::string_view(bytes).substr(0, length), 100, stored) != "");
@@ -117,7 +117,7 @@ TEST_CASE("a PNG file that says it is large must have bytes enough", "[png]") {
     bytes.replace(12, head.size(), head);
     StoredPicture picture;
     CHECK(read_png(bytes, std::int64_t{1} << 28, picture) ==
-          "it says that it is larger than what its " + std::to_string(bytes.size()) +
+          "its header is for a larger picture than its " + std::to_string(bytes.size()) +
               " bytes can hold");
     CHECK(picture.width == 0);
     CHECK(picture.values.empty());

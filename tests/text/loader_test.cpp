@@ -105,7 +105,7 @@ TEST_CASE("the message about a missing file names the places and what was perhap
     };
     CHECK(note("a") == "looked in `scenes`, the current directory, `lib`");
     CHECK(note("a", "parts") == "looked in `parts`, `scenes`, the current directory, `lib`");
-    CHECK(note("/a") == "an absolute name is looked for only where it says");
+    CHECK(note("/a") == "an absolute name is looked for in its own place only");
     CHECK(loader.problem("aa.inc", {}).help == "did you mean `Aa.inc`?");
     CHECK(loader.problem("zz.inc", {}).help.empty());
 }
