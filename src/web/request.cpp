@@ -147,7 +147,7 @@ std::string_view foreign(const Head& head, const WebKey& key) {
     if (!host || !(key.open || is_own_host(host->value, key.port)))
         return "the address must be the one that the program has printed";
     if (key.open && !token_in_cookie(head, key))
-        return "the address must be the whole one that the program has said, with its token";
+        return "the address must be the whole one that the program has printed, with its token";
     const Header* const origin = head.find("Origin");
     if (origin && !same_letters(origin->value, message("http://", host->value)))
         return "the request comes from a page of another site";
