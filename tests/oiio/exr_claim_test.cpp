@@ -36,7 +36,8 @@ TEST_CASE("the window of an OpenEXR file is bounded before it is opened", "[form
         });
     };
     CHECK(with_height("\xff\xff\xff\x7f").starts_with("its header is for a larger picture than"));
-    CHECK(with_height(std::string("\0\0\1\0", 4)).starts_with("its header is for a larger picture than"));
+    CHECK(with_height(std::string("\0\0\1\0", 4))
+              .starts_with("its header is for a larger picture than"));
     CHECK(with_height("\xfe\xff\xff\xff") == "it has no pixels");
     CHECK(changed_exr([](std::string& bytes) {
               bytes[value_of(bytes, "compression", "compression")] = 77;
