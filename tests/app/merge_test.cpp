@@ -123,7 +123,8 @@ TEST_CASE("options that mean nothing to merge are not passed over in silence") {
     Farm farm;
     for (const char* shard : {"1/2", "2/2"}) REQUIRE(farm.share(shard, {"--samples", "2"}) == 0);
     CHECK(farm.merge({"1of2", "2of2"}, {"+W99", "--samples", "5", "-V"}) == 0);
-    CHECK(has(farm.err, "`Width=99` is ignored: the states have the way in which the picture"));
+    CHECK(has(farm.err, "`Width=99` is ignored: the states have the way in which the picture "
+                       "is made"));
     CHECK(has(farm.err, "`--samples=5` is ignored"));
     CHECK(farm.merge({"1of2", "2of2"}, {"-V", "+FN16", "+O" + farm.path("b.png")}) == 0);
     CHECK(farm.err.empty());
