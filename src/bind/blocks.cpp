@@ -9,11 +9,11 @@
 #include "appearance/textures.h"
 #include "bind/backdrops.h"
 #include "bind/cameras.h"
-#include "bind/meters.h"
 #include "bind/scene_content.h"
 #include "bind/settings.h"
 #include "objects/lights.h"
 #include "objects/objects.h"
+#include "reading/item_block.h"
 #include "reading/transforms.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
@@ -179,7 +179,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
      part<Rainbow, read_rainbow>},
     {"media", "interior", BlockForm::block, scene_part<Media, &Scene::media, read_media>,
      part<Media, read_media>},
-    {"meter", "", BlockForm::block, scene_part<Meter, &Scene::meters, read_meter>},
+    {"meter", "", BlockForm::block, scene_part<Meter, &Scene::meters, read_item<Meter>>},
     {"global_settings", "", BlockForm::block, settings_in_scene},
     {"light_sampler", "global_settings"},
     {"integrator", "global_settings"},

@@ -2,13 +2,14 @@
 // The table of blocks (reading/block_table.h), which also states what completion offers in a block
 // (bind/block_words.h).
 //
-// A new block touches five places:
-//   1. its reader, and the reader of the block around it if it stands in another one;
-//   2. its row in blocks.cpp;
-//   3. the scene (scene/scene.h) or the item around it, which holds the result;
-//   4. its text in scene/dump.cpp or dump_texture.cpp;
-//   5. the catalogue (scene/catalogue.cpp), the source of help, manual and editor support; a block
+// A new block touches four places:
+//   1. its row in blocks.cpp, which names its reader: read_item() (reading/item_block.h), or a
+//      reader of its own if it has more than the fields of an item;
+//   2. the scene (scene/scene.h) or the item around it, which holds the result;
+//   3. its text in scene/dump.cpp or dump_texture.cpp;
+//   4. the catalogue (scene/catalogue.cpp), the source of help, manual and editor support; a block
 //      that is no item has its text in vocabulary/glossary.cpp instead.
+// A block that stands in another one is also named in the reader of that one.
 // Messages call its values by the name in its vocabulary. tests/bind/blocks_test.cpp checks each
 // row.
 #pragma once

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a nested block that consists only of the fields of one item, such as `irid { ... }` in a
-// finish. Used by the readers of finishes and of settings.
+// Reads blocks that consist only of the fields of one item: nested ones, such as `irid { ... }` in a
+// finish, and those of a scene, such as `meter { ... }`. Used by the readers of finishes and of
+// settings, and by the table of blocks.
 #pragma once
 
 #include "reading/block.h"
@@ -33,6 +34,24 @@ inline void warn_of_idle_fields(OpenBlock& block, std::string_view item, const I
     block.report(warning(
         Fault::no_effect, span,
         message(list, " of `", item, several ? "` have" : "` has", " no effect: ", idle.why)));
+}
+
+/// Reads a block into the item. Returns false, after a diagnostic, if it was wrong. An item may have
+/// a function problem(), which returns a sentence about an error in it as a whole. Messages show the
+/// item's first example.
+template <class T>
+bool read_item(Binder& binder, const Element& element, T& item) {
+    OpenBlock block(binder, T::vocabulary.name, element.word_span);
+    block.item = &T::vocabulary;
+    if (const auto examples = T::vocabulary.examples; !examples.empty())
+        if (examples.front().starts_with(message(block.name, " {")))
+            block.form = examples.front().substr(block.name.size() + 1);
+    ItemReader fields(block, *block.item, &item);
+    block.read(element.body, fields);
+    if constexpr (requires { problem(item); })
+        if (const std::string wrong = block.broken ? std::string() : problem(item); !wrong.empty())
+            block.report(error(Fault::missing, block.span, wrong).with_help(block.help()));
+    return !block.broken;
 }
 
 class ItemBlock : public SimpleReader {

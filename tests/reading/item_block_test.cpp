@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/meters.h"
+#include "reading/item_block.h"
 
 #include "support/scripts.h"
 
@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-TEST_CASE("a scene has meters", "[bind]") {
+TEST_CASE("a scene has meters", "[reading]") {
     const Scene scene = scene_of(
         "#version 3.7; meter { \"desk\" corner -x along 2*x across <0, 0, 3> en_12464 maintenance "
         "0.8 } meter { ugr points { 2, <0, 1.2, 0>, <1, 1.2, 0> } direction -z } meter { luminance "
@@ -24,11 +24,13 @@ TEST_CASE("a scene has meters", "[bind]") {
     CHECK(scene.meters[2].rule == static_cast<int>(GridRule::en_13201));
 }
 
-TEST_CASE("the word meter is no reserved word", "[bind]") {
+TEST_CASE("the word meter is no reserved word", "[reading]") {
     CHECK(scene_of("#version 3.7; #declare meter = 2; sphere { 0, meter }").objects.size() == 1);
     const Evaluated wrong = evaluated("#version 3.7; meter { ugr points { 1, <0, 0, 0> } }");
     CHECK(wrong.failed);
     CHECK(wrong.diagnostics.find("`ugr` of `meter` needs `direction`") != std::string::npos);
+    CHECK(wrong.diagnostics.find("help: meter { \"desk\" corner <-1, 0.8, -1> along 2*x") !=
+          std::string::npos);
     CHECK(evaluated("#version 3.7; meter { sphere { 0, 1 } }").failed);
     CHECK(evaluated("#version 3.7; meter { \"a\" corner <0, 0, 0> }").failed);
 }
