@@ -24,7 +24,7 @@ mesh2 {
 //!   --> index_out_of_range.pov:11:5
 //!    |
 //! 11 |     vertex_vectors { 4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
-//!    |     ^^^^^^^^^^^^^^   - says 4
+//!    |     ^^^^^^^^^^^^^^   - the count is 4
     face_indices { 1, <0, 1, 0.5> }
 //! warning[no-effect]: an entry of `face_indices` is three whole numbers; what is behind their points does not count
 //!   --> index_out_of_range.pov:12:23
