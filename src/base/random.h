@@ -46,7 +46,9 @@ enum class Purpose : std::uint32_t {
     near_reflection,  ///< whether reflected luminaires replace a nearby surface
     other_light,      ///< whether light other than theirs is sampled
     meter_u,          ///< direction that a meter faces, or in which it looks
-    meter_v
+    meter_v,
+    sun_u,  ///< the point of its disc that lights a place
+    sun_v
 };
 
 /// Continuations of a path, and decisions beside it that need their own numbers. Appending one

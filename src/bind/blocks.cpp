@@ -78,6 +78,11 @@ void sky_in_scene(SceneContent& content, const Element& element) {
     content.scene.sky_statement = element.word_span;
 }
 
+void daylight_in_scene(SceneContent& content, const Element& element) {
+    scene_part<Daylight, &Scene::daylight, read_daylight>(content, element);
+    content.scene.daylight_statement = element.word_span;
+}
+
 void object_in_scene(SceneContent& content, const Element& element) {
     auto object = read_object_into(content.scene.objects, content.binder.default_texture,
                                    content.binder, element);
@@ -174,6 +179,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"camera", "", BlockForm::block, camera_in_scene, camera_value, default_camera},
     {"background", "", BlockForm::block, background_in_scene},
     {"sky_sphere", "", BlockForm::block, sky_in_scene, part<SkySphere, read_sky_sphere>},
+    {"sky_luminance", "", BlockForm::block, daylight_in_scene},
     {"fog", "", BlockForm::block, scene_part<Fog, &Scene::fogs, read_fog>, part<Fog, read_fog>},
     {"rainbow", "", BlockForm::block, scene_part<Rainbow, &Scene::rainbows, read_rainbow>,
      part<Rainbow, read_rainbow>},

@@ -61,6 +61,9 @@ struct PointLight : WebPlace {
     /// Without a fade_distance, it fades with the distance to the power of -fade_power. If false,
     /// it does not fade then.
     bool fades_from_source = false;
+    /// Of parallel light: the cosine of half of the angle around its axis from which it comes, as
+    /// that of the sun does; 1: it comes along the axis only.
+    double disc_edge = 1;
     std::optional<LightConeShape> shape = {};  ///< set by settle(); unset: derived at each use
     Handle<AimedWeb> aimed = {};               ///< set by settle() if there is a web
 

@@ -110,6 +110,11 @@ void review_meters(const World& world, std::span<const Meter> meters, Diagnostic
                                 "only direct light is measured: the integrator of the scene lets "
                                 "surfaces light nothing")
                             .with_help("global_settings { integrator { path_traced } }"));
+    if (any(is(Quantity::daylight_factor)) && world.sky.daylight &&
+        world.sky.daylight->sunlight() != Vec3(0))
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "daylight factors are for a sky without sun, but this one has it")
+                            .with_help("sky_luminance { overcast ... }, or `direct 0`"));
     if (any(is(Quantity::ugr)) && !world.lights.sources.empty())
         diagnostics.add(warning(Fault::no_effect, {},
                                 "light sources have no size, and so no glare by `ugr`: only "

@@ -16,8 +16,8 @@ constexpr auto surface = std::array{
     &BumpSettings::vocabulary, &Finish::vocabulary,     &Reflection::vocabulary, &Irid::vocabulary,
     &Microfacet::vocabulary,   &Subsurface::vocabulary, &Interior::vocabulary};
 constexpr auto surroundings =
-    std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary, &Media::vocabulary,
-               &Scattering::vocabulary};
+    std::array{&SkySphere::vocabulary, &Daylight::vocabulary, &Fog::vocabulary,
+               &Rainbow::vocabulary,   &Media::vocabulary,    &Scattering::vocabulary};
 constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary, &CameraFunctions::vocabulary};
 constexpr auto films =
     std::array{&FilmSettings::vocabulary, &Glare::vocabulary, &Bokeh::vocabulary};

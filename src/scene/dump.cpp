@@ -171,6 +171,10 @@ std::string background_text(const Scene& scene) {
 
 std::string sky_text(const Scene& scene) { return scene.sky ? dump(*scene.sky) : std::string(); }
 
+std::string daylight_text(const Scene& scene) {
+    return scene.daylight ? block_text(*scene.daylight) + "\n" : std::string();
+}
+
 std::string fogs_text(const Scene& scene) {
     std::string text;
     for (const Fog& fog : scene.fogs) text += block_text(fog) + "\n";
@@ -201,6 +205,7 @@ constexpr auto blocks_of_scenes = std::to_array<SceneText>({
     {settings_block, settings_text},
     {"background", background_text},
     {"sky_sphere", sky_text},
+    {"sky_luminance", daylight_text},
     {"fog", fogs_text},
     {"rainbow", rainbows_text},
     {"media", media_of_scene_text},

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "backdrop/background.h"
+#include "backdrop/daylight.h"
 #include "backdrop/rainbow.h"
 #include "backdrop/sky_sphere.h"
 #include "base/handle.h"
@@ -149,7 +150,9 @@ struct Scene {
     bool camera_given = false;  ///< false: the camera is the default
     Background background;
     std::optional<SkySphere> sky;
-    Span sky_statement;  ///< of `sky`
+    Span sky_statement;                ///< of `sky`
+    std::optional<Daylight> daylight;  ///< behind `sky`
+    Span daylight_statement;           ///< of `daylight`
     std::vector<Fog> fogs;
     std::vector<Media> media;  ///< fill all space outside of solids
     std::vector<Rainbow> rainbows;

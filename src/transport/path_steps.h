@@ -29,6 +29,7 @@ public:
 
 private:
     Vec3 seen_behind(const PathState&);
+    Vec3 sky_behind(const PathState&);  ///< without the sun
 
     const World& world_;
     bool starts_anywhere_;  ///< the rays have no common origin

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace candelabra {
 
@@ -192,9 +193,14 @@ Vec3 SourceLight::from(std::uint32_t number, double weight, const ArrivingLight&
     if (in_air && (light.shadowless || !light.media_interaction)) return Vec3(0);
     const bool by_grid = lit_by_grid(light, at.layer.scatterer);
     if (!by_grid && is_beside_cone(light, position)) return Vec3(0);
-    const Incidence central = incidence(light, light.location, position);
+    Incidence central = incidence(light, light.location, position);
     if (!by_grid && central.colour == Vec3(0)) return Vec3(0);
-    SourceAtLayer source(light, number, at, key.branched(Branch::source, number));
+    const Key own = key.branched(Branch::source, number);
+    if (light.disc_edge < 1)
+        central.direction =
+            turned_from(central.direction, 1 - uniform(own, Purpose::sun_u) * (1 - light.disc_edge),
+                        2 * std::numbers::pi * uniform(own, Purpose::sun_v));
+    SourceAtLayer source(light, number, at, own);
     const Vec3 response = source.response(central);
     if (response == Vec3(0)) return Vec3(0);
     const std::uint64_t before = at.ledger.shadow;

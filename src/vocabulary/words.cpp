@@ -35,6 +35,8 @@ constexpr auto signed_words = std::to_array<SignedWord>({
     {"meter", "along"},
     {"meter", "across"},
     {"meter", "eye"},
+    {"sky_luminance", "zone"},
+    {"sky_luminance", "north"},
 });
 
 }  // namespace

@@ -109,7 +109,9 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     if (scene.language_version < 3.7)  // the background was always visible
         world.sky.background.colour.filter = world.sky.background.colour.transmit = 0;
     world.sky.sphere = scene.sky;
-    world.provenance.sky = scene.sky_statement;
+    if (scene.daylight)
+        world.sky.daylight = DaylightSky(*scene.daylight, world.rules.settings.light_units());
+    world.provenance.sky = scene.daylight ? scene.daylight_statement : scene.sky_statement;
     if (world.rules.quality >= quality_full) {
         world.sky.fogs = scene.fogs;
         world.sky.rainbows = scene.rainbows;
@@ -170,14 +172,16 @@ void map_brightness(World& world) {
 
 /// Makes a lamp of the sky if it is a luminaire.
 void light_the_sky(World& world) {
-    if (!world.sky.sphere || !world.sky.sphere->luminaire) return;
+    const bool painted = world.sky.sphere && world.sky.sphere->luminaire;
+    if (!painted && !world.sky.daylight) return;
     if (world.rules.quality < quality_shadows) return;
     world.sky.light =
         SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
     if (world.sky.light.empty()) return;
     Provenance& provenance = world.provenance;
     provenance.statement_of_sky = static_cast<std::uint32_t>(provenance.light_statements.size());
-    provenance.add_light_statement(provenance.sky);
+    // The sun has a light of its own by the same statement.
+    provenance.add_light_statement(provenance.sky, world.sky.daylight ? "sky" : "");
 }
 
 /// Divides the light sources into sets.

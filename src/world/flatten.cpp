@@ -16,6 +16,7 @@
 #include "world/volumes.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace candelabra {
@@ -484,12 +485,27 @@ private:
     ShapeStore shapes_;
 };
 
+/// The sun as parallel light, from beyond all scenes.
+std::optional<PlacedLight> sun_of(const std::optional<DaylightSky>& sky, const Span& statement) {
+    if (!sky || sky->sunlight() == Vec3(0)) return std::nullopt;
+    constexpr double away = 1e7;
+    PointLight light;
+    light.location = away * sky->sun();
+    light.point_at = Vec3(0);
+    light.parallel = true;
+    light.colour = sky->sunlight();
+    light.disc_edge = DaylightSky::sun_edge();
+    return PlacedLight{light, statement, {}, {}, {}, make_handle<std::string>("sun")};
+}
+
 }  // namespace
 
 void flatten(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what,
              bool remembers_objects) {
     Flattener flattener(scene, world, diagnostics, what, remembers_objects);
     for (const PlacedLight& light : scene.lights) flattener.add_light(light);
+    if (const auto sun = sun_of(world.sky.daylight, scene.daylight_statement))
+        flattener.add_light(*sun);
     for (const ObjectHandle& object : scene.objects) flattener.add_statement(*object);
     flattener.finish();
 }

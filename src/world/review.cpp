@@ -32,7 +32,8 @@ bool shows_itself(const Material& material) {
 bool dark(const World& world) {
     const auto black = [](const PointLight& light) { return light.colour == Vec3(0); };
     return std::ranges::all_of(world.lights.sources, black) && world.lights.luminaires.empty() &&
-           !world.sky.sphere && greatest(world.sky.background.radiance()) <= 0 &&
+           !world.sky.sphere && !world.sky.daylight &&
+           greatest(world.sky.background.radiance()) <= 0 &&
            std::ranges::none_of(world.appearance.materials,
                                 [](const Material& m) { return shows_itself(m); });
 }
@@ -75,8 +76,8 @@ private:
         const auto within = [&](const Luminaire& each) {
             return surrounds(object, bounds(each).centre);
         };
-        const bool lit =
-            !scene_.lights.empty() || !world_.lights.luminaires.empty() || world_.sky.sphere;
+        const bool lit = !scene_.lights.empty() || !world_.lights.luminaires.empty() ||
+                         world_.sky.sphere || world_.sky.daylight;
         return lit && std::ranges::none_of(scene_.lights, reaches) &&
                std::ranges::none_of(world_.lights.luminaires, within);
     }

@@ -7,11 +7,24 @@
 namespace candelabra {
 
 Vec3 World::sky_radiance(const Vec3& direction, const Vec3& behind) const {
-    if (!sky.sphere) return behind;
-    return radiance(*sky.sphere, direction, behind, pattern_scene(), rules.language_version < 3.7);
+    const Vec3 farthest = sky.daylight ? sky.daylight->radiance(direction) : behind;
+    if (!sky.sphere) return farthest;
+    return radiance(*sky.sphere, direction, farthest, pattern_scene(),
+                    rules.language_version < 3.7);
+}
+
+Vec3 World::sun_radiance(const Vec3& direction) const {
+    const Vec3 seen = sky.daylight ? sky.daylight->disc(direction) : Vec3(0);
+    if (seen == Vec3(0) || !sky.sphere) return seen;
+    const auto clouded = [&](const Vec3& behind) {
+        return radiance(*sky.sphere, direction, behind, pattern_scene(),
+                        rules.language_version < 3.7);
+    };
+    return clouded(seen) - clouded(Vec3(0));
 }
 
 double World::sky_clear(const Vec3& direction) const {
+    if (sky.daylight) return 0;
     if (rules.language_version < 3.7) return 1;
     const double clear = std::clamp(grey(sky.background.colour.passing()), 0.0, 1.0);
     if (!sky.sphere) return clear;

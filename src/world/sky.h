@@ -3,6 +3,7 @@
 #pragma once
 
 #include "backdrop/background.h"
+#include "backdrop/daylight.h"
 #include "backdrop/rainbow.h"
 #include "backdrop/sky_light.h"
 #include "backdrop/sky_sphere.h"
@@ -17,7 +18,8 @@ namespace candelabra {
 /// The background, and the media and fog on the way to it.
 struct Sky {
     Background background;
-    std::optional<SkySphere> sphere;
+    std::optional<DaylightSky> daylight;  ///< in the place of the background
+    std::optional<SkySphere> sphere;      ///< before it
     std::vector<Fog> fogs;
     std::vector<Rainbow> rainbows;
     std::vector<Media> media;  ///< outside of solids

@@ -172,6 +172,9 @@ public:
     /// The same with that radiance of the background.
     Vec3 sky_radiance(const Vec3& direction, const Vec3& behind) const;
 
+    /// Radiance of the sun's disc, which is a light source, and so no part of the light of the sky.
+    Vec3 sun_radiance(const Vec3& direction) const;
+
     /// Transparency of the sky in that direction, 0 to 1, for a picture with alpha: POV-Ray 3.7's
     /// rules.
     double sky_clear(const Vec3& direction) const;

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
+
 namespace candelabra {
 
 TEST_CASE("a sky has pigments, the last one counts of several", "[bind]") {
@@ -17,6 +19,22 @@ TEST_CASE("a sky has pigments, the last one counts of several", "[bind]") {
     CHECK(done.scene.sky->pigments.size() == 2);
     CHECK(done.scene.sky->pigments[1].transform.point(Vec3(1)) == Vec3(2));
     CHECK(done.scene.sky->emission == Vec3(3));
+}
+
+TEST_CASE("a sky has its luminance by a formula", "[bind]") {
+    const Script done = run(
+        "#version 3.7; sky_luminance { overcast } sky_luminance { type 13 place <40.7, -74> date "
+        "<2026, 6, 21> time 16.5 zone -4 north -z up y direct lux(50000) } sphere { 0, 1 }");
+    CHECK(done.text.find("needs the sun") != std::string::npos);
+    REQUIRE(done.scene.daylight);
+    CHECK(done.scene.daylight->type == 13);
+    CHECK(done.scene.daylight->zone == -4);
+    CHECK(done.scene.daylight->north == Vec3(0, 0, -1));
+    CHECK(done.scene.daylight->direct == Approx(50000 / (std::numbers::pi * 200)));
+    CHECK(complaint("sky_luminance { clear sun <40, 180> pigment { rgb 1 } }").find("error") == 0);
+    CHECK(complaint("sky_luminance { clear sun <40, 180> type 17 }") ==
+          "error out-of-range: `type` of `sky_luminance` must be from 1 to 16, but it is 17");
+    CHECK(complaint("#declare sky_luminance = 2; sphere { 0, sky_luminance }") == "nothing");
 }
 
 TEST_CASE("fogs add up", "[bind]") {

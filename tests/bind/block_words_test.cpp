@@ -47,6 +47,7 @@ const std::multimap<std::string_view, std::string>& scenes() {
         {"background", "background { @ }"},
         {"sky_sphere", "sky_sphere { @ }"},
         {"fog", "fog { @ }"},
+        {"sky_luminance", "sky_luminance { sun <40, 0> @ }"},
         {"rainbow", "rainbow { @ }"},
         {"meter", "meter { @ }"},
         {"media", "media { @ }"},

@@ -29,6 +29,7 @@ const std::map<std::string_view, std::string> samples = {
     {"background", "rgb <0, 0, 1>"},
     {"sky_sphere", "pigment { rgb 1 }"},
     {"fog", "distance 10 rgb 1"},
+    {"sky_luminance", "overcast sun <40, 180>"},
     {"rainbow", "direction z angle 40 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] }"},
     {"meter", "\"desk\" corner -x along 2*x across 3*z counts <4, 3>"},
     {"media", "emission 1 density { bozo } scattering { 1, 0.5 }"},

@@ -163,6 +163,70 @@ TEST_CASE("glare is rated as by its formulas", "[render]") {
         Approx(9.13485).epsilon(0.02));
 }
 
+TEST_CASE("meters find the daylight of the sky's formula behind openings", "[render]") {
+    const std::string roof =
+        "difference { box { <-50, 3, -50>, <50, 3.0001, 50> } box { <-1, 2, -1>, <1, 4, 1> } } "
+        "box { <-50, -1, -50>, <50, -0.01, 50> } #for (I, 0, 3) box { <-50, 0, 50>, <50, 3, 50.1> "
+        "rotate 90*I*y } #end ";
+    // A window from 0.9 to 2.4 m above the point, 3 m wide, 2 m before it; all else is dark.
+    const std::string window =
+        "difference { box { <2, -100, -100>, <2.0001, 100, 100> } box { <1, 0.9, -1.5>, <3, 2.4, "
+        "1.5> } } box { <-100, -1, -100>, <100, -0.01, 100> } box { <-100, 50, -100>, <3, 50.1, "
+        "100> } #for (I, 1, 3) box { <100, -100, -100>, <100.1, 100, 100> rotate 90*I*y } #end ";
+    const std::string grey = "overcast zenith 5000 sun <40, 30> ground 0 ",
+                      even = "uniform zenith 5000 ground 0 ",
+                      factor = "meter { daylight_factor points { 1, ";
+    struct Row {
+        const char* name;
+        std::string sky, scene, meter;
+        double expected, tolerance;
+    };
+    const Row rows[] = {
+        {"free uniform sky", even, "", "meter { points { 1, <0, 0, 0> } }", 15708, 0.005},
+        {"uniform sky from the side", even, "", "meter { points { 1, <0, 0, 0> } direction x }",
+         7853.98, 0.005},
+        {"free overcast sky", grey, "", "meter { points { 1, <0, 0, 0> } }", 12217.3, 0.005},
+        {"overcast from the side", grey, "", "meter { points { 1, <0, 0, 0> } direction x }",
+         4840.22, 0.005},
+        {"with the ground", "overcast zenith 5000 sun <40, 30> ", "",
+         "meter { points { 1, <0, 0, 0> } direction x }", 6061.95, 0.005},
+        {"below an opening", even, roof, factor + "<0, 0, 0> } }", 12.3318, 0.005},
+        {"beside it", even, roof, factor + "<1.5, 0, 1.5> } }", 6.26131, 0.005},
+        {"below it, overcast", grey, roof, factor + "<0, 0, 0> } }", 15.51, 0.005},
+        {"beside it, overcast", grey, roof, factor + "<1.5, 0, 1.5> } }", 7.14427, 0.005},
+        {"window", even, window, factor + "<0, 0, 0> } }", 8.29083, 0.005},
+        {"window, overcast", grey, window, factor + "<0, 0, 0> } }", 7.71234, 0.005},
+        {"cylinder", even, "", "meter { cylindrical points { 1, <0, 0, 0> } }", 1.5708 * 5000,
+         0.005}};
+    for (const Row& row : rows) {
+        CAPTURE(row.name);
+        const MeterValue found = read_one("camera { location <0, 1, -1> } sky_luminance { " +
+                                              row.sky + "} " + row.scene + row.meter,
+                                          0.003);
+        CHECK(found.value == Approx(row.expected).epsilon(row.tolerance));
+    }
+}
+
+TEST_CASE("the sun lights by its illuminance, and shadows have the width of its disc", "[render]") {
+    const std::string sun =
+        "sky_luminance { clear sun <90, 0> diffuse lux(0.001) direct lux(80000) ground 0 } ";
+    CHECK(read_one(sun + at_origin, 0.003).value == Approx(80000).epsilon(0.003));
+    CHECK(read_one(sun + "meter { points { 1, <0, 0, 0> } direction <0, 1, 1> }", 0.003).value ==
+          Approx(80000 * std::sqrt(0.5)).epsilon(0.005));
+    // An edge 100 m above: the disc is 0.9306 m wide there.
+    const auto behind_edge = [&](double x) {
+        return read_one(sun + "box { <" + std::to_string(x) +
+                            ", 100, -500>, <500, 101, 500> pigment { rgb 0 } } " + at_origin,
+                        0.003)
+                   .value /
+               80000;
+    };
+    CHECK(behind_edge(0) == Approx(0.5).epsilon(0.01));
+    CHECK(behind_edge(-0.47) == Approx(0).margin(1e-3));
+    CHECK(behind_edge(0.47) == Approx(1).epsilon(0.003));
+    CHECK(behind_edge(0.2326) == Approx(0.8045).epsilon(0.01));
+}
+
 TEST_CASE("a meter says what a white wall shows a camera there", "[render]") {
     // Lamps, a mirror and a glass beside the point.
     const std::string things =
