@@ -91,12 +91,15 @@ def frame(words, solids):
 
 def macro_frame(file, words):
     """The scene that shows an example of a macro: lamps in the dark, other things in the light."""
-    lamps = file == "light_arrays.inc"
+    lamps = file in ("light_arrays.inc", "luminaires.inc")
     view = "" if "Set_Camera" in words or "light_source" in words else STAND
     light = ("#default { finish { ambient 0 } }\n" if lamps else
              "" if "light_source" in words else LAMP + SKY)
     if "light_source" in words:
         view = STAND
+    if file == "luminaires.inc":
+        view = ("global_settings { photometry { unit 1 white 100 } }\n" +
+                view.replace("right 4/3*x }", "right 4/3*x film { exposure auto response agx } }"))
     return (HEAD + '#include "' + file + '"\n#declare Stream = seed(1);\n'
             "#declare Bulb = sphere { 0, 0.06 pigment { rgb <1, 0.8, 0.5> } finish { emission 12 } }\n" +
             light + view + words)

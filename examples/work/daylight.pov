@@ -24,7 +24,7 @@ camera {
     location <0.35, 1.6, 4.75>
     right 3/2*x up y angle 78
     look_at <3.9, 1.05, 0.4>
-    film { exposure auto response agx }
+    film { exposure auto key 0.4 response agx }
 }
 
 #declare Long = 6; #declare Deep = 5; #declare High = 2.75;

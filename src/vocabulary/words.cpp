@@ -35,6 +35,9 @@ constexpr auto signed_words = std::to_array<SignedWord>({
     {"meter", "along"},
     {"meter", "across"},
     {"meter", "eye"},
+    {"sky_luminance", "sun"},
+    {"sky_luminance", "place"},
+    {"sky_luminance", "date"},
     {"sky_luminance", "zone"},
     {"sky_luminance", "north"},
 });

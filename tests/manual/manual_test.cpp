@@ -196,7 +196,7 @@ TEST_CASE("the tutorial's scenes render, and its commands are commands", "[manua
 }
 
 TEST_CASE("the scenes of the page about lights render", "[manual]") {
-    check_page("candelabra-lights.7", 8);
+    check_page("candelabra-lights.7", 9);
 }
 
 TEST_CASE("the scenes of the page for those from POV-Ray render", "[manual]") {

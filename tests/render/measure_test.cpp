@@ -277,6 +277,43 @@ TEST_CASE("intervals hold what is true, and threads change nothing", "[render]")
     CHECK(with_threads(1) == with_threads(3));
 }
 
+TEST_CASE("lamps of the library send out the flux that is said of them", "[render]") {
+    std::string sides;
+    for (const char* axis : {"<1, 0, 0>", "<0, 1, 0>", "<0, 0, 1>"})
+        for (const char* sign : {"1", "-1"})
+            sides +=
+                std::string("#declare A = 5*") + axis +
+                "; #declare B = <A.y, A.z, A.x>; #declare C = <A.z, A.x, A.y>; meter { corner " +
+                sign + "*A - B - C along 2*B across 2*C counts <16, 16> direction -" + sign +
+                "*A } ";
+    struct Row {
+        std::string lamp;
+        double flux, least;  ///< the least fraction that leaves the housing
+    };
+    const Row rows[] = {{"Luminaire_Bulb(806, 2700)", 806, 0.96},
+                        {"Luminaire_Candle()", 13, 0.93},
+                        {"Luminaire_Downlight(900, 3000)", 900, 0.96},
+                        {"Luminaire_Spot(2000, 3000)", 2000, 0.88},
+                        {"Luminaire_Panel(0.6, 0.6, 3600, 4000)", 3600, 0.99},
+                        {"Luminaire_Tube(1.2, 1800, 4000)", 1800, 0.93},
+                        {"Luminaire_Pendant(1.5, 5200, 4000)", 5200, 0.99},
+                        {"Luminaire_Strip(-x, x, 500, 3000)", 1000, 0.99},
+                        {"Luminaire_String(array[2] { -x, x }, 0.1, 0.5, 30, 2200)", 120, 0.96},
+                        {"Luminaire_Street(3, 0.5, 9000, 3000)", 9000, 0.97},
+                        {"Luminaire_Flood(60000, 5700)", 60000, 0.99}};
+    MeasureSettings settings;
+    settings.samples = 48;
+    for (const Row& row : rows) {
+        CAPTURE(row.lamp);
+        double flux = 0;
+        for (const MeterReading& reading : read_meters(
+                 "#include \"luminaires.inc\" object { " + row.lamp + " } " + sides, settings))
+            flux += reading.summary.mean.value * reading.area;
+        CHECK(flux / row.flux < 1.01);
+        CHECK(flux / row.flux > row.least);
+    }
+}
+
 TEST_CASE("a grid tells its flux, and how long it was measured", "[render]") {
     // All light of a lamp goes through the sides of a box around it.
     const std::string lamp = "sphere { 0, 0.1 pigment { rgb 1 } luminaire { flux lumen(1000) } } ";
