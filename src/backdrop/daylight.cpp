@@ -77,7 +77,7 @@ const ItemInfo Daylight::vocabulary = described<Daylight>([] {
         is("turbid", 13, "the clear sky of CIE over polluted air"),
         F{"type", &Daylight::type, item,
           "one of the types of CIE's general sky (ISO 15469), 16 is `overcast`", between(1, 16)},
-        is("perez", perez_distribution,
+        is("perez", weather_of_perez,
            "the all-weather sky of Perez, by `irradiance`, or by `clearness` and `brightness`"),
         F{"sun", &Daylight::sun, item,
           "height and azimuth of the sun in degrees: from the horizon, and from north towards "

@@ -14,7 +14,7 @@ namespace candelabra {
 
 /// How the distribution of light over the sky is found. Numbers above 0 are types of CIE's general
 /// sky.
-inline constexpr int perez_distribution = 0;
+inline constexpr int weather_of_perez = 0;
 
 struct Daylight {
     int distribution = 12;            ///< see above
@@ -38,7 +38,7 @@ struct Daylight {
     static const ItemInfo vocabulary;
     friend bool operator==(const Daylight&, const Daylight&) = default;
 
-    bool is_perez() const { return !type && distribution == perez_distribution; }
+    bool is_perez() const { return !type && distribution == weather_of_perez; }
 };
 
 /// Returns a sentence about an error in the block as a whole; empty if there is none.

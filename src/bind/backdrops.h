@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// background, sky_sphere, sky_luminance, fog and rainbow blocks. Called by the reader of scenes and of #declare.
+// Blocks of surroundings: background, sky_sphere, sky_luminance, fog and rainbow. Called by the
+// reader of scenes and of #declare.
 #pragma once
 
 #include "reading/binder.h"

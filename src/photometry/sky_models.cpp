@@ -230,8 +230,8 @@ Vec3 blue_sky_colour(double luminance) {
 }
 
 Vec3 sun_colour(double sun_height) {
-    // Rayleigh scattering, and haze of 0.05 by Angstrom's formula, at the wavelengths of Rec. 709 in
-    // micrometres.
+    // Rayleigh scattering, and haze of 0.05 by Angstrom's formula, at the wavelengths of Rec. 709
+    // in micrometres.
     constexpr std::array wavelengths = {0.61, 0.55, 0.465};
     constexpr double outside = 5778, haze = 0.05;
     const double mass = air_mass(sun_height);

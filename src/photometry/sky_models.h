@@ -30,7 +30,7 @@ struct PerezWeather {
     double clearness;   ///< 1: overcast; above 6.2: very clear
     double brightness;  ///< of the sky, over that of the sunlight outside of the atmosphere
 
-    /// From irradiances in W/m2: of the sun on a plane that faces it, and of the sky on a horizontal
+    /// From irradiances in W/m2: of the sun on a plane that faces it, and of the sky on a level
     /// one, as weather files have them.
     static PerezWeather of(const Vec2& irradiance, double sun_height);
     /// The other way round.
@@ -47,7 +47,7 @@ struct Daylighting {
 /// That of weather by the luminous efficacies of Perez, for 2 cm of water in the air.
 Daylighting daylighting(const PerezWeather&, const Vec2& irradiance, double sun_height);
 /// The usual one under a general sky, by the formulas of IES: types 1 to 5 and 16 are overcast,
-/// 6 to 10 partly cloudy, others clear. `day`: of the year. Below the horizon it is that of twilight.
+/// 6 to 10 partly cloudy, others clear. `day`: of the year. A sun below the horizon makes twilight.
 Daylighting usual_daylighting(int type, double sun_height, int day);
 
 /// Length of the way of light through the air, over that from the zenith (Kasten and Young).

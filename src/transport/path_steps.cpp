@@ -38,8 +38,8 @@ Vec3 PathEnds::background(const PathState& path, LightLedger& ledger) {
 Vec3 PathEnds::seen_behind(const PathState& path) {
     if (path.taken.by_shadow_rays && !world_.sky.light.empty()) return Vec3(0);
     const Vec3& direction = path.ray.direction;
-    // As any light source, the sun lights surfaces itself: mirrors show its disc, and do not send its
-    // light on.
+    // As any light source, the sun lights surfaces itself: mirrors show its disc, and do not send
+    // its light on.
     const bool shows_sun = path.bounces == 0 && !path.taken.by_shadow_rays;
     const Vec3 sun = shows_sun ? world_.sun_radiance(direction) : Vec3(0);
     return sun + sky_behind(path);

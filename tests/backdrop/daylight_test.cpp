@@ -100,7 +100,7 @@ TEST_CASE("place, date and time are the same as the sun that they give", "[backd
 
 TEST_CASE("weather by irradiances or by its two numbers gives one sky", "[backdrop]") {
     Daylight day;
-    day.distribution = perez_distribution;
+    day.distribution = weather_of_perez;
     day.sun = Vec2(40, 180);
     day.irradiance = Vec2(700, 120);
     const DaylightSky measured(day, candelas);
@@ -164,7 +164,7 @@ TEST_CASE("contradictions in a sky are told", "[backdrop]") {
     says(
         [](Daylight& day) {
             day.type.reset();
-            day.distribution = perez_distribution;
+            day.distribution = weather_of_perez;
             day.clearness = 2;
         },
         "`perez` needs");
