@@ -68,7 +68,15 @@ const ItemInfo Daylight::vocabulary = described<Daylight>([] {
     };
     return schema<Daylight>(
         "sky_luminance",
-        "The sky and the sun as they are measured: both light the scene, in true numbers.",
+        {"The sky and the sun as they are measured: both light the scene, in true numbers.",
+         "sky_luminance { clear place <52.5, 13.4> date <2026, 6, 21> time 15 zone 2 }",
+         "sky_luminance { cie overcast zenith nit(5000) ground 0.1 temperature 6500 }",
+         "sky_luminance { uniform diffuse lux(10000) up y north z }",
+         "sky_luminance { partly_cloudy sun <40, 180> direct lux(30000) }",
+         "sky_luminance { turbid sun <20, 250> }", "sky_luminance { type 6 sun <40, 180> }",
+         "sky_luminance { perez irradiance <600, 120> sun <40, 180> }",
+         "sky_luminance { perez clearness 3 brightness 0.2 sun <40, 180> }"},
+        is("cie", 12, "the general sky of CIE, whose name or `type` may follow; else `clear`"),
         is("overcast", 16,
            "the overcast sky of daylight factors, three times as bright above as at the horizon"),
         is("uniform", 5, "the same luminance everywhere"),

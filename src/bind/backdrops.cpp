@@ -100,19 +100,6 @@ bool read_sky_sphere(Binder& binder, const Element& element, SkySphere& sky) {
     return !block.broken;
 }
 
-bool read_daylight(Binder& binder, const Element& element, Daylight& day) {
-    OpenBlock block(binder, "sky_luminance", element.word_span);
-    block.item = &Daylight::vocabulary;
-    block.form =
-        "{ overcast sun <40, 180> } or { clear place <52.5, 13.4> date <2026, 6, 21> time 15 }";
-    ItemReader fields(block, *block.item, &day);
-    block.read(element.body, fields);
-    const std::string wrong = block.broken ? std::string() : problem(day);
-    if (!wrong.empty())
-        block.report(error(Fault::missing, element.word_span, wrong).with_help(block.help()));
-    return !block.broken;
-}
-
 bool read_fog(Binder& binder, const Element& element, Fog& fog) {
     OpenBlock block(binder, "fog", element.word_span);
     block.item = &Fog::vocabulary;

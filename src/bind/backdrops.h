@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blocks of surroundings: background, sky_sphere, sky_luminance, fog and rainbow. Called by the
+// Blocks of surroundings: background, sky_sphere, fog and rainbow. Called by the
 // reader of scenes and of #declare.
 #pragma once
 
@@ -10,8 +10,6 @@ namespace candelabra {
 /// These functions apply the block to the last argument. They return false, after a diagnostic, if
 /// the block was wrong.
 bool read_sky_sphere(Binder&, const Element& block, SkySphere&);
-/// Also checks the block as a whole.
-bool read_daylight(Binder&, const Element& block, Daylight&);
 bool read_fog(Binder&, const Element& block, Fog&);
 bool read_rainbow(Binder&, const Element& block, Rainbow&);
 

@@ -79,7 +79,7 @@ void sky_in_scene(SceneContent& content, const Element& element) {
 }
 
 void daylight_in_scene(SceneContent& content, const Element& element) {
-    scene_part<Daylight, &Scene::daylight, read_daylight>(content, element);
+    scene_part<Daylight, &Scene::daylight, read_item<Daylight>>(content, element);
     content.scene.daylight_statement = element.word_span;
 }
 

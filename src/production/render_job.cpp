@@ -149,7 +149,7 @@ bool RenderJob::has_room() {
               message("a picture of ", settings.width, "x", settings.height, " needs ",
                       megabytes(need), " MB of memory for this scene, and the limit is ",
                       megabytes(*limit), " MB"))
-            .with_help(message("--memory ", megabytes(need), "M",
+            .with_help(message("--limit-memory ", megabytes(need),
                                sums > 0 ? "; without layers and --denoise it needs less" : "")));
     return false;
 }

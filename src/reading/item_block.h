@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads blocks that consist only of the fields of one item: nested ones, such as `irid { ... }` in a
-// finish, and those of a scene, such as `meter { ... }`. Used by the readers of finishes and of
+// Reads blocks that consist only of the fields of one item: nested ones, such as `irid { ... }` in
+// a finish, and those of a scene, such as `meter { ... }`. Used by the readers of finishes and of
 // settings, and by the table of blocks.
 #pragma once
 
@@ -36,9 +36,9 @@ inline void warn_of_idle_fields(OpenBlock& block, std::string_view item, const I
         message(list, " of `", item, several ? "` have" : "` has", " no effect: ", idle.why)));
 }
 
-/// Reads a block into the item. Returns false, after a diagnostic, if it was wrong. An item may have
-/// a function problem(), which returns a sentence about an error in it as a whole. Messages show the
-/// item's first example.
+/// Reads a block into the item. Returns false, after a diagnostic, if it was wrong. An item may
+/// have a function problem(), which returns a sentence about an error in it as a whole. Messages
+/// show the item's first example.
 template <class T>
 bool read_item(Binder& binder, const Element& element, T& item) {
     OpenBlock block(binder, T::vocabulary.name, element.word_span);

@@ -65,7 +65,7 @@ std::optional<int> near(std::string_view word, std::string_view name) {
 /// Returns the only name that begins with the word, or "": a word that is not written to its end.
 std::string only_longer(std::string_view word, const std::vector<std::string_view>& names) {
     constexpr std::size_t fewest_letters = 3;
-    if (word.size() < fewest_letters) return {};
+    if (word.size() < fewest_letters || word.size() > longest) return {};
     std::string_view found;
     for (const std::string_view name : names) {
         if (!same_letters(name.substr(0, word.size()), word)) continue;

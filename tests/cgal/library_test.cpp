@@ -5,7 +5,6 @@ namespace candelabra {
 
 TEST_CASE("every entry of the library of polyhedra is there", "[polyhedra]") {
     const Polyhedra& library = the_polyhedra();
-    CHECK(library.read);
     CHECK(library.hull);
     CHECK(library.combine);
     CHECK(library.subdivide);

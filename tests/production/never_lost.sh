@@ -113,5 +113,5 @@ done
 check "no frame is prepared ahead where memory is short" test "$(ahead m60M3.json)" = false
 check "frames are prepared ahead where there is memory" test "$(ahead m4G3.json)" = true
 for frame in 1 2 3; do check "frame $frame is the same" cmp -s m60M$frame.png m4G$frame.png; done
-expect "a memory limit" 3 "not enough memory" render -V +Od.png +W20000 +H20000 --memory 300M
+expect "a memory limit" 3 "MB of memory for this scene, and the limit is 300 MB" render -V +Od.png +W20000 +H20000 --memory 300M
 exit $((failures > 0))

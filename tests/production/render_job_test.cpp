@@ -126,7 +126,7 @@ TEST_CASE("a picture that does not fit into the memory tells what it needs") {
     CHECK(posters({}) == exit_status::file);
     CHECK(has(shell.err, "a picture of 8000x6000 needs "));
     CHECK(has(shell.err, "the limit is 2048 MB"));
-    CHECK(has(shell.err, "help: --memory 6"));
+    CHECK(has(shell.err, "help: --limit-memory 6"));
     CHECK_FALSE(has(shell.err, "layers"));
     CHECK(posters({"--layers", "normal"}) == exit_status::file);
     CHECK(has(shell.err, "without layers"));

@@ -226,7 +226,7 @@ Factor skies() {
             text + " zenith @0.3@ direct @0.4@ ground 0.3 north z up y temperature 6000",
             directions);
     };
-    measured("overcast sky", "overcast sun <40, 30>");
+    measured("overcast sky", "cie overcast sun <40, 30>");
     measured("uniform sky", "uniform sun <40, 30>");
     measured("partly cloudy sky", "partly_cloudy sun <40, 30>");
     measured("clear sky", "clear sun <40, 30>");
