@@ -79,7 +79,7 @@ const ItemInfo Daylight::vocabulary = described<Daylight>([] {
         is("cie", 12, "the general sky of CIE, whose name or `type` may follow; else `clear`"),
         is("overcast", 16,
            "the overcast sky of daylight factors, three times as bright above as at the horizon"),
-        is("uniform", 5, "the same luminance everywhere"),
+        is("uniform", 5, "an even luminance from the zenith to the horizon"),
         is("partly_cloudy", 8, "type 8 of CIE: partly cloudy, bright around the sun"),
         is("clear", 12, "the clear sky of CIE; the default"),
         is("turbid", 13, "the clear sky of CIE over polluted air"),

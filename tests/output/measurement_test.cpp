@@ -73,7 +73,7 @@ TEST_CASE("what cannot be measured is said") {
     CHECK(run("#version 3.7; sphere { 0, 1 }") == exit_status::scene);
     CHECK(has(shell.err, "the scene has no meter to measure with"));
     CHECK(run(lit_room, {"--denoise"}) == exit_status::usage);
-    CHECK(has(shell.err, "--measure tells light as it is"));
+    CHECK(has(shell.err, "--measure reports light as it is"));
     CHECK(run(lit_room, {"--until", "lux"}) == exit_status::usage);
     CHECK(has(shell.err, "`lux` is no error of 0.001 to 100 per cent"));
     CHECK(run(lit_room, {"--check"}) == exit_status::usage);
