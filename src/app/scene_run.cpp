@@ -160,6 +160,7 @@ private:
         if (options_.task == Task::export_mesh) settings.evaluation.only = options_.mesh_object;
         // Pictures record the files that they were made from; checks need not.
         settings.notes_files = options_.task == Task::render;
+        settings.shows_picture = options_.task != Task::measure;
         settings.remembers_objects = console_.preview || aovs_for(options_.layers, false).surface;
         return settings;
     }

@@ -66,8 +66,8 @@ public:
                 return;
             case Quantity::ugr: {
                 const WhiteElement eye(place.position, place.direction);
-                sums[0] +=
-                    std::fmax(illuminance(eye, key) - illuminance_by_lamps(eye, key), 0) / pi;
+                // A sample may be below 0; only the mean of all has a meaning.
+                sums[0] += (illuminance(eye, key) - illuminance_by_lamps(eye, key)) / pi;
                 sums[1] += glare(place.position, sight, key);
                 return;
             }

@@ -107,7 +107,8 @@ void Session::review(const Scene& scene) {
     };
     review_lookalikes(sources_, in_library, source.povray_library, diagnostics_);
     candelabra::review(scene, *survey(scene, diagnostics_), diagnostics_);
-    review_shape(scene, settings_.render.width, settings_.render.height, diagnostics_);
+    if (settings_.shows_picture)
+        review_shape(scene, settings_.render.width, settings_.render.height, diagnostics_);
 }
 
 SharedWorld Session::compile(Scene&& scene, Shutter shutter) {

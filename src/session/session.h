@@ -45,6 +45,7 @@ struct SessionSettings {
     /// Facts for the scene, and its limits. The size of the picture is that of `render`.
     EvaluateOptions evaluation = {};
     bool notes_files = true;         ///< records Session::files()
+    bool shows_picture = true;       ///< review() warns of a picture that is stretched
     bool remembers_objects = false;  ///< records Provenance::object_of
 };
 

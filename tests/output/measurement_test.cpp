@@ -72,6 +72,8 @@ TEST_CASE("what cannot be measured is said") {
     };
     CHECK(run("#version 3.7; sphere { 0, 1 }") == exit_status::scene);
     CHECK(has(shell.err, "the scene has no meter to measure with"));
+    CHECK(run(lit_room, {"+W90", "+H30"}) == exit_status::done);
+    CHECK_FALSE(has(shell.err, "aspect"));
     CHECK(run(lit_room, {"--denoise"}) == exit_status::usage);
     CHECK(has(shell.err, "--measure reports light as it is"));
     CHECK(run(lit_room, {"--until", "lux"}) == exit_status::usage);
