@@ -36,8 +36,8 @@ TEST_CASE("files of all years and symmetries have the flux and candela expected 
         CAPTURE(name);
         PhotometricFile file;
         REQUIRE(read_photometric(content(name), {}, file) == "");
-        CHECK(type_letter(file.web.type()) == expected["type"]);
-        CHECK(file.symmetry == expected["symmetry"]);
+        CHECK(type_letter(file.web.type()) == expected["type"].get<std::string>());
+        CHECK(file.symmetry == expected["symmetry"].get<std::string>());
         CHECK(file.web.flux() == Approx(expected["flux_lm"].get<double>()).epsilon(1e-6));
         if (expected.contains("down_lm"))
             CHECK(file.web.flux_down() == Approx(expected["down_lm"].get<double>()).epsilon(1e-6));
