@@ -51,10 +51,11 @@ double chance_of_asking(const LightEstimate::ShadowRay& expected, const LitLayer
     const double share = std::abs(grey(layer.throughput)), there = share * grey(before);
     if (!(there > 0)) return 1;
     const double response = share * std::abs(grey(straight)) / pi;
-    const double mean = response * expected.irradiance, deviation = response * expected.noise;
-    const double squares = mean * mean + deviation * deviation;
-    const double visible = visible_step(there);
-    return std::clamp(squares / (mean * mean + visible * visible), min_chance, 1.0);
+    // In visible steps, because squares of what little is left of a path may be too small for a
+    // number.
+    const double unit = response / visible_step(there);
+    const double mean = unit * expected.irradiance, deviation = unit * expected.noise;
+    return std::clamp((mean * mean + deviation * deviation) / (mean * mean + 1), min_chance, 1.0);
 }
 
 }  // namespace

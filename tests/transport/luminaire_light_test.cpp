@@ -4,9 +4,12 @@
 #include "support/lit.h"
 #include "support/means.h"
 #include "support/scripts.h"
+#include "transport/integrator.h"
 #include "world/compile.h"
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 namespace candelabra {
 
@@ -223,6 +226,23 @@ TEST_CASE("a far large lamp and near small ones keep their light at any distance
                     CHECK(mean_with(scene(distance, lamps, camera), strategy.sampler, 6000) ==
                           Approx(expected).epsilon(0.1));
                 }
+        }
+}
+
+TEST_CASE("light stays finite where hardly anything of a path is left", "[transport]") {
+    const Shot shot = shot_of(
+        "#version 3.7; camera { location 0.5*y look_at <9, 0, 0> } "
+        "global_settings { integrator { path_traced bounces 0 } } "
+        "plane { y, 0 pigment { rgb 0.7 } finish { ambient 0 diffuse 0.8 } } "
+        "light_source { 1e6*y, 1 } sky_sphere { pigment { rgb 0.3 } luminaire } "
+        "media { scattering { 1, rgb 0.03 } }");
+    Integrator integrator(shot, {});
+    for (const double away : {1e3, 1e4, 2e4, 2.2e4, 2.3e4, 2.4e4, 2.45e4, 1e5})
+        for (std::uint32_t sample = 0; sample < 20; ++sample) {
+            const Vec3 seen = integrator.radiance({Vec3(0, 0.5, 0), unit(Vec3(away, -0.5, 0))},
+                                                  {0, sample, 0, 0});
+            CAPTURE(away);
+            CHECK(std::isfinite(seen.x));
         }
 }
 
