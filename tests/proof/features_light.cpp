@@ -220,22 +220,24 @@ Factor skies() {
         directions);
     add("even bright sky", "sky_sphere",
         "pigment { rgb <0.6, 0.8, 1> } emission @0.5@ $luminaire$");
-    // A sky by its formula, whose numbers are radiances and colours of the sun.
-    const auto measured = [&](std::string name, std::string text) {
+    // A sky by its formula, whose numbers are radiances and colours of the sun, which is a light
+    // source.
+    const auto measured = [&](std::string name, std::string text, bool sun = true) {
         add(std::move(name), "sky_luminance",
-            text + " zenith @0.3@ direct @0.4@ ground 0.3 north z up y temperature 6000",
-            directions);
+            text + " zenith @0.3@ direct " + (sun ? "@0.4@" : "0") +
+                " ground 0.3 north z up y temperature 6000",
+            sun ? directions | sources : directions);
     };
-    measured("overcast sky", "cie overcast sun <40, 30>");
-    measured("uniform sky", "uniform sun <40, 30>");
+    measured("overcast sky", "cie overcast sun <40, 30>", false);
+    measured("uniform sky", "uniform sun <40, 30>", false);
     measured("partly cloudy sky", "partly_cloudy sun <40, 30>");
     measured("clear sky", "clear sun <40, 30>");
-    measured("turbid sky", "turbid sun <40, 30>");
+    measured("turbid sky", "turbid sun <40, 30>", false);
     measured("sky by place", "type 12 place <40, 0> date <2026, 6, 21> time 15 zone 0");
     measured("sky by weather", "perez clearness 3 brightness 0.2 sun <50, 30>");
     add("sky by irradiance", "sky_luminance",
         "perez irradiance <500, 150> diffuse @0.3@ direct @0.4@ sun <50, 30> temperature 6000",
-        directions);
+        directions | sources);
     add("two skies", "sky_sphere",
         "pigment { rgb <0.2, 0.3, 0.6> } pigment { bozo color_map { [0.5 rgb 1 transmit 1] [0.8 "
         "rgb 1] } scale 0.3 } emission @0.4@ $luminaire$",
