@@ -54,10 +54,10 @@ std::string explanation(const Options& options, const std::string& library,
 }
 
 int run_task(const Options& options, const std::optional<Animation>& animation,
-             const Console& console, Diagnostics& diagnostics) {
+             const std::optional<Sheet>& sheet, const Console& console, Diagnostics& diagnostics) {
     if (options.preview_port) return run_preview(options, animation, console, diagnostics);
     const auto work = [&]() -> Outcome {
-        if (!options.sheet.empty()) return {run_sheet(options, console, diagnostics)};
+        if (sheet) return {run_sheet(options, *sheet, console, diagnostics)};
         if (animation) return {run_animation(options, *animation, console, diagnostics)};
         return with_frame_commands(options,
                                    [&] { return run_scene(options, console, diagnostics); });
@@ -231,7 +231,7 @@ int run_with(Options options, const Console& console, Diagnostics diagnostics) {
                                       printable(options.mesh_file), "` is not by its ending"))
                             .with_help("--export-mesh mesh.ply, or mesh.obj"));
     if (options.task == Task::measure) check_measuring(options, diagnostics);
-    if (!options.sheet.empty()) check_sheet(options, diagnostics);
+    const std::optional<Sheet> sheet = plan_sheet(options, diagnostics);
     if (!options.preview_host.empty() && !options.preview_port)
         diagnostics.add(error(Fault::option, {}, "--preview-host is the address of a preview")
                             .with_help("--preview 8000 --preview-host 0.0.0.0"));
@@ -266,7 +266,7 @@ int run_with(Options options, const Console& console, Diagnostics diagnostics) {
     warn_of_wide_folder(options, diagnostics);
     const SandboxRules rules = sandbox_rules(options, console.library);
     if (!confined(options, rules, console, diagnostics)) return end_with_errors(exit_status::usage);
-    const int status = run_task(options, animation, sorted, diagnostics);
+    const int status = run_task(options, animation, sheet, sorted, diagnostics);
     std::error_code not_empty;  // or it does not exist
     if (!rules.made.empty()) std::filesystem::remove(rules.made, not_empty);
     return log_works() || status != exit_status::done ? status : exit_status::file;

@@ -59,22 +59,21 @@ std::string text_of(const std::vector<Declaration>& values) {
 
 class SheetRun {
 public:
-    SheetRun(const Options& options, const Console& console, Diagnostics& diagnostics)
-        : options_(options), console_(console), diagnostics_(diagnostics) {}
+    SheetRun(const Options& options, const Sheet& sheet, const Console& console,
+             Diagnostics& diagnostics)
+        : options_(options), sheet_(sheet), console_(console), diagnostics_(diagnostics) {}
 
     int execute() {
-        std::string problem;
-        const auto sheet = sheet_of(options_.sheet, problem);
         output_ = output_of(options_, diagnostics_);
-        if (diagnostics_.failed() || !sheet) return end_with_errors(exit_status::usage);
-        if (problem = problem_with_output(options_, output_.path); !problem.empty()) {
+        if (diagnostics_.failed()) return end_with_errors(exit_status::usage);
+        if (const std::string problem = problem_with_output(options_, output_.path);
+            !problem.empty()) {
             diagnostics_.add(error(Fault::io, {}, problem));
             return end_with_errors(exit_status::file);
         }
-        whole_ = blank(*sheet);
-        for (int i = 0; i < sheet->pictures(); ++i)
-            if (const int status = add_picture(*sheet, i); status != exit_status::done)
-                return status;
+        whole_ = blank();
+        for (int i = 0; i < sheet_.pictures(); ++i)
+            if (const int status = add_picture(i); status != exit_status::done) return status;
         output_.format.description = message(program_name(), "; made by: ", command_line(options_),
                                              " --sheet ", shell_word(options_.sheet));
         // Files of the pictures have linear values, or the values that are shown.
@@ -82,7 +81,7 @@ public:
             return end_with_errors(exit_status::file);
         if (talks(options_))
             say(console_, Stream::statistics,
-                message(printable(output_.path), ": ", sheet->pictures(), " pictures\n"));
+                message(printable(output_.path), ": ", sheet_.pictures(), " pictures\n"));
         return exit_status::done;
     }
 
@@ -92,18 +91,19 @@ private:
         return status;
     }
 
-    Image blank(const Sheet& sheet) const {
+    Image blank() const {
         const int wide = options_.render.width, high = options_.render.height, between = gap(wide);
-        Image image(sheet.columns * (wide + between) - between,
-                    sheet.rows * (high + between) - between);
+        Image image(sheet_.columns * (wide + between) - between,
+                    sheet_.rows * (high + between) - between);
         std::ranges::fill(image.pixels, backing);
         return image;
     }
 
-    Options picture_options(const Sheet& sheet, int i) const {
-        Options options = with_values(options_, sheet.values_in(i));
+    Options picture_options(int i) const {
+        Options options = with_values(options_, sheet_.values_in(i));
         options.sheet.clear();
         options.verbose = false;
+        options.leaves_state = false;  // the sheet could not go on from it
         const bool linear = info(output_.format.type).linear;
         options.type = linear ? PictureType::exr : PictureType::png;
         options.bits = linear ? options.bits : 16;
@@ -113,19 +113,19 @@ private:
         for (std::string* each : {&options.stats_file, &options.depfile})
             if (!each->empty() && *each != "-")
                 *each = numbered(*each, i + 1,
-                                 static_cast<int>(std::to_string(sheet.pictures()).size()));
-        const double count = sheet.pictures();
+                                 static_cast<int>(std::to_string(sheet_.pictures()).size()));
+        const double count = sheet_.pictures();
         options.share = {i / count, (i + 1) / count};
         return options;
     }
 
     /// Renders a picture and copies it to its place. Returns the exit status.
-    int add_picture(const Sheet& sheet, int i) {
-        const Options options = picture_options(sheet, i);
+    int add_picture(int i) {
+        const Options options = picture_options(i);
         if (talks(options_))
             say(console_, Stream::render,
-                message("picture ", i + 1, " of ", sheet.pictures(), ": ",
-                        text_of(sheet.values_in(i)), "\n"));
+                message("picture ", i + 1, " of ", sheet_.pictures(), ": ",
+                        text_of(sheet_.values_in(i)), "\n"));
         Diagnostics problems = std::exchange(said_, true) ? diagnostics_.fresh() : diagnostics_;
         const std::string path = output_of(options, problems).path;
         PassingFiles files;
@@ -140,8 +140,8 @@ private:
         const auto picture = read_picture(path, diagnostics_);
         if (!picture) return end_with_errors(exit_status::file);
         const int between = gap(options_.render.width);
-        const int left = sheet.column_of(i) * (picture->width + between);
-        const int top = sheet.row_of(i) * (picture->height + between);
+        const int left = sheet_.column_of(i) * (picture->width + between);
+        const int top = sheet_.row_of(i) * (picture->height + between);
         for (int y = 0; y < picture->height; ++y)
             for (int x = 0; x < picture->width; ++x)
                 whole_.at(left + x, top + y) = picture->at(x, y);
@@ -149,6 +149,7 @@ private:
     }
 
     const Options& options_;
+    const Sheet& sheet_;
     const Console& console_;
     Diagnostics& diagnostics_;
     Output output_;
@@ -159,13 +160,14 @@ private:
 
 }  // namespace
 
-void check_sheet(const Options& options, Diagnostics& diagnostics) {
+std::optional<Sheet> plan_sheet(const Options& options, Diagnostics& diagnostics) {
+    if (options.sheet.empty()) return {};
     const auto refuse = [&](std::string text, std::string help = {}) {
         diagnostics.add(error(Fault::option, {}, std::move(text)).with_help(std::move(help)));
     };
     std::string problem;
-    if (!sheet_of(options.sheet, problem))
-        refuse(message("--sheet: ", problem), "--sheet 4x3 Seed=1..12");
+    std::optional<Sheet> sheet = sheet_of(options.sheet, problem);
+    if (!sheet) refuse(message("--sheet: ", problem), "--sheet 4x3 Seed=1..12");
     const AnimationSettings& frames = options.animation;
     if (frames.initial_frame || frames.final_frame || !frames.chosen.empty())
         refuse("a contact sheet shows values of names and no frames of an animation",
@@ -182,10 +184,12 @@ void check_sheet(const Options& options, Diagnostics& diagnostics) {
     Diagnostics said_elsewhere = diagnostics.fresh();
     if (!options.to_file || is_stream(output_of(options, said_elsewhere).path))
         refuse("a contact sheet is a file: it goes neither with -F nor with standard output");
+    return sheet;
 }
 
-int run_sheet(const Options& options, const Console& console, Diagnostics& diagnostics) {
-    return SheetRun(options, console, diagnostics).execute();
+int run_sheet(const Options& options, const Sheet& sheet, const Console& console,
+              Diagnostics& diagnostics) {
+    return SheetRun(options, sheet, console, diagnostics).execute();
 }
 
 }  // namespace candelabra

@@ -5,12 +5,15 @@
 #include "console/console.h"
 #include "options/sheet.h"
 
+#include <optional>
+
 namespace candelabra {
 
-/// Reports options that do not go together with a contact sheet.
-void check_sheet(const Options&, Diagnostics&);
+/// Returns the contact sheet that the options name, if any. Reports errors in it, and options that
+/// do not go together with it.
+std::optional<Sheet> plan_sheet(const Options&, Diagnostics&);
 
-/// Renders the sheet that the options name. Reports errors and returns the exit status.
-int run_sheet(const Options&, const Console&, Diagnostics&);
+/// Renders the sheet. Reports errors and returns the exit status.
+int run_sheet(const Options&, const Sheet&, const Console&, Diagnostics&);
 
 }  // namespace candelabra

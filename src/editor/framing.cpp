@@ -3,6 +3,7 @@
 
 #include "text/ascii.h"
 #include "text/message.h"
+#include "text/trimmed.h"
 
 #include <algorithm>
 #include <charconv>
@@ -15,11 +16,6 @@ namespace {
 
 constexpr std::string_view line_end = "\r\n", blank_line = "\r\n\r\n";
 constexpr std::string_view length_name = "Content-Length";
-
-std::string_view without_blanks(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-    return text.substr(0, text.find_last_not_of(" \t") + 1);
-}
 
 }  // namespace
 
@@ -70,7 +66,7 @@ std::optional<std::uint64_t> Framing::length(std::string_view head) {
             return lose("a line in the head of a message is no header");
         if (!same_letters(line.substr(0, colon), length_name)) continue;
         if (found) return lose("a message has two lengths");
-        found = without_blanks(line.substr(colon + 1));
+        found = trimmed(line.substr(colon + 1), " \t");
     }
     if (!found) return lose("a message has no Content-Length");
     std::uint64_t value = 0;

@@ -5,6 +5,7 @@
 #include "objects/object_functions.h"
 #include "scene/catalogue.h"
 #include "text/message.h"
+#include "text/trimmed.h"
 #include "vocabulary/examples.h"
 #include "vocabulary/glossary.h"
 #include "vocabulary/manual.h"
@@ -73,15 +74,11 @@ std::size_t line_start(std::string_view text, std::size_t offset) {
     return offset == 0 || end == text.npos ? 0 : end + 1;
 }
 
-std::string_view trimmed(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == line.npos) return {};
-    return line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
-}
+constexpr std::string_view blanks_of_line = " \t\r";
 
 std::string_view line_at(std::string_view text, std::size_t offset) {
     const std::size_t first = line_start(text, offset);
-    return trimmed(text.substr(first, text.find('\n', first) - first));
+    return trimmed(text.substr(first, text.find('\n', first) - first), blanks_of_line);
 }
 
 /// Returns the // comment lines directly above a place.
@@ -92,7 +89,7 @@ std::string comment_above(std::string_view text, std::size_t offset) {
         std::string_view line = line_at(text, first);
         if (!line.starts_with("//")) break;
         line.remove_prefix(std::min(line.find_first_not_of('/'), line.size()));
-        comment = message(trimmed(line), "\n", comment);
+        comment = message(trimmed(line, blanks_of_line), "\n", comment);
     }
     return comment;
 }

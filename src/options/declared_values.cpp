@@ -5,6 +5,7 @@
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "text/trimmed.h"
 #include "vocabulary/words.h"
 
 #include <nlohmann/json.hpp>
@@ -24,22 +25,16 @@ bool is_identifier(std::string_view name) {
     return !name.empty() && is_letter(name[0]) && std::ranges::all_of(name, in_name);
 }
 
-std::string_view without_blanks(std::string_view text) {
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
-
 /// Reads `<1, 2, 3>` with two to five numbers.
 std::optional<Numbers> vector_of(std::string_view text) {
-    text = without_blanks(text);
+    text = trimmed(text, " ");
     if (!text.starts_with('<') || !text.ends_with('>')) return std::nullopt;
     text = text.substr(1, text.size() - 2);
     Numbers numbers;
     numbers.count = 0;
     for (bool more = true; more;) {
         more = text.find(',') != text.npos;
-        const auto value = number(without_blanks(take_until(text, ",")));
+        const auto value = number(trimmed(take_until(text, ","), " "));
         if (!value || numbers.count == 5) return std::nullopt;
         numbers.at[static_cast<std::size_t>(numbers.count++)] = *value;
     }

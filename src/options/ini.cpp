@@ -3,18 +3,13 @@
 
 #include "options/option_store.h"
 #include "text/ascii.h"
+#include "text/trimmed.h"
 
 namespace candelabra {
 
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == text.npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
 
 /// Returns the line without its comment; a `;` in quotes begins none.
 std::string_view without_comment(std::string_view line) {
@@ -40,9 +35,10 @@ std::string_view unquoted(std::string_view value) {
 std::string as_argument(std::string_view line) {
     const std::size_t equals = line.find('=');
     if (equals == line.npos) return std::string(unquoted(line));
-    const std::string_view value = trimmed(line.substr(equals + 1));
+    const std::string_view value = trimmed(line.substr(equals + 1), blanks);
     // A declared string keeps its quotes, which mark it as a string.
-    return std::string(trimmed(line.substr(0, equals))) + "=" + std::string(unquoted(value));
+    return std::string(trimmed(line.substr(0, equals), blanks)) + "=" +
+           std::string(unquoted(value));
 }
 
 /// Splits a line of switches into words; quotes keep blanks in a word.
@@ -78,11 +74,11 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string
     int number = 0;
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark of some editors
     while (!text.empty()) {
-        const std::string_view line = trimmed(without_comment(take_until(text, "\n")));
+        const std::string_view line = trimmed(without_comment(take_until(text, "\n")), blanks);
         ++number;
         if (line.starts_with('[') && line.ends_with(']')) {
-            taken =
-                !section.empty() && same_letters(trimmed(line.substr(1, line.size() - 2)), section);
+            taken = !section.empty() &&
+                    same_letters(trimmed(line.substr(1, line.size() - 2), blanks), section);
             found |= taken;
         } else if (taken && !line.empty() && is_switch(line)) {
             for (std::string& word : words_of(line)) lines.push_back({number, std::move(word)});
@@ -114,7 +110,7 @@ std::optional<IniName> ini_name(std::string_view argument) {
     if (argument.ends_with(']')) {
         const std::size_t open = argument.rfind('[');
         if (open == argument.npos) return std::nullopt;
-        name.section = trimmed(argument.substr(open + 1, argument.size() - open - 2));
+        name.section = trimmed(argument.substr(open + 1, argument.size() - open - 2), blanks);
         argument = argument.substr(0, open);
     }
     constexpr std::string_view ending = ".ini";

@@ -110,6 +110,7 @@ struct Options {
     std::string preview_host;          ///< address on which it listens; empty: this machine's own
     bool go_on = false;                ///< continues from the state of an earlier run
     bool keep_state = false;           ///< even if the picture is finished
+    bool leaves_state = true;          ///< if the picture is not finished
     double checkpoint_interval = 60;   ///< seconds between two states; 0: only on signals
     std::optional<double> time;        ///< seconds after which the picture is ended as it is
     std::string shard;                 ///< as given; empty: the whole

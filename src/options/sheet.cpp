@@ -35,7 +35,7 @@ std::vector<double> spread(double first, double last, int places) {
 std::optional<std::vector<double>> values_of(std::string_view text, int places) {
     if (const std::size_t dots = text.find(".."); dots != text.npos) {
         const auto first = number(text.substr(0, dots)), last = number(text.substr(dots + 2));
-        if (!first || !last) return std::nullopt;
+        if (!first || !last || !std::isfinite(*last - *first)) return std::nullopt;
         return spread(*first, *last, places);
     }
     std::vector<double> values;
@@ -78,14 +78,8 @@ int Sheet::pictures() const {
     return static_cast<int>(count);
 }
 
-int Sheet::column_of(int picture) const {
-    const int across = names.size() > 1 ? static_cast<int>(names[0].values.size()) : columns;
-    return picture % across;
-}
-
-int Sheet::row_of(int picture) const {
-    const int across = names.size() > 1 ? static_cast<int>(names[0].values.size()) : columns;
-    return picture / across;
+int Sheet::in_a_row() const {
+    return names.size() > 1 ? static_cast<int>(names[0].values.size()) : columns;
 }
 
 std::vector<Declaration> Sheet::values_in(int picture) const {

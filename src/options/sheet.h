@@ -24,10 +24,13 @@ struct Sheet {
     std::vector<Name> names;
 
     int pictures() const;
-    int column_of(int picture) const;
-    int row_of(int picture) const;
+    int column_of(int picture) const { return picture % in_a_row(); }
+    int row_of(int picture) const { return picture / in_a_row(); }
     /// The values of the names in that picture, counted from 0.
     std::vector<Declaration> values_in(int picture) const;
+
+private:
+    int in_a_row() const;
 };
 
 /// Reads `4x3 Seed=1..12`, or `4x3 Seed=1..4 Height=1,2.5,3`. A range has as many values as places,

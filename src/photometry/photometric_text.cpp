@@ -2,6 +2,7 @@
 #include "photometry/photometric_text.h"
 
 #include "text/decimal.h"
+#include "text/trimmed.h"
 #include "text/utf8.h"
 
 namespace candelabra {
@@ -52,10 +53,7 @@ std::vector<std::string> lines_of(std::string_view bytes, bool& latin) {
 }
 
 std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\v\f";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == text.npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+    return trimmed(text, " \t\v\f");
 }
 
 std::optional<double> number_of(std::string_view text) {

@@ -80,7 +80,7 @@ RenderJob::RenderJob(JobPlan plan, const Shot& shot, const Interrupts& interrupt
 bool RenderJob::can_keep() const {
     std::error_code none;
     const fs::file_status status = fs::status(plan_.picture, none);
-    return plan_.options.to_file && plan_.picture != "-" &&
+    return plan_.options.to_file && plan_.options.leaves_state && plan_.picture != "-" &&
            (!fs::exists(status) || fs::is_regular_file(status));
 }
 

@@ -4,6 +4,7 @@
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "text/trimmed.h"
 
 #include <algorithm>
 #include <charconv>
@@ -17,8 +18,6 @@ namespace candelabra {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view mark = "// Only alike to POV-Ray's: ";
 
 std::optional<int> whole_number(std::string_view digits) {
     int value = 0;
@@ -84,11 +83,10 @@ std::vector<std::string> only_alike(std::string_view text) {
     std::vector<std::string> names;
     while (!text.empty()) {
         std::string_view line = take_until(text, "\n");
-        if (!line.starts_with(mark)) continue;
-        line.remove_prefix(mark.size());
+        if (!line.starts_with(alike_mark)) continue;
+        line.remove_prefix(alike_mark.size());
         while (!line.empty()) {
-            std::string_view one = take_until(line, ",.");
-            while (one.starts_with(' ')) one.remove_prefix(1);
+            const std::string_view one = trimmed(take_until(line, ",."), " ");
             if (!one.empty()) add_names(one, names);
         }
     }

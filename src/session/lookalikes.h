@@ -13,6 +13,9 @@
 
 namespace candelabra {
 
+/// What begins a line of an include file with such names.
+inline constexpr std::string_view alike_mark = "// Only alike to POV-Ray's: ";
+
 /// Returns the names that lines `// Only alike to POV-Ray's: Water, T_Wood1 to T_Wood35` of an
 /// include file list; a range counts its last digits.
 std::vector<std::string> only_alike(std::string_view text);

@@ -3,6 +3,7 @@
 
 #include "text/ascii.h"
 #include "text/message.h"
+#include "text/trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -56,11 +57,7 @@ bool is_token(std::string_view text) {
            std::ranges::all_of(text, [](char c) { return in_name(c) || c == '-'; });
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-    text.remove_prefix(first);
-    return text.substr(0, text.find_last_not_of(" \t") + 1);
-}
+constexpr std::string_view http_blanks = " \t";
 
 bool read_first_line(std::string_view line, Head& head) {
     const std::size_t first = line.find(' '), last = line.rfind(' ');
@@ -86,7 +83,8 @@ std::optional<Head> read_head(std::string_view text) {
         }
         const std::size_t colon = line.find(':');
         if (colon == line.npos || !is_token(line.substr(0, colon))) return std::nullopt;
-        head.headers.push_back({line.substr(0, colon), trimmed(line.substr(colon + 1))});
+        head.headers.push_back(
+            {line.substr(0, colon), trimmed(line.substr(colon + 1), http_blanks)});
     }
     return head;
 }
@@ -135,7 +133,7 @@ bool token_in_cookie(const Head& head, const WebKey& key) {
     if (!header) return false;
     bool found = false;
     for (std::string_view cookies = header->value; !cookies.empty();)
-        found |= same_secret(trimmed(take_until(cookies, ";")), cookie_of(key));
+        found |= same_secret(trimmed(take_until(cookies, ";"), http_blanks), cookie_of(key));
     return found;
 }
 

@@ -230,11 +230,6 @@ private:
 
 }  // namespace
 
-bool is_address(std::string_view text) {
-    in_addr address{};
-    return ::inet_pton(AF_INET, std::string(text).c_str(), &address) == 1;
-}
-
 std::vector<std::string> addresses_of(std::string_view host) {
     if (host != any_host) return {std::string(host)};
     std::vector<std::string> found;

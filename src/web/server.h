@@ -29,9 +29,6 @@ struct WebLimits {
 /// The address that only this machine reaches, and the one that stands for all of its addresses.
 inline constexpr std::string_view own_host = "127.0.0.1", any_host = "0.0.0.0";
 
-/// Whether the text is an address of IPv4, such as 192.168.1.7.
-bool is_address(std::string_view);
-
 /// Returns the addresses under which other machines may reach a server that listens on `host`:
 /// itself, or all of this machine's for any_host.
 std::vector<std::string> addresses_of(std::string_view host);
@@ -40,9 +37,9 @@ class WebServer {
 public:
     using Handler = std::function<WebAnswer(const WebRequest&)>;
 
-    /// Listens on an address of this machine; port 0 selects a free port. On another one than
-    /// own_host, each request needs the token. The handler is called from one thread. It should
-    /// change something for POST only, which needs the token. A request that it answers with
+    /// Listens on an address of IPv4 that this machine has; port 0 selects a free port. On another
+    /// one than own_host, each request needs the token. The handler is called from one thread. It
+    /// should change something for POST only, which needs the token. A request that it answers with
     /// `later` is handled again after each wake(), until its time is over.
     WebServer(std::string_view host, int port, std::string token, Handler, WebLimits = {});
     WebServer(const WebServer&) = delete;

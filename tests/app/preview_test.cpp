@@ -47,12 +47,17 @@ finally: run.terminate() if run else None
 assert run.wait(20) == 0
 )";
 
-/// Whether all checks of a client succeed. The client starts the preview and checks it in `look()`.
-bool client_succeeds(const Shell& shell, const std::string& client) {
-    shell.write("client.py", client_beginning + client + client_ending);
+/// Whether a Python program succeeds that has the program and the scene as arguments.
+bool python_succeeds(const Shell& shell, const std::string& text) {
+    shell.write("client.py", text);
     const std::string command = "timeout 100 python3 " + shell.path("client.py") +
                                 " " CANDELABRA_BINARY " " + shell.path("scene.pov");
     return std::system(command.c_str()) == 0;
+}
+
+/// Whether all checks of a client succeed. The client starts the preview and checks it in `look()`.
+bool client_succeeds(const Shell& shell, const std::string& client) {
+    return python_succeeds(shell, client_beginning + client + client_ending);
 }
 
 bool has_python() { return std::system("command -v python3 > /dev/null") == 0; }
@@ -204,7 +209,7 @@ TEST_CASE("a preview for other machines answers those who have its whole address
     if (!has_python()) return;
     const Shell shell;
     shell.write("scene.pov", lit_scene);
-    shell.write("client.py", R"py(
+    CHECK(python_succeeds(shell, R"py(
 import re, subprocess, sys, urllib.error, urllib.request
 run = subprocess.Popen([*sys.argv[1:], "--preview", "0", "--preview-host", "127.0.0.2"],
                        stderr=subprocess.PIPE, text=True)
@@ -222,10 +227,7 @@ try:
     assert code("status", Cookie=cookie) == code("style.css", Cookie=cookie) == 200
 finally: run.terminate()
 assert run.wait(20) == 0
-)py");
-    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
-                                " " CANDELABRA_BINARY " " + shell.path("scene.pov");
-    CHECK(std::system(command.c_str()) == 0);
+)py"));
     Shell wrong;
     CHECK(wrong({wrong.path("lit.pov"), "--preview-host", "0.0.0.0"}) == exit_status::usage);
     CHECK_THAT(wrong.err, Catch::Contains("--preview 8000 --preview-host 0.0.0.0"));

@@ -74,6 +74,15 @@ TEST_CASE("pictures of a contact sheet give a warning once", "[app]") {
     CHECK(shell.err.find("warning[aspect]", first + 1) == std::string::npos);
 }
 
+TEST_CASE("a contact sheet that is stopped leaves nothing", "[app]") {
+    Shell shell;
+    shell.interrupts.take = [] { return Interrupt::stop; };
+    CHECK(shell({shell.path("lit.pov"), "-V", "--sheet", "2x1 Size=0.5..1", "+W16", "+H12",
+                 "+O" + shell.path("s.png")}) == exit_status::stopped);
+    CHECK_FALSE(has(shell.err, "+C"));
+    CHECK(std::distance(std::filesystem::directory_iterator(shell.folder), {}) == 1);
+}
+
 TEST_CASE("what does not go with a contact sheet is refused", "[app]") {
     Shell shell;
     shell.write("a.pov", even_scene);

@@ -3,8 +3,10 @@
 // scene before it, every command is one, and the example of each library macro works.
 #include "editor/library_guide.h"
 #include "options/options.h"
+#include "session/lookalikes.h"
 #include "support/shell.h"
 #include "text/ascii.h"
+#include "text/trimmed.h"
 
 #include <catch2/catch.hpp>
 
@@ -270,16 +272,14 @@ TEST_CASE("the page on POV-Ray lists the looks that are only alike", "[manual]")
     std::ifstream file(source + "/man/candelabra-povray.7.in");
     std::string page((std::istreambuf_iterator<char>(file)), {});
     std::ranges::replace(page, '\n', ' ');
-    const std::string_view mark = "// Only alike to POV-Ray's: ";
     int found = 0;
     for (const auto& entry : std::filesystem::directory_iterator(source + "/stdlib")) {
         std::ifstream library(entry.path());
         for (std::string line; std::getline(library, line);) {
-            if (!line.starts_with(mark)) continue;
-            std::string_view list = std::string_view(line).substr(mark.size());
+            if (!line.starts_with(alike_mark)) continue;
+            std::string_view list = std::string_view(line).substr(alike_mark.size());
             while (!list.empty()) {
-                std::string_view one = take_until(list, ",");
-                while (one.starts_with(' ')) one.remove_prefix(1);
+                const std::string_view one = trimmed(take_until(list, ","), " ");
                 INFO(entry.path().filename().string() << ": " << one);
                 CHECK(page.find(one) != std::string::npos);
                 ++found;

@@ -68,6 +68,7 @@ TEST_CASE("other sheets are told from these", "[options]") {
         {"4x3 Seed=1..", "needs a range"},
         {"4x3 Seed=1,,2", "needs a range"},
         {"4x3 Seed=nan..2", "needs a range"},
+        {"4x3 Seed=-1e308..1e308", "needs a range"},
         {"2x1 Seed=1,2,3", "3 values, and there are 2 places"},
         {"2x1 A=1..2 B=1,2", "2 values, and there are 1 places"},
         {"2x2 A=1..2 A=1..2", "given twice"},
