@@ -137,7 +137,8 @@ Factor switches() {
         factor.levels.push_back({name, traits_of_switch(name),
                                  [name](Draft& draft) { draft.modifiers.push_back(words(name)); }});
     }
-    factor.levels.push_back({"uv_mapping", no_trait, [](Draft& draft) {
+    // As in POV-Ray, the bumps of an object with the switch do not turn with it.
+    factor.levels.push_back({"uv_mapping", directions, [](Draft& draft) {
                                  if (has_coordinates(draft.shape.head))
                                      draft.modifiers.push_back(words("uv_mapping"));
                              }});
