@@ -108,16 +108,17 @@ void warn_of_wide_folder(const Options& options, Diagnostics& diagnostics) {
                 .with_help("--allow-read FOLDER permits a folder of it"));
 }
 
-/// Reports what does not go together with measuring.
+/// Reports what does not go together with measuring, which includes balances of light.
 void check_measuring(const Options& options, Diagnostics& diagnostics) {
+    const std::string name = options.task == Task::balance ? "--light-balance" : "--measure";
     if (!reading_format(options.readings_file))
         diagnostics.add(error(Fault::option, {},
                               message("results are written as CSV or JSON, which `",
                                       printable(options.readings_file), "` is not by its ending"))
-                            .with_help("--measure light.csv, or light.json"));
+                            .with_help(name + " light.csv, or light.json"));
     if (options.denoise)
         diagnostics.add(error(Fault::option, {},
-                              "--measure reports light as it is, and --denoise changes pictures"));
+                              name + " reports light as it is, and --denoise changes pictures"));
 }
 
 /// A subcommand of the program, given as the first argument.
@@ -230,7 +231,7 @@ int run_with(Options options, const Console& console, Diagnostics diagnostics) {
                               message("a mesh is written as PLY or OBJ, which `",
                                       printable(options.mesh_file), "` is not by its ending"))
                             .with_help("--export-mesh mesh.ply, or mesh.obj"));
-    if (options.task == Task::measure) check_measuring(options, diagnostics);
+    if (measures_light(options)) check_measuring(options, diagnostics);
     const std::optional<Sheet> sheet = plan_sheet(options, diagnostics);
     if (!options.preview_host.empty() && !options.preview_port)
         diagnostics.add(error(Fault::option, {}, "--preview-host is the address of a preview")

@@ -11,6 +11,7 @@
 #include "output/depfile.h"
 #include "output/index_slice.h"
 #include "output/layers.h"
+#include "output/balance_report.h"
 #include "output/light_report.h"
 #include "output/measurement.h"
 #include "output/mesh_export.h"
@@ -160,8 +161,10 @@ private:
         if (options_.task == Task::export_mesh) settings.evaluation.only = options_.mesh_object;
         // Pictures record the files that they were made from; checks need not.
         settings.notes_files = options_.task == Task::render;
-        settings.shows_picture = options_.task != Task::measure;
-        settings.remembers_objects = console_.preview || aovs_for(options_.layers, false).surface;
+        settings.shows_picture = !measures_light(options_);
+        settings.follows_lamps = options_.task == Task::balance;
+        settings.remembers_objects = console_.preview || settings.follows_lamps ||
+                                     aovs_for(options_.layers, false).surface;
         return settings;
     }
 
@@ -221,6 +224,8 @@ private:
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
         const std::vector<Meter> meters = scene.meters;
+        const Vec3 up =
+            std::visit([](const View& view) { return view.sky; }, scene.camera);
         Output fitting = output;
         fitting.format.gamma = scene.settings.assumed_gamma;
         fitting.format.encoded = scene.gamma_handling;
@@ -234,6 +239,7 @@ private:
         const Shot shot(world, ShotSettings::of(options_.render));
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::measure) return measure_light(shot, meters);
+        if (options_.task == Task::balance) return balance_light(shot, up);
         return is_check() ? finish(shot) : render_picture(shot, fitting);
     }
 
@@ -253,23 +259,50 @@ private:
         settings.threads = options_.render.threads;
         settings.samples = options_.render.samples;
         settings.goal = options_.meter_goal;
-        const double begun = seconds_now();
         bool stopped = false;
-        settings.ended = [&] {
+        settings.ended = ends_measuring(stopped);
+        const std::vector<MeterReading> readings = measure(shot, meters, settings);
+        const MeasuredScene measured{meters, readings, units, settings.seed};
+        const bool json = reading_format(options_.readings_file) == ReadingFormat::json;
+        write_measured(json ? readings_as_json(measured) : readings_as_csv(measured),
+                       readings_as_text(measured));
+        if (say_diagnostics()) return exit_status::file;
+        return stopped ? exit_status::stopped : exit_status::done;
+    }
+
+    int balance_light(const Shot& shot, const Vec3& up) {
+        review_balance(*shot.world, diagnostics_);
+        if (say_diagnostics()) return exit_status::scene;
+        BalanceSettings settings;
+        settings.seed = options_.render.seed;
+        settings.threads = options_.render.threads;
+        settings.up = up;
+        bool stopped = false;
+        settings.ended = ends_measuring(stopped);
+        const LightBalance balance = balance_of_light(shot, settings);
+        const BalancedScene balanced{*shot.world, balance, sources(), settings.seed};
+        const bool json = reading_format(options_.readings_file) == ReadingFormat::json;
+        write_measured(json ? balance_as_json(balanced) : balance_as_csv(balanced),
+                       balance_as_text(balanced));
+        if (say_diagnostics()) return exit_status::file;
+        return stopped ? exit_status::stopped : exit_status::done;
+    }
+
+    /// Whether measuring is to end: time is over, or a signal has come, which sets `stopped`.
+    std::function<bool()> ends_measuring(bool& stopped) {
+        return [this, &stopped, begun = seconds_now()] {
             const auto& take = console_.interrupts.take;
             stopped = stopped || (take && take() == Interrupt::stop);
             return stopped || (options_.time && seconds_now() - begun > *options_.time);
         };
-        const std::vector<MeterReading> readings = measure(shot, meters, settings);
-        const MeasuredScene measured{meters, readings, units, settings.seed};
-        const bool json = reading_format(options_.readings_file) == ReadingFormat::json;
-        const std::string table = json ? readings_as_json(measured) : readings_as_csv(measured);
+    }
+
+    /// Writes a table to its file, and tells people the text.
+    void write_measured(const std::string& table, const std::string& text) {
         if (options_.readings_file == "-")
             console_.out(table);
         else if (write_file(options_.readings_file, table, diagnostics_) && options_.verbose)
-            console_.out(readings_as_text(measured));
-        if (say_diagnostics()) return exit_status::file;
-        return stopped ? exit_status::stopped : exit_status::done;
+            console_.out(text);
     }
 
     /// Prints the result of a check or a dump, and the diagnostics.

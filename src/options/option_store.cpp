@@ -219,12 +219,12 @@ bool is_second_task(const Options& options, const Given& given, Diagnostics& dia
     static constexpr auto exclusive =
         std::array{check,      check_syntax, dump_tokens, dump_tree,
                    dump_scene, dump_world,   dump_index,  export_mesh,
-                   measure};
+                   measure,    balance};
     if (std::ranges::find(exclusive, options.task) == exclusive.end() ||
         std::ranges::find(same, options.task) != same.end())
         return false;
     refuse(given, diagnostics,
-           "a run checks, dumps, exports or measures a scene, one of them only");
+           "a run checks, dumps, exports, measures or balances a scene, one of them only");
     return true;
 }
 
@@ -264,6 +264,12 @@ void store::export_mesh(Options& options, const Given& given, Diagnostics& diagn
 void store::measure(Options& options, const Given& given, Diagnostics& diagnostics) {
     if (is_second_task(options, given, diagnostics, {Task::measure})) return;
     options.task = Task::measure;
+    options.readings_file = *given.value;
+}
+
+void store::light_balance(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (is_second_task(options, given, diagnostics, {Task::balance})) return;
+    options.task = Task::balance;
     options.readings_file = *given.value;
 }
 

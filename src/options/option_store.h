@@ -34,7 +34,8 @@ void refuse(const Given&, Diagnostics&, const std::string& rule, const std::stri
 
 /// The rule of the preview beside tasks.
 inline constexpr const char* shown_only =
-    "a run shows the preview, or checks, dumps, exports or measures the scene, one of them only";
+    "a run shows the preview, or checks, dumps, exports, measures or balances the scene, one of "
+    "them only";
 
 /// A setting of the rendering or of the animation that has an option.
 struct Setting {
@@ -56,6 +57,7 @@ void type(Options&, const Given&, Diagnostics&);
 void bits(Options&, const Given&, Diagnostics&);
 void export_mesh(Options&, const Given&, Diagnostics&);
 void measure(Options&, const Given&, Diagnostics&);
+void light_balance(Options&, const Given&, Diagnostics&);
 void until(Options&, const Given&, Diagnostics&);
 void declare(Options&, const Given&, Diagnostics&);
 void header(Options&, const Given&, Diagnostics&);

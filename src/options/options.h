@@ -44,7 +44,8 @@ enum class Task {
     describe,
     completion,
     export_mesh,
-    measure
+    measure,
+    balance
 };
 
 /// A name that is declared for the scene, and its value.
@@ -83,7 +84,8 @@ struct Options {
     RunFacts facts;                       ///< other facts for the scene; the size is that of render
     std::string mesh_file;                ///< of --export-mesh
     std::string mesh_object;              ///< the declared object to export; empty: the whole scene
-    std::string readings_file;            ///< of --measure: what the meters say
+    /// Of --measure: what the meters say; of --light-balance: where light ends.
+    std::string readings_file;
     MeterGoal meter_goal;                 ///< how good that has to be
     std::string movie;                    ///< made from the frames; empty: none
     std::string sheet;                    ///< as given, such as 4x3 Seed=1..12; empty: none
@@ -131,5 +133,10 @@ inline bool talks(const Options& options) {
 /// first, with any extension; empty: none.
 Options read_options(std::span<const std::string_view> arguments, Diagnostics&, const Reader& = {},
                      const std::string& settings = {});
+
+/// Whether the task makes a table of light, and no picture.
+inline bool measures_light(const Options& options) {
+    return options.task == Task::measure || options.task == Task::balance;
+}
 
 }  // namespace candelabra

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/measurement.h"
 
+#include "output/estimates.h"
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -8,8 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace candelabra {
@@ -18,29 +17,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The value with as many digits as an estimate has, and room.
-double rounded(double value, int digits = 6) {
-    std::array<char, 40> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                   std::chars_format::scientific, digits - 1);
-    double result = value;
-    std::from_chars(text.data(), end.ptr, result);
-    return result;
-}
-
-std::string cell(double value) { return message(rounded(value)); }
-
 /// The name of a meter, or its number if it has none.
 std::string label(const MeasuredScene& scene, std::size_t i) {
     const std::string& name = scene.meters[i].name;
     return name.empty() ? message("meter ", i + 1) : name;
-}
-
-std::string csv_cell(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return result + '"';
 }
 
 /// Flux through the grid in lumens, if the meter has one and measures it.
@@ -50,22 +30,11 @@ std::optional<MeterValue> flux_of(const Meter& meter, const MeterReading& readin
     return MeterValue{mean.value * reading.area, mean.error * reading.area};
 }
 
-Json value_json(const MeterValue& value) {
-    return {{"value", rounded(value.value)}, {"error", rounded(value.error)}};
-}
-
 Json place_json(const MeterReading& reading, std::size_t i) {
     const Vec3& at = reading.places[i].position;
     Json json = value_json(reading.values[i]);
     json["at"] = {at.x, at.y, at.z};
     return json;
-}
-
-/// The value with its interval, both to the digits that the interval leaves.
-std::string shown(const MeterValue& value) {
-    constexpr int most_digits = 4, digits_of_error = 2;
-    return message(rounded(value.value, most_digits), " +- ",
-                   rounded(value.error, digits_of_error));
 }
 
 std::string place_text(const Vec3& at) {

@@ -47,6 +47,7 @@ struct SessionSettings {
     bool notes_files = true;         ///< records Session::files()
     bool shows_picture = true;       ///< review() warns of a picture that is stretched
     bool remembers_objects = false;  ///< records Provenance::object_of
+    bool follows_lamps = false;      ///< keeps luminaires also if no surface shows their light
 };
 
 class Session {

@@ -120,7 +120,7 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     world.facts = facts_of(world);  // flatten() asks about the settings
     for (Media& media : world.sky.media)
         media.scattering.physical = media.scattering.multiple && world.facts.keeps_energy;
-    flatten(scene, world, diagnostics, what, options.remembers_objects);
+    flatten(scene, world, diagnostics, {what, options.remembers_objects, options.follows_lamps});
     simplify_lights(world);
     world.facts = facts_of(world);
     find_openings(world);

@@ -19,6 +19,7 @@ struct CompileOptions {
     std::optional<RayIndex> index;              ///< overrides the scene's
     int quality = 9;                            ///< see RenderSettings
     bool remembers_objects = false;             ///< whether to fill Provenance::object_of
+    bool follows_lamps = false;  ///< keeps luminaires also if no surface shows their light
 };
 
 /// Source of the later scenes of a camera whose shutter stays open.

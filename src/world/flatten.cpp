@@ -47,15 +47,15 @@ bool has_component_looks(const Object& object) { return has_looks_of<Blob>(objec
 
 class Flattener {
 public:
-    Flattener(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what,
-              bool remembers_objects)
+    Flattener(const Scene& scene, World& world, Diagnostics& diagnostics,
+              const FlattenOptions& options)
         : world_(world),
           geometry_(world.geometry),
           diagnostics_(diagnostics),
-          objects_(world.provenance, remembers_objects),
+          objects_(world.provenance, options.remembers_objects),
           statements_(world.provenance),
-          all_(what == Flatten::everything),
-          measured_(!scene.meters.empty()),
+          all_(options.what == Flatten::everything),
+          keeps_lamps_(options.follows_lamps || !scene.meters.empty()),
           only_lights_count_(!all_ && !scene.lights.empty() &&
                              !world.rules.settings.ambient_luminaires),
           materials_(world),
@@ -168,7 +168,7 @@ public:
             world_.appearance.part_textures[geometry_.primitive(each.kind, each.index)] =
                 std::move(each.textures);
         if (all_) lamps_.settle(world_, diagnostics_);
-        if (!all_ || measured_ || receives_light(world_)) {
+        if (!all_ || keeps_lamps_ || receives_light(world_)) {
             add_luminaires(world_, glowing_, all_, diagnostics_);
             add_volumes(world_, filled_, all_, diagnostics_);
         }
@@ -479,7 +479,7 @@ private:
     LightStatements statements_;
     std::uint32_t shared_interiors_ = 0;  ///< number of shared interiors so far
     bool all_;
-    bool measured_;           ///< meters receive light, too
+    bool keeps_lamps_;        ///< also if no surface shows their light
     bool only_lights_count_;  ///< materials of objects that do not glow are not needed
     Materials materials_;
     ShapeStore shapes_;
@@ -500,9 +500,9 @@ std::optional<PlacedLight> sun_of(const std::optional<DaylightSky>& sky, const S
 
 }  // namespace
 
-void flatten(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what,
-             bool remembers_objects) {
-    Flattener flattener(scene, world, diagnostics, what, remembers_objects);
+void flatten(const Scene& scene, World& world, Diagnostics& diagnostics,
+             const FlattenOptions& options) {
+    Flattener flattener(scene, world, diagnostics, options);
     for (const PlacedLight& light : scene.lights) flattener.add_light(light);
     if (const auto sun = sun_of(world.sky.daylight, scene.daylight_statement))
         flattener.add_light(*sun);

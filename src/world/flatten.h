@@ -13,9 +13,13 @@ enum class Flatten {
     luminaires,  ///< other objects only count, by number and materials
 };
 
-/// Fills the world's primitives, materials and luminaires, and Provenance::object_of if
-/// `remembers_objects`.
-void flatten(const Scene&, World&, Diagnostics&, Flatten = Flatten::everything,
-             bool remembers_objects = false);
+struct FlattenOptions {
+    Flatten what = Flatten::everything;
+    bool remembers_objects = false;  ///< whether to fill Provenance::object_of
+    bool follows_lamps = false;      ///< keeps luminaires also if no surface shows their light
+};
+
+/// Fills the world's primitives, materials and luminaires.
+void flatten(const Scene&, World&, Diagnostics&, const FlattenOptions&);
 
 }  // namespace candelabra

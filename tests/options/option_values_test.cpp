@@ -136,6 +136,7 @@ const std::map<std::string, GivenWords>& examples() {
         {"export-mesh", {no_picture}},
         {"export-object", {"--export-object", "Ball"}},
         {"measure", {no_picture}},
+        {"light-balance", {no_picture}},
         {"until", {"--until", "lux 1%"}},
         {"progress", {"--progress", "plain"}},
         {"preview", {no_picture}},

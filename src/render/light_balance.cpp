@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/light_balance.h"
+
+#include "base/parallel.h"
+#include "base/weighted_places.h"
+#include "lighting/draw.h"
+#include "photometry/light_colour.h"
+#include "transport/light_left.h"
+#include "transport/surface_lobes.h"
+#include "world/radiance.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace candelabra {
+
+namespace {
+
+/// Paths of a batch in the first round, each further one of which doubles them.
+constexpr std::uint32_t first_paths = 1024, most_paths = 1U << 17U;
+constexpr int most_surfaces = 1000;  ///< that a path may meet
+/// Ray tolerance of a path that leaves a luminaire, as a fraction of the luminaire's radius.
+constexpr double off_the_lamp = 1e-7;
+/// Number of surfaces from which on paths are subject to Russian roulette, and their minimum
+/// survival probability.
+constexpr int first_chance = 3;
+constexpr double least_survival = 0.05;
+
+/// Sums of a batch of paths.
+struct BalanceSums {
+    std::vector<std::array<double, light_ends>> ends;  ///< of each statement that makes lamps
+    std::vector<double> objects;                       ///< of each statement that makes objects
+
+    void add(std::uint32_t statement, LightEnd end, double light) {
+        ends[statement][static_cast<std::size_t>(end)] += light;
+    }
+};
+
+/// Follows paths from luminaires to their ends.
+class BalancePaths {
+public:
+    BalancePaths(const Shot& shot, const Vec3& up)
+        : shot_(shot), world_(*shot.world), rules_(shading_rules(world_)), up_(up) {
+        std::vector<double> weights;
+        for (const Luminaire& luminaire : world_.lights.luminaires)
+            weights.push_back(bounds(luminaire).intensity);
+        places_ = WeightedPlaces(weights);
+        std::map<Place, std::uint32_t> numbers;
+        for (const Span& span : world_.provenance.object_spans) {
+            const auto [found, fresh] =
+                numbers.try_emplace({span.source, span.first}, statements_.size());
+            if (fresh) statements_.push_back(span);
+            statement_of_.push_back(found->second);
+        }
+    }
+
+    bool any() const { return places_.total() > 0; }
+    /// The statements that made objects, in the order of BalanceSums::objects.
+    const std::vector<Span>& statements() const { return statements_; }
+
+    void follow(const Key& key, BalanceSums& sums) const {
+        const auto total = static_cast<double>(places_.total());
+        const auto place = static_cast<std::uint64_t>(uniform(key, Purpose::light_choice) * total);
+        const LightIndex light = places_.at(std::min(place, places_.total() - 1));
+        const Luminaire& luminaire = world_.lights.luminaires[light];
+        const auto emitted =
+            emit(luminaire, inner_rays(luminaire),
+                 {place_on_light(key),
+                  {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
+                  uniform(key, Purpose::way_choice)});
+        if (!emitted) return;
+        const double chance = static_cast<double>(places_.of(light)) / total;
+        PathState path;
+        path.key = key;
+        path.kind = RayKind::gathering;
+        path.ray = emitted->ray;
+        path.tolerance = off_the_lamp * bounds(luminaire).radius;
+        path.media = world_.containing(path.ray.at(path.tolerance));
+        path.throughput =
+            leaving(luminaire, path) * (dot(emitted->normal, path.ray.direction) /
+                                        (std::numbers::pi * emitted->density * chance));
+        go_on(std::move(path), world_.provenance.statement_of_luminaire[light], sums);
+    }
+
+private:
+    using Place = std::pair<std::uint32_t, std::uint32_t>;
+
+    /// Fraction of the rays on the inner side. Light that cannot leave its lamp is left out, unless
+    /// the camera is in there.
+    double inner_rays(const Luminaire& luminaire) const {
+        return luminaire.keeps_inner_light && shot_.inner_rays(luminaire) < 0.5 ? 0 : 0.5;
+    }
+
+    /// Radiance with which the path leaves its luminaire.
+    Vec3 leaving(const Luminaire& luminaire, const PathState& path) const {
+        Hit hit;
+        double free = bounds(luminaire).radius;
+        if (world_.first_hit(path.ray, path.tolerance, path.kind, hit))
+            free = std::min(free, length(hit.position - path.ray.origin));
+        const double distance = free / 2;
+        const Ray back{path.ray.at(distance), -path.ray.direction};
+        return radiance_seen(world_, {luminaire, back, 0, distance});
+    }
+
+    void go_on(PathState path, std::uint32_t statement, BalanceSums& sums) const {
+        const double begun = max_component(glm::abs(path.throughput));
+        for (int met = 0; path.throughput != Vec3(0); ++met) {
+            Hit hit;
+            const bool meets = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
+            dim_by_air(path, meets ? length(hit.position - path.ray.origin) : INFINITY, meets,
+                       statement, sums);
+            const double light = light_luminance(path.throughput);
+            if (!meets || met == most_surfaces)
+                return sums.add(statement, meets ? LightEnd::unknown : way_out(path), light);
+            if (!scatter(path, hit, begun, met)) path.throughput = Vec3(0);
+            const double absorbed = light - light_luminance(path.throughput);
+            sums.add(statement, LightEnd::surfaces, absorbed);
+            if (!statement_of_.empty())
+                sums.objects[statement_of_[world_.provenance.object_of[hit.primitive]]] += absorbed;
+        }
+    }
+
+    void dim_by_air(PathState& path, double distance, bool meets, std::uint32_t statement,
+                    BalanceSums& sums) const {
+        if (!world_.facts.dims_between) return;
+        const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
+        const Vec3 left = left_in_air(world_, {path.ray, {0, distance}, solids, meets},
+                                      path.key.branched(Branch::medium));
+        sums.add(statement, LightEnd::air, light_luminance((Vec3(1) - left) * path.throughput));
+        path.dim(left);
+    }
+
+    LightEnd way_out(const PathState& path) const {
+        const bool straight = path.depth == 0 && path.bounces == 0;
+        if (dot(path.ray.direction, up_) > 0)
+            return straight ? LightEnd::above : LightEnd::above_reflected;
+        return straight ? LightEnd::below : LightEnd::below_reflected;
+    }
+
+    /// Continues the path in one of the ways on from a surface. Returns false if it ends.
+    bool scatter(PathState& path, const Hit& hit, double begun, int met) const {
+        // The path changes while the vertex refers to the solids around it.
+        const MediaStack around = path.media;
+        const Vertex vertex = vertex_at(world_, path.ray, hit, {around.data(), around.size()});
+        path.dim(left_inside(world_, path, hit));
+        const auto textures = visible_textures(world_, vertex);
+        const auto* texture = choose(textures, uniform(path.key, Purpose::texture_choice));
+        if (!texture) return false;
+        const LayerStack stack(world_, path, vertex, texture->layers);
+        SurfaceLobes lobes(world_, rules_, path, vertex, stack);
+        stack.visit([&](const LayerStack::Seen& layer) { lobes.add(layer, {}); });
+        lobes.add_behind();
+        const auto chosen = lobes.choose(uniform(path.key, Purpose::way_choice));
+        if (!chosen) return false;
+        const auto& [lobe, chance] = *chosen;
+        double survival = 1;
+        if (met >= first_chance) {
+            const double left = max_component(glm::abs(path.throughput * lobe.share)) / chance;
+            survival = std::clamp(left / begun, least_survival, 1.0);
+        }
+        if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;
+        path.dim(lobe.through / (chance * survival));
+        return lobes.follow(lobe, path);
+    }
+
+    const Shot& shot_;
+    const World& world_;
+    ShadingRules rules_;
+    Vec3 up_;
+    WeightedPlaces places_;  ///< luminaires, weighted by their intensity
+    std::vector<Span> statements_;
+    std::vector<std::uint32_t> statement_of_;  ///< of each of Provenance::object_spans
+};
+
+/// The value that `of` finds in the sums of each batch, of which each has so many paths.
+template <class Of>
+MeterValue value_of(const std::vector<BalanceSums>& batches, std::uint32_t paths, const Of& of) {
+    Batches means;
+    double all = 0;
+    for (std::size_t b = 0; b < batch_count; ++b) {
+        means[b] = of(batches[b]) / paths;
+        all += means[b] / batch_count;
+    }
+    return with_interval(all, means);
+}
+
+/// The balance of the lamps for which `of` finds sums.
+template <class Of>
+LampBalance lamps_of(const std::vector<BalanceSums>& batches, std::uint32_t paths, const Of& of) {
+    LampBalance result;
+    for (std::size_t end = 0; end < light_ends; ++end)
+        result.ends[end] =
+            value_of(batches, paths, [&](const BalanceSums& sums) { return of(sums)[end]; });
+    result.sent = value_of(batches, paths, [&](const BalanceSums& sums) {
+        const auto& ends = of(sums);
+        return std::accumulate(ends.begin(), ends.end(), 0.0);
+    });
+    return result;
+}
+
+LightBalance balance_of(const std::vector<BalanceSums>& batches, std::uint32_t paths,
+                        const std::vector<Span>& statements) {
+    LightBalance result;
+    result.paths = std::uint64_t{paths} * batch_count;
+    for (std::size_t i = 0; i < batches[0].ends.size(); ++i)
+        result.lamps.push_back(lamps_of(
+            batches, paths, [&](const BalanceSums& sums) -> const auto& { return sums.ends[i]; }));
+    result.all = lamps_of(batches, paths, [](const BalanceSums& sums) {
+        std::array<double, light_ends> all{};
+        for (const auto& each : sums.ends)
+            for (std::size_t end = 0; end < light_ends; ++end) all[end] += each[end];
+        return all;
+    });
+    for (std::size_t i = 0; i < statements.size(); ++i)
+        result.objects.push_back(
+            {statements[i],
+             value_of(batches, paths, [&](const BalanceSums& sums) { return sums.objects[i]; })});
+    std::ranges::stable_sort(result.objects, [](const ObjectBalance& a, const ObjectBalance& b) {
+        return a.absorbed.value > b.absorbed.value;
+    });
+    return result;
+}
+
+bool is_known(const LightBalance& balance, double error) {
+    return std::ranges::all_of(balance.lamps, [&](const LampBalance& each) {
+        return std::ranges::all_of(each.ends, [&](const MeterValue& end) {
+            return end.error <= error * balance.all.sent.value;
+        });
+    });
+}
+
+}  // namespace
+
+LightBalance balance_of_light(const Shot& shot, const BalanceSettings& settings) {
+    const BalancePaths paths(shot, unit(settings.up));
+    const Provenance& provenance = shot.world->provenance;
+    std::vector<BalanceSums> batches(batch_count);
+    for (BalanceSums& each : batches) {
+        each.ends.resize(provenance.light_statements.size());
+        each.objects.resize(paths.statements().size());
+    }
+    LightBalance result;
+    std::uint32_t done = 0;
+    for (std::uint32_t level = first_paths; paths.any(); level *= 2) {
+        run_parallel(batch_count, settings.threads, [&](std::size_t batch) {
+            const std::uint64_t stream =
+                mix(mix(static_cast<std::uint64_t>(settings.seed) + 0xba1a) + batch);
+            for (std::uint32_t n = done; n < level; ++n)
+                paths.follow({stream, n, 0, 0}, batches[batch]);
+        });
+        done = level;
+        result = balance_of(batches, done, paths.statements());
+        result.reached = is_known(result, settings.error);
+        if (result.reached || level == most_paths || (settings.ended && settings.ended())) break;
+    }
+    result.lamps.resize(provenance.light_statements.size());
+    for (const std::uint32_t statement : provenance.statement_of_luminaire) {
+        ++result.lamps[statement].lamps;
+        ++result.all.lamps;
+    }
+    return result;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/light_balance.h"
+
+#include "render/measure.h"
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+using std::numbers::pi;
+
+const std::string in_metres =
+    "#version 3.7; global_settings { photometry { unit 1 white 1 } } "
+    "#default { finish { ambient 0 diffuse 0 } pigment { rgb 1 } } "
+    "camera { location <5, 5, -9> } ";
+const std::string ball = "sphere { 2*y, 0.5 finish { emission 3 } } ";
+constexpr double of_ball = 3 * 4 * pi * 0.25;  ///< its luminance times its area
+
+Shot remembered(const std::string& script) {
+    CompileOptions options;
+    options.remembers_objects = options.follows_lamps = true;
+    Diagnostics diagnostics;
+    return Shot(compile(scene_of(in_metres + script), options, diagnostics));
+}
+
+LightBalance balance(const std::string& script, BalanceSettings settings = {}) {
+    return balance_of_light(remembered(script), settings);
+}
+
+/// The ends of all light in per cent, rounded to a half: enough to tell what is right.
+std::array<double, light_ends> ends_of(const LampBalance& lamps) {
+    std::array<double, light_ends> ends{};
+    for (std::size_t i = 0; i < light_ends; ++i)
+        ends[i] = std::round(200 * lamps.ends[i].value / lamps.sent.value) / 2;
+    return ends;
+}
+
+}  // namespace
+
+TEST_CASE("all light of luminaires ends where formulas say", "[render]") {
+    const std::string floor = "plane { y, 0 finish { diffuse 0.5 } } ";
+    struct Row {
+        const char* name;
+        std::string scene;
+        double sent;
+        std::array<double, light_ends> ends;
+    };
+    // surfaces, air, above, above reflected, below, below reflected, unknown
+    const Row rows[] = {
+        {"nothing around", ball, of_ball, {0, 0, 50, 0, 50, 0, 0}},
+        {"above a floor", ball + floor, of_ball, {25, 0, 50, 25, 0, 0, 0}},
+        {"in a black box",
+         ball + "box { <-3, 0, -3>, <3, 4, 3> }",
+         of_ball,
+         {100, 0, 0, 0, 0, 0, 0}},
+        {"in a grey box",
+         ball + "box { <-3, 0, -3>, <3, 4, 3> finish { diffuse 0.8 } }",
+         of_ball,
+         {100, 0, 0, 0, 0, 0, 0}},
+        {"over a mirror",
+         ball + "plane { y, 0 finish { reflection 0.6 } }",
+         of_ball,
+         {20, 0, 50, 30, 0, 0, 0}},
+        {"in a globe of clear glass",
+         ball + "sphere { 2*y, 1 pigment { rgbt 1 } interior { ior 1 } }",
+         of_ball,
+         {0, 0, 50, 0, 50, 0, 0}},
+        {"in a globe that filters",
+         ball + "sphere { 2*y, 1 hollow pigment { rgbt <1, 1, 1, 0.5> } }",
+         of_ball,
+         {50, 0, 25, 0, 25, 0, 0}},
+        {"one side of a disc",
+         "disc { 2*y, -y, 1 texture { finish { emission 2 } } interior_texture { finish { diffuse "
+         "0 } } }",
+         2 * pi,
+         {0, 0, 0, 0, 100, 0, 0}},
+        {"both sides of a disc that another one covers",
+         "disc { 2*y, y, 1 finish { emission 2 } } disc { 1.99*y, y, 20 }",
+         4 * pi,
+         {50, 0, 50, 0, 0, 0, 0}},
+        {"air that absorbs",
+         "sphere { 0, 0.01 finish { emission 3 } } sphere { 0, 2 hollow } media { absorption 0.5 }",
+         3 * 4 * pi * 1e-4,
+         {37, 63, 0, 0, 0, 0, 0}},
+        {"fog",
+         "sphere { 0, 0.01 finish { emission 3 } } sphere { 0, 2 hollow } fog { distance 2 rgb 0 }",
+         3 * 4 * pi * 1e-4,
+         {37, 63, 0, 0, 0, 0, 0}},
+        {"a box of glowing gas",
+         "box { -0.5, 0.5 hollow pigment { rgbt 1 } interior { media { emission 3 } luminaire } }",
+         12,
+         {0, 0, 50, 0, 50, 0, 0}},
+    };
+    for (const Row& row : rows) {
+        BalanceSettings settings;
+        settings.error = 0.001;
+        const LightBalance found = balance(row.scene, settings);
+        CAPTURE(row.name);
+        CHECK(found.reached);
+        CHECK(found.all.sent.value == Approx(row.sent).epsilon(0.003));
+        CHECK(ends_of(found.all) == row.ends);
+    }
+}
+
+TEST_CASE("each statement of lamps and of objects has its light", "[render]") {
+    const std::string script =
+        "#for (I, 1, 3) sphere { <4*I, 2, 0>, 0.5 finish { emission I } } #end "
+        "disc { <0, 5, 0>, y, 1 finish { emission 2 } } "
+        "plane { y, 0 finish { diffuse 0.25 } } plane { y, 9 pigment { rgb 1 } }";
+    const LightBalance found = balance(script);
+    REQUIRE(found.lamps.size() == 2);
+    CHECK(found.lamps[0].lamps == 3);
+    CHECK(found.lamps[0].sent.value == Approx(6 * pi).epsilon(0.005));
+    CHECK(found.lamps[1].lamps == 1);
+    CHECK(found.lamps[1].sent.value == Approx(4 * pi).epsilon(0.005));
+    double absorbed = 0;
+    for (const ObjectBalance& each : found.objects) absorbed += each.absorbed.value;
+    CHECK(absorbed == Approx(found.all.of(LightEnd::surfaces).value));
+    CHECK(std::ranges::is_sorted(found.objects, std::greater{},
+                                 [](const ObjectBalance& each) { return each.absorbed.value; }));
+}
+
+TEST_CASE("a floor absorbs what its meter receives", "[render]") {
+    const std::string script =
+        ball +
+        "box { <-2, -0.1, -2>, <2, 0, 2> } box { <1, 0, -1>, <1.1, 1.5, 1> finish { diffuse "
+        "0.7 } } meter { corner <-2, 0.001, -2> along 4*x across 4*z counts <40, 40> } "
+        "global_settings { integrator { path_traced } }";
+    const Shot shot = remembered(script);
+    BalanceSettings settings;
+    settings.error = 0.001;
+    const LightBalance found = balance_of_light(shot, settings);
+    MeasureSettings samples;
+    samples.samples = 256;
+    const Scene scene = scene_of(in_metres + script);
+    const double lux = measure(shot, scene.meters, samples).at(0).summary.mean.value;
+    CHECK(pi * found.objects.at(0).absorbed.value == Approx(16 * lux).epsilon(0.01));
+}
+
+TEST_CASE("a balance of light is the same for any number of threads", "[render]") {
+    const std::string script = ball + "plane { y, 0 finish { diffuse 0.5 } }";
+    BalanceSettings one, three;
+    one.threads = 1;
+    three.threads = 3;
+    CHECK(balance(script, one).all.of(LightEnd::above_reflected).value ==
+          balance(script, three).all.of(LightEnd::above_reflected).value);
+}
+
+TEST_CASE("a scene without luminaires has an empty balance", "[render]") {
+    const LightBalance found =
+        balance("light_source { 9*y, 1 } plane { y, 0 finish { diffuse 0.5 } }");
+    CHECK(found.paths == 0);
+    CHECK(found.all.sent.value == 0);
+}
+
+}  // namespace candelabra
