@@ -9,7 +9,8 @@ namespace {
 
 const std::string deep_paths = "path_traced bounces 50 reflected_luminaires ";
 
-/// The element with white pigments, whose diffuse surfaces glow as much as they absorb.
+/// The element with white pigments, whose diffuse surfaces glow as much as they absorb, and reflect
+/// no more than they receive.
 Element whitened(Element element) {
     element = replaced(std::move(element), "rgb (<[^>]*>|[0-9.]+)", "rgb 1");
     element = replaced(std::move(element), "(diffuse [^{}]*) emission [0-9.]+", "$1");
@@ -24,6 +25,8 @@ Element whitened(Element element) {
         if (share < 1)
             element.values = found.prefix().str() + found[0].str() + " emission " +
                              text_of(1 - share) + found.suffix().str();
+        else if (share > 1)
+            element.values = found.prefix().str() + "diffuse 1" + found.suffix().str();
     }
     for (Element& each : element.inner) each = whitened(std::move(each));
     return element;
