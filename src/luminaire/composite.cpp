@@ -79,7 +79,7 @@ double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
 struct SeenRays {
     static constexpr std::uint32_t rays = 512;
     std::vector<Ray> met;
-    bool closed = true;  ///< whether none of them meets the inner side first
+    bool closed = true;  ///< whether none of them shows the inner side
 
     SeenRays(const CompositeEmitter& e, const Around& ball) {
         for (std::uint32_t i = 0; i < rays; ++i) {
@@ -96,8 +96,15 @@ struct SeenRays {
             const auto hit = first_of(e, ray, 0);
             if (!hit) continue;
             met.push_back(ray);
-            closed = closed && dot(hit->normal, direction) < 0;
+            closed = closed && (dot(hit->normal, direction) < 0 || is_hidden(e, ray, hit->t));
         }
+    }
+
+    /// Whether another leaf of the whole is in front of the point, or all around the ray's start.
+    static bool is_hidden(const CompositeEmitter& e, const Ray& ray, double t) {
+        return e.composite->inside(ray.origin) ||
+               e.composite->first(ray, Interval{0, t * (1 - same_face)},
+                                  [&](std::uint32_t leaf) { return leaf != e.leaf; });
     }
 };
 
@@ -351,7 +358,7 @@ std::optional<EmittedRay> emit(const CompositeEmitter& e, double inner, const Em
         left -= weight(met);
         if (left < 0) break;
     }
-    if (!drawn) return {};
+    if (!drawn || !(sum > 0)) return {};
     Vec3 normal = unit(drawn->normal);
     if (dot(normal, along) < 0) normal = -normal;
     // Lines have a uniform density per area perpendicular to them.

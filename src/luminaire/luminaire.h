@@ -212,7 +212,8 @@ struct EmissionDraw {
 /// to the emitted power. The radiance along the ray times the cosine to the normal, over the
 /// density, is an unbiased estimate of the power: every point has all directions on both sides.
 /// `inner`: fraction of the rays that leave a closed surface on its inner side; it changes their
-/// noise only. Returns nothing if no point is drawn.
+/// noise only, unless it is 0: then the light of that side is left out. Returns nothing if no point
+/// is drawn.
 std::optional<EmittedRay> emit(const Luminaire&, double inner, const EmissionDraw&);
 
 /// Area of the emitting surface in world units; 0 if it cannot glow (a degenerate triangle).

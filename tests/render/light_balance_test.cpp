@@ -34,6 +34,11 @@ LightBalance balance(const std::string& script, BalanceSettings settings = {}) {
     return balance_of_light(remembered(script), settings);
 }
 
+MeterValue lumens(const MeterValue& value) {
+    const LightUnits units{1, 1};
+    return {units.lumens(value.value), units.lumens(value.error)};
+}
+
 /// The ends of all light in per cent, rounded to a half: enough to tell what is right.
 std::array<double, light_ends> ends_of(const LampBalance& lamps) {
     std::array<double, light_ends> ends{};
@@ -106,6 +111,51 @@ TEST_CASE("all light of luminaires ends where formulas say", "[render]") {
         CHECK(found.reached);
         CHECK(found.all.sent.value == Approx(row.sent).epsilon(0.003));
         CHECK(ends_of(found.all) == row.ends);
+    }
+}
+
+TEST_CASE("lamps of any shape send the flux that they state", "[render]") {
+    struct Row {
+        const char* shape;   ///< without its last brace
+        bool keeps = false;  ///< a part of the light meets the lamp itself
+    };
+    const Row rows[] = {
+        {"sphere { 0, 0.7 scale <1, 2, 0.5>"},
+        {"box { -0.5, <0.6, 0.4, 1> rotate <10, 20, 30>"},
+        {"cylinder { -y, y, 0.4 scale <1, 1, 2>"},
+        {"cylinder { -y, y, 0.4 open", true},
+        {"cone { 0, 0.5, y, 0.2"},
+        {"torus { 1, 0.3", true},
+        {"disc { 0, y, 1, 0.3"},
+        {"triangle { 0, x, y"},
+        {"polygon { 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>"},
+        {"superellipsoid { <0.3, 0.5>"},
+        {"lathe { linear_spline 4, <0, -1>, <0.3, -0.5>, <0.6, 0>, <0, 0.8>"},
+        {"sor { 5, <0.1, -0.2>, <0.3, 0>, <0.5, 0.4>, <0.2, 0.8>, <0.1, 1>"},
+        {"prism { 0, 1, 5, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>"},
+        {"blob { threshold 0.5 sphere { 0, 1, 1 } sphere { 0.6*x, 0.8, 1 }"},
+        {"quadric { <1, 2, 1>, 0, 0, -0.5"},
+        {"ovus { 0.6, 0.3"},
+        {"ovus { 0.3, 0.5"},
+        {"sphere_sweep { linear_spline 3, 0, 0.2, x, 0.3, x + y, 0.1", true},
+        {"isosurface { function { x*x + y*y + 2*z*z - 0.4 } contained_by { box { -1, 1 } }"},
+        {"mesh { triangle { 0, x, y } triangle { x, y, z }", true},
+        {"union { sphere { 0, 0.3 } box { 1, 1.4 }", true},
+        {"intersection { sphere { 0, 0.6 } box { -0.5, 0.5 }"},
+        {"difference { box { -0.5, 0.5 } sphere { 0, 0.6 }", true},
+        {"difference { sphere { 0, 0.6 } box { <0, -1, -1>, 1 }"},
+        {"merge { sphere { 0, 0.5 } sphere { 0.4*x, 0.5 }", true},
+        {"sphere { 0, 0.7 clipped_by { plane { x, 0.2 } }", true},
+    };
+    for (const Row& row : rows) {
+        BalanceSettings settings;
+        settings.error = 0.01;
+        const LampBalance found =
+            balance(std::string(row.shape) + " luminaire { flux lumen(1000) } }", settings).all;
+        const MeterValue sent = lumens(found.sent), kept = lumens(found.of(LightEnd::surfaces));
+        CAPTURE(row.shape, sent.error);
+        CHECK(std::abs(sent.value - 1000) < 1 + 2 * sent.error);
+        CHECK((kept.value > 1) == row.keeps);
     }
 }
 
