@@ -2,9 +2,7 @@
 #include "app/library.h"
 
 #include "text/message.h"
-#include "text/printable.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -68,29 +66,6 @@ std::string installed_povray_library() {
             if (fs::is_directory(folder, none)) return folder;
         }
     return {};
-}
-
-std::vector<std::string> library_folders(const std::vector<std::string>& first,
-                                         const std::string& standard,
-                                         const std::vector<std::string>& given,
-                                         Diagnostics& diagnostics) {
-    std::vector<std::string> paths;
-    const auto add = [&](std::string path) {
-        while (path.size() > 1 && path.ends_with('/')) path.pop_back();
-        std::error_code none;
-        if (!fs::is_directory(path, none))
-            diagnostics.add(warning(
-                Fault::option, {},
-                message("there is no folder `", printable(path), "` to look for files in")));
-        paths.push_back(std::move(path));
-    };
-    std::ranges::for_each(first, add);
-    // POV-Ray's order: its settings name its own library before the command line is read.
-    if (!standard.empty()) paths.push_back(standard);
-    std::ranges::for_each(given, add);
-    // The library's pictures come last, so that they never hide others of the same name.
-    if (!standard.empty()) paths.push_back(standard + "/pictures");
-    return paths;
 }
 
 }  // namespace candelabra

@@ -4,8 +4,6 @@
 // names.
 #pragma once
 
-#include "text/diagnostic.h"
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,12 +29,5 @@ std::string installed_povray_library();
 /// Returns the folders that the variable CANDELABRA_LIBRARY names, with colons between them. null:
 /// it is unset.
 std::vector<std::string> named_libraries(const char* chosen);
-
-/// Returns the folders that are searched for files, in order: those that come before the standard
-/// library, the standard library (empty: none), the folders of the options, and the library's
-/// pictures. Warns of a folder that does not exist.
-std::vector<std::string> library_folders(const std::vector<std::string>& first,
-                                         const std::string& standard,
-                                         const std::vector<std::string>& given, Diagnostics&);
 
 }  // namespace candelabra

@@ -31,15 +31,7 @@ TEST_CASE("the standard library lies beside an installed program, or where one s
     fs::remove_all(folder);
 }
 
-TEST_CASE("the library comes first, and what is no folder is told of", "[app]") {
-    Diagnostics diagnostics;
-    CHECK(library_folders({}, "/lib", {"/tmp//", "/no/such"}, diagnostics) ==
-          std::vector<std::string>{"/lib", "/tmp", "/no/such", "/lib/pictures"});
-    REQUIRE(diagnostics.all().size() == 1);
-    CHECK(diagnostics.all()[0].message == "there is no folder `/no/such` to look for files in");
-    CHECK(library_folders({}, "", {}, diagnostics).empty());
-    CHECK(library_folders({"/tmp/"}, "/lib", {"/"}, diagnostics) ==
-          std::vector<std::string>{"/tmp", "/lib", "/", "/lib/pictures"});
+TEST_CASE("a variable names libraries with colons between", "[app]") {
     CHECK(named_libraries(nullptr).empty());
     CHECK(named_libraries("").empty());
     CHECK(named_libraries("/a b:lib::/c:") == std::vector<std::string>{"/a b", "lib", "/c"});

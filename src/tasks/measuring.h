@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What tasks that measure light have in common: their end, and their table.
+#pragma once
+
+#include "tasks/scene_steps.h"
+
+#include <functional>
+#include <string>
+
+namespace candelabra {
+
+/// Returns whether measuring is to end: the time is over, or a signal has come, which sets
+/// `stopped`. Both must outlive the function.
+std::function<bool()> ends_measuring(const SceneSteps&, bool& stopped);
+
+/// Whether the table is to be JSON; otherwise it is CSV.
+bool measures_as_json(const Options&);
+
+/// Writes the table to the file of the options, and prints the text, which is for people. Returns
+/// the exit status.
+int write_measured(SceneSteps&, const std::string& table, const std::string& text, bool stopped);
+
+}  // namespace candelabra

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/render_picture.h"
+
+#include "console/progress.h"
+#include "output/light_report.h"
+#include "production/file_lock.h"
+#include "production/render_job.h"
+#include "tasks/frame_film.h"
+#include "text/message.h"
+#include "text/printable.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace candelabra {
+
+namespace {
+
+constexpr std::string_view draft_words =
+    "draft: noise is averaged away, and small shadows and reflections with it; without --draft the "
+    "picture is exact\n";
+
+Progress progress(const Options& options, const Console& console) {
+    using enum Progress::Style;
+    const bool shown = talks(options) && options.streams[Stream::render].shown;
+    const Progress::Style usual = !shown ? silent : console.terminal ? terminal : lines;
+    const Progress::Style style = progress_style(options.progress).value_or(usual);
+    // Farm managers read standard output, unless the picture goes there.
+    const bool out = (style == alf || style == openjd) && options.output != "-";
+    return Progress(style, seconds_now, out ? console.out : console.err, options.share);
+}
+
+/// Waits until rendering may begin, and excludes the waiting time from the statistics.
+bool take_turn(SceneSteps& steps) {
+    const double before = time_now().seconds;
+    const auto& begins = steps.console().begins_rendering;
+    const bool wanted = !begins || begins();
+    steps.leave_out(time_now().seconds - before);
+    return wanted;
+}
+
+JobEnd work(SceneSteps& steps, RenderJob& job) {
+    const Console& console = steps.console();
+    RunStatistics& statistics = steps.statistics();
+    Progress shown = progress(steps.options(), console);
+    if (console.interrupts.listening) console.interrupts.listening(true);
+    statistics.render = time_now();
+    const JobEnd end = job.run(shown, seconds_now);
+    statistics.render = time_now() - statistics.render;
+    if (console.interrupts.listening) console.interrupts.listening(false);
+    statistics.rays = job.rays();
+    shown.finish();
+    if (console.ends_rendering && end == JobEnd::finished) console.ends_rendering();
+    return end;
+}
+
+int say_stopped(SceneSteps& steps, const JobPlan& plan, const RenderJob& job) {
+    if (steps.say_diagnostics()) return exit_status::file;
+    if (!steps.options().diagnostics_as_json)
+        steps.console().err(
+            job.can_keep()
+                ? message("stopped; +C goes on from `", printable(state_path(plan)), "`\n")
+                : std::string("stopped; there is no place for a state\n"));
+    return exit_status::stopped;
+}
+
+/// Says what was made, and how.
+void say_made(SceneSteps& steps, const std::string& made) {
+    const Options& options = steps.options();
+    if (!talks(options)) return;
+    say(steps.console(), Stream::statistics,
+        message(options.to_file ? printable(made) : "no file", ": ", summary(steps.statistics()),
+                "\n"));
+    if (options.draft) say(steps.console(), Stream::statistics, draft_words);
+}
+
+int render_shot(SceneSteps& steps, const Shot& shot) {
+    const Options& options = steps.options();
+    const World& world = *shot.world;
+    Diagnostics& diagnostics = steps.diagnostics();
+    const std::string& path = steps.output().path;
+    Identity identity = identity_of(options, steps.session().files(), steps.output().format);
+    FilmFiles files = steps.film_files();
+    files.film = film_of_frame(shot.view.film, options);
+    note_film(identity, files.film);
+    if (aovs_for(options.layers, false).lights) {
+        files.lights = light_names(world, steps.sources());
+        note_lights(identity, files.lights);
+    }
+    JobPlan plan{options, identity, path, steps.shard(), steps.console().winds_down};
+    RenderJob job(plan, shot, steps.console().interrupts, diagnostics);
+    const bool locks = job.can_keep();
+    const FileLock lock(locks ? state_path(plan) : std::string());
+    if (lock.taken())
+        diagnostics.add(error(
+            Fault::io, {}, message("another run is making `", printable(path), "` at the moment")));
+    else
+        job.prepare();
+    if (steps.say_diagnostics()) return exit_status::file;
+    if (!take_turn(steps)) return exit_status::stopped;
+    const JobEnd end = work(steps, job);
+    if (end == JobEnd::stopped) return say_stopped(steps, plan, job);
+    files.format.description = description(identity, job.samples(), files.format);
+    const bool whole = !steps.shard();
+    if (options.to_file && whole && end == JobEnd::finished)
+        write_film(job.film(), files, diagnostics);
+    const bool lost = diagnostics.failed();
+    job.leave_state(!whole || options.keep_state || lost);
+    if (options.light_report) steps.console().err(light_report(world, job.rays(), steps.sources()));
+    if (steps.say_diagnostics()) return exit_status::file;
+    const std::string made = whole ? path : state_path(plan);
+    const int status = steps.finish(shot, made);
+    if (status == exit_status::done) say_made(steps, made);
+    return status;
+}
+
+}  // namespace
+
+int render_picture(SceneSteps& steps) {
+    std::optional<Scene> scene = steps.reviewed_scene();
+    if (!scene) return exit_status::scene;
+    const SharedWorld world = steps.compiled(std::move(*scene), Session::Shutter::all_samples);
+    if (!world) return exit_status::scene;
+    const Shot shot = steps.shot(world);
+    return render_shot(steps, shot);
+}
+
+}  // namespace candelabra

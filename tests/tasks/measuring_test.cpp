@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/measuring.h"
+
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+TEST_CASE("what was measured goes to its file, or to the standard output") {
+    Shell shell;
+    Options options;
+    Console console;
+    std::string said;
+    console.out = [&](std::string_view text) { said += text; };
+    console.err = [](std::string_view) {};
+    Diagnostics diagnostics;
+    SceneSteps steps(options, console, diagnostics);
+    options.readings_file = shell.path("a.csv");
+    CHECK_FALSE(measures_as_json(options));
+    CHECK(write_measured(steps, "table", "for people", false) == exit_status::done);
+    CHECK(shell.content("a.csv") == "table");
+    CHECK(said == "for people");
+    said.clear();
+    options.readings_file = "-";
+    CHECK(write_measured(steps, "table", "for people", true) == exit_status::stopped);
+    CHECK(said == "table");
+    options.readings_file = shell.path("none/a.json");
+    CHECK(measures_as_json(options));
+    CHECK(write_measured(steps, "table", "for people", false) == exit_status::file);
+}
+
+TEST_CASE("measuring ends by time and by signals") {
+    Options options;
+    Console console;
+    Diagnostics diagnostics;
+    SceneSteps steps(options, console, diagnostics);
+    bool stopped = false;
+    CHECK_FALSE(ends_measuring(steps, stopped)());
+    options.time = 0;
+    CHECK(ends_measuring(steps, stopped)());
+    CHECK_FALSE(stopped);
+    options.time.reset();
+    console.interrupts.take = [] { return Interrupt::stop; };
+    CHECK(ends_measuring(steps, stopped)());
+    CHECK(stopped);
+}
+
+}  // namespace candelabra
