@@ -11,22 +11,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace candelabra {
 
 namespace {
 
-Image in_single_precision(Image image) {
+void make_single_precision(Image& image) {
     for (Vec3& pixel : image.pixels)
         for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(pixel[c]);
-    return image;
 }
 
 /// Applies glare. Scattered light comes from the exact samples; light that is not scattered has
-/// smooth edges.
-Image glared(const Negative& negative, const FilmSettings& film, int threads) {
-    const Image& stays = negative.smooth.pixels.empty() ? negative.light : negative.smooth;
-    if (!film.glares || film.glare.share() <= 0 || stays.pixels.empty()) return stays;
+/// smooth edges. Takes the images.
+Image glared(Negative& negative, const FilmSettings& film, int threads) {
+    Image& stays = negative.smooth.pixels.empty() ? negative.light : negative.smooth;
+    if (!film.glares || film.glare.share() <= 0 || stays.pixels.empty()) {
+        Image made = std::move(stays);
+        negative.light = negative.smooth = Image();
+        return made;
+    }
     const GlareKernel kernel(film.glare, stays.width, stays.height, threads);
     Image made = spread(negative.light, kernel, threads);
     if (&stays != &negative.light)
@@ -131,11 +135,11 @@ double grained(double shown, double size, double chance) {
     return std::clamp(shown + size * std::sqrt(shown * (1 - shown)) * chance, 0.0, 1.0);
 }
 
-Image develop(const Negative& given, const FilmSettings& film, int threads) {
-    const Negative negative{in_single_precision(given.light), in_single_precision(given.smooth),
-                            given.alpha};
-    Image image = glared(negative, film, threads);
+Image develop(Negative negative, const FilmSettings& film, int threads) {
+    make_single_precision(negative.light);
+    make_single_precision(negative.smooth);
     const Paper paper(negative, film);
+    Image image = glared(negative, film, threads);
     run_parallel(static_cast<std::size_t>(image.height), threads, [&](std::size_t row) {
         const int y = static_cast<int>(row);
         for (int x = 0; x < image.width; ++x) image.at(x, y) = paper(image, x, y);

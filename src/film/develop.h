@@ -52,6 +52,6 @@ Vec3 saturated(const Vec3& shown, double saturation);
 /// exposure, white balance, contrast, response, saturation and grain, in this order. Values have
 /// single precision, as in files. Precondition: the film is on. The result does not depend on the
 /// number of threads.
-Image develop(const Negative&, const FilmSettings&, int threads);
+Image develop(Negative, const FilmSettings&, int threads);
 
 }  // namespace candelabra

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/film.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <type_traits>
+#include <utility>
 
 namespace candelabra {
 
@@ -56,22 +60,57 @@ double PixelSum::variance_of_mean() const {
     return std::max({variance(0), variance(1), variance(2)}) / samples;
 }
 
+// Sums begin as pages of zeros, and are copied byte by byte.
+static_assert(std::is_trivially_copyable_v<PixelSum> && std::is_trivially_copyable_v<ExactSum>);
+static_assert(sizeof(PixelSum) % alignof(ExactSum) == 0);
+
+std::size_t Film::bytes_of(int width, int height, std::size_t aovs) {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+           (sizeof(PixelSum) + aovs * sizeof(ExactSum));
+}
+
 Film::Film(int width, int height, std::size_t aovs)
+    : Film(width, height, aovs, ZeroedPages(bytes_of(width, height, aovs))) {}
+
+Film::Film(int width, int height, std::size_t aovs, ZeroedPages pages)
     : width_(width),
       height_(height),
-      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      last_row_(height),
+      count_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       extras_(aovs),
-      sums_(pixels_.size() * aovs) {}
+      pages_(std::move(pages)) {}
+
+Film::Film(const Film& other) : Film(other.width_, other.height_, other.extras_) {
+    keep_to_rows(other.first_row_, other.last_row_);
+    if (count_ > 0) std::memcpy(pages_.data(), other.pages_.data(), pages_.size());
+}
+
+Film& Film::operator=(const Film& other) {
+    if (this != &other) *this = Film(other);
+    return *this;
+}
+
+void Film::keep_to_rows(int first, int last) {
+    first_row_ = std::clamp(first, 0, height_);
+    last_row_ = std::clamp(last, first_row_, height_);
+}
 
 void Film::add(std::size_t pixel, const Film& other) {
-    pixels_[pixel].add(other.pixels_[pixel]);
+    pixels()[pixel].add(other.pixels()[pixel]);
     for (std::size_t i = 0; i < extras_; ++i) extra(pixel)[i].add(other.extra(pixel)[i]);
 }
 
 Image Film::image() const {
     Image image(width_, height_);
-    for (std::size_t i = 0; i < pixels_.size(); ++i) image.pixels[i] = pixels_[i].mean();
+    each([&](std::size_t i) { image.pixels[i] = pixels()[i].mean(); });
     return image;
+}
+
+bool operator==(const Film& a, const Film& b) {
+    if (a.width_ != b.width_ || a.height_ != b.height_ || a.extras_ != b.extras_) return false;
+    const std::size_t sums = a.count_ * a.extras_;
+    return std::ranges::equal(a.pixels(), b.pixels()) &&
+           std::equal(a.sums(), a.sums() + sums, b.sums());
 }
 
 }  // namespace candelabra

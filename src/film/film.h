@@ -5,11 +5,11 @@
 
 #include "base/exact_sum.h"
 #include "base/image.h"
+#include "base/zeroed_pages.h"
 
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace candelabra {
 
@@ -50,37 +50,72 @@ public:
     Film() = default;
     /// `aovs`: number of further sums per pixel (see transport/aovs.h).
     Film(int width, int height, std::size_t aovs = 0);
+    /// The same with its sums in these pages, which are zero and have bytes_of() of it.
+    Film(int width, int height, std::size_t aovs, ZeroedPages);
+    static std::size_t bytes_of(int width, int height, std::size_t aovs);
+    /// A copy lies in memory, wherever the original does.
+    Film(const Film&);
+    Film& operator=(const Film&);
+    Film(Film&&) = default;
+    Film& operator=(Film&&) = default;
+    ~Film() = default;
+
     int width() const { return width_; }
     int height() const { return height_; }
-    PixelSum& at(int x, int y) { return pixels_[index(x, y)]; }
-    const PixelSum& at(int x, int y) const { return pixels_[index(x, y)]; }
+    PixelSum& at(int x, int y) { return pixels()[index(x, y)]; }
+    const PixelSum& at(int x, int y) const { return pixels()[index(x, y)]; }
     /// Returns the number of the pixel, counted row by row from the top.
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(x);
     }
-    std::vector<PixelSum>& pixels() { return pixels_; }
-    const std::vector<PixelSum>& pixels() const { return pixels_; }
+    std::span<PixelSum> pixels() { return {static_cast<PixelSum*>(pages_.data()), count_}; }
+    std::span<const PixelSum> pixels() const {
+        return {static_cast<const PixelSum*>(pages_.data()), count_};
+    }
     std::size_t aovs() const { return extras_; }
     /// Returns the further sums of a pixel by its number.
     std::span<ExactSum> extra(std::size_t pixel) {
-        return std::span(sums_).subspan(pixel * extras_, extras_);
+        return {sums() + pixel * extras_, extras_};
     }
     std::span<const ExactSum> extra(std::size_t pixel) const {
-        return std::span(sums_).subspan(pixel * extras_, extras_);
+        return {sums() + pixel * extras_, extras_};
     }
+    /// Notes that pixels get samples and targets only in the rows from `first` to before `last`,
+    /// which are clipped to the film: walks leave out the others, so that these take no memory.
+    void keep_to_rows(int first, int last);
+    int first_row() const { return first_row_; }
+    int last_row() const { return last_row_; }
+    /// Calls use(number) for the pixels of these rows in order. Of a film in a file, it lets go of
+    /// those behind.
+    template <class Use>
+    void each(const Use& use) const {
+        for (std::size_t i = index(0, first_row_); i < index(0, last_row_); ++i) {
+            use(i);
+            if (i % held_pixels == held_pixels - 1) let_go();
+        }
+    }
+    /// Leaves the sums to the file that they lie in, if they do (ZeroedPages::let_go()). To be
+    /// called after the use of about held_pixels.
+    void let_go() const { pages_.let_go(); }
+    static constexpr std::size_t held_pixels = std::size_t{1} << 18;
+
     /// Adds the samples of a pixel of another film with the same size and aovs.
     void add(std::size_t pixel, const Film& other);
     /// Returns the means of the samples; black where there are none.
     Image image() const;
 
-    friend bool operator==(const Film&, const Film&) = default;
+    friend bool operator==(const Film&, const Film&);
 
 private:
+    ExactSum* sums() const {
+        return reinterpret_cast<ExactSum*>(static_cast<PixelSum*>(pages_.data()) + count_);
+    }
+
     int width_ = 0, height_ = 0;
-    std::vector<PixelSum> pixels_;
-    std::size_t extras_ = 0;
-    std::vector<ExactSum> sums_;  ///< aovs, pixel by pixel
+    int first_row_ = 0, last_row_ = 0;
+    std::size_t count_ = 0, extras_ = 0;
+    ZeroedPages pages_;  ///< the pixels, and behind them their further sums, pixel by pixel
 };
 
 }  // namespace candelabra

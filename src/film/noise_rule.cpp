@@ -73,8 +73,9 @@ void NoiseRule::refine(RenderState& state, const RenderSettings& settings) const
         // A first estimate of the noise may be far off, so the number of samples at most doubles.
         if (settings.noise > 0) add = std::min(add, pixel.samples);
     });
-    for (std::size_t i = 0; i < more.size(); ++i)
-        state.film.pixels()[i].target = state.film.pixels()[i].samples + more[i];
+    for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
+        pixel.target = pixel.samples + more[state.film.index(x, y)];
+    });
 }
 
 }  // namespace candelabra

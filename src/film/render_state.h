@@ -6,6 +6,7 @@
 #include "film/picture_shard.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace candelabra {
@@ -34,7 +35,7 @@ struct Wanted {
 
 inline Wanted wanted_samples(const Film& film) {
     Wanted all;
-    for (const PixelSum& pixel : film.pixels()) all.add(pixel);
+    film.each([&](std::size_t i) { all.add(film.pixels()[i]); });
     return all;
 }
 
@@ -45,10 +46,16 @@ void for_pixels(Film& film, const Region& region, const Use& use) {
         for (int x = region.left; x < region.right; ++x) use(x, y, film.at(x, y));
 }
 
-/// The same for all pixels.
+/// The same for all pixels in the rows that the film keeps to.
 template <class Use>
 void for_pixels(Film& film, const Use& use) {
-    for_pixels(film, {0, 0, film.width(), film.height()}, use);
+    int x = 0, y = film.first_row();
+    film.each([&](std::size_t i) {
+        use(x, y, film.pixels()[i]);
+        if (++x < film.width()) return;
+        x = 0;
+        ++y;
+    });
 }
 
 }  // namespace candelabra

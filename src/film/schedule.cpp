@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/schedule.h"
 
+#include <utility>
+
 namespace candelabra {
 
 namespace {
@@ -15,9 +17,11 @@ bool borders(const PictureShard& shard, int x, int y) {
 
 }  // namespace
 
-RenderState begin_picture(const RenderSettings& settings, std::size_t aovs) {
-    return {Film(settings.width, settings.height, aovs),
-            whole_picture(settings.width, settings.height), 0};
+RenderState begin_picture(const RenderSettings& settings, std::size_t aovs,
+                          std::optional<ZeroedPages> pages) {
+    const int width = settings.width, height = settings.height;
+    return {pages ? Film(width, height, aovs, std::move(*pages)) : Film(width, height, aovs),
+            whole_picture(width, height), 0};
 }
 
 bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_t samples,

@@ -9,8 +9,10 @@
 
 namespace candelabra {
 
-/// Returns the state before the first sample. `aovs`: number of further sums per pixel.
-RenderState begin_picture(const RenderSettings&, std::size_t aovs = 0);
+/// Returns the state before the first sample. `aovs`: number of further sums per pixel. `pages`: for
+/// the film, if it is not to lie in memory of its own.
+RenderState begin_picture(const RenderSettings&, std::size_t aovs = 0,
+                          std::optional<ZeroedPages> pages = {});
 
 /// Sets the targets of the pixels for the next round. `samples`: number per pixel in the first
 /// round, or in total if it is uniform. Returns false if no pixel needs more.

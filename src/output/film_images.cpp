@@ -20,14 +20,15 @@ Vec3 mean_of(const Film& film, std::size_t pixel, std::size_t first) {
             sums.mean_of(extra[2].value())};
 }
 
+/// Returns the alpha of a pixel of a film that has its sum.
+double alpha_at(const Film& film, std::size_t i) {
+    const PixelSum& pixel = film.pixels()[i];
+    return pixel.weight() > 0 ? 1 - pixel.mean_of(film.extra(i)[0].value()) : 0;
+}
+
 std::vector<double> alpha_of(const Film& film) {
-    std::vector<double> alpha;
-    alpha.reserve(film.pixels().size());
-    for (std::size_t i = 0; i < film.pixels().size(); ++i) {
-        const PixelSum& pixel = film.pixels()[i];
-        const bool seen = pixel.weight() > 0;
-        alpha.push_back(seen ? 1 - pixel.mean_of(film.extra(i)[0].value()) : 0);
-    }
+    std::vector<double> alpha(film.pixels().size());
+    film.each([&](std::size_t i) { alpha[i] = alpha_at(film, i); });
     return alpha;
 }
 
@@ -37,8 +38,8 @@ Image smooth_image(const Film& film, const FilmFiles& files) {
     const std::size_t first = files.aovs().first_smooth();
     const double factor = files.film.exposure_factor();
     Image image(film.width(), film.height());
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = expanded(mean_of(film, i, first), factor);
+    film.each(
+        [&](std::size_t i) { image.pixels[i] = expanded(mean_of(film, i, first), factor); });
     return image;
 }
 
@@ -72,6 +73,21 @@ QuietFilm denoised_film(const Film& film, const FilmFiles& files) {
         quiet.lights.pop_back();
     }
     return quiet;
+}
+
+void film_row(const Film& film, int y, std::span<Vec3> pixels, std::span<double> alpha) {
+    if (y < film.first_row() || y >= film.last_row()) {
+        std::ranges::fill(pixels, Vec3(0));
+        std::ranges::fill(alpha, 0);
+        return;
+    }
+    const std::size_t first = film.index(0, y);
+    for (std::size_t x = 0; x < pixels.size(); ++x) {
+        pixels[x] = film.pixels()[first + x].mean();
+        if (!alpha.empty()) alpha[x] = alpha_at(film, first + x);
+    }
+    const std::size_t rows = Film::held_pixels / std::max<std::size_t>(pixels.size(), 1) + 1;
+    if (static_cast<std::size_t>(y) % rows == 0) film.let_go();
 }
 
 Negative negative_of(const Film& film, const FilmFiles& files) {

@@ -4,6 +4,9 @@
 
 #include "film/develop.h"
 
+#include <span>
+#include <vector>
+
 namespace candelabra {
 
 class Film;
@@ -21,6 +24,10 @@ struct QuietFilm {
 
 /// Denoises a film, which must have sums of squared samples, and surfaces.
 QuietFilm denoised_film(const Film&, const FilmFiles&);
+
+/// Sets the pixels of a row of the undeveloped picture, and their alpha unless that is empty. To be
+/// called from the top: it lets go of the film behind it.
+void film_row(const Film&, int y, std::span<Vec3> pixels, std::span<double> alpha);
 
 /// Returns the picture with its alpha and compressed samples. If the picture is to be developed, it
 /// has the values that the layers of a file would have.

@@ -16,6 +16,9 @@
 #include <filesystem>
 #include <limits>
 #include <set>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -131,8 +134,10 @@ private:
     void add_plane(const std::string& name, const Value& value) {
         ChannelPlane plane{name, false, {}};
         plane.bits.reserve(film_.pixels().size());
-        for (std::size_t i = 0; i < film_.pixels().size(); ++i)
+        for (std::size_t i = 0; i < film_.pixels().size(); ++i) {
             plane.bits.push_back(std::bit_cast<std::uint32_t>(value(i)));
+            if (i % Film::held_pixels == 0) film_.let_go();
+        }
         made_.planes.push_back(std::move(plane));
     }
 
@@ -273,12 +278,13 @@ bool is_developed(const FilmFiles& files) {
            files.format.type != PictureType::hdr;
 }
 
-bool write_developed(const Negative& negative, const FilmFiles& files, Diagnostics& diagnostics) {
+bool write_developed(Negative negative, const FilmFiles& files, Diagnostics& diagnostics) {
     PictureFormat format = files.format;
     format.gamma = 1;
     format.encoded = true;
-    return write_picture(develop(negative, files.film, files.threads), files.path, format,
-                         diagnostics, negative.alpha);
+    const std::vector<double> alpha = negative.alpha;
+    return write_picture(develop(std::move(negative), files.film, files.threads), files.path,
+                         format, diagnostics, alpha);
 }
 
 std::string denoised_path(const FilmFiles& files) {
@@ -298,9 +304,20 @@ std::string layers_path(const FilmFiles& files) {
 namespace {
 
 /// Writes the picture alone in a format without layers.
-bool write_flat(const Negative& negative, const FilmFiles& files, Diagnostics& diagnostics) {
-    if (is_developed(files)) return write_developed(negative, files, diagnostics);
+bool write_flat(Negative negative, const FilmFiles& files, Diagnostics& diagnostics) {
+    if (is_developed(files)) return write_developed(std::move(negative), files, diagnostics);
     return write_picture(negative.light, files.path, files.format, diagnostics, negative.alpha);
+}
+
+/// The same of the film as it is, row by row.
+bool write_flat(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
+    if (is_developed(files))
+        return write_developed(negative_of(film, files), files, diagnostics);
+    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> alpha) {
+        film_row(film, y, pixels, alpha);
+    };
+    return write_picture(PictureRows{film.width(), film.height(), files.alpha, row}, files.path,
+                         files.format, diagnostics);
 }
 
 bool write_denoised(const Film& film, const FilmFiles& files, const std::string& path,
@@ -314,16 +331,37 @@ bool write_denoised(const Film& film, const FilmFiles& files, const std::string&
     if (is_developed(files))
         for (Image* image : {&negative.light, &negative.smooth})
             *image = linear(std::move(*image), files.format);
-    return write_flat(negative, beside, diagnostics);
+    return write_flat(std::move(negative), beside, diagnostics);
 }
 
 }  // namespace
+
+std::size_t bytes_to_write(const FilmFiles& files) {
+    // Encoded bytes grow in steps, at each of which the old ones and twice as many exist.
+    constexpr std::size_t with_encoded = 4;
+    const PictureTypeInfo& type = info(files.format.type);
+    const std::size_t channels = (files.format.grey ? 1 : 3) + (files.alpha ? 1 : 0);
+    const std::size_t each = type.linear ? sizeof(float) : files.format.bits == 16 ? 2 : 1;
+    std::size_t flat = with_encoded * channels * each;
+    if (is_developed(files)) {
+        const std::size_t images = (files.film.smooths_edges() ? 2 : 1) + (files.film.glares ? 5 : 0);
+        flat += images * sizeof(Vec3) + (files.alpha ? 2 * sizeof(double) : 0);
+    }
+    // The images that the denoiser takes and makes.
+    constexpr std::size_t images_of_denoiser = 12;
+    const std::size_t lights = files.aovs().lights ? 2 * files.lights.size() : 0;
+    const std::size_t quiet =
+        files.denoise || files.draft ? (images_of_denoiser + lights) * sizeof(Vec3) : 0;
+    if (layers_path(files).empty()) return flat + quiet;
+    const std::size_t planes = 4 + files.aovs().count(files.lights.size());
+    return std::max(flat, with_encoded * planes * sizeof(float)) + quiet;
+}
 
 bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
     const std::string layers = layers_path(files);
     const std::string quiet = files.draft ? files.path : denoised_path(files);
     const bool flat = layers != files.path;
-    if (flat && !files.draft && !write_flat(negative_of(film, files), files, diagnostics))
+    if (flat && !files.draft && !write_flat(film, files, diagnostics))
         return false;
     if (flat && !quiet.empty() && !write_denoised(film, files, quiet, diagnostics)) return false;
     if (layers.empty()) return true;

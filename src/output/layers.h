@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <span>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,7 +70,10 @@ bool is_developed(const FilmFiles&);
 
 /// Develops the picture to display values from 0 to 1 and writes it. Returns false, with a
 /// diagnostic, on failure.
-bool write_developed(const Negative&, const FilmFiles&, Diagnostics&);
+bool write_developed(Negative, const FilmFiles&, Diagnostics&);
+
+/// Returns how many bytes of memory write_film() takes for each pixel of the picture, at most.
+std::size_t bytes_to_write(const FilmFiles&);
 
 /// Writes the picture and its layers. Returns false, with a diagnostic, on failure.
 bool write_film(const Film&, const FilmFiles&, Diagnostics&);

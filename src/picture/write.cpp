@@ -51,26 +51,45 @@ Vec3 divided(const Vec3& pixel, double& alpha) {
     return alpha > 0 ? pixel / alpha : Vec3(0);
 }
 
-/// Returns the interleaved channels.
+/// Appends the interleaved channels of a row.
 template <class Value, class Convert>
-std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
-                               std::span<const double> alpha, const Convert& convert) {
+void add_channels(std::span<const Vec3> pixels, std::span<const double> alpha, bool in_grey,
+                  const Convert& convert, std::vector<Value>& result) {
     constexpr bool whole = std::is_integral_v<Value>;
-    std::vector<Value> result;
-    result.reserve(image.pixels.size() * ((format.grey ? 1 : 3) + (alpha.empty() ? 0 : 1)));
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
         double opaque = alpha.empty() ? 1 : alpha[i];
         // Alpha above 1 may occur in input files. Not-a-number becomes 0.
         if (whole) opaque = std::fmin(1, std::fmax(0, opaque));
-        const Vec3 pixel =
-            whole && !alpha.empty() ? divided(image.pixels[i], opaque) : image.pixels[i];
-        if (format.grey)
+        const Vec3 pixel = whole && !alpha.empty() ? divided(pixels[i], opaque) : pixels[i];
+        if (in_grey)
             result.push_back(convert(grey(pixel)));
         else
             for (int c = 0; c < 3; ++c) result.push_back(convert(pixel[c]));
         if (alpha.empty()) continue;
         constexpr double most = whole ? static_cast<double>(static_cast<Value>(~0u)) : 1;
         result.push_back(static_cast<Value>(whole ? std::floor(most * opaque + 0.5) : opaque));
+    }
+}
+
+std::size_t pixels_of(const PictureRows& rows) {
+    return static_cast<std::size_t>(rows.width) * static_cast<std::size_t>(rows.height);
+}
+
+int channels_of(const PictureRows& rows, const PictureFormat& format) {
+    return (format.grey ? 1 : 3) + (rows.alpha ? 1 : 0);
+}
+
+/// Returns the interleaved channels of all rows.
+template <class Value, class Convert>
+std::vector<Value> channels_of(const PictureRows& rows, const PictureFormat& format,
+                               const Convert& convert) {
+    std::vector<Value> result;
+    result.reserve(pixels_of(rows) * static_cast<std::size_t>(channels_of(rows, format)));
+    std::vector<Vec3> pixels(static_cast<std::size_t>(rows.width));
+    std::vector<double> alpha(rows.alpha ? pixels.size() : 0);
+    for (int y = 0; y < rows.height; ++y) {
+        rows.row(y, pixels, alpha);
+        add_channels<Value>(pixels, alpha, format.grey, convert, result);
     }
     return result;
 }
@@ -109,24 +128,21 @@ private:
 };
 
 template <class Integer>
-std::vector<Integer> integers(const Image& image, const PictureFormat& format,
-                              std::span<const double> alpha) {
+std::vector<Integer> integers(const PictureRows& rows, const PictureFormat& format) {
     if constexpr (sizeof(Integer) == 1) {
         constexpr std::size_t large = 50'000;
-        if (image.pixels.size() > large)
-            return channels_of<Integer>(image, format, alpha, ByteTable(format));
+        if (pixels_of(rows) > large) return channels_of<Integer>(rows, format, ByteTable(format));
     }
-    return channels_of<Integer>(image, format, alpha, [&](double value) {
+    return channels_of<Integer>(rows, format, [&](double value) {
         return static_cast<Integer>(quantised(value, static_cast<Integer>(~0u), format));
     });
 }
 
-RawPicture raw_picture(const Image& image, const PictureFormat& format,
-                       std::span<const double> alpha) {
+RawPicture raw_picture(const PictureRows& rows, const PictureFormat& format) {
     const PictureTypeInfo& type = info(format.type);
-    RawPicture raw{image.width,
-                   image.height,
-                   (format.grey ? 1 : 3) + (alpha.empty() ? 0 : 1),
+    RawPicture raw{rows.width,
+                   rows.height,
+                   channels_of(rows, format),
                    {},
                    type.extension,
                    {},
@@ -135,12 +151,12 @@ RawPicture raw_picture(const Image& image, const PictureFormat& format,
                    : format.file_gamma < srgb_gamma ? video_power
                                                     : format.file_gamma};
     if (type.linear)
-        raw.values = channels_of<float>(image, format, alpha,
-                                        [&](double value) { return representable(value, format); });
+        raw.values = channels_of<float>(
+            rows, format, [&](double value) { return representable(value, format); });
     else if (format.bits == 16)
-        raw.values = integers<std::uint16_t>(image, format, alpha);
+        raw.values = integers<std::uint16_t>(rows, format);
     else
-        raw.values = integers<std::uint8_t>(image, format, alpha);
+        raw.values = integers<std::uint8_t>(rows, format);
     raw.compression = type.compression;
     if (format.type == PictureType::tga) raw.compression = format.compressed ? "rle" : "none";
     return raw;
@@ -196,11 +212,29 @@ Image linear(Image image, const PictureFormat& format) {
     return image;
 }
 
-std::optional<std::string> encode(const Image& image, const PictureFormat& format,
-                                  Diagnostics& diagnostics, std::span<const double> alpha) {
-    std::optional<std::string> bytes = write_stored(raw_picture(image, format, alpha), diagnostics);
+std::optional<std::string> encode(const PictureRows& rows, const PictureFormat& format,
+                                  Diagnostics& diagnostics) {
+    std::optional<std::string> bytes = write_stored(raw_picture(rows, format), diagnostics);
     if (bytes) describe(*bytes, format);
     return bytes;
+}
+
+std::optional<std::string> encode(const Image& image, const PictureFormat& format,
+                                  Diagnostics& diagnostics, std::span<const double> alpha) {
+    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> opaque) {
+        const std::size_t first = static_cast<std::size_t>(y) * pixels.size();
+        std::ranges::copy(std::span(image.pixels).subspan(first, pixels.size()), pixels.begin());
+        if (!opaque.empty())
+            std::ranges::copy(alpha.subspan(first, pixels.size()), opaque.begin());
+    };
+    return encode(PictureRows{image.width, image.height, !alpha.empty(), row}, format,
+                  diagnostics);
+}
+
+bool write_picture(const PictureRows& rows, const std::string& path, const PictureFormat& format,
+                   Diagnostics& diagnostics) {
+    const auto bytes = encode(rows, format, diagnostics);
+    return bytes && write_file(path, *bytes, diagnostics);
 }
 
 bool write_picture(const Image& image, const std::string& path, const PictureFormat& format,

@@ -4,6 +4,7 @@
 // on the picture and the format.
 #pragma once
 
+#include "base/function_ref.h"
 #include "base/image.h"
 #include "text/diagnostic.h"
 
@@ -64,14 +65,25 @@ float finite_float(double);
 /// Linearises the values as an OpenEXR file would store them.
 Image linear(Image, const PictureFormat&);
 
+/// A picture whose rows are made one by one when it is written, so that it takes no memory itself.
+struct PictureRows {
+    int width = 0, height = 0;
+    bool alpha = false;
+    /// Sets the pixels of a row. If there is alpha, also sets its values, by which the pixel's
+    /// colours have been multiplied; otherwise these are empty. Called for all rows from the top.
+    FunctionRef<void(int y, std::span<Vec3> pixels, std::span<double> alpha)> row;
+};
+
 /// Encodes the picture as a file of that format; returns nothing, with a diagnostic, if the picture
 /// does not fit into it. `alpha` has one value per pixel, by which the pixel's colours have been
 /// multiplied; empty if there is no alpha.
 std::optional<std::string> encode(const Image&, const PictureFormat&, Diagnostics&,
                                   std::span<const double> alpha = {});
+std::optional<std::string> encode(const PictureRows&, const PictureFormat&, Diagnostics&);
 
 /// Encodes the picture and writes it as write_file() does.
 bool write_picture(const Image&, const std::string& path, const PictureFormat&, Diagnostics&,
                    std::span<const double> alpha = {});
+bool write_picture(const PictureRows&, const std::string& path, const PictureFormat&, Diagnostics&);
 
 }  // namespace candelabra

@@ -166,6 +166,14 @@ bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint
 
 }  // namespace
 
+std::uint64_t bytes_to_encode(int width, int height, std::size_t aovs) {
+    // Planes, the same pixel by pixel, and the bytes of the file.
+    constexpr std::uint64_t copies = 3;
+    const std::uint64_t planes = channels.size() + parts(aovs, true).size();
+    return copies * planes * sizeof(std::uint32_t) * static_cast<std::uint64_t>(width) *
+           static_cast<std::uint64_t>(height);
+}
+
 std::optional<std::string> encode(const Checkpoint& checkpoint, Diagnostics& diagnostics) {
     const Film& film = checkpoint.state.film;
     LayeredPicture picture{film.width(), film.height(), {}, {}};

@@ -7,6 +7,8 @@
 #include "film/schedule.h"
 #include "production/identity.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +31,10 @@ struct Checkpoint {
 /// Returns the bytes of the file. Returns nothing, with a diagnostic, if memory or the OpenEXR
 /// library is missing.
 std::optional<std::string> encode(const Checkpoint&, Diagnostics&);
+
+/// Returns how many bytes of memory encode() takes for a picture of that size, at most. `aovs`:
+/// number of its further sums.
+std::uint64_t bytes_to_encode(int width, int height, std::size_t aovs);
 
 /// Reads a state. Returns nothing, with a diagnostic, if the file is damaged or is no state.
 std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics&);

@@ -11,9 +11,9 @@
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <system_error>
 
 namespace candelabra {
@@ -29,7 +29,7 @@ constexpr int max_samples_in_time = 1'000'000;
 
 std::uint32_t max_samples(const RenderState& state) {
     std::uint32_t most = 0;
-    for (const PixelSum& pixel : state.film.pixels()) most = std::max(most, pixel.samples);
+    state.film.each([&](std::size_t i) { most = std::max(most, state.film.pixels()[i].samples); });
     return most;
 }
 
@@ -49,6 +49,12 @@ RenderPlan planned(const Shot& shot, const Options& options) {
     RenderPlan plan = plan_of(shot, simple);
     plan.settings = settings;
     return plan;
+}
+
+/// Returns a number of megabytes, rounded up.
+std::uint64_t megabytes(std::uint64_t bytes) {
+    constexpr std::uint64_t one = std::uint64_t{1} << 20;
+    return (bytes + one - 1) / one;
 }
 
 }  // namespace
@@ -80,14 +86,20 @@ RenderJob::RenderJob(JobPlan plan, const Shot& shot, const Interrupts& interrupt
 bool RenderJob::can_keep() const {
     std::error_code none;
     const fs::file_status status = fs::status(plan_.picture, none);
-    return plan_.options.to_file && plan_.options.leaves_state && plan_.picture != "-" &&
+    return state_fits_ && plan_.options.to_file && plan_.options.leaves_state &&
+           plan_.picture != "-" &&
            (!fs::exists(status) || fs::is_regular_file(status));
 }
 
 void RenderJob::begin() {
     RenderState& state = checkpoint_.state;
-    state = begin_picture(rendering_.settings, extras_.count(*rendering_.shot.world));
-    state.shard.region = region_of(plan_.options);
+    const RenderSettings& settings = rendering_.settings;
+    const std::size_t sums = extras_.count(*rendering_.shot.world);
+    state = begin_picture(settings, sums, std::move(pages_));
+    const Region region = region_of(plan_.options);
+    state.shard.region = region;
+    // Antialiasing compares the rows of the region with those beside it.
+    state.film.keep_to_rows(region.top - 1, region.bottom + 1);
     checkpoint_.identity = plan_.identity;
     checkpoint_.all_samples = rendering_.samples;
     checkpoint_.samples = checkpoint_.all_samples;
@@ -128,30 +140,66 @@ bool RenderJob::fits(const Checkpoint& old) {
     return true;
 }
 
-/// Whether the sums of the picture fit into the memory of the run; reports what they need if not.
+/// Whether the memory of the run holds the picture's sums and what is made of them at the end;
+/// reports what they need if not. Sums that are too large go to a file.
 bool RenderJob::has_room() {
     const RenderSettings& settings = plan_.options.render;
-    constexpr double per_megabyte = 1 << 20;
-    // An image of the film, and its encoded form, stand beside it at the end.
-    constexpr std::uint64_t beside = sizeof(Vec3) + 8;
-    const auto pixels = static_cast<std::uint64_t>(settings.width) *
-                        static_cast<std::uint64_t>(settings.height);
-    const std::uint64_t sums = extras_.count(*rendering_.shot.world);
-    const std::uint64_t need =
-        pixels * (sizeof(PixelSum) + sums * sizeof(ExactSum) + beside) + memory_in_use();
     const auto limit = plan_.options.memory_bytes;
-    if (!limit || need <= *limit) return true;
-    const auto megabytes = [&](std::uint64_t bytes) {
-        return static_cast<std::uint64_t>(std::ceil(static_cast<double>(bytes) / per_megabyte));
-    };
+    if (!limit) return true;
+    const std::uint64_t pixels = static_cast<std::uint64_t>(settings.width) *
+                                 static_cast<std::uint64_t>(settings.height);
+    const std::size_t aovs = extras_.count(*rendering_.shot.world);
+    // The sums of other rows are never touched, except for those beside the region.
+    const Region region = region_of(plan_.options);
+    const int rows = std::min(settings.height, region.bottom - region.top + 2);
+    const std::uint64_t sums = Film::bytes_of(settings.width, rows, aovs);
+    const std::uint64_t beside = pixels * plan_.writing + memory_in_use();
+    if (sums + beside <= *limit) {
+        if (rows < settings.height)
+            pages_ = ZeroedPages::sparse(Film::bytes_of(settings.width, settings.height, aovs));
+        return has_room_for_state(sums + beside, *limit);
+    }
+    const std::uint64_t held = Film::bytes_of(static_cast<int>(Film::held_pixels), 1, aovs);
+    const bool filed = plan_.options.to_file && !is_stream(plan_.picture) && held < sums;
+    const bool fits = filed && held + beside <= *limit;
+    if (fits) pages_ = pages_in_file(Film::bytes_of(settings.width, settings.height, aovs));
+    if (pages_) return has_room_for_state(held + beside, *limit);
+    const std::uint64_t need = megabytes((filed && !fits ? held : sums) + beside);
     diagnostics_.add(
         error(Fault::option, {},
-              message("a picture of ", settings.width, "x", settings.height, " needs ",
-                      megabytes(need), " MB of memory for this scene, and the limit is ",
-                      megabytes(*limit), " MB"))
-            .with_help(message("--limit-memory ", megabytes(need),
-                               sums > 0 ? "; without layers and --denoise it needs less" : "")));
+              message("a picture of ", settings.width, "x", settings.height, " needs ", need,
+                      " MB of memory for this scene, and the limit is ", megabytes(*limit), " MB"))
+            .with_help(message("--limit-memory ", need,
+                               aovs > 0 ? "; without layers and --denoise it needs less" : "")));
     return false;
+}
+
+/// Notes whether a state can be made beside `held` bytes. Returns false after an error, if the run
+/// is to leave one.
+bool RenderJob::has_room_for_state(std::uint64_t held, std::uint64_t limit) {
+    if (!can_keep()) return true;
+    const RenderSettings& settings = plan_.options.render;
+    const std::uint64_t need =
+        held + bytes_to_encode(settings.width, settings.height,
+                               extras_.count(*rendering_.shot.world));
+    if (need <= limit) return true;
+    state_fits_ = false;
+    const bool wanted = plan_.shard || plan_.options.keep_state;
+    std::string text = message("a state of this picture needs ", megabytes(need),
+                               " MB of memory, and the limit is ", megabytes(limit), " MB");
+    diagnostics_.add((wanted ? error(Fault::option, {}, text)
+                             : warning(Fault::option, {},
+                                       text + ": it cannot be stopped and gone on with"))
+                         .with_help(message("--limit-memory ", megabytes(need))));
+    return !wanted;
+}
+
+/// Returns pages in the folder of the picture, or in that of the scene's own files, which the
+/// program may read, too; nothing if neither has room.
+std::optional<ZeroedPages> RenderJob::pages_in_file(std::size_t bytes) const {
+    auto pages = ZeroedPages::in_file(fs::path(plan_.picture).parent_path().string(), bytes);
+    if (pages) return pages;
+    return ZeroedPages::in_file(own_folder({plan_.picture, {}}, plan_.options), bytes);
 }
 
 bool RenderJob::prepare() {
@@ -192,8 +240,14 @@ bool RenderJob::prepare() {
 }
 
 bool RenderJob::save(Diagnostics& diagnostics) {
-    const auto bytes = encode(checkpoint_, diagnostics);
-    return bytes && write_file(state_path(plan_), *bytes, diagnostics);
+    try {
+        const auto bytes = encode(checkpoint_, diagnostics);
+        return bytes && write_file(state_path(plan_), *bytes, diagnostics);
+    } catch (const std::bad_alloc&) {  // the scene has taken more memory since prepare()
+        diagnostics.add(error(Fault::io, {}, "there is not enough memory for a state")
+                            .with_help("--limit-memory sets how much there may be"));
+        return false;
+    }
 }
 
 /// Saves the state. Failure is only a warning, since a later attempt may succeed.

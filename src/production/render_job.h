@@ -3,14 +3,19 @@
 // intervals and on signals, and returns how it ended. The caller writes the picture.
 #pragma once
 
+#include "base/zeroed_pages.h"
 #include "console/interrupt.h"
 #include "console/progress.h"
 #include "options/output.h"
 #include "production/checkpoint.h"
 #include "render/render.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace candelabra {
@@ -29,6 +34,8 @@ struct JobPlan {
     /// See RenderHooks. Not called if the time is limited, since the limit is for this picture
     /// alone.
     std::function<void()> winds_down;
+    /// Bytes of memory for each pixel that writing the picture takes at the end.
+    std::size_t writing = 0;
 };
 
 /// Returns the path of a state: the picture's name with the number of a shard, if any.
@@ -54,13 +61,15 @@ public:
     const LightLedger& rays() const { return rays_; }
     /// Samples per pixel of the whole picture, if uniform.
     int samples() const { return static_cast<int>(checkpoint_.all_samples); }
-    /// Whether a state can be stored beside the picture.
+    /// Whether a state can be stored beside the picture. After prepare(), the memory also counts.
     bool can_keep() const;
     /// Writes the final state or removes an old one. Call it when the picture has been written.
     void leave_state(bool keep);
 
 private:
     bool has_room();
+    bool has_room_for_state(std::uint64_t held, std::uint64_t limit);
+    std::optional<ZeroedPages> pages_in_file(std::size_t bytes) const;
     void begin();
     bool fits(const Checkpoint& old);
     bool save(Diagnostics&);
@@ -75,6 +84,8 @@ private:
     const Interrupts& interrupts_;
     Diagnostics& diagnostics_;
     Checkpoint checkpoint_;
+    std::optional<ZeroedPages> pages_;  ///< for the film, if it is too large for the memory
+    bool state_fits_ = true;            ///< the memory holds a state while it is written
     LightLedger rays_;
     std::mutex cut_mutex_;
     std::uint64_t cut_samples_ = 0;

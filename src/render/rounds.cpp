@@ -102,6 +102,12 @@ std::uint64_t Rounds::make_tile(const Region& region, std::uint32_t level) {
     const std::uint64_t made = interruption_.watched([&] {
         return std::visit([&](const auto& rule) { return rule.make(tile, level); }, plan_.rule);
     });
+    const auto pixels = static_cast<std::uint64_t>(region.right - region.left) *
+                        static_cast<std::uint64_t>(region.bottom - region.top);
+    if ((held_ += pixels) >= Film::held_pixels) {
+        held_ = 0;
+        state_.film.let_go();
+    }
     const std::lock_guard lock(mutex_);
     tile.add_rays(rays_);
     return made;
@@ -113,7 +119,8 @@ void Rounds::wind_down() {
 }
 
 bool Rounds::wants(const Region& tile, std::uint32_t level) const {
-    for (int y = tile.top; y < tile.bottom; ++y)
+    const int last = std::min(tile.bottom, state_.film.last_row());
+    for (int y = std::max(tile.top, state_.film.first_row()); y < last; ++y)
         for (int x = tile.left; x < tile.right; ++x) {
             const PixelSum& pixel = state_.film.at(x, y);
             if (pixel.samples < std::min(level, pixel.target)) return true;

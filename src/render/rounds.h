@@ -46,6 +46,7 @@ private:
     LightLedger rays_;
     std::uint64_t wanted_ = 0;  ///< samples in total so far
     std::atomic<std::uint64_t> done_ = 0;
+    std::atomic<std::uint64_t> held_ = 0;  ///< pixels of tiles since the film let go of its pages
     bool winds_down_ = false;  ///< set when the last tile of a round begins
 };
 

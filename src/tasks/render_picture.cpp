@@ -89,7 +89,12 @@ int render_shot(SceneSteps& steps, const Shot& shot) {
         files.lights = light_names(world, steps.sources());
         note_lights(identity, files.lights);
     }
-    JobPlan plan{options, identity, path, steps.shard(), steps.console().winds_down};
+    JobPlan plan{options,
+                 identity,
+                 path,
+                 steps.shard(),
+                 steps.console().winds_down,
+                 options.to_file ? bytes_to_write(files) : 0};
     RenderJob job(plan, shot, steps.console().interrupts, diagnostics);
     const bool locks = job.can_keep();
     const FileLock lock(locks ? state_path(plan) : std::string());

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/film.h"
 
+#include "support/folder.h"
+
 #include <catch2/catch.hpp>
+
+#include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -82,6 +87,39 @@ TEST_CASE("the variance of the mean is that of the worst channel", "[render]") {
     pixel.add(Vec3(0, 0, 1));
     pixel.add(Vec3(1, 0, 0.25));
     CHECK(pixel.variance_of_mean() == Approx(0.25));
+}
+
+TEST_CASE("a film in a file has the sums of one in memory") {
+    const Folder folder;
+    const int width = 700, height = 500;
+    auto pages = ZeroedPages::in_file(folder.path(), Film::bytes_of(width, height, 2));
+    REQUIRE(pages);
+    Film memory(width, height, 2), file(width, height, 2, std::move(*pages));
+    for (Film* film : {&memory, &file})
+        film->each([&](std::size_t i) {
+            film->pixels()[i].add(Vec3(static_cast<double>(i % 7)));
+            film->extra(i)[1].add(static_cast<double>(i));
+        });
+    CHECK(memory == file);
+    const Film copy = file;
+    file.extra(0)[0].add(1);
+    CHECK_FALSE(memory == file);
+    CHECK(memory == copy);
+    CHECK(file.image().pixels == memory.image().pixels);
+}
+
+TEST_CASE("walks over a film keep to its rows") {
+    Film film(3, 9);
+    film.keep_to_rows(-1, 2);
+    std::vector<std::size_t> numbers;
+    film.each([&](std::size_t i) { numbers.push_back(i); });
+    CHECK(numbers == std::vector<std::size_t>{0, 1, 2, 3, 4, 5});
+    film.keep_to_rows(8, 12);
+    numbers.clear();
+    const Film copy = film;
+    copy.each([&](std::size_t i) { numbers.push_back(i); });
+    CHECK(numbers == std::vector<std::size_t>{24, 25, 26});
+    CHECK(film.image().pixels.size() == 27);
 }
 
 }  // namespace candelabra

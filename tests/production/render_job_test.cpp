@@ -1,22 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "production/render_job.h"
 
+#include "options/memory_limit.h"
 #include "picture/file.h"
 #include "production/checkpoint.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <random>
 #include <thread>
+
+#include <sys/resource.h>
 
 namespace candelabra {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Gives back the memory that runs of a test deny to this process.
+struct DataLimit {
+    DataLimit() { getrlimit(RLIMIT_DATA, &limit); }
+    ~DataLimit() { setrlimit(RLIMIT_DATA, &limit); }
+    rlimit limit{};
+};
 
 /// Runs with +C until the picture is finished, stopping each run at a random poll of the interrupts
 /// (one poll per 16 samples). Returns the number of stops.
@@ -115,21 +126,62 @@ TEST_CASE("one ray without end obeys a stop, the time and a bound") {
 }
 
 TEST_CASE("a picture that does not fit into the memory tells what it needs") {
+    const DataLimit kept;
     Shell shell;
     const auto posters = [&](std::vector<std::string> more) {
         std::vector<std::string> all = {shell.path("lit.pov"), "-V",       "+W8000", "+H6000",
-                                        "--memory",            "2G",       "--samples", "1",
+                                        "--memory",            "512M",     "--samples", "1",
                                         "+O" + shell.path("a.png")};
         all.insert(all.end(), more.begin(), more.end());
         return shell(all);
     };
+    const auto needed = [&] {
+        const std::string words = "help: --limit-memory ";
+        const std::size_t place = shell.err.find(words);
+        return place == shell.err.npos ? 0 : std::stoi(shell.err.substr(place + words.size()));
+    };
     CHECK(posters({}) == exit_status::file);
     CHECK(has(shell.err, "a picture of 8000x6000 needs "));
-    CHECK(has(shell.err, "the limit is 2048 MB"));
-    CHECK(has(shell.err, "help: --limit-memory 6"));
+    CHECK(has(shell.err, "the limit is 512 MB"));
+    CHECK(needed() > 550);  // 12 bytes a pixel, as the sums lie in a file
+    CHECK(needed() < 800);
+    CHECK(posters({"-F"}) == exit_status::file);
+    CHECK(needed() > 5600 - 550);  // with the sums, as there is no folder for a file
+    CHECK(posters({"-F", "+SR1", "+ER2"}) == exit_status::done);
     CHECK_FALSE(has(shell.err, "layers"));
     CHECK(posters({"--layers", "normal"}) == exit_status::file);
     CHECK(has(shell.err, "without layers"));
+}
+
+TEST_CASE("a picture whose sums are too large for the memory lies in a file until it is made") {
+    const DataLimit kept;
+    Shell shell;
+    const auto run = [&](std::vector<std::string> more) {
+        const std::vector<std::string> all = {shell.path("lit.pov"), "-V", "-A",     "+W1000",
+                                              "+H600",               "-P", "--samples", "1"};
+        more.insert(more.begin(), all.begin(), all.end());
+        return shell(more);
+    };
+    REQUIRE(run({"+O" + shell.path("a.png")}) == exit_status::done);
+    const std::string whole = shell.content("a.png");
+    // The sums take 64 MB, a state 240, and writing the picture 7.
+    const std::string limit = std::to_string(memory_in_use() / (1 << 20) + 55);
+    REQUIRE(run({"+O" + shell.path("b.png"), "--limit-memory", limit}) == exit_status::done);
+    CHECK(shell.content("b.png") == whole);
+    CHECK(has(shell.err, "warning[option]: a state of this picture needs "));
+    CHECK(has(shell.err, "cannot be stopped and gone on with"));
+    CHECK(run({"+O" + shell.path("c.png"), "--limit-memory", limit, "--keep-state"}) ==
+          exit_status::file);
+    CHECK(has(shell.err, "a state of this picture needs "));
+    CHECK(run({"-F", "--limit-memory", limit}) == exit_status::file);
+    CHECK(has(shell.err, "a picture of 1000x600 needs "));
+    // A stripe takes the memory of its rows.
+    CHECK(run({"-F", "--limit-memory", limit, "+SR1", "+ER50"}) == exit_status::done);
+    std::vector<std::string> files;
+    for (const auto& entry : fs::directory_iterator(shell.folder))
+        files.push_back(entry.path().filename().string());
+    std::ranges::sort(files);
+    CHECK(files == std::vector<std::string>{"a.png", "b.png", "lit.pov"});
 }
 
 TEST_CASE("what cannot be kept is said") {
