@@ -9,8 +9,8 @@
 
 namespace candelabra {
 
-/// Returns the state before the first sample. `aovs`: number of further sums per pixel. `pages`: for
-/// the film, if it is not to lie in memory of its own.
+/// Returns the state before the first sample. `aovs`: number of further sums per pixel. `pages`:
+/// for the film, if it is not to lie in memory of its own.
 RenderState begin_picture(const RenderSettings&, std::size_t aovs = 0,
                           std::optional<ZeroedPages> pages = {});
 

@@ -311,8 +311,7 @@ bool write_flat(Negative negative, const FilmFiles& files, Diagnostics& diagnost
 
 /// The same of the film as it is, row by row.
 bool write_flat(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
-    if (is_developed(files))
-        return write_developed(negative_of(film, files), files, diagnostics);
+    if (is_developed(files)) return write_developed(negative_of(film, files), files, diagnostics);
     const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> alpha) {
         film_row(film, y, pixels, alpha);
     };
@@ -344,7 +343,8 @@ std::size_t bytes_to_write(const FilmFiles& files) {
     const std::size_t each = type.linear ? sizeof(float) : files.format.bits == 16 ? 2 : 1;
     std::size_t flat = with_encoded * channels * each;
     if (is_developed(files)) {
-        const std::size_t images = (files.film.smooths_edges() ? 2 : 1) + (files.film.glares ? 5 : 0);
+        const std::size_t images =
+            (files.film.smooths_edges() ? 2 : 1) + (files.film.glares ? 5 : 0);
         flat += images * sizeof(Vec3) + (files.alpha ? 2 * sizeof(double) : 0);
     }
     // The images that the denoiser takes and makes.
@@ -361,8 +361,7 @@ bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnosti
     const std::string layers = layers_path(files);
     const std::string quiet = files.draft ? files.path : denoised_path(files);
     const bool flat = layers != files.path;
-    if (flat && !files.draft && !write_flat(film, files, diagnostics))
-        return false;
+    if (flat && !files.draft && !write_flat(film, files, diagnostics)) return false;
     if (flat && !quiet.empty() && !write_denoised(film, files, quiet, diagnostics)) return false;
     if (layers.empty()) return true;
     const auto bytes = encode(LayerWriter(film, files).picture(), diagnostics);

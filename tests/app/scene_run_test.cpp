@@ -19,7 +19,8 @@ TEST_CASE("each task over a scene has its row, and needs the scene's text") {
                                                          {"--dump=world"},
                                                          {"--dump=index"},
                                                          {"--export-mesh", shell.path("a.ply")},
-                                                         {"--measure", shell.path("a.csv")}};
+                                                         {"--measure", shell.path("a.csv")},
+                                                         {"--light-balance", shell.path("b.csv")}};
     for (std::vector<std::string> task : tasks) {
         CAPTURE(task);
         CHECK(shell.render(task) == exit_status::done);
