@@ -144,7 +144,8 @@ std::vector<std::string_view> topics(const LibraryGuide& library) {
 std::vector<ManualEntry> function_entries() {
     std::vector<ManualEntry> result;
     for (const FunctionInfo& each : all_functions())
-        result.push_back({message(each.name, "(", each.arguments, ")"), std::string(each.help)});
+        result.push_back({message(each.name, "(", each.arguments, ")"), std::string(each.help),
+                          std::string(each.example)});
     return result;
 }
 
@@ -291,7 +292,8 @@ std::string help_text(std::string_view topic, const std::string& library,
     std::string text = item_help(topic);
     for (const FunctionInfo& each : all_functions())
         if (same_letters(each.name, topic))
-            text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n");
+            text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n",
+                            example_line(each.example));
     const LibraryGuide guide = library_guide(library);
     for (const std::string& more : {glossary_help(topic), field_help(topic), option_help(topic),
                                     library_help(topic, guide), settings_help(topic)}) {

@@ -3,6 +3,7 @@
 #include "editor/extents.h"
 #include "editor/folding.h"
 #include "editor/highlights.h"
+#include "editor/inlay_hints.h"
 #include "editor/language_server.h"
 #include "editor/layout.h"
 #include "editor/links.h"
@@ -95,6 +96,22 @@ Json LanguageServer::folding(Parameters& parameters) {
         all.push_back({{"startLine", each.first_line},
                        {"endLine", each.last_line},
                        {"kind", folding_kind(each.kind)}});
+    return all;
+}
+
+Json LanguageServer::inlay_hints(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const Part range = parameters.range(file->text, "range");
+    if (!parameters.problem().empty()) return nullptr;
+    constexpr int kind_of_parameter = 2;
+    const LineTable lines(file->text);
+    Json all = Json::array();
+    for (const InlayHint& each : candelabra::inlay_hints(workspace_, file->path, range))
+        all.push_back({{"position", lines.range_of({each.offset, each.offset})["start"]},
+                       {"label", each.name + ":"},
+                       {"kind", kind_of_parameter},
+                       {"paddingRight", true}});
     return all;
 }
 

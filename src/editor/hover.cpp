@@ -27,7 +27,8 @@ std::string with_example(std::string_view example) {
 std::string function_help(std::string_view word) {
     for (const FunctionInfo& each : all_functions())
         if (each.name == word)
-            return fenced(message(each.name, "(", each.arguments, ")")) + std::string(each.help);
+            return message(fenced(message(each.name, "(", each.arguments, ")")), each.help,
+                           with_example(each.example));
     return {};
 }
 

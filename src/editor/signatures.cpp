@@ -45,12 +45,14 @@ struct OpenGroup {
     bool vector() const { return opening->kind == TokenKind::less; }
 };
 
-std::vector<OpenGroup> open_groups(const EditedFile& file, std::uint32_t offset) {
-    std::vector<OpenGroup> open;
-    for (const Token& token : file.tokens) {
-        if (token.first >= offset) break;
+/// Follows the groups that are open from token to token.
+class OpenGroups {
+public:
+    explicit OpenGroups(const EditedFile& file) : file_(file) {}
+
+    void pass(const Token& token) {
         if (opens_group(token.kind) ||
-            (token.kind == TokenKind::less && begins_vector(file, token)))
+            (token.kind == TokenKind::less && begins_vector(file_, token)))
             open.push_back({&token});
         else if (token.kind == TokenKind::comma && !open.empty())
             ++open.back().commas;
@@ -61,7 +63,20 @@ std::vector<OpenGroup> open_groups(const EditedFile& file, std::uint32_t offset)
             if (!open.empty()) open.pop_back();
         }
     }
-    return open;
+
+    std::vector<OpenGroup> open;
+
+private:
+    const EditedFile& file_;
+};
+
+std::vector<OpenGroup> open_groups(const EditedFile& file, std::uint32_t offset) {
+    OpenGroups groups(file);
+    for (const Token& token : file.tokens) {
+        if (token.first >= offset) break;
+        groups.pass(token);
+    }
+    return groups.open;
 }
 
 /// Finds the innermost parenthesis that is open at the place, with the commas before the place.
@@ -103,7 +118,49 @@ Signature signature(std::string form, std::string help, std::size_t active) {
     return result;
 }
 
+/// Returns the signature of the macro, with one of its arguments active.
+std::optional<Signature> macro_signature(Workspace& workspace, const EditedFile& file,
+                                         const Token& call, std::size_t active) {
+    if (call.kind != TokenKind::name) return std::nullopt;
+    const std::string_view name = file.part({call.first, call.last});
+    for (const auto& found : workspace.declarations(NameId(call.value), file.path, call.first)) {
+        if (found.declaration->kind != DeclaredName::macro) continue;
+        const LibraryFile declaring = library_file({}, found.file->text);
+        if (const LibraryMacro* macro = find_macro(declaring, name))
+            return signature(macro->form, macro->help, active);
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<CallArgument> arguments_in(const EditedFile& file) {
+    std::vector<CallArgument> result;
+    OpenGroups groups(file);
+    const Token* before = nullptr;
+    for (const Token& token : file.tokens) {
+        const bool begins = before && (before->kind == TokenKind::open_parenthesis ||
+                                       before->kind == TokenKind::comma);
+        const bool empty = token.kind == TokenKind::comma || closes_group(token.kind) ||
+                           token.kind == TokenKind::end_of_file;
+        if (begins && !empty && !groups.open.empty()) {
+            const OpenGroup& group = groups.open.back();
+            const Token* const first = file.tokens.data();
+            const Token* const call = group.opening > first ? group.opening - 1 : nullptr;
+            const bool defines = call && call > first && call[-1].kind == TokenKind::hash_macro;
+            if (group.opening->kind == TokenKind::open_parenthesis && call && !defines)
+                result.push_back({call, group.commas, &token});
+        }
+        groups.pass(token);
+        before = &token;
+    }
+    return result;
+}
+
+std::optional<Signature> macro_signature(Workspace& workspace, const EditedFile& file,
+                                         const Token& call) {
+    return macro_signature(workspace, file, call, 0);
+}
 
 std::optional<Signature> signature_at(Workspace& workspace, const std::string& path,
                                       std::uint32_t offset) {
@@ -115,15 +172,7 @@ std::optional<Signature> signature_at(Workspace& workspace, const std::string& p
         if (each.name == name)
             return signature(message(each.name, "(", each.arguments, ")"), std::string(each.help),
                              call->commas);
-    if (call->name->kind != TokenKind::name) return std::nullopt;
-    for (const auto& found :
-         workspace.declarations(NameId(call->name->value), path, call->name->first)) {
-        if (found.declaration->kind != DeclaredName::macro) continue;
-        const LibraryFile declaring = library_file({}, found.file->text);
-        if (const LibraryMacro* macro = find_macro(declaring, name))
-            return signature(macro->form, macro->help, call->commas);
-    }
-    return std::nullopt;
+    return macro_signature(workspace, *file, *call->name, call->commas);
 }
 
 }  // namespace candelabra

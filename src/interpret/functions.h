@@ -128,6 +128,9 @@ struct FunctionInfo {
     std::string_view arguments;
     std::string_view help;
     std::variant<Unary, General> code;
+    /// A call with its value, `abs(-2) -> 2`, or statements with a call. Help, editors and the
+    /// manual show it, and tests/manual/examples_test.cpp runs it beside lamps.csv and lamps.json.
+    std::string_view example;
 };
 
 /// The functions of values, sorted by name.

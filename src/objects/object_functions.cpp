@@ -72,26 +72,36 @@ constexpr auto functions_of_objects = std::array{
     FunctionInfo{"delaunay", 1, 1, "points",
                  "the triangles between points <x, y> of an array: an array of n by 3 numbers of "
                  "points, from 0",
-                 OfObject(delaunay)},
+                 OfObject(delaunay),
+                 "#declare Places = array[3] { <0, 0>, <2, 0>, <1, 2> }; #declare Triangles = "
+                 "delaunay(Places);"},
     FunctionInfo{"inside", 2, 2, "object, point", "whether the point is inside",
-                 OfObject(inside_object)},
+                 OfObject(inside_object),
+                 "#declare Ball = sphere { 0, 1 } #declare In = inside(Ball, y/2);"},
     FunctionInfo{
         "max_extent", 1, 1, "object",
         "upper corner of the bounding box; of a pigment or normal, the size of its picture "
         "in pixels",
-        OfObject(upper_extent)},
+        OfObject(upper_extent),
+        "#declare Ball = sphere { 0, 1 } #declare High = max_extent(Ball);"},
     FunctionInfo{"min_extent", 1, 1, "object", "lower corner of the bounding box",
-                 OfObject(lower_extent)},
+                 OfObject(lower_extent),
+                 "#declare Ball = sphere { 0, 1 } #declare Low = min_extent(Ball);"},
     FunctionInfo{"scatter", 2, 3, "object, distance[, seed]",
                  "places all over a surface, no two nearer than the distance: an array of n by 2, "
                  "a point and the normal there",
-                 OfObject(scatter)},
+                 OfObject(scatter),
+                 "#declare Ball = sphere { 0, 1 } #declare Places = scatter(Ball, 0.3);"},
     FunctionInfo{"trace", 3, 4, "object, from, direction[, normal]", "first hit of a ray",
-                 OfObject(first_hit)},
+                 OfObject(first_hit),
+                 "#declare Ball = sphere { 0, 1 } #declare Side = <0, 0, 0>; #declare Hit = "
+                 "trace(Ball, -3*z, z, Side);"},
     FunctionInfo{"voronoi_cell", 4, 4, "points, i, low, high",
                  "what is nearer to point i <x, y> of an array than to the others, within a "
                  "rectangle: an array of its corners",
-                 OfObject(voronoi)},
+                 OfObject(voronoi),
+                 "#declare Places = array[3] { <0, 0>, <2, 0>, <1, 2> }; #declare Cell = "
+                 "voronoi_cell(Places, 0, <-1, -1>, <3, 3>);"},
 };
 
 }  // namespace

@@ -53,6 +53,16 @@ TEST_CASE("folds, links and highlights are given in lines and URIs") {
     CHECK(lit[1]["kind"] == 2);
 }
 
+TEST_CASE("names of parameters stand before arguments") {
+    Client client;
+    client.open("#macro Post(Height, Colour) #end\nPost(1,\n  2)\n");
+    CHECK(client.ask_at("inlayHint", 0, 0, {{"range", lines_range(1, 0, 2, 0)}}) ==
+          Json::array({{{"position", {{"line", 1}, {"character", 5}}},
+                        {"label", "Height:"},
+                        {"kind", 2},
+                        {"paddingRight", true}}}));
+}
+
 TEST_CASE("names of the workspace are found in all its files") {
     Client client;
     client.folder.put("b.inc", "\n#declare Shared = 1;");

@@ -188,23 +188,27 @@ TEST_CASE("a parameter of a wrong type is refused, and nothing is done") {
         const char* method;
         std::vector<const char*> read;
     };
-    for (const Case& each :
-         {Case{"hover", {"textDocument", "position"}},
-          Case{"completion", {"textDocument", "position"}},
-          Case{"definition", {"textDocument", "position"}},
-          Case{"references", {"textDocument", "position"}},
-          Case{"rename", {"textDocument", "position", "newName"}},
-          Case{"prepareRename", {"textDocument", "position"}},
-          Case{"documentHighlight", {"textDocument", "position"}},
-          Case{"semanticTokens/full", {"textDocument"}},
-          Case{"semanticTokens/range", {"textDocument", "range"}},
-          Case{"foldingRange", {"textDocument"}}, Case{"documentLink", {"textDocument"}},
-          Case{"rangeFormatting", {"textDocument", "range"}},
-          Case{"documentSymbol", {"textDocument"}}, Case{"documentColor", {"textDocument"}},
-          Case{"colorPresentation", {"textDocument", "color", "range"}},
-          Case{"formatting", {"textDocument"}}, Case{"didOpen", {"textDocument"}},
-          Case{"didChange", {"textDocument", "contentChanges"}}, Case{"didSave", {"textDocument"}},
-          Case{"didClose", {"textDocument"}}})
+    for (const Case& each : {Case{"hover", {"textDocument", "position"}},
+                             Case{"completion", {"textDocument", "position"}},
+                             Case{"definition", {"textDocument", "position"}},
+                             Case{"references", {"textDocument", "position"}},
+                             Case{"rename", {"textDocument", "position", "newName"}},
+                             Case{"prepareRename", {"textDocument", "position"}},
+                             Case{"documentHighlight", {"textDocument", "position"}},
+                             Case{"semanticTokens/full", {"textDocument"}},
+                             Case{"semanticTokens/range", {"textDocument", "range"}},
+                             Case{"inlayHint", {"textDocument", "range"}},
+                             Case{"foldingRange", {"textDocument"}},
+                             Case{"documentLink", {"textDocument"}},
+                             Case{"rangeFormatting", {"textDocument", "range"}},
+                             Case{"documentSymbol", {"textDocument"}},
+                             Case{"documentColor", {"textDocument"}},
+                             Case{"colorPresentation", {"textDocument", "color", "range"}},
+                             Case{"formatting", {"textDocument"}},
+                             Case{"didOpen", {"textDocument"}},
+                             Case{"didChange", {"textDocument", "contentChanges"}},
+                             Case{"didSave", {"textDocument"}},
+                             Case{"didClose", {"textDocument"}}})
         for (const char* const name : each.read)
             for (const Json& bad : {Json(), Json(7), Json(-1), Json::array(), Json::object(),
                                     Json(true), Json::array({Json::array()})}) {

@@ -3,6 +3,7 @@
 // one for each word that stands in a block.
 #include "vocabulary/examples.h"
 #include "bind/blocks.h"
+#include "objects/object_functions.h"
 #include "scene/catalogue.h"
 #include "support/shell.h"
 #include "vocabulary/glossary.h"
@@ -109,6 +110,33 @@ TEST_CASE("each word of the table of blocks is in an example", "[manual]") {
     for (const BlockRow& row : block_table().rows()) {
         INFO(row.word);
         CHECK(contains_word(example_of(row.word, all), row.word));
+    }
+}
+
+TEST_CASE("each function has an example, and its value", "[manual]") {
+    Shell shell;
+    shell.write("lamps.csv", "name,x,y\none,0,1\ntwo,3,1.5\n");
+    shell.write("lamps.json", R"({ "lamps": [{ "radiance": 3 }] })");
+    for (const FunctionInfo& each : all_functions()) {
+        INFO(each.name << ": " << each.example);
+        CHECK(contains_word(each.example, each.name));
+        const std::string_view arrow = " -> ";
+        const std::size_t end = each.example.find(arrow);
+        std::string text(each.example.substr(0, end));
+        if (end != each.example.npos) {
+            const std::string value(each.example.substr(end + arrow.size()));
+            const bool words = value.starts_with('"');
+            const std::string differs =
+                words ? "strcmp(Made, Stated) != 0" : "vlength((Made - Stated)*<1, 1, 1>) > 1e-6";
+            text = "#declare Made = " + text + "; #declare Stated = " + value + ";\n#if (" +
+                   differs + ") #error \"another value\" #end\n";
+        }
+        shell.write("function.pov", scene_around(text));
+        const int status =
+            shell({shell.path("function.pov"), "+W8", "+H6", "--samples", "1", "-F", "-V"});
+        CAPTURE(shell.err);
+        CHECK(status == 0);
+        CHECK(harmless(shell.err));
     }
 }
 

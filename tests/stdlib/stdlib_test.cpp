@@ -205,6 +205,30 @@ TEST_CASE("a light array that cannot be meant says the rule", "[stdlib]") {
     CHECK(result.diagnostics.find(rule) != std::string::npos);
 }
 
+TEST_CASE("an argument that a macro has no answer for is named", "[stdlib]") {
+    const auto [file, call, parameter] = GENERATE(table<std::string, std::string, std::string>({
+        {"math.inc", "SetGradientAccuracy(0)", "Distance"},
+        {"math.inc", "#declare N = VDist(x, \"y\");", "B"},
+        {"rand.inc", "#declare N = Rand_Geo(1, seed(1));", "P"},
+        {"rand.inc", "#declare N = Rand_Bernoulli(1.5, seed(1));", "P"},
+        {"rand.inc", "#declare N = Rand_Binomial(3, -0.1, seed(1));", "P"},
+        {"rand.inc", "#declare N = Rand_Triangle(2, 1, 1, seed(1));", "High"},
+        {"rand.inc", "#declare N = Rand_Triangle(1, 2, 3, seed(1));", "Mode"},
+        {"strings.inc", "#declare S = Vstr(x, 0.5, 0);", "Width"},
+        {"strings.inc", "#declare S = CRGBStr(rgb 1, 0, 1.5);", "Digits"},
+        {"arrays.inc", "#declare A = array[2] { 1, 2 }; Sort_Partial_Array(A, -1, 1)", "First"},
+        {"arrays.inc", "#declare A = array[2] { 1, 2 }; Resize_Array(A, 1.5)", "Size"},
+        {"meshmaker.inc", "#declare N = LInterpolate(x, 0, 1);", "Part"},
+        {"makegrass.inc", "MakeBlade(0, y, 0, 0, 1, 1, 0, 0, y, x, 1, 0, 0)", "Segments"},
+    }));
+    INFO(call);
+    const Evaluated result = evaluated("#version 3.7; #include \"" + file + "\"\n" + call + "\n");
+    CHECK(result.failed);
+    INFO(result.diagnostics);
+    CHECK(result.diagnostics.starts_with("error"));
+    CHECK(result.diagnostics.find("`" + parameter + "` of `") != std::string::npos);
+}
+
 namespace {
 
 /// A letter for each shape in the object: `a` if it throws no shadow, else `b`.
@@ -347,8 +371,8 @@ TEST_CASE("the grain of stones is as wide as in POV-Ray", "[stdlib]") {
             const Vec3 place = draw.point(0.5);
             const Vec3 at(place.x, place.y, 0);
             const double here = brightness(at);
-            const double there = brightness(at + c.width * (i % 2 == 0 ? Vec3(1, 0, 0)
-                                                                       : Vec3(0, 1, 0)));
+            const double there =
+                brightness(at + c.width * (i % 2 == 0 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
             sum += here;
             squares += here * here;
             products += here * there;
