@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: CC0-1.0
-// An office of 7.2 by 5.4 metres with eight suspended lamps of 5200 lm, at dusk. The meters ask what EN 12464-1 asks: 500 lx
+// An office of 7.2 by 5.4 metres with eight suspended lamps of 4000 lm, at dusk. The meters ask what EN 12464-1 asks: 500 lx
 // on the desks with a uniformity of 0.6, 150 lx on faces, and glare of no more than 19, which bare lamps exceed a little.
 //   candelabra office.pov --measure office.csv
 //   candelabra office.pov +Ooffice.exr --layers illuminance,luminance
@@ -110,7 +110,7 @@ cone { <6.6, 0, 4.7>, 0.16, <6.6, 0.4, 4.7>, 0.22 pigment { rgb <0.75, 0.72, 0.6
 #declare Lamp = union {
     box { <-0.74, -0.03, -0.03>, <0.74, 0.025, 0.03>
         pigment { rgb 1 }
-        finish { diffuse 0 luminaire { flux lumen(5200) temperature 4000 } }
+        finish { diffuse 0.8 luminaire { flux lumen(4000) temperature 4000 } }
     }
     box { <-0.75, -0.02, -0.036>, <0.75, 0.02, -0.032> pigment { rgb 0.85 } }
     box { <-0.75, -0.02, 0.032>, <0.75, 0.02, 0.036> pigment { rgb 0.85 } }

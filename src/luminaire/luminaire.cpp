@@ -7,6 +7,7 @@
 #include "luminaire/brightness.h"
 #include "luminaire/composite.h"
 #include "luminaire/emitter_kind.h"
+#include "luminaire/rectangle.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
 #include "luminaire/volume.h"
@@ -49,12 +50,14 @@ double share_towards(const Luminaire& luminaire, const Vec3& point) {
 
 std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const Receiver& point,
                                         const Vec2& u) {
-    if (const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter))
-        return sample(*sphere, point, u);
-    if (const auto* area = std::get_if<AreaEmitter>(&luminaire.emitter))
-        return sample(*area, point, u);
-    return std::visit([&](const auto& e) { return sample(e, point.position, u); },
-                      luminaire.emitter);
+    return std::visit(
+        [&](const auto& e) {
+            if constexpr (requires { sample(e, point, u); })
+                return sample(e, point, u);
+            else
+                return sample(e, point.position, u);
+        },
+        luminaire.emitter);
 }
 
 void intersect_evenly(const Luminaire& luminaire, const Receiver& point, const Vec3& direction,
@@ -88,6 +91,8 @@ std::vector<BrightFace> faces_of(const Emitter& emitter) {
     if (const auto* t = std::get_if<TriangleEmitter>(&emitter))
         return {
             {t->corner1, t->corner2 - t->corner1, t->corner3 - t->corner1, BrightFace::triangle}};
+    if (const auto* r = std::get_if<RectangleEmitter>(&emitter))
+        return {{r->corner, r->side1, r->side2}};
     const auto* area = std::get_if<AreaEmitter>(&emitter);
     return area ? flat_faces(*area) : std::vector<BrightFace>();
 }

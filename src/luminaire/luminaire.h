@@ -61,6 +61,11 @@ struct TriangleEmitter {
     Vec3 corner1, corner2, corner3;
 };
 
+/// Its sides are at right angles.
+struct RectangleEmitter {
+    Vec3 corner, side1, side2;
+};
+
 /// Any other shape whose area can be sampled, under any affine map.
 struct AreaEmitter {
     AreaEmitter(BuiltShape shape, Handle<Transform> transform);
@@ -95,7 +100,8 @@ class BodyWeb;
 class Brightness;
 
 using Emitter =
-    std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter, VolumeEmitter>;
+    std::variant<SphereEmitter, TriangleEmitter, RectangleEmitter, AreaEmitter, CompositeEmitter,
+                 VolumeEmitter>;
 
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they do in POV-Ray, unless
 /// they have another texture on the inner side.

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "luminaire/luminaire.h"
-#include "luminaire/spherical_rectangle.h"
+#include "luminaire/seen_rectangle.h"
+
+#include <array>
 
 namespace candelabra {
 
@@ -31,23 +33,9 @@ public:
     double density(int face, const Vec3& direction, double distance) const;
 
 private:
-    struct Face {
-        Vec3 corner = Vec3(0), side1 = Vec3(0), side2 = Vec3(0);  ///< in world space; the part that
-                                                                  ///< is drawn from
-        std::optional<SphericalRectangle> near;  ///< for rectangles that fill much of the view
-
-        /// Cuts off the parts below the horizon; returns false if the whole face is below.
-        bool rise_above(const Vec3& from, const Vec3& normal);
-        /// Mean sine of the corners' elevation; corners below the horizon count as 0.
-        double height(const Vec3& from, const Vec3& normal) const;
-    };
-    /// Weight of a visible face; 0 if it is below the horizon.
-    double weight(Face&, const Vec3* normal) const;
-
-    std::array<Face, 6> face_;
+    std::array<SeenRectangle, 6> face_;
     std::array<double, 6> share_{};  ///< probability that a point is drawn from each face
     bool any_ = false;
-    Vec3 from_;
 };
 
 }  // namespace candelabra

@@ -41,11 +41,23 @@ Vec3 plane_normal(const Polygon& polygon) {
     return Vec3(0);
 }
 
+std::optional<FlatRectangle> rectangle_of(const Polygon& polygon) {
+    constexpr double exact = 1e-9;
+    const auto& p = polygon.points;
+    if (p.size() != 4 && !(p.size() == 5 && p[4] == p[0])) return {};
+    const Vec3 side1 = p[1] - p[0], side2 = p[3] - p[0];
+    const double size = length(side1) + length(side2);
+    const bool opposite = length(p[2] - p[0] - side1 - side2) <= exact * size;
+    const bool upright = std::abs(dot(side1, side2)) <= exact * length(side1) * length(side2);
+    return opposite && upright ? std::optional(FlatRectangle{p[0], side1, side2}) : std::nullopt;
+}
+
 }  // namespace
 
 BuiltPolygon build(const Polygon& polygon) {
     BuiltPolygon result;
     result.bounds = box_of(polygon);
+    result.rectangle = rectangle_of(polygon);
     result.origin = polygon.points.front();
     result.normal = plane_normal(polygon);
     std::tie(result.right, result.up) = perpendiculars(result.normal);

@@ -6,6 +6,9 @@
 #include "shape/outline.h"
 #include "vocabulary/item_info.h"
 
+#include <optional>
+#include <vector>
+
 namespace candelabra {
 
 /// Loops of corners in one plane: a loop ends where it returns to its first corner. By the even-odd
@@ -16,11 +19,17 @@ struct Polygon {
     static const ItemInfo vocabulary;
 };
 
+/// A corner and the sides from it.
+struct FlatRectangle {
+    Vec3 corner, side1, side2;
+};
+
 struct BuiltPolygon {
     Vec3 origin = Vec3(0), normal = Vec3(0, 0, 1);
     Vec3 right = Vec3(1, 0, 0), up = Vec3(0, 1, 0);  ///< axes of the outline's plane
     Outline outline;
     Box bounds;
+    std::optional<FlatRectangle> rectangle = {};  ///< if the polygon is one
 };
 
 BuiltPolygon build(const Polygon&);

@@ -38,6 +38,21 @@ bool receives_light(const Material& material) {
            (material.interior && receives_light(material.interior->media));
 }
 
+/// A polygon that is a rectangle in the world.
+std::optional<RectangleEmitter> placed_rectangle(const PlacedShape& placed) {
+    const auto* polygon = std::get_if<Shared<BuiltPolygon>>(&placed.shape);
+    if (!polygon || !(*polygon)->rectangle) return {};
+    const auto& [corner, side1, side2] = *(*polygon)->rectangle;
+    if (!placed.transform) return RectangleEmitter{corner, side1, side2};
+    const Transform& there = *placed.transform;
+    const RectangleEmitter found{there.point(corner), there.direction(side1),
+                                 there.direction(side2)};
+    constexpr double exact = 1e-9;
+    const bool upright = std::abs(dot(found.side1, found.side2)) <=
+                         exact * length(found.side1) * length(found.side2);
+    return upright ? std::optional(found) : std::nullopt;
+}
+
 class Emitters {
 public:
     Emitters(const World& world, bool guided)
@@ -75,6 +90,7 @@ private:
                                std::is_same_v<S, Cylinder> || std::is_same_v<S, Cone>;
                     },
                     placed.shape);
+                if (const auto rectangle = placed_rectangle(placed)) return *rectangle;
                 if (surface_area(placed.shape) > 0 && !(clear && hides))
                     return AreaEmitter{placed.shape, placed.transform};
                 return alone(placed, look);

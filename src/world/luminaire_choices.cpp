@@ -22,8 +22,9 @@ double left_on_way(const Ray& ray, double tolerance, double distance, const Ligh
 }  // namespace
 
 bool LuminaireChoices::exact_nearby(LightIndex light) const {
-    return !luminaires_[light].web &&
-           std::holds_alternative<TriangleEmitter>(luminaires_[light].emitter);
+    const Emitter& emitter = luminaires_[light].emitter;
+    return !luminaires_[light].web && (std::holds_alternative<TriangleEmitter>(emitter) ||
+                                       std::holds_alternative<RectangleEmitter>(emitter));
 }
 
 double LuminaireChoices::arriving(LightIndex light, const SurveyPlace& from, const Vec2& u,

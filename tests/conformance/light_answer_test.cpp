@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <string>
 
@@ -218,8 +219,14 @@ TEMPLATE_LIST_TEST_CASE("the points that samples find, weighted by 1 / pdf, are 
                 square[light] += here[light] * here[light] / trials;
             }
         }
+        std::array<double, lamps> all_given{};
+        for (int light = 0; light < lamps; ++light)
+            all_given[light] = sampled_irradiance(room.luminaires[light], point, 60);
+        const double all = std::accumulate(all_given.begin(), all_given.end(), 0.0);
         for (int light = 0; light < lamps; ++light) {
-            const double given = sampled_irradiance(room.luminaires[light], point, 60);
+            const double given = all_given[light];
+            // Of a luminaire that hardly rises above the horizon the grid has too few points.
+            if (given < 1e-9 * all) continue;
             const double variance = std::fmax(square[light] - sum[light] * sum[light], 0) / trials;
             // A luminaire that was found a few times only has no mean to be compared.
             if (variance > 0.04 * sum[light] * sum[light] || sum[light] == 0) continue;

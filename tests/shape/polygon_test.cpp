@@ -33,6 +33,19 @@ TEST_CASE("a polygon may lie in any plane", "[shape]") {
     CHECK(answers(tilted, {{a + 1.1 * u + 0.9 * v + 2.0 * normal, -normal}, {}}));
 }
 
+TEST_CASE("polygons that are rectangles are known as such", "[shape]") {
+    const Vec3 a(1, 2, 3), u(2, 0, 1), v(-1, 0, 2), up(0, 3, 0);
+    CHECK(build(Polygon{{a, a + u, a + u + v, a + v, a}}).rectangle);
+    const auto open = build(Polygon{{a, a + u, a + u + up, a + up}}).rectangle;
+    REQUIRE(open);
+    CHECK(open->corner == a);
+    CHECK(open->side2 == up);
+    CHECK_FALSE(build(Polygon{{a, a + u, a + u + x, a + x}}).rectangle);
+    CHECK_FALSE(build(Polygon{{a, a + u, a + u + 0.9 * v, a + v}}).rectangle);
+    CHECK_FALSE(build(Polygon{{a, a + u, a + u + v, a + v, a, a + u}}).rectangle);
+    CHECK_FALSE(build(Polygon{{o, x, y}}).rectangle);
+}
+
 TEST_CASE("what can be wrong with a polygon is said", "[shape]") {
     CHECK(problem(Polygon{{o, x, y}}).empty());
     CHECK(problem(Polygon{{o, x}}) == "a `polygon` needs at least 3 corners");

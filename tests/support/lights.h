@@ -16,7 +16,7 @@ inline Luminaire glowing(const Emitter& emitter, double radiance = 1) {
 }
 
 /// Number of kinds that emitter() can make.
-inline constexpr int emitter_kinds = 10;
+inline constexpr int emitter_kinds = 11;
 
 /// A pyramid without ground, whose edges look round.
 inline BuiltShape pyramid(const Vec3& top, const std::array<Vec3, 3>& ground) {
@@ -29,7 +29,7 @@ inline BuiltShape pyramid(const Vec3& top, const std::array<Vec3, 3>& ground) {
 }
 
 /// An emitter about as large as `size` near `place`: sphere, triangle, box, disc, ring, cylinder,
-/// tube, cone, mesh, stretched sphere.
+/// tube, cone, mesh, rectangle, stretched sphere.
 inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
     const Vec3 a = place + size * draw.direction(), b = place + size * draw.direction(),
                up = draw.direction();
@@ -52,6 +52,10 @@ inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
             return AreaEmitter{Cone{place, size / 2, a, size / 5, false}, {}};
         case 8:
             return AreaEmitter{pyramid(place, {a, b, place + size * up}), {}};
+        case 9: {
+            const auto [x, y] = perpendiculars(up);
+            return RectangleEmitter{place, size * x, size / 2 * y};
+        }
         default:
             break;
     }
