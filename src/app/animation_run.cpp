@@ -142,7 +142,7 @@ private:
                              ? output_.path
                              : numbered(output_.path, frame.number, animation_.digits);
         set_frame(options.facts, options_.animation, animation_, frame);
-        for (std::string* each : {&options.stats_file, &options.depfile})
+        for (std::string* each : files_beside(options))
             if (!each->empty() && *each != "-")
                 *each = numbered(*each, frame.number, animation_.digits);
         const double count = static_cast<double>(animation_.frames.size());

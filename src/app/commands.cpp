@@ -11,6 +11,7 @@
 #include "app/merge.h"
 #include "app/new_scene.h"
 #include "app/preview.h"
+#include "app/relight_command.h"
 #include "app/sandbox.h"
 #include "app/scene_run.h"
 #include "app/share_command.h"
@@ -156,6 +157,15 @@ constexpr auto commands = std::to_array<Command>({
      "picture.exr ...\n"
      "Makes pictures that people look at of the light in OpenEXR files; candelabra-develop(1) "
      "says more.\n"},
+    {"relight",
+     [](std::span<const std::string_view> arguments, const Console& console) {
+         bound_memory();
+         return run_relight(arguments, console);
+     },
+     "usage: candelabra relight [-o file] [--set lamp=value] [--csv frames.csv] [--movie film.mp4] "
+     "...\n       file.lights\n"
+     "Makes pictures of a scene under other powers and colours of its lamps, without rendering;\n"
+     "candelabra-relight(1) says more.\n"},
     {"share", run_share,
      "usage: candelabra share [-o page.html] [option ...] scene.pov|picture.exr\n"
      "Makes a page to share: a picture whose lamps can be dimmed and coloured in any browser. "

@@ -336,16 +336,6 @@ std::vector<LitFrame> frames_of(const DevelopRequest& request, Diagnostics& diag
     return lit;
 }
 
-/// Finds problems with the movie before the long work begins.
-void check_movie(const Options& options, Diagnostics& diagnostics) {
-    if (options.movie.empty()) return;
-    const std::string problem = problem_with_destination(options.movie);
-    if (!problem.empty())
-        diagnostics.add(error(Fault::io, {}, problem));
-    else
-        can_make_movie(options.frame_rate, options.movie, diagnostics);
-}
-
 /// Develops all pictures, and joins them to a movie if one is wanted.
 bool develop_frames(const DevelopRequest& request, std::span<const LitFrame> lit,
                     Diagnostics& diagnostics) {
@@ -366,6 +356,15 @@ bool develop_frames(const DevelopRequest& request, std::span<const LitFrame> lit
 }
 
 }  // namespace
+
+void check_movie(const Options& options, Diagnostics& diagnostics) {
+    if (options.movie.empty()) return;
+    const std::string problem = problem_with_destination(options.movie);
+    if (!problem.empty())
+        diagnostics.add(error(Fault::io, {}, problem));
+    else
+        can_make_movie(options.frame_rate, options.movie, diagnostics);
+}
 
 void warn_of_options_of_rendering(const Options& options, Diagnostics& diagnostics) {
     for (const auto& [row, given] : options.given)

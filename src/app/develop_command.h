@@ -17,6 +17,9 @@ int run_develop(std::span<const std::string_view> arguments, const Console&);
 bool develop_file(const std::string& exr, std::string_view layer, const std::string& picture,
                   Diagnostics&);
 
+/// Finds problems with the movie, if the options want one, before the long work begins.
+void check_movie(const Options&, Diagnostics&);
+
 /// Warns of each option that was given and means the rendering of a picture.
 void warn_of_options_of_rendering(const Options&, Diagnostics&);
 

@@ -220,7 +220,7 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library) {
     rules.writable = options.writable;
     if (makes_picture) add_picture_folder(rules, options, output.path);
     for (const std::string& file : {options.stats_file, options.depfile, options.mesh_file,
-                                    options.readings_file, options.movie})
+                                    options.readings_file, options.kept_lights, options.movie})
         if (!file.empty() && file != "-") rules.writable.push_back(folder_around(file));
     return rules;
 }

@@ -110,7 +110,7 @@ private:
         options.file_gamma = -1;
         options.output =
             hidden_part(output_.path, static_cast<std::size_t>(i) + 1, linear ? ".exr" : ".png");
-        for (std::string* each : {&options.stats_file, &options.depfile})
+        for (std::string* each : files_beside(options))
             if (!each->empty() && *each != "-")
                 *each = numbered(*each, i + 1,
                                  static_cast<int>(std::to_string(sheet_.pictures()).size()));

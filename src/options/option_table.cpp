@@ -88,6 +88,15 @@ constexpr auto listed = std::to_array<OptionRow>({
            "statement that makes lights), variance, samples, shadow_rays, or all; stored in the "
            "picture if it is OpenEXR, otherwise in a file .layers.exr beside it; see LAYERS",
            in_force::layers),
+    that(Touches::writes,
+         option(none, "", "", "keep-lights", value, "file",
+                kept<&Options::kept_lights>(Type::text),
+                "keeps the light of each lamp in a file, from which candelabra relight makes the "
+                "picture under any powers and colours of the lamps")),
+    option(none, "", "", "keep-lights-size", value, "size",
+           kept<&Options::kept_lights_bytes>(Type::size, between(0x1p16, 0x1p40)),
+           "largest file of --keep-lights, such as 300M; the usual one has about 150 bytes a "
+           "pixel, but at least 16M"),
     option(picture, "SR", "Start_Row", "", value, "n",
            kept<&Options::start_row>(Type::number, at_least(0)),
            "first row to render, counted from 1; below 1: a fraction of the height; rows outside "

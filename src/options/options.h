@@ -87,6 +87,8 @@ struct Options {
     /// Of --measure: what the meters say; of --light-balance: where light ends.
     std::string readings_file;
     MeterGoal meter_goal;                 ///< how good that has to be
+    std::string kept_lights;              ///< receives the light of each lamp; empty: none
+    std::optional<std::uint64_t> kept_lights_bytes;  ///< most; unset: by the picture's size
     std::string movie;                    ///< made from the frames; empty: none
     std::string sheet;                    ///< as given, such as 4x3 Seed=1..12; empty: none
     double frame_rate = 25;               ///< of the movie, in frames per second

@@ -71,6 +71,10 @@ std::string endings() {
 
 }  // namespace
 
+std::array<std::string*, 3> files_beside(Options& options) {
+    return {&options.stats_file, &options.depfile, &options.kept_lights};
+}
+
 bool is_stream(const std::string& path) {
     if (path == "-") return true;
     std::error_code none;

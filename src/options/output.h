@@ -4,6 +4,9 @@
 
 #include "options/options.h"
 
+#include <array>
+#include <string>
+
 namespace candelabra {
 
 struct Output {
@@ -23,6 +26,10 @@ std::string own_folder(const Output&, const Options&);
 
 /// Describes why the file cannot be written; empty if no problem is known or the path is empty.
 std::string problem_with_output(const Options&, const std::string& path);
+
+/// The names of the files that each picture of a run has besides its own, which are numbered as the
+/// pictures are. A name may be empty.
+std::array<std::string*, 3> files_beside(Options&);
 
 /// Whether a path is standard output (`-`), a device or a pipe. All frames go there under the same
 /// name.

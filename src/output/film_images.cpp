@@ -26,13 +26,13 @@ double alpha_at(const Film& film, std::size_t i) {
     return pixel.weight() > 0 ? 1 - pixel.mean_of(film.extra(i)[0].value()) : 0;
 }
 
+}  // namespace
+
 std::vector<double> alpha_of(const Film& film) {
     std::vector<double> alpha(film.pixels().size());
     film.each([&](std::size_t i) { alpha[i] = alpha_at(film, i); });
     return alpha;
 }
-
-}  // namespace
 
 Image smooth_image(const Film& film, const FilmFiles& files) {
     const std::size_t first = files.aovs().first_smooth();

@@ -29,6 +29,9 @@ QuietFilm denoised_film(const Film&, const FilmFiles&);
 /// called from the top: it lets go of the film behind it.
 void film_row(const Film&, int y, std::span<Vec3> pixels, std::span<double> alpha);
 
+/// Returns the alpha of each pixel of a film that has it.
+std::vector<double> alpha_of(const Film&);
+
 /// Returns the picture with its alpha and compressed samples. If the picture is to be developed, it
 /// has the values that the layers of a file would have.
 Negative negative_of(const Film&, const FilmFiles&);

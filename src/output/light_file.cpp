@@ -87,12 +87,17 @@ std::vector<std::string> LightFile::layers() const {
 
 std::optional<FilmSettings> film_of(const LightFile& file, const Options& options,
                                     Diagnostics& diagnostics) {
+    return film_of(file.film_text(), file.path(), options, diagnostics);
+}
+
+std::optional<FilmSettings> film_of(const std::string& text, const std::string& path,
+                                    const Options& options, Diagnostics& diagnostics) {
     FilmSettings film;
-    if (const auto told = film_from_text(file.film_text()))
+    if (const auto told = film_from_text(text))
         film = *told;
     else
         diagnostics.add(warning(Fault::io, {},
-                                message("`", printable(file.path()),
+                                message("`", printable(path),
                                         "` has a film that this version does not know, "
                                         "and is developed as if it had none")));
     RenderSettings settings;
@@ -103,7 +108,7 @@ std::optional<FilmSettings> film_of(const LightFile& file, const Options& option
     if (wrong.empty()) return film;
     diagnostics.add(error(
         Fault::option, {},
-        message("the options do not fit the film of `", printable(file.path()), "`: ", wrong)));
+        message("the options do not fit the film of `", printable(path), "`: ", wrong)));
     return std::nullopt;
 }
 

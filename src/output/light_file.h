@@ -48,6 +48,10 @@ private:
 /// film that is not understood; returns nothing after an error.
 std::optional<FilmSettings> film_of(const LightFile&, const Options&, Diagnostics&);
 
+/// The same for the text of a film that another file records.
+std::optional<FilmSettings> film_of(const std::string& text, const std::string& path,
+                                    const Options&, Diagnostics&);
+
 /// Returns the names of the lamps, and `rest`, whose layers begin with `before`. Together they are
 /// the picture. Returns nothing after an error has been reported: there are none, or they do not
 /// add up to the picture.

@@ -40,31 +40,9 @@ std::optional<double> strength_of(std::string_view text) {
     return value && *value >= 0 ? value : std::nullopt;
 }
 
-/// The factor of a weight's text. Nothing if it is wrong.
-std::optional<Vec3> factor_of(std::string_view text) {
-    std::optional<double> strength;
-    std::optional<Vec3> colour;
-    constexpr std::string_view gaps = ", \t";
-    while (true) {
-        text.remove_prefix(std::min(text.find_first_not_of(gaps), text.size()));
-        if (text.empty()) break;
-        const std::string_view word = text.substr(0, text.find_first_of(gaps));
-        text.remove_prefix(word.size());
-        if (word.starts_with('#') ? colour.has_value() : strength.has_value()) return std::nullopt;
-        if (word.starts_with('#'))
-            colour = colour_of(word);
-        else
-            strength = strength_of(word);
-        if (!(word.starts_with('#') ? colour.has_value() : strength.has_value()))
-            return std::nullopt;
-    }
-    if (!strength && !colour) return std::nullopt;
-    return strength.value_or(1) * colour.value_or(Vec3(1));
-}
-
 /// The factor that JSON gives a lamp: a number, a text, or an object.
 std::optional<Vec3> factor_in(const WeightJson& json) {
-    if (json.is_string()) return factor_of(json.get<std::string>());
+    if (json.is_string()) return lamp_factor(json.get<std::string>());
     if (json.is_number()) {
         const auto strength = json.get<double>();
         return strength >= 0 ? std::optional(Vec3(strength)) : std::nullopt;
@@ -97,10 +75,31 @@ bool fail_to_weigh(std::string text, std::string help, Diagnostics& diagnostics)
 
 }  // namespace
 
+std::optional<Vec3> lamp_factor(std::string_view text) {
+    std::optional<double> strength;
+    std::optional<Vec3> colour;
+    constexpr std::string_view gaps = ", \t";
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(gaps), text.size()));
+        if (text.empty()) break;
+        const std::string_view word = text.substr(0, text.find_first_of(gaps));
+        text.remove_prefix(word.size());
+        if (word.starts_with('#') ? colour.has_value() : strength.has_value()) return std::nullopt;
+        if (word.starts_with('#'))
+            colour = colour_of(word);
+        else
+            strength = strength_of(word);
+        if (!(word.starts_with('#') ? colour.has_value() : strength.has_value()))
+            return std::nullopt;
+    }
+    if (!strength && !colour) return std::nullopt;
+    return strength.value_or(1) * colour.value_or(Vec3(1));
+}
+
 bool LightWeights::add(std::string_view text, Diagnostics& diagnostics) {
     const std::size_t equals = text.rfind('=');
     const auto factor =
-        equals == text.npos || equals == 0 ? std::nullopt : factor_of(text.substr(equals + 1));
+        equals == text.npos || equals == 0 ? std::nullopt : lamp_factor(text.substr(equals + 1));
     if (!factor)
         return fail_to_weigh(message("`--light ", printable(text), "` is no lamp with its weight"),
                              "--light Lamp=0.5, --light Lamp=#ff8800, or --light Lamp=4,#ff8800",
@@ -169,7 +168,7 @@ bool LightWeights::read_table(const std::string& path, std::string_view text,
             const std::string& name = table->names[column];
             const std::string& cell = table->cells[row * table->columns + column];
             if (lower_case(name) == "frame" || cell.empty()) continue;
-            const auto factor = factor_of(std::string_view(cell));
+            const auto factor = lamp_factor(std::string_view(cell));
             if (!factor)
                 return fail_to_weigh(
                     message("`", printable(path), "`: the weight of `", printable(name),

@@ -7,6 +7,7 @@
 #include "text/diagnostic.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,10 @@ namespace candelabra {
 /// Factors on the light of lamps by the names of their layers, without `light.`. Each name stands
 /// once.
 using LightFactors = std::vector<std::pair<std::string, Vec3>>;
+
+/// The factor in a text: a number from 0 on, a colour such as #ff8800, or both with a comma or a
+/// blank between. Nothing if it is wrong.
+std::optional<Vec3> lamp_factor(std::string_view text);
 
 class LightWeights {
 public:

@@ -140,6 +140,26 @@ bool RenderJob::fits(const Checkpoint& old) {
     return true;
 }
 
+/// Whether the light of lamps can be kept if that is wanted; reports why not. `old`: the state to
+/// go on from; null: none.
+bool RenderJob::can_keep_lamps(const Checkpoint* old) {
+    if (!plan_.lamps.sink) return true;
+    const auto refuse = [&](const char* text, const char* help) {
+        diagnostics_.add(error(Fault::option, {}, text).with_help(help));
+        return false;
+    };
+    if (decided_by(rendering_.settings, rendering_.rule) == DecidedBy::tile)
+        return refuse("--keep-lights needs samples, and this picture is made of compared rays",
+                      "--samples 16");
+    if (rendering_.shot.moments() > 1)
+        return refuse("--keep-lights is for lamps that stand still, and the shutter is open",
+                      "a camera without a shutter, or --layers lights");
+    if (old && max_samples(old->state) > 0)
+        return refuse("--keep-lights begins with the picture, and its state has samples already",
+                      "without +C it is begun anew, and without --keep-lights it goes on");
+    return true;
+}
+
 /// Whether the memory of the run holds the picture's sums and what is made of them at the end;
 /// reports what they need if not. Sums that are too large go to a file.
 bool RenderJob::has_room() {
@@ -153,7 +173,8 @@ bool RenderJob::has_room() {
     const Region region = region_of(plan_.options);
     const int rows = std::min(settings.height, region.bottom - region.top + 2);
     const std::uint64_t sums = Film::bytes_of(settings.width, rows, aovs);
-    const std::uint64_t beside = pixels * plan_.writing + memory_in_use();
+    const std::uint64_t beside =
+        pixels * plan_.writing + plan_.lamps.memory + memory_in_use();
     if (sums + beside <= *limit) {
         if (rows < settings.height)
             pages_ = ZeroedPages::sparse(Film::bytes_of(settings.width, settings.height, aovs));
@@ -165,12 +186,15 @@ bool RenderJob::has_room() {
     if (fits) pages_ = pages_in_file(Film::bytes_of(settings.width, settings.height, aovs));
     if (pages_) return has_room_for_state(held + beside, *limit);
     const std::uint64_t need = megabytes((filed && !fits ? held : sums) + beside);
+    const char* const less =
+        plan_.lamps.sink ? "; with a smaller --keep-lights-size it needs less"
+        : aovs > 0       ? "; without layers and --denoise it needs less"
+                         : "";
     diagnostics_.add(
         error(Fault::option, {},
               message("a picture of ", settings.width, "x", settings.height, " needs ", need,
                       " MB of memory for this scene, and the limit is ", megabytes(*limit), " MB"))
-            .with_help(message("--limit-memory ", need,
-                               aovs > 0 ? "; without layers and --denoise it needs less" : "")));
+            .with_help(message("--limit-memory ", need, less)));
     return false;
 }
 
@@ -218,6 +242,7 @@ bool RenderJob::prepare() {
                                message("there are more shards than the ", checkpoint_.all_samples,
                                        " samples of each pixel")));
     if (checkpoint_.samples == 0) return false;
+    if (!can_keep_lamps(nullptr)) return false;
     if (!can_keep()) return true;
     const std::string path = state_path(plan_);
     std::error_code none;
@@ -230,7 +255,7 @@ bool RenderJob::prepare() {
         return true;
     }
     auto old = read_checkpoint(path, diagnostics_);
-    if (!old || !fits(*old)) return false;
+    if (!old || !fits(*old) || !can_keep_lamps(&*old)) return false;
     checkpoint_.state = std::move(old->state);
     // The state may ask for more samples than any run would.
     const std::uint32_t most = max_wanted(rendering_.settings, rendering_.samples, rendering_.rule);
@@ -274,6 +299,7 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
     RenderHooks hooks;
     hooks.counts_lights = plan_.options.light_report;
     hooks.aovs = extras_;
+    hooks.lamps = plan_.lamps.sink;
     if (!plan_.options.time) hooks.winds_down = plan_.winds_down;
     hooks.progress = [&](double done) {
         const double spent = plan_.options.time ? (clock() - begun_) / *plan_.options.time : 0;

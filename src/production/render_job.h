@@ -36,6 +36,12 @@ struct JobPlan {
     std::function<void()> winds_down;
     /// Bytes of memory for each pixel that writing the picture takes at the end.
     std::size_t writing = 0;
+    /// What keeps the light of lamps, if anything does, and the memory that it may take.
+    struct Lamps {
+        LampSink* sink = nullptr;  ///< see RenderHooks
+        std::uint64_t memory = 0;  ///< in bytes
+    };
+    Lamps lamps = {};
 };
 
 /// Returns the path of a state: the picture's name with the number of a shard, if any.
@@ -72,6 +78,7 @@ private:
     std::optional<ZeroedPages> pages_in_file(std::size_t bytes) const;
     void begin();
     bool fits(const Checkpoint& old);
+    bool can_keep_lamps(const Checkpoint* old);
     bool save(Diagnostics&);
     void save_and_go_on();
     Interrupt work(Progress&, const std::function<double()>& clock);

@@ -44,21 +44,26 @@ bool Rounds::run() {
     return true;
 }
 
-/// Brings all pixels to their targets in passes, so that the whole picture converges evenly.
+/// Returns the number of samples up to which the next pass goes. The whole picture converges
+/// evenly; only where the light of lamps is kept, which takes memory, tiles are finished at once.
+std::uint32_t Rounds::level_after(std::uint32_t level, std::uint32_t most) const {
+    constexpr std::uint32_t growth = 4;
+    std::uint32_t next = level == 0 ? 1 : level > most / growth ? most : level * growth;
+    if (hooks_.lamps) next = most;
+    return plan_.sent ? std::min(next, level + plan_.sent.samples_at_once()) : next;
+}
+
+/// Brings all pixels to their targets in passes.
 void Rounds::run_round() {
     const Wanted all = wanted_samples(state_.film);
     wanted_ = all.samples;
     done_ = all.samples - all.missing;
     if (all.missing == 0) return;
-    constexpr std::uint32_t growth = 4;
-    std::uint32_t before = 0;
-    for (std::uint32_t level = 1; !interruption_.stopped();) {
+    for (std::uint32_t before = 0; before < all.most && !interruption_.stopped();) {
+        const std::uint32_t level = level_after(before, all.most);
         prepare(before, level);
         over_tiles(level, level >= all.most);
-        if (level >= all.most) return;
         before = level;
-        level = level > all.most / growth ? all.most : level * growth;
-        if (plan_.sent) level = std::min(level, before + plan_.sent.samples_at_once());
     }
 }
 
@@ -88,10 +93,12 @@ void Rounds::over_tiles(std::uint32_t level, bool ends_round) {
         if (turn + 1 == tiles.size() && ends_round) wind_down();
         // Threads start at arbitrary tiles; if the order matters, they take tiles in sequence.
         if (hooks_.first) i = turn;
-        if (interruption_.stopped() || !wants(tiles[i], level)) return;
-        const std::uint64_t made = make_tile(tiles[i], level);
+        if (interruption_.stopped()) return;
+        const std::uint64_t made = wants(tiles[i], level) ? make_tile(tiles[i], level) : 0;
+        if (hooks_.lamps) pass_lamps(tiles[i], level);
+        if (made == 0) return;
         const std::uint64_t done = done_ += made;
-        if (hooks_.progress && made > 0)
+        if (hooks_.progress)
             hooks_.progress(overall(static_cast<double>(done) / static_cast<double>(wanted_)));
     });
 }
@@ -126,6 +133,17 @@ bool Rounds::wants(const Region& tile, std::uint32_t level) const {
             if (pixel.samples < std::min(level, pixel.target)) return true;
         }
     return false;
+}
+
+/// Tells who keeps lamps that a region has exactly the samples of a pass. A run that goes on after
+/// a pause says so at the same moments as one without.
+void Rounds::pass_lamps(const Region& tile, std::uint32_t level) const {
+    for (int y = tile.top; y < tile.bottom; ++y)
+        for (int x = tile.left; x < tile.right; ++x) {
+            const PixelSum& pixel = state_.film.at(x, y);
+            if (pixel.samples != std::min(level, pixel.target)) return;
+        }
+    hooks_.lamps->passed(tile);
 }
 
 /// Returns the completed fraction of all rounds, given that of this round. With a noise bound or a

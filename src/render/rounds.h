@@ -35,6 +35,8 @@ private:
     std::uint64_t make_tile(const Region&, std::uint32_t level);
     void wind_down();
     bool wants(const Region&, std::uint32_t level) const;
+    void pass_lamps(const Region&, std::uint32_t level) const;
+    std::uint32_t level_after(std::uint32_t level, std::uint32_t most) const;
     double overall(double share_of_round) const;
 
     const RenderPlan& plan_;

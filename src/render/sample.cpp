@@ -25,8 +25,8 @@ std::vector<Integrator> integrators_of_moments(const RenderPlan& plan, const Tra
 }
 
 Tracing tracing_of(const RenderPlan& plan, const RenderHooks& hooks) {
-    return {plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, plan.sent,
-            hooks.aovs.alpha};
+    return {plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, hooks.lamps != nullptr,
+            plan.sent, hooks.aovs.alpha};
 }
 
 std::vector<Integrator> meters_of(const RenderPlan& plan, const RenderHooks& hooks) {
@@ -93,6 +93,11 @@ SeenSample SampleTracer::look(int x, int y, std::uint32_t sample, std::span<Exac
         apart_.assign(extra.size(), ExactSum());
         gather(colour, ray, key, moment, apart_);
         for (std::size_t i = 0; i < extra.size(); ++i) extra[i].subtract(apart_[i]);
+    }
+    if (hooks_->lamps) {
+        std::vector<LampPart>& parts = integrator.ledger().parts;
+        hooks_->lamps->add(x, y, parts, in_pixel.negative);
+        parts.clear();
     }
     return {colour, rays, in_pixel.negative};
 }

@@ -5,7 +5,9 @@
 #include "output/light_report.h"
 #include "production/file_lock.h"
 #include "production/render_job.h"
+#include "relight/light_recorder.h"
 #include "tasks/frame_film.h"
+#include "tasks/kept_lights.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -94,7 +96,12 @@ int render_shot(SceneSteps& steps, const Shot& shot) {
                  path,
                  steps.shard(),
                  steps.console().winds_down,
-                 options.to_file ? bytes_to_write(files) : 0};
+                 options.to_file ? bytes_to_write(files) : 0,
+                 {}};
+    const auto recorder =
+        light_recorder(world, steps.sources(), steps.output().format, options, diagnostics);
+    if (steps.say_diagnostics()) return exit_status::usage;
+    if (recorder) plan.lamps = {recorder.get(), recorder->most_memory()};
     RenderJob job(plan, shot, steps.console().interrupts, diagnostics);
     const bool locks = job.can_keep();
     const FileLock lock(locks ? state_path(plan) : std::string());
@@ -111,6 +118,7 @@ int render_shot(SceneSteps& steps, const Shot& shot) {
     const bool whole = !steps.shard();
     if (options.to_file && whole && end == JobEnd::finished)
         write_film(job.film(), files, diagnostics);
+    if (recorder) write_kept_lights(*recorder, job.film(), files, options, diagnostics);
     const bool lost = diagnostics.failed();
     job.leave_state(!whole || options.keep_state || lost);
     if (options.light_report) steps.console().err(light_report(world, job.rays(), steps.sources()));

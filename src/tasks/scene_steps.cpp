@@ -8,6 +8,7 @@
 #include "output/depfile.h"
 #include "picture/file.h"
 #include "production/render_job.h"
+#include "tasks/kept_lights.h"
 #include "tasks/library_folders.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -116,6 +117,7 @@ void SceneSteps::read_part() {
     };
     if (region.left >= region.right || region.top >= region.bottom)
         refuse("no row or column of the picture is left to render");
+    check_kept_lights(options_, diagnostics_);
     const bool frame = options_.facts.initial_frame != 0 || options_.facts.final_frame != 0;
     if (!options_.shard.empty() && options_.shard_by == ShardBy::frames && !frame)
         refuse("a single picture has no frames to share", "--shard-by samples or tiles");
@@ -150,7 +152,8 @@ bool SceneSteps::destinations_work() {
         saves && !is_stream(output_.path) ? state_path(output_.path, shard_) : "";
     for (const std::string& path :
          {saves ? output_.path : std::string(), options_.stats_file, options_.depfile,
-          options_.mesh_file, options_.readings_file, layers, quiet, state}) {
+          options_.mesh_file, options_.readings_file, options_.kept_lights, layers, quiet,
+          state}) {
         const std::string problem = problem_with_output(options_, path);
         if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
     }

@@ -14,10 +14,13 @@ void LightLedger::add_reflected(Lamp lamp, const Vec3& radiance, const Vec3& thr
     own.light.add(grey(radiance));
     own.seen += throughput * radiance;
     own.rays += rays;
+    if (keeps_parts) parts.push_back({lamp, throughput * radiance, false});
 }
 
 void LightLedger::add_visible(Lamp lamp, const Vec3& light) {
-    if (provenance) lights[provenance->statement_of(lamp)].seen += light;
+    if (!provenance) return;
+    lights[provenance->statement_of(lamp)].seen += light;
+    if (keeps_parts) parts.push_back({lamp, light, true});
 }
 
 void LightLedger::add_miss() {
@@ -37,9 +40,10 @@ LightLedger& LightLedger::operator+=(const LightLedger& other) {
     return *this;
 }
 
-LightLedger empty_ledger(const World& world, bool counted) {
+LightLedger empty_ledger(const World& world, bool counted, bool parts) {
     LightLedger ledger;
-    if (!counted) return ledger;
+    if (!counted && !parts) return ledger;
+    ledger.keeps_parts = parts;
     ledger.lights.resize(world.provenance.light_statements.size() + 1);
     ledger.provenance = &world.provenance;
     return ledger;

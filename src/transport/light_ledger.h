@@ -21,6 +21,13 @@ struct LightCount {
     Vec3 seen = Vec3(0);
 };
 
+/// Light of a lamp in a sample, as it contributes to the pixel.
+struct LampPart {
+    Lamp lamp;
+    Vec3 light;
+    bool seen;  ///< of a lamp that a ray met, such as the camera's or that of a mirror
+};
+
 /// Expected noise of one shadow ray (see ShadowRays), over many hits.
 struct HitNoise {
     double sum = 0, squares = 0;
@@ -48,6 +55,8 @@ struct LightLedger {
     Vec3 glow = Vec3(0);
     /// Of the lamps that it counts; null if lights are not counted.
     const Provenance* provenance = nullptr;
+    bool keeps_parts = false;          ///< fills `parts`; only if lights are counted
+    std::vector<LampPart> parts = {};  ///< of the last sample, in the order of its path
 
     /// Records light of a lamp that a surface or a medium reflects to its viewer, and the number of
     /// rays towards the lamp. `throughput` is that of the viewer's ray in the sample.
@@ -60,9 +69,9 @@ struct LightLedger {
     LightLedger& operator+=(const LightLedger&);
 };
 
-/// Returns a ledger without counts, with an entry for each statement if lights are `counted`. The
-/// world must outlive it.
-LightLedger empty_ledger(const World&, bool counted);
+/// Returns a ledger without counts, with an entry for each statement if lights are `counted`, or
+/// the `parts` of lamps are kept. The world must outlive it.
+LightLedger empty_ledger(const World&, bool counted, bool parts = false);
 
 /// Records the light of a directly visible primitive, if it is a luminaire; `no_primitive` is none.
 void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);

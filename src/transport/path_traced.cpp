@@ -32,7 +32,7 @@ PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& want
       reflected_(wanted.sent->reflected),
       media_(shot),
       ends_(shot, wanted.clear_sky, wanted.from_anywhere),
-      ledger_(empty_ledger(world_, wanted.counts_lights)),
+      ledger_(empty_ledger(world_, wanted.counts_lights, wanted.keeps_lamps)),
       max_bounces_(std::get<PathTraced>(world_.rules.settings.integrator).bounces),
       chance_of_covered_(world_.facts.is_lit_by_luminaires_only ? chance_of_shine : 1) {}
 

@@ -25,7 +25,7 @@ PovRayIntegrator::PovRayIntegrator(const Shot& shot, const Tracing& wanted)
       direct_light_(shot, wanted.shadow_rays),
       media_(shot),
       ends_(shot, wanted.clear_sky, wanted.from_anywhere),
-      ledger_(empty_ledger(world_, wanted.counts_lights)),
+      ledger_(empty_ledger(world_, wanted.counts_lights, wanted.keeps_lamps)),
       max_rays_(wanted.max_rays) {}
 
 Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {

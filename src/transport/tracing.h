@@ -13,6 +13,7 @@ namespace candelabra {
 struct Tracing {
     ShadowRays shadow_rays = {};         ///< at each hit
     bool counts_lights = false;          ///< separately for each statement
+    bool keeps_lamps = false;            ///< light of each lamp in a sample, see LampPart
     std::optional<SentLight> sent = {};  ///< unset: the integrator makes that of the shot
     bool clear_sky = false;              ///< the background may be clear, as with POV-Ray's +UA
     bool from_anywhere = false;          ///< rays begin at other places than the camera's

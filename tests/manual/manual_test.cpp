@@ -91,7 +91,8 @@ void check_command(const std::string& line) {
     }
     REQUIRE(words.size() > 1);
     CHECK(words[0] == "candelabra");
-    if (words[1] == "develop" || words[1] == "share") {  // options of a run, and others
+    if (words[1] == "develop" || words[1] == "share" ||
+        words[1] == "relight") {  // options of a run, and others
         Shell shell;
         CHECK(shell({words.begin() + 1, words.end()}) == exit_status::file);
         CHECK(has(shell.err, "`" + words[2] + "`"));

@@ -141,6 +141,8 @@ const std::map<std::string, GivenWords>& examples() {
         {"progress", {"--progress", "plain"}},
         {"preview", {no_picture}},
         {"depfile", {"--depfile", "a.d"}},
+        {"keep-lights", {"--keep-lights", "a.lights"}},
+        {"keep-lights-size", {"--keep-lights-size", "20M"}},
         {"stats", {"--stats", "a.json"}},
         {"help", {no_picture}},
         {"version", {no_picture}},

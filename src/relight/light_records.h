@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The light of each lamp in a whole picture, of which pictures under other powers are made.
+#pragma once
+
+#include "base/image.h"
+#include "relight/lamp_list.h"
+#include "relight/tile_records.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace candelabra {
+
+struct LightRecords {
+    int width = 0, height = 0;
+    LampList lamps;
+    std::string origin;              ///< program, scene with its digest, options: see description()
+    std::string film;                ///< see to_text(const FilmSettings&); empty: none
+    std::vector<float> alpha;        ///< of each pixel, 0 to 1; empty: none
+    std::vector<TileRecords> tiles;  ///< row by row
+
+    int tiles_across() const { return (width + light_tile - 1) / light_tile; }
+    int tiles_down() const { return (height + light_tile - 1) / light_tile; }
+
+    friend bool operator==(const LightRecords&, const LightRecords&) = default;
+};
+
+/// Returns the picture with these factors on the lamps, by their places in the list; 1 is a lamp as
+/// it was rendered.
+Image relit(const LightRecords&, std::span<const Vec3> factors, int threads);
+
+}  // namespace candelabra

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "relight/tile_light.h"
+
+#include "base/order.h"
+#include "base/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace candelabra {
+
+namespace {
+
+/// Share of the room of nodes and their residual that nodes may have, and their greatest number.
+constexpr double share_of_nodes = 0.6;
+constexpr std::size_t most_nodes = 64;
+
+void add_light(TilePlanes& planes, const LampEntry& entry) {
+    for (std::size_t c = 0; c < 3; ++c) planes[c * tile_pixels + entry.pixel] += entry.light[c];
+}
+
+double random_of(std::uint64_t seed) { return static_cast<double>(mix(seed) >> 11) * 0x1p-53; }
+
+/// The light that a node of one lamp has in its pixels, as entries.
+void append_entries_of(const LampRange& range, const TilePlanes& planes,
+                       std::vector<LampEntry>& entries) {
+    for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
+        LampEntry entry{range.first, static_cast<std::uint8_t>(pixel), false, {}};
+        for (std::size_t c = 0; c < 3; ++c) entry.light[c] = planes[c * tile_pixels + pixel];
+        if (entry.size() > 0) entries.push_back(entry);
+    }
+}
+
+}  // namespace
+
+void TileLight::add(std::uint32_t lamp, std::size_t pixel, const Vec3& light, bool seen) {
+    const double size = std::abs(light.x) + std::abs(light.y) + std::abs(light.z);
+    constexpr double most = 1e30;
+    if (!(size > 0) || !(size < most)) return;
+    fresh_.push_back(
+        {lamp,
+         static_cast<std::uint8_t>(pixel),
+         seen,
+         {static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z)}});
+}
+
+TileLight::Node* TileLight::node_of(std::uint32_t lamp) {
+    const auto after = std::ranges::upper_bound(nodes_, lamp, {},
+                                                [](const Node& node) { return node.range.first; });
+    return after != nodes_.begin() && lamp < after[-1].range.last ? &after[-1] : nullptr;
+}
+
+/// Brings light to the node of its lamp; without one, it stays by itself.
+void TileLight::place(const LampEntry& entry) {
+    Node* const node = entry.seen ? nullptr : node_of(entry.lamp);
+    if (!node) return own_.push_back(entry);
+    add_light(node->light, entry);
+    if (node->range.size() > 1) residual_.push_back(entry);
+}
+
+void TileLight::settle(const LampList& lamps, std::size_t room, std::uint64_t seed) {
+    for (const LampEntry& entry : summed(std::exchange(fresh_, {}))) place(entry);
+    own_ = summed(std::move(own_));
+    residual_ = summed(std::move(residual_));
+    if (bytes() > room) shrink(lamps, room, seed);
+}
+
+/// Leaves the strongest of the lamps that rays met by themselves.
+void TileLight::demote(std::size_t most) {
+    std::vector<float> sizes;
+    for (const LampEntry& entry : own_)
+        if (entry.seen) sizes.push_back(entry.size());
+    if (sizes.size() <= most) return;
+    std::ranges::stable_sort(sizes, std::greater<>());
+    const float least = most > 0 ? sizes[most - 1] : sizes[0];
+    std::size_t left = most;
+    for (LampEntry& entry : own_)
+        if (entry.seen && (left == 0 || entry.size() < least))
+            entry.seen = false;
+        else if (entry.seen)
+            --left;
+    for (const LampEntry& entry : summed(std::exchange(own_, {}))) place(entry);
+}
+
+std::vector<LampAtom> TileLight::atoms() const {
+    std::vector<LampAtom> all;
+    for (const Node& node : nodes_) {
+        double light = 0;
+        for (const float value : node.light) light += static_cast<double>(std::abs(value));
+        all.push_back({node.range, light});
+    }
+    std::vector<LampAtom> single;
+    for (const LampEntry& entry : own_)
+        if (!entry.seen)
+            single.push_back({{entry.lamp, entry.lamp + 1},
+                              static_cast<double>(std::abs(entry.light[0])) +
+                                  static_cast<double>(std::abs(entry.light[1])) +
+                                  static_cast<double>(std::abs(entry.light[2]))});
+    const auto first_of = [](const LampAtom& atom) { return atom.range.first; };
+    sort_stably(single, {}, first_of);
+    for (const LampAtom& atom : single)
+        if (!all.empty() && all.back().range == atom.range)
+            all.back().light += atom.light;
+        else
+            all.push_back(atom);
+    sort_stably(all, {}, first_of);
+    return all;
+}
+
+/// Sums all light by the nodes, which hold all atoms. A lamp that is a node by itself and lights
+/// few pixels stays as it is.
+void TileLight::gather(const std::vector<LampRange>& ranges) {
+    std::vector<Node> old = std::exchange(nodes_, {});
+    for (const LampRange& range : ranges) nodes_.push_back({range, {}});
+    for (const Node& node : old) {
+        Node& now = *node_of(node.range.first);
+        for (std::size_t i = 0; i < node.light.size(); ++i) now.light[i] += node.light[i];
+        if (node.range.size() == 1 && now.range.size() > 1)
+            append_entries_of(node.range, node.light, residual_);
+    }
+    for (const LampEntry& entry : std::exchange(own_, {})) place(entry);
+    std::vector<Node> kept;
+    for (const Node& node : nodes_) {
+        std::vector<LampEntry> entries;
+        if (node.range.size() == 1) append_entries_of(node.range, node.light, entries);
+        const bool few = node.range.size() == 1 && entries.size() * entry_bytes < node_bytes;
+        if (few)
+            own_.insert(own_.end(), entries.begin(), entries.end());
+        else
+            kept.push_back(node);
+    }
+    nodes_ = std::move(kept);
+    own_ = summed(std::move(own_));
+    residual_ = summed(std::move(residual_));
+}
+
+void TileLight::shrink(const LampList& lamps, std::size_t room, std::uint64_t seed) {
+    demote(room / 2 / entry_bytes);
+    std::size_t seen = 0;
+    for (const LampEntry& entry : own_) seen += entry.seen ? entry_bytes : 0;
+    const double left = static_cast<double>(room - std::min(room, seen));
+    const auto nodes = static_cast<std::size_t>(share_of_nodes * left / node_bytes);
+    gather(chosen_nodes(lamps, atoms(), std::clamp(nodes, std::size_t{1}, most_nodes)));
+    const std::size_t taken = nodes_.size() * node_bytes + bytes_of_own();
+    thin(residual_, (room - std::min(room, taken)) / entry_bytes, random_of(seed));
+}
+
+TileRecords TileLight::finished(const LampList& lamps, const TilePixels& pixels, std::size_t room,
+                                std::uint64_t seed) {
+    settle(lamps, room, seed);
+    std::array<Vec3, tile_pixels> light{}, size{};
+    const auto count = [&](std::size_t pixel, std::size_t channel, float value) {
+        const int c = static_cast<int>(channel);
+        light[pixel][c] += static_cast<double>(value);
+        size[pixel][c] += static_cast<double>(std::abs(value));
+    };
+    for (const Node& node : nodes_)
+        for (std::size_t i = 0; i < node.light.size(); ++i)
+            count(i % tile_pixels, i / tile_pixels, node.light[i]);
+    for (const LampEntry& entry : own_)
+        for (std::size_t c = 0; c < 3; ++c) count(entry.pixel, c, entry.light[c]);
+    TileRecords tile;
+    TilePlanes rest{};
+    bool any = false;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const std::size_t pixel = i % tile_pixels;
+        const int c = static_cast<int>(i / tile_pixels);
+        if (!(pixels.weight[pixel] > 0)) continue;
+        const double all = pixels.mean[pixel][c] * pixels.weight[pixel];
+        const double left = all - light[pixel][c];
+        // Sums of floats are not exact.
+        constexpr double rounding = 1e-5;
+        if (std::abs(left) <= rounding * (size[pixel][c] + std::abs(all))) continue;
+        rest[i] = static_cast<float>(left / pixels.weight[pixel]);
+        any = true;
+    }
+    if (any) tile.rest = rest;
+    if (any && bytes() + rest_bytes > room) shrink(lamps, room - std::min(room, rest_bytes), seed);
+    const auto mean_of = [&](float value, std::size_t pixel) {
+        const double weight = pixels.weight[pixel];
+        return weight > 0 ? static_cast<float>(static_cast<double>(value) / weight) : 0.0F;
+    };
+    std::vector<TilePlanes> planes;
+    for (const Node& node : nodes_) {
+        tile.nodes.push_back(node.range);
+        TilePlanes& made = planes.emplace_back();
+        for (std::size_t i = 0; i < made.size(); ++i)
+            made[i] = mean_of(node.light[i], i % tile_pixels);
+    }
+    for (auto [from, to] : {std::pair{&own_, &tile.own}, {&residual_, &tile.residual}})
+        for (LampEntry entry : *from) {
+            for (float& channel : entry.light) channel = mean_of(channel, entry.pixel);
+            to->push_back(entry);
+        }
+    round_to_file(tile, planes);
+    *this = TileLight();
+    return tile;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/relight_command.h"
+
+#include "output/light_file.h"
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace candelabra {
+
+namespace {
+
+/// Three lamps over a floor, beside a mirror. `Key`, `Sign` and `Row` are the factors on them.
+constexpr auto room_of_lamps = R"(#version 3.7; global_settings { assumed_gamma 1 EXTRA }
+#ifndef (Key) #declare Key = 1; #end
+#ifndef (Sign) #declare Sign = rgb 1; #end
+#ifndef (Row) #declare Row = 1; #end
+camera { location <0, 2, -6> look_at <0, 0.5, 0> right x up y }
+plane { y, 0 pigment { rgb <0.8, 0.7, 0.6> } finish { ambient 0 diffuse 0.8 } }
+box { <-3, 0, 2>, <3, 3, 2.1> pigment { rgb 1 } finish { ambient 0 diffuse 0.2 reflection 0.7 } }
+#macro Glow(Light) pigment { rgb 1 } finish { ambient 0 diffuse 0 emission Light } #end
+#declare KeyLamp = sphere { <-1.5, 1.5, 0>, 0.4 Glow(rgb 4*Key) }
+#declare SignLamp = box { <0.6, 0.6, -0.5>, <1.4, 1.2, -0.4> Glow(4*Sign) }
+object { KeyLamp }
+object { SignLamp }
+#declare RowLamp = sphere { 0, 0.08 Glow(rgb 9*Row) }
+union {
+  #for (I, -4, 4) object { RowLamp translate <0.4*I, 0.1, -1.5> } #end
+  light_name "Row"
+}
+MORE
+)";
+
+std::string with(std::string text, const std::string& word, const std::string& by) {
+    return text.replace(text.find(word), word.size(), by);
+}
+
+struct Relit : Shell {
+    Image light(const std::string& name) {
+        Diagnostics diagnostics;
+        const auto file = LightFile::read(path(name), diagnostics);
+        REQUIRE(file);
+        return *file->image("");
+    }
+    Image rendered(const std::string& samples, std::vector<std::string> more) {
+        more.insert(more.begin(), {path("room.pov"), "-V", "+W24", "+H24", "--samples", samples,
+                                   "+O" + path("room.exr")});
+        REQUIRE((*this)(more) == 0);
+        CHECK(err == "");
+        return light("room.exr");
+    }
+    Image relit(std::vector<std::string> more) {
+        more.insert(more.begin(), {"relight", path("room.lights"), "-o", path("relit.exr")});
+        const int status = (*this)(more);
+        CHECK(err == "");
+        REQUIRE(status == 0);
+        return light("relit.exr");
+    }
+};
+
+/// Root of the mean square of the differences, in terms of the mean.
+double error_of(const Image& made, const Image& right) {
+    double squares = 0, sum = 0;
+    for (std::size_t i = 0; i < made.pixels.size(); ++i) {
+        const Vec3 off = made.pixels[i] - right.pixels[i];
+        squares += dot(off, off) / 3;
+        sum += grey(right.pixels[i]);
+    }
+    const auto count = static_cast<double>(made.pixels.size());
+    return std::sqrt(squares / count) / (sum / count);
+}
+
+}  // namespace
+
+TEST_CASE("relit pictures are those of a render with other powers", "[app][relight]") {
+    struct Place {
+        const char *name, *extra, *more;
+    };
+    for (const Place& place :
+         {Place{"direct", "", ""}, Place{"bounces", "integrator { path_traced }", ""},
+          Place{"air", "",
+                "box { -4, 4 hollow pigment { rgbt 1 } interior { media { scattering { 1, 0.05 } } "
+                "} }"}}) {
+        INFO(place.name);
+        Relit run;
+        run.write("room.pov", with(with(room_of_lamps, "EXTRA", place.extra), "MORE", place.more));
+        const Image same = run.rendered("128", {"--keep-lights", run.path("room.lights")});
+        const Image again = run.relit({});
+        double most = 0, brightest = 0;
+        for (std::size_t i = 0; i < same.pixels.size(); ++i) {
+            most = std::max(most, max_abs_component(same.pixels[i] - again.pixels[i]));
+            brightest = std::max(brightest, max_abs_component(same.pixels[i]));
+        }
+        CHECK(most < 1e-3 * brightest);
+        CHECK(error_of(again, same) < 1e-3);
+
+        // One lamp off, one in another colour, some of many.
+        const Image made = run.relit({"--set", "KeyLamp=0", "--set", "SignLamp=0.5,#00ff00"});
+        const Image right =
+            run.rendered("128", {"Declare=Key=0", "--declare", "Sign=<0,0.5,0>", "--seed", "7"});
+        const Image other =
+            run.rendered("128", {"Declare=Key=0", "--declare", "Sign=<0,0.5,0>", "--seed", "8"});
+        CHECK(error_of(made, right) < 2 * error_of(other, right) + 0.01);
+    }
+}
+
+TEST_CASE("a show makes numbered pictures and films", "[app][relight]") {
+    Relit run;
+    run.write("room.pov", with(with(room_of_lamps, "EXTRA", ""), "MORE", ""));
+    run.rendered("4", {"--keep-lights", run.path("room.lights")});
+    const std::string file = run.path("room.lights");
+    CHECK(run({"relight", file, "--lamps"}) == 0);
+    CHECK(run.out == "KeyLamp\nSignLamp\nRow[0..8]\n");
+    run.write("show.csv", "KeyLamp,Row[0..8]\n1,1,1,1,1,1,1,1,1,1\n0,1,0,0,0,0,0,0,0,0\n");
+    CHECK(run({"relight", file, "-o", run.path("show.png"), "--csv", run.path("show.csv")}) == 0);
+    CHECK(run.err == "");
+    const std::string whole = run.content("show1.png");
+    CHECK(whole != "");
+    CHECK(run.content("show2.png") != whole);
+    CHECK(run({"relight", file, "-o", run.path("one.png")}) == 0);
+    CHECK(run.content("one.png") == whole);
+    CHECK(run({"relight", file, "-o", run.path("two.png"), "--set", "KeyLamp=0", "--set",
+               "Row[1..8]=0"}) == 0);
+    CHECK(run.content("two.png") == run.content("show2.png"));
+    CHECK(run({"relight", file}) == 0);
+    CHECK(run.content("room.png") == whole);
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) return;
+    CHECK(run({"relight", file, "--csv", run.path("show.csv"), "--movie", run.path("show.mp4")}) ==
+          0);
+    CHECK(run.content("show.mp4") != "");
+}
+
+TEST_CASE("relight says what it cannot do", "[app][relight]") {
+    Relit run;
+    run.write("room.pov", with(with(room_of_lamps, "EXTRA", ""), "MORE", ""));
+    run.rendered("1", {"--keep-lights", run.path("room.lights")});
+    const auto fails = [&](std::vector<std::string> words, int status, std::string_view why) {
+        INFO(why);
+        words.insert(words.begin(), "relight");
+        CHECK(run(words) == status);
+        CHECK(has(run.err, why));
+    };
+    const std::string file = run.path("room.lights"), png = run.path("a.png");
+    fails({}, 2, "needs one file");
+    fails({file, file}, 2, "there is already");
+    fails({run.path("none.lights")}, 3, "cannot be read");
+    fails({run.path("room.pov")}, 3, "does not keep the light of lamps");
+    fails({file, "-o", png, "--set", "KayLamp=1"}, 2, "did you mean `KeyLamp`?");
+    fails({file, "-o", png, "--set", "KeyLamp"}, 2, "is no lamp with its value");
+    fails({file, "-o", png, "--csv", run.path("none.csv")}, 2, "cannot be read");
+    fails({file, "--movie", run.path("a.mp4")}, 2, "needs the frames of a show");
+    fails({file, "--set"}, 2, "`--set` needs a value");
+    fails({file, "--check"}, 2, "relight makes pictures and nothing else");
+    const std::string bytes = run.content("room.lights");
+    run.write("short.lights", bytes.substr(0, bytes.size() / 2));
+    fails({run.path("short.lights")}, 3, "is not whole");
+}
+
+TEST_CASE("a film develops what is relit", "[app][relight]") {
+    Relit run;
+    run.write("room.pov",
+              with(with(with(room_of_lamps, "EXTRA", ""), "MORE", ""), "right x up y",
+                   "right x up y film { exposure -1 response agx glare { veil 0.2 } }"));
+    run.rendered("4", {"--keep-lights", run.path("room.lights")});
+    const auto developed = [&](const std::string& command, const std::string& from) {
+        CHECK(run({command, run.path(from), "-o", run.path("a.ppm"), "--exposure", "0.5"}) == 0);
+        CHECK(run.err == "");
+        return run.content("a.ppm");
+    };
+    // Without smooth edges, which light that is relit does not have.
+    const std::string relit = developed("relight", "room.lights");
+    int different = 0;
+    CHECK(run({"develop", run.path("room.exr"), "-o", run.path("b.ppm"), "--exposure", "0.5",
+               "--smooth-edges", "off"}) == 0);
+    const std::string right = run.content("b.ppm");
+    // Behind a head with the origin of the picture.
+    constexpr std::size_t bytes = 24 * 24 * 3;
+    REQUIRE(std::min(right.size(), relit.size()) > bytes);
+    for (std::size_t i = 1; i <= bytes; ++i)
+        different += std::abs(static_cast<unsigned char>(right[right.size() - i]) -
+                              static_cast<unsigned char>(relit[relit.size() - i])) > 1;
+    CHECK(different == 0);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The error and the cost of pictures that are relit: relight.py PROGRAM [LAMPS [SAMPLES]]
+
+A facade of LAMPS lamps (a square number, 10000) stands before a street. Its light is kept in one render with all lamps on, and
+relit by the frames of five films. Each frame is compared with a render of the same frame with 16 times the samples, beside a
+fresh render with the same samples: root of the mean square of the error, in percent of the mean.
+"""
+import math
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import zlib
+from pathlib import Path
+
+SCENE = """#version 3.7; global_settings {{ assumed_gamma 1 }}
+camera {{ location <0, 7, -1> look_at <0, 0, -8> angle 60 right 16/9*x }}
+plane {{ y, 0 pigment {{ rgb 0.5 }} finish {{ ambient 0 diffuse 0.8 }} }}
+box {{ <-10, 0, 0>, <10, 12, 1> pigment {{ rgb 0.3 }} finish {{ ambient 0 diffuse 0.7 }} }}
+box {{ <-6, 0, -6>, <-4, 3, -5> pigment {{ rgb 0.6 }} finish {{ ambient 0 diffuse 0.7 }} }}
+sphere {{ <3, 1.2, -7>, 1.2 pigment {{ rgb 0.6 }} finish {{ ambient 0 diffuse 0.7 }} }}
+#declare W = array[{count}] {{ {values} }}
+union {{
+  #for (I, 0, {count} - 1)
+    #if (W[I] > 0)
+      sphere {{ <-9.9 + 19.8*mod(I, {side})/{side}, 0.8 + 11*div(I, {side})/{side}, -0.1>, 0.03
+        pigment {{ rgb 1 }} finish {{ ambient 0 diffuse 0 emission 3*W[I]*{gain} }} }}
+    #end
+  #end
+  light_name "Facade"
+}}
+"""
+
+
+def films(side):
+    rolls = random.Random(7)
+    places = [(i % side / side, i // side / side) for i in range(side * side)]
+    block = max(1, side // 10)
+    return {
+        "uniform": [0.5 for _ in places],
+        "smooth": [0.5 + 0.5 * math.sin(5 * x) * math.cos(4 * y) for x, y in places],
+        "text": [float((int(x * side) // block + int(y * side) // block * 3) % 4 < 2) for x, y in places],
+        "noise": [rolls.random() for _ in places],
+        "sparse": [float(rolls.random() < 0.01) for _ in places],
+    }
+
+
+def light_in(png):
+    """The values of a PNG picture with 16 bits."""
+    data, at, packed = Path(png).read_bytes(), 8, b""
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        if kind == b"IHDR":
+            width, height, _, colour = struct.unpack(">IIBB", data[at + 8:at + 18])
+        if kind == b"IDAT":
+            packed += data[at + 8:at + 8 + size]
+        at += size + 12
+    step = 2 * (3 if colour == 2 else 1)
+    raw, row, values = zlib.decompress(packed), width * step, []
+    before = bytearray(row)
+    for y in range(height):
+        kind, line = raw[y * (row + 1)], bytearray(raw[y * (row + 1) + 1:(y + 1) * (row + 1)])
+        for i in range(row):
+            a, b = line[i - step] if i >= step else 0, before[i]
+            c = before[i - step] if i >= step else 0
+            p = a + b - c
+            nearest = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+            line[i] = line[i] + (0, a, b, (a + b) // 2, nearest)[kind] & 255
+        before = line
+        values += struct.unpack(f">{row // 2}H", line)
+    return [value / 65535 for value in values]
+
+
+def error(made, right):
+    squares = sum((a - b) ** 2 for a, b in zip(made, right))
+    return 100 * math.sqrt(squares / len(right)) / (sum(right) / len(right))
+
+
+def main():
+    program = sys.argv[1]
+    side = math.isqrt(int(sys.argv[2]) if len(sys.argv) > 2 else 10000)
+    samples = int(sys.argv[3]) if len(sys.argv) > 3 else 64
+    more = sys.argv[4:]
+    picture = ["-V", "+W160", "+H90", "+FN16", "File_Gamma=1"]
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+
+        def run(*words):
+            begun = time.perf_counter()
+            subprocess.run([program, *map(str, words)], check=True)
+            return time.perf_counter() - begun
+
+        def scene(values, gain):
+            text = SCENE.format(count=side * side, side=side, gain=gain * 10000 / side ** 2,
+                                values=",".join(f"{value:.4f}" for value in values))
+            (folder / "facade.pov").write_text(text)
+            return folder / "facade.pov"
+
+        everything = scene([1] * side * side, 1)
+        plain = run(everything, *picture, "--samples", samples, f"+O{folder}/all.png")
+        kept = run(everything, *picture, "--samples", samples, f"+O{folder}/all.png", "--keep-lights",
+                   folder / "all.lights", *more)
+        size = (folder / "all.lights").stat().st_size
+        print(f"{side * side} lamps, {samples} samples: {plain:.1f} s, with light kept {kept:.1f} s, {size / 1e6:.1f} MB")
+        print("| film | fresh | relit |\n|---|---|---|")
+        for film, values in films(side).items():
+            (folder / "film.csv").write_text(f"Facade[0..{side * side - 1}]\n" + ",".join(f"{v:.4f}" for v in values) + "\n")
+            run("relight", folder / "all.lights", "--csv", folder / "film.csv", "+FN16", "File_Gamma=1", f"+O{folder}/relit.png")
+            frame = scene(values, 1)
+            run(frame, *picture, "--samples", samples, "--seed", 5, f"+O{folder}/fresh.png")
+            run(frame, *picture, "--samples", 16 * samples, f"+O{folder}/right.png")
+            right = light_in(folder / "right.png")
+            print(f"| {film} | {error(light_in(folder / 'fresh.png'), right):.2f} % | "
+                  f"{error(light_in(folder / 'relit1.png'), right):.2f} % |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

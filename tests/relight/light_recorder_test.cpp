@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "relight/light_recorder.h"
+
+#include "render/render.h"
+#include "support/four_lamps.h"
+
+#include <catch2/catch.hpp>
+
+#include <memory>
+
+namespace candelabra {
+
+namespace {
+
+std::vector<std::string> names_for(const World& world) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < world.provenance.light_statements.size(); ++i)
+        names.push_back("Lamp" + std::to_string(i));
+    return names;
+}
+
+struct Recorded {
+    Image image;
+    LightRecords records;
+};
+
+/// The light of a picture's lamps. `pause`: the run is stopped and continued after so many
+/// questions whether to stop.
+Recorded recorded(const std::string& script, const RenderSettings& settings,
+                  std::uint64_t bytes = 0, int pause = 0) {
+    const Shot shot = shot_of(script);
+    WorldLamps lamps = world_lamps(*shot.world, names_for(*shot.world));
+    RecordPlan plan{settings.width, settings.height, bytes, 0};
+    if (bytes == 0) plan.bytes = usual_record_bytes(settings.width, settings.height);
+    LightRecorder recorder(std::move(lamps), plan);
+    RenderHooks hooks;
+    hooks.lamps = &recorder;
+    int asked = 0;
+    if (pause > 0) hooks.cancelled = [&] { return ++asked % pause == 0; };
+    RenderState state = begin_picture(settings);
+    LightLedger rays;
+    while (!advance(plan_of(shot, settings), state, rays, hooks)) {
+    }
+    return {state.film.image(), recorder.finish(state.film, settings.threads)};
+}
+
+/// The greatest difference of a pixel, in terms of its brightest channel.
+double difference(const Image& a, const Image& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const double off = max_abs_component(a.pixels[i] - b.pixels[i]);
+        if (off > 0) most = std::max(most, off / max_abs_component(a.pixels[i]));
+    }
+    return most;
+}
+
+const char* const three_lamps = R"(
+    #version 3.7;
+    camera { location <0, 3, -8> look_at <0, 1, 0> right x up y angle 50 }
+    plane { y, 0 pigment { rgb <0.9, 0.7, 0.5> } finish { ambient 0 diffuse 0.8 } }
+    plane { x, 4 pigment { rgb 0.5 } finish { ambient 0 diffuse 0.3 reflection 0.6 } }
+    #ifndef (W) #declare W = array[3] { 1, 1, 1 }; #end
+    sphere { <-2, 1, 0>, 0.4 pigment { rgb 1 } finish { diffuse 0 emission rgb 6*W[0] } }
+    sphere { <0, 1, 2>, 0.3 pigment { rgb <1, 0.5, 0> } finish { diffuse 0 emission 6*W[1] } }
+    light_source { <2, 4, -2>, rgb W[2] }
+)";
+
+}  // namespace
+
+TEST_CASE("the picture is that of its records at the powers rendered", "[relight]") {
+    for (const char* more : {"", "global_settings { integrator { path_traced } }"}) {
+        INFO(more);
+        const Recorded made = recorded(std::string(three_lamps) + more, of_samples(8));
+        CHECK(made.records.lamps.size() == 3);
+        const Image same = relit(made.records, std::vector<Vec3>(3, Vec3(1)), 1);
+        CHECK(difference(made.image, same) < 1e-3);
+    }
+}
+
+TEST_CASE("keeping light changes no picture", "[relight]") {
+    RenderSettings settings = of_samples(8);
+    const Image plain = render(shot_of(four_lamps), settings).image;
+    CHECK(recorded(four_lamps, settings).image.pixels == plain.pixels);
+}
+
+TEST_CASE("records do not depend on threads and pauses", "[relight]") {
+    RenderSettings settings = of_samples(40);
+    settings.height = 21;
+    constexpr std::uint64_t small_file = 20000;
+    const std::string paths =
+        std::string(four_lamps) + "global_settings { integrator { path_traced } }";
+    for (const std::string& script : {std::string(four_lamps), paths}) {
+        settings.threads = 1;
+        const LightRecords once = recorded(script, settings, small_file).records;
+        settings.threads = 3;
+        CHECK(recorded(script, settings, small_file).records == once);
+        for (const int pause : {3, 50, 211}) {
+            INFO(pause);
+            CHECK(recorded(script, settings, small_file, pause).records == once);
+        }
+    }
+}
+
+TEST_CASE("records keep to a noise, in rounds", "[relight]") {
+    RenderSettings settings = of_samples(0);
+    settings.noise = 0.02;
+    const Recorded made = recorded(four_lamps, settings, 60000);
+    const Image same = relit(made.records, std::vector<Vec3>(12, Vec3(1)), 1);
+    CHECK(difference(made.image, same) < 1e-3);
+}
+
+TEST_CASE("a small file has the mean light of a large one", "[relight]") {
+    const RenderSettings settings = of_samples(64);
+    const Recorded large = recorded(four_lamps, settings),
+                   small = recorded(four_lamps, settings, 20000);
+    std::vector<Vec3> factors;
+    for (int i = 0; i < 12; ++i) factors.emplace_back(i % 3 == 0 ? 1.0 : 0.0, 1.0, i / 12.0);
+    const auto mean = [](const Image& image) {
+        Vec3 sum(0);
+        for (const Vec3& pixel : image.pixels) sum += pixel;
+        return sum / static_cast<double>(image.pixels.size());
+    };
+    const Vec3 right = mean(relit(large.records, factors, 1)),
+               made = mean(relit(small.records, factors, 1));
+    for (int c = 0; c < 3; ++c) CHECK(made[c] == Approx(right[c]).epsilon(0.03));
+}
+
+}  // namespace candelabra

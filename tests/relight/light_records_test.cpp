@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "relight/light_records.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+namespace {
+
+/// Two tiles beside each other, the second of them one pixel wide.
+LightRecords two_tiles() {
+    LightRecords records;
+    records.width = 9;
+    records.height = 2;
+    records.lamps = LampList({{"A", 1}, {"B", 2}}, {0, 0, 1}, {1, 1, 3});
+    records.tiles.resize(2);
+    std::vector<TilePlanes> light(1);
+    light[0].fill(2);
+    records.tiles[0].nodes = {{1, 3}};
+    records.tiles[0].own = {{0, 9, false, {1, 0, 0}}};
+    records.tiles[0].residual = {{1, 10, false, {4, 4, 4}}};
+    round_to_file(records.tiles[0], light);
+    records.tiles[1].rest.emplace();
+    (*records.tiles[1].rest)[0] = 0.5F;
+    return records;
+}
+
+}  // namespace
+
+TEST_CASE("a picture is the sum of its records with their factors", "[relight]") {
+    const LightRecords records = two_tiles();
+    const Image same = relit(records, std::vector<Vec3>(3, Vec3(1)), 1);
+    CHECK(same.at(0, 0) == Vec3(2));
+    CHECK(same.at(1, 1) == Vec3(3, 2, 2));
+    CHECK(same.at(2, 1) == Vec3(2));  // equal factors: no residual
+    CHECK(same.at(8, 0) == Vec3(0.5, 0, 0));
+    // The second lamp of the node has three quarters of its power.
+    const std::vector<Vec3> factors = {Vec3(0, 1, 1), Vec3(1), Vec3(0, 1, 2)};
+    const Image other = relit(records, factors, 2);
+    CHECK(other.at(0, 0) == Vec3(0.5, 2, 3.5));
+    CHECK(other.at(1, 1) == Vec3(0.5, 2, 3.5));
+    CHECK(other.at(2, 1) == Vec3(0.5 + 4 * 0.75, 2, 3.5 - 4 * 0.75));
+    CHECK(other.at(8, 0) == Vec3(0.5, 0, 0));
+}
+
+TEST_CASE("without light the picture is black", "[relight]") {
+    LightRecords records = two_tiles();
+    records.tiles[1].rest.reset();
+    for (const Vec3& pixel : relit(records, std::vector<Vec3>(3, Vec3(0)), 1).pixels)
+        CHECK(pixel == Vec3(0));
+}
+
+}  // namespace candelabra

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tasks/kept_lights.h"
+
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+namespace {
+
+struct Keeper : Shell {
+    /// Renders with the light of lamps kept; returns the exit status.
+    int keep(std::vector<std::string> more) {
+        more.insert(more.end(), {"--keep-lights", path("lit.lights"), "-V"});
+        return render(std::move(more));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("keeping lights says what it does not go with", "[tasks]") {
+    Keeper run;
+    const std::string picture = "+O" + run.path("lit.png");
+    const auto refused = [&](const std::vector<std::string>& more, std::string_view why) {
+        INFO(why);
+        std::vector<std::string> words = {picture};
+        words.insert(words.end(), more.begin(), more.end());
+        CHECK(run.keep(words) != 0);
+        CHECK(has(run.err, why));
+        CHECK(run.content("lit.lights") == "");
+    };
+    refused({"--shard", "1/2"}, "a shard is a part of it");
+    refused({"--draft"}, "--draft averages it");
+    CHECK(run({run.path("lit.pov"), picture, "-V", "+W640", "+H480", "--keep-lights",
+               run.path("lit.lights"), "--keep-lights-size", "64K"}) == 2);
+    CHECK(has(run.err, "the light of 1 lamp in a picture of 640x480 needs 49"));
+    CHECK(run.render({picture, "-V", "--keep-lights-size", "1M"}) == 0);
+    CHECK(has(run.err, "a file that nobody asks for"));
+    run.write("dark.pov", "#version 3.7; camera { location -5*z } sphere { 0, 1 }");
+    CHECK(run({run.path("dark.pov"), picture, "-V", "--keep-lights", run.path("dark.lights")}) !=
+          0);
+    CHECK(has(run.err, "has no lamps"));
+    run.write("gamma.pov", "global_settings { assumed_gamma 2.2 }" + std::string(lit_scene));
+    CHECK(run({run.path("gamma.pov"), picture, "-V", "+W8", "+H8", "--samples", "1",
+               "--keep-lights", run.path("gamma.lights")}) != 0);
+    CHECK(has(run.err, "assumed_gamma 1"));
+    run.write("rays.pov",
+              "#version 3.7; camera { location -5*z } sphere { 0, 1 pigment { rgb 1 } } "
+              "light_source { -9*z, 1 }");
+    CHECK(run({run.path("rays.pov"), picture, "-V", "+W8", "+H8", "+A", "--keep-lights",
+               run.path("rays.lights")}) != 0);
+    CHECK(has(run.err, "--samples 16"));
+}
+
+TEST_CASE("kept lights do not begin in the middle of a picture", "[tasks]") {
+    Keeper run;
+    const std::string picture = "+O" + run.path("lit.png");
+    REQUIRE(run.render({picture, "-V", "--keep-state"}) == 0);
+    CHECK(run.keep({picture, "+C"}) != 0);
+    CHECK(has(run.err, "its state has samples already"));
+    CHECK(run.keep({picture}) == 0);
+    CHECK(run.content("lit.lights") != "");
+}
+
+TEST_CASE("kept lights have the bytes of any other run", "[tasks]") {
+    Keeper run;
+    const std::string picture = "+O" + run.path("lit.png");
+    REQUIRE(run.keep({picture, "+WT1"}) == 0);
+    const std::string once = run.content("lit.lights"), shown = run.content("lit.png");
+    REQUIRE(run.keep({picture, "+WT3"}) == 0);
+    CHECK(run.content("lit.lights") == once);
+    REQUIRE(run.render({picture, "-V"}) == 0);
+    CHECK(run.content("lit.png") == shown);
+}
+
+TEST_CASE("frames of an animation keep their lights in numbered files", "[tasks]") {
+    Keeper run;
+    CHECK(run.keep({"+O" + run.path("lit.png"), "+KFF2"}) == 0);
+    CHECK(run.content("lit1.lights") != "");
+    CHECK(run.content("lit2.lights") != "");
+}
+
+}  // namespace candelabra
