@@ -8,16 +8,20 @@
 #include "film/develop.h"
 #include "options/animation.h"
 #include "options/command_line.h"
+#include "options/option_store.h"
 #include "options/output.h"
 #include "output/layers.h"
 #include "output/light_file.h"
 #include "picture/file.h"
 #include "relight/light_show.h"
 #include "relight/record_file.h"
+#include "relight/relighting.h"
 #include "text/message.h"
 #include "text/printable.h"
 
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -31,6 +35,7 @@ struct RelightRequest {
     Options options;
     std::vector<std::string> settings;  ///< of --set
     ShowFiles show;
+    std::string smooth;  ///< of --smooth; empty: not
     bool lists = false;  ///< names the lamps, and nothing else
 };
 
@@ -57,6 +62,8 @@ RelightRequest read_relight_request(std::span<const std::string_view> arguments,
             request.settings.push_back(value());
         else if (std::string* const file = show_file(name, request.show))
             *file = value();
+        else if (name == "--smooth")
+            request.smooth = value();
         else if (argument == "--lamps")
             request.lists = true;
         else
@@ -105,6 +112,16 @@ public:
         for (const std::string& setting : request.settings)
             if (!show_.set(setting, diagnostics_)) return false;
         if (!read_show(request.show, show_, options_, diagnostics_)) return false;
+        constexpr double most = 100;
+        const auto smooth = request.smooth.empty() ? std::optional(0.0) : number(request.smooth);
+        if (!smooth || *smooth < 0 || *smooth > most || *smooth != std::floor(*smooth)) {
+            diagnostics_.add(error(Fault::option, {},
+                                   message("`--smooth ", printable(request.smooth),
+                                           "` is no number of pixels from 0 to ", most))
+                                 .with_help("--smooth 6"));
+            return false;
+        }
+        relighting_.emplace(records_, static_cast<int>(*smooth), options_.render.threads);
         const auto film = film_of(records_.film, *options_.scene, options_, diagnostics_);
         if (!film) return false;
         options_.alpha = !records_.alpha.empty();
@@ -147,7 +164,7 @@ public:
 private:
     bool write(std::size_t frame, FilmFiles& files) {
         Negative negative;
-        negative.light = relit(records_, show_.factors(frame), files.threads);
+        negative.light = relighting_->picture(show_.factors(frame));
         negative.alpha.assign(records_.alpha.begin(), records_.alpha.end());
         if (!is_developed(files))
             return write_picture(negative.light, files.path, files.format, diagnostics_,
@@ -163,6 +180,7 @@ private:
     Options options_;
     const LightRecords& records_;
     LightShow show_;
+    std::optional<Relighting> relighting_;
     Diagnostics& diagnostics_;
     FilmFiles files_;
     bool hidden_ = false;  ///< frames are kept only until they are in the movie

@@ -2,12 +2,9 @@
 // The light of each lamp in a whole picture, of which pictures under other powers are made.
 #pragma once
 
-#include "base/image.h"
 #include "relight/lamp_list.h"
 #include "relight/tile_records.h"
 
-#include <cstddef>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -26,9 +23,5 @@ struct LightRecords {
 
     friend bool operator==(const LightRecords&, const LightRecords&) = default;
 };
-
-/// Returns the picture with these factors on the lamps, by their places in the list; 1 is a lamp as
-/// it was rendered.
-Image relit(const LightRecords&, std::span<const Vec3> factors, int threads);
 
 }  // namespace candelabra

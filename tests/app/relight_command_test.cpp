@@ -153,6 +153,7 @@ TEST_CASE("relight says what it cannot do", "[app][relight]") {
     fails({file, "-o", png, "--set", "KeyLamp"}, 2, "is no lamp with its value");
     fails({file, "-o", png, "--csv", run.path("none.csv")}, 2, "cannot be read");
     fails({file, "--movie", run.path("a.mp4")}, 2, "needs the frames of a show");
+    fails({file, "-o", png, "--smooth", "few"}, 2, "is no number of pixels from 0 to 100");
     fails({file, "--set"}, 2, "`--set` needs a value");
     fails({file, "--check"}, 2, "relight makes pictures and nothing else");
     const std::string bytes = run.content("room.lights");

@@ -105,16 +105,19 @@ def main():
                    folder / "all.lights", *more)
         size = (folder / "all.lights").stat().st_size
         print(f"{side * side} lamps, {samples} samples: {plain:.1f} s, with light kept {kept:.1f} s, {size / 1e6:.1f} MB")
-        print("| film | fresh | relit |\n|---|---|---|")
+        print("| film | fresh | relit | relit, --smooth 6 |\n|---|---|---|---|")
         for film, values in films(side).items():
             (folder / "film.csv").write_text(f"Facade[0..{side * side - 1}]\n" + ",".join(f"{v:.4f}" for v in values) + "\n")
-            run("relight", folder / "all.lights", "--csv", folder / "film.csv", "+FN16", "File_Gamma=1", f"+O{folder}/relit.png")
+            for name, smooth in (("relit", 0), ("smooth", 6)):
+                run("relight", folder / "all.lights", "--csv", folder / "film.csv", "+FN16", "File_Gamma=1", "--smooth", smooth,
+                    f"+O{folder}/{name}.png")
             frame = scene(values, 1)
             run(frame, *picture, "--samples", samples, "--seed", 5, f"+O{folder}/fresh.png")
             run(frame, *picture, "--samples", 16 * samples, f"+O{folder}/right.png")
             right = light_in(folder / "right.png")
             print(f"| {film} | {error(light_in(folder / 'fresh.png'), right):.2f} % | "
-                  f"{error(light_in(folder / 'relit1.png'), right):.2f} % |", flush=True)
+                  f"{error(light_in(folder / 'relit1.png'), right):.2f} % | "
+                  f"{error(light_in(folder / 'smooth1.png'), right):.2f} % |", flush=True)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relight/light_recorder.h"
 
+#include "relight/relighting.h"
 #include "render/render.h"
 #include "support/four_lamps.h"
 

@@ -2,6 +2,7 @@
 #include "relight/record_file.h"
 
 #include "base/random.h"
+#include "relight/relighting.h"
 #include "support/folder.h"
 #include "text/sha256.h"
 

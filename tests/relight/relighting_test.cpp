@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "relight/light_records.h"
+#include "relight/relighting.h"
 
 #include <catch2/catch.hpp>
 
@@ -41,6 +41,28 @@ TEST_CASE("a picture is the sum of its records with their factors", "[relight]")
     CHECK(other.at(1, 1) == Vec3(0.5, 2, 3.5));
     CHECK(other.at(2, 1) == Vec3(0.5 + 4 * 0.75, 2, 3.5 - 4 * 0.75));
     CHECK(other.at(8, 0) == Vec3(0.5, 0, 0));
+}
+
+TEST_CASE("light of crowds may be smooth, and lamps by themselves stay as they are", "[relight]") {
+    const LightRecords records = two_tiles();
+    const Relighting smooth(records, 4, 2);
+    CHECK(smooth.picture(std::vector<Vec3>(3, Vec3(1))).at(2, 1).x == Approx(2));
+    CHECK(smooth.picture(std::vector<Vec3>(3, Vec3(1))).at(1, 1).x == Approx(3));
+    // The residual of one pixel is that of all around it.
+    const std::vector<Vec3> factors = {Vec3(0), Vec3(1), Vec3(0)};
+    const Image sharp = relit(records, factors, 1), made = smooth.picture(factors);
+    CHECK(sharp.at(2, 1).x == Approx(0.5 + 4 * 0.75));
+    CHECK(sharp.at(5, 1).x == Approx(0.5));
+    CHECK(made.at(2, 1).x < 1);
+    CHECK(made.at(5, 1).x > 0.55);
+    double sum = 0, right = 0;
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 8; ++x) {
+            sum += made.at(x, y).x;
+            right += sharp.at(x, y).x;
+        }
+    CHECK(sum == Approx(right).epsilon(0.3));
+    CHECK(smooth.picture(std::vector<Vec3>(3, Vec3(0))).at(1, 1) == Vec3(0));
 }
 
 TEST_CASE("without light the picture is black", "[relight]") {
