@@ -1,20 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/built_shape.h"
 
+#include "support/draw.h"
+#include "support/hits.h"
+#include "support/shapes.h"
+
 #include <catch2/catch.hpp>
 
 namespace candelabra {
 
-TEST_CASE("a built shape answers rays as its kind does", "[shape]") {
-    const Sphere sphere{Vec3(1, 0, 0), 2};
-    const BuiltShape ready = built(Shape(sphere));
-    REQUIRE(std::get_if<Sphere>(&ready));
-    CHECK(bounds(ready).low == Vec3(-1, -2, -2));
-    CHECK(inside(ready, Vec3(2.5, 0, 0)));
-    CHECK_FALSE(inside(ready, Vec3(-1.5, 0, 0)));
-    Crossings found;
-    crossings(ready, {Vec3(-5, 0, 0), Vec3(1, 0, 0)}, found);
-    CHECK(found.size() == 2);
+TEMPLATE_LIST_TEST_CASE("a built shape answers rays as its kind does", "[shape]", Shape) {
+    using T = ContentOf<TestType>;
+    Draw draw(5);
+    for (const T& instance : shape_table::instances<T>()) {
+        const auto& own = ready(instance);
+        const BuiltShape any = built(Shape(TestType(instance)));
+        CHECK(bounds(any).low == bounds(own).low);
+        CHECK(bounds(any).high == bounds(own).high);
+        const Box box = shape_table::region(own);
+        const double size = length(box.size());
+        for (int i = 0; i < 50; ++i) {
+            const Vec3 share = 0.5 * (draw.point(1) + Vec3(1));
+            const Vec3 target = box.low + share * box.size(), way = draw.direction();
+            CHECK(inside(any, target) == inside(own, target));
+            const Ray ray{target - size * way, way};
+            const std::vector<Crossing> expected = hits(own, ray), found = hits(any, ray);
+            REQUIRE(found.size() == expected.size());
+            for (std::size_t k = 0; k < found.size(); ++k) {
+                CHECK(found[k].t == expected[k].t);
+                CHECK(found[k].normal == expected[k].normal);
+            }
+        }
+    }
 }
 
 TEST_CASE("the box of the inside of a plane is a half space, that of its surface is all",
