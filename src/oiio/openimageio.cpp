@@ -144,8 +144,11 @@ std::string to_memory(const std::string& extension, const OIIO::ImageSpec& spec,
     return why.empty() ? "the format does not take it" : why;
 }
 
-// Fixed, so that the same picture gives the same bytes.
-constexpr auto fixed_time = "2000:01:01 00:00:00";
+/// The date of a picture. The library would write the current one, by which the same picture would
+/// have other bytes each time; OpenEXR files may have none, in others a date must be one.
+std::string_view fixed_time(std::string_view extension) {
+    return extension == "exr" ? "" : "2000:01:01 00:00:00";
+}
 
 std::string write(const RawPicture& picture, std::string& bytes) {
     const TypeDesc type = std::visit(StoredType(), picture.values);
@@ -154,7 +157,7 @@ std::string write(const RawPicture& picture, std::string& bytes) {
     const bool linear = type == TypeDesc::FLOAT || picture.gamma == 1;
     spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     spec.attribute("Software", "Candelabra");
-    spec.attribute("DateTime", fixed_time);
+    spec.attribute("DateTime", std::string(fixed_time(picture.extension)));
     if (!picture.description.empty()) spec.attribute("ImageDescription", picture.description);
     if (!picture.compression.empty())
         spec.attribute("compression", std::string(picture.compression));
@@ -209,7 +212,7 @@ std::string write_layers(const LayeredPicture& picture, std::string& bytes) {
     }
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("Software", "Candelabra");
-    spec.attribute("DateTime", fixed_time);
+    spec.attribute("DateTime", std::string(fixed_time("exr")));
     spec.attribute("compression", "zip");
     for (const auto& [name, text] : picture.texts) spec.attribute(name, text);
     const std::size_t pixels =

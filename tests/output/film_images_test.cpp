@@ -22,6 +22,23 @@ std::vector<std::string> with(std::vector<std::string> more) {
 
 }  // namespace
 
+TEST_CASE("rows that a film does not keep to are clear and black", "[output][film]") {
+    Film film(3, 6, 1);
+    film.keep_to_rows(2, 4);
+    film.at(1, 2).add(Vec3(1, 2, 3));
+    film.extra(film.index(1, 2))[0].add(0.25);
+    std::vector<Vec3> pixels(3, Vec3(9));
+    std::vector<double> alpha(3, 9);
+    film_row(film, 1, pixels, alpha);
+    CHECK(pixels == std::vector<Vec3>(3, Vec3(0)));
+    CHECK(alpha == std::vector<double>(3, 0));
+    film_row(film, 2, pixels, alpha);
+    CHECK(pixels == std::vector<Vec3>{Vec3(0), Vec3(1, 2, 3), Vec3(0)});
+    CHECK(alpha == std::vector<double>{0, 0.75, 0});
+    film_row(film, 2, pixels, {});
+    CHECK(pixels[1] == film.image().at(1, 2));
+}
+
 TEST_CASE("compressed samples make a smooth picture", "[output][film]") {
     FilmFiles files;
     files.film.on = true;

@@ -59,6 +59,15 @@ TEST_CASE("planes and texts come back bit by bit; a damaged file is an error") {
     std::filesystem::remove(path);
 }
 
+TEST_CASE("a file of layers has no date, which would be wrong or change its bytes") {
+    Diagnostics diagnostics;
+    const auto bytes = encode(example(), diagnostics);
+    REQUIRE(bytes);
+    CHECK(bytes->find("capDate") != bytes->npos);
+    CHECK(bytes->find("2000:01:01") == bytes->npos);
+    CHECK(encode(example(), diagnostics) == bytes);
+}
+
 TEST_CASE("a file of layers is opened once: nobody can put another one in its place") {
     const std::string path = std::filesystem::temp_directory_path() / "candelabra_once.exr";
     Diagnostics diagnostics;

@@ -117,6 +117,40 @@ TEST_CASE("no file has infinity or what is no number", "[picture]") {
     }
 }
 
+TEST_CASE("a picture that is made row by row has the bytes of one in memory") {
+    const int width = 5, height = 4;
+    Image image(width, height);
+    std::vector<double> alpha;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        alpha.push_back(i % 3 == 0 ? 1 : 0.5);
+        image.pixels[i] = alpha[i] * Vec3(0.01 * static_cast<double>(i), 0.3, 0.9);
+    }
+    int rows = 0;
+    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> opaque) {
+        CHECK(y == rows++);
+        for (int x = 0; x < width; ++x) {
+            const auto place = static_cast<std::size_t>(x);
+            pixels[place] = image.at(x, y);
+            if (!opaque.empty()) opaque[place] = alpha[static_cast<std::size_t>(y * width + x)];
+        }
+    };
+    for (const PictureTypeInfo& each : picture_types())
+        for (const bool clear : {false, true}) {
+            if (clear && !each.alpha) continue;
+            CAPTURE(std::string(each.extension), clear);
+            PictureFormat format;
+            format.type = each.type;
+            Diagnostics diagnostics;
+            rows = 0;
+            const auto made = encode(PictureRows{width, height, clear, row}, format, diagnostics);
+            REQUIRE(made);
+            CHECK(rows == height);
+            CHECK(made ==
+                  encode(image, format, diagnostics,
+                         clear ? std::span<const double>(alpha) : std::span<const double>()));
+        }
+}
+
 TEST_CASE("the type of a picture is known by the end of its name") {
     struct Case {
         const char* name;
