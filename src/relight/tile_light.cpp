@@ -176,7 +176,8 @@ TileRecords TileLight::finished(const LampList& lamps, const TilePixels& pixels,
         any = true;
     }
     if (any) tile.rest = rest;
-    if (any && bytes() + rest_bytes > room) shrink(lamps, room - std::min(room, rest_bytes), seed);
+    // Lamps in crowds are told from those by themselves, whether there is room for all or not.
+    shrink(lamps, room - std::min(room, any ? rest_bytes : 0), seed);
     const auto mean_of = [&](float value, std::size_t pixel) {
         const double weight = pixels.weight[pixel];
         return weight > 0 ? static_cast<float>(static_cast<double>(value) / weight) : 0.0F;

@@ -84,7 +84,7 @@ def main():
     side = math.isqrt(int(sys.argv[2]) if len(sys.argv) > 2 else 10000)
     samples = int(sys.argv[3]) if len(sys.argv) > 3 else 64
     more = sys.argv[4:]
-    picture = ["-V", "+W160", "+H90", "+FN16", "File_Gamma=1"]
+    picture = ["-V", "+W128", "+H72", "+FN16", "File_Gamma=1"]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
 
