@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cell_survey.h"
 
+#include "base/elementary.h"
 #include "lighting/cut_calibration.h"
 #include "lighting/cut_choice.h"
 #include "lighting/refined_cut.h"
@@ -39,7 +40,8 @@ CellSurveyor::CellSurveyor(const ChoosableLights& lights, const LightTree& tree,
         no_surfaces_ = false;
     }
     if (lights.size() == 0) return;
-    ball_ = ball_around(tree.box(tree.root()), lights);
+    if (const LightCluster hit = tree.by_square_law(); hit.count > 0)
+        ball_ = ball_around(tree.box(hit), lights);
     for (LightIndex light = 0; light < lights.size(); ++light) {
         brightest_ = std::fmax(brightest_, lights.bounds(light).luminance);
         (lights.has_surface(light) ? no_surfaces_ : all_surfaces_) = false;
@@ -53,7 +55,7 @@ CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
     cut.scale(counted(arriving_shares(cut, tree_, lights_, receivers, probe), cut, cell));
     CellSurvey result;
     // Directions cannot hit light sources.
-    if (lights_.falls_off()) return result;
+    if (tree_.by_square_law().count == 0 && !lights_.sky()) return result;
     const Found by_choice = found_by_choice(cut, receivers, probe);
     if (const ChoosableSky* sky = lights_.sky()) {
         const std::vector<SkyRay> rays = rays_to_sky(*sky, receivers, probe);
@@ -74,6 +76,10 @@ CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
     if (no_surfaces_ || in_air) return result;
     result.outlook.emplace(cell, ball_, receivers, probe, nullptr);
     const double outlook = result.outlook->noise() + tuning::min_noise;
+    if (tree_.has_both_laws()) {
+        with_sources(result, by_choice, outlook);
+        return result;
+    }
     result.by_direction =
         share_of_outlook(found, tuning::doubt * found + tuning::min_noise, outlook);
     // The outlook knows surfaces only, which are not all luminaires here.
@@ -94,6 +100,26 @@ CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
         result.noise = result.irradiance * std::sqrt(variance);
     }
     return result;
+}
+
+/// Completes the survey of a cell where light sources, which no direction hits, are chosen beside
+/// luminaires: these share their part of the shadow rays between choices and directions.
+void CellSurveyor::with_sources(CellSurvey& result, const Found& by_choice, double outlook) const {
+    const auto noise_of = [](const DrawnLight& light) {
+        return light.mean > 0 ? std::fmax(math::pow(light.root / light.mean, 2) - 1, 0) : INFINITY;
+    };
+    const double found = noise_of(by_choice.luminaires);
+    result.by_direction =
+        share_of_outlook(found, tuning::doubt * found + tuning::min_noise, outlook);
+    const double variance = 1 / (1 / (found + tuning::min_noise) + 1 / outlook);
+    const auto root_of = [](const DrawnLight& light, double noise) {
+        return std::isfinite(noise) ? light.mean * std::sqrt(1 + noise) : 0;
+    };
+    const double roots =
+        root_of(by_choice.luminaires, variance) +
+        root_of(by_choice.sources, noise_of(by_choice.sources) + tuning::min_noise);
+    result.irradiance = by_choice.irradiance;
+    result.noise = std::sqrt(std::fmax(roots * roots - math::pow(by_choice.irradiance, 2), 0));
 }
 
 /// Fraction of the shadow rays to be sampled from the outlook, given the variance over squared mean
@@ -174,8 +200,13 @@ CellSurveyor::Found CellSurveyor::found_by_choice(const LightCut& cut,
                                                   std::span<const SurveyPlace> receivers,
                                                   const LightProbe& probe) const {
     CutWeights weights;
-    std::vector<double> found(tuning::trials, 0), at_place(receivers.size(), 0);
-    for (std::uint32_t i = 0; i < tuning::trials; ++i) {
+    const bool both = tree_.has_both_laws();
+    const std::uint32_t trials = both ? 2 * tuning::trials : tuning::trials;
+    std::vector<double> found(trials, 0), at_place(receivers.size(), 0);
+    std::array<DrawnLight, 2> kinds;
+    std::array<double, 2> squares_of{};
+    double of_sources = 0;
+    for (std::uint32_t i = 0; i < trials; ++i) {
         const auto number = [&](ShadowRayDraw draw) { return survey_number(i, draw); };
         const SurveyPlace& from = receivers[i % receivers.size()];
         cut.weigh(from.point, weights);
@@ -183,23 +214,29 @@ CellSurveyor::Found CellSurveyor::found_by_choice(const LightCut& cut,
             pick_from(cut, weights, tree_, from.point, survey_key(i, ShadowRayDraw::choice),
                       number(ShadowRayDraw::choice));
         if (!pick) continue;
+        if (both) of_sources += cut.share_of_sources(weights) / trials;
         const double light = lights_.arriving(
             pick->light, from, {number(ShadowRayDraw::point_u), number(ShadowRayDraw::point_v)},
             probe);
         if (!(light > 0)) continue;
         found[i] = light / (pick->expected * weights.total);
         at_place[i % receivers.size()] += found[i];
+        const std::size_t kind = both && !lights_.falloff(pick->light);
+        kinds[kind].mean += found[i] / trials;
+        squares_of[kind] += found[i] * found[i] / trials;
     }
+    kinds[0].root = std::sqrt(squares_of[0] * of_sources);
+    kinds[1].root = std::sqrt(squares_of[1] * (1 - of_sources));
     const std::vector<double> counts = balanced(at_place);
     double sum = 0, squares = 0, light = 0;
-    for (std::size_t i = 0; i < tuning::trials; ++i) {
+    for (std::size_t i = 0; i < trials; ++i) {
         const double given = counts[i % receivers.size()] * found[i];
         sum += given;
         squares += given * given;
         light += found[i];
     }
-    return {sum > 0 ? tuning::trials * squares / (sum * sum) - 1 : INFINITY,
-            light / tuning::trials};
+    return {sum > 0 ? trials * squares / (sum * sum) - 1 : INFINITY, light / trials, kinds[0],
+            kinds[1]};
 }
 
 }  // namespace candelabra

@@ -53,8 +53,11 @@ private:
     /// per unit of the total weight.
     struct Found {
         double noise, irradiance;
+        /// Of the light sources and of the luminaires by themselves, where there are both.
+        DrawnLight sources = {}, luminaires = {};
     };
     Found found_by_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
+    void with_sources(CellSurvey&, const Found&, double outlook) const;
     double share_of_outlook(double found, double choice, double outlook) const;
     CellSurvey with_sky(CellSurvey, const Found& by_choice, double weight,
                         std::span<const SkyRay>) const;

@@ -9,6 +9,7 @@
 #include "luminaire/light_proxy.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace candelabra {
 
@@ -45,9 +46,10 @@ public:
     /// The sky, if it is one of the lights, besides those with bounds; its index is sky_light.
     virtual const ChoosableSky* sky() const { return nullptr; }
 
-    /// Whether light falls off otherwise than with the square of the distance.
+    /// Whether any light falls off otherwise than with the square of the distance.
     virtual bool falls_off() const { return false; }
-    virtual Falloff falloff(LightIndex) const { return {}; }
+    /// How a light falls off; nothing: with the square of the distance.
+    virtual std::optional<Falloff> falloff(LightIndex) const { return {}; }
 
     /// Whether a sampled direction may hit the light.
     virtual bool has_surface(LightIndex) const { return true; }

@@ -17,7 +17,9 @@ namespace {
 /// enough for every ratio of lengths in single precision.
 constexpr int more_levels = 160;
 /// Adds entries for lights that face away from a cell: twice as many if all shine one way.
-int entries_for(int cut, const ChoosableLights& lights) {
+/// Where there are luminaires and light sources, each kind has as many as by itself.
+int entries_for(int cut, const ChoosableLights& lights, const LightTree& tree) {
+    if (tree.has_both_laws()) cut *= 2;
     double one_way = 0;  // number of lights that shine one way only
     for (LightIndex light = 0; light < lights.size(); ++light)
         one_way += 2 * length(lights.bounds(light).bent_normal);
@@ -46,9 +48,9 @@ struct BuiltCutOctree::Cell {
 
 struct BuiltCutOctree::State {
     LightOctree settings;
-    CutRule rule;
     std::shared_ptr<const ChoosableLights> lights;
     LightTree tree;
+    CutRule rule;
     CellSurveyor survey;
     std::optional<Vec3> eye;
     /// Maximum size of small cells, at distance 1 from the eye if there is one.
@@ -62,9 +64,9 @@ struct BuiltCutOctree::State {
 
     State(const LightOctree& of_scene, const LightScene& scene, int threads)
         : settings(of_scene),
-          rule{settings.eta, entries_for(settings.cut, *scene.lights)},
           lights(scene.lights),
           tree(*lights, threads),
+          rule{settings.eta, entries_for(settings.cut, *lights, tree)},
           survey(*lights, tree, {scene.eye, scene.axis}, settings.outlook),
           eye(scene.eye),
           coarse(std::clamp(tuning::coarse_pixels * scene.pixel, tuning::min_coarse,
@@ -204,7 +206,18 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
     by_surface_ =
         as_scattered ? 1 : tuning::max_by_surface * std::sqrt(bsdf_->specular_probability);
     by_outlook_ = (1 - by_surface_) * by_direction;
+    if (cut_->has_both_laws() && weights_.total > 0) keep_for_sources();
     by_choice_ = 1 - (by_surface_ + by_outlook_);
+}
+
+/// Light sources, which no direction hits, keep their fraction of the shadow rays.
+void BuiltCutOctree::At::keep_for_sources() {
+    const double chosen = 1 - (by_surface_ + by_outlook_);
+    const double hit = 1 - (1 - sky_) * cut_->share_of_sources(weights_);
+    by_surface_ *= hit;
+    by_outlook_ *= hit;
+    sky_ *= chosen / (1 - (by_surface_ + by_outlook_));
+    cut_->dim_luminaires(chosen, weights_);
 }
 
 double BuiltCutOctree::At::expected(const Key&, LightIndex light) const {
@@ -221,7 +234,8 @@ double BuiltCutOctree::At::pdf(const Vec3& direction, double expected, double of
 }
 
 std::optional<LightEstimate> BuiltCutOctree::At::estimate() const {
-    return cut_ ? std::optional(LightEstimate{weights_.total, ray_}) : std::nullopt;
+    if (!cut_) return std::nullopt;
+    return LightEstimate{ray_ ? ray_->irradiance : weights_.total * cut_->unit(), ray_};
 }
 
 void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {

@@ -64,6 +64,7 @@ public:
 
 private:
     void take_weights(const LightQuery&, const Cell&);
+    void keep_for_sources();
 
     const BuiltCutOctree& octree_;
     const Receiver& receiver_;

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,8 @@ concept HierarchyCost = requires(const T& cost, const typename T::Item& item, ty
     /// Factor on the cost of cuts across a side of the second size, where the longest one has
     /// the first.
     { cost.of_side(number, number) } -> std::same_as<double>;
+    /// Whether an item is of a second kind, which the root parts from the first.
+    { cost.is_second_kind(item) } -> std::same_as<bool>;
 };
 
 template <HierarchyCost Cost>
@@ -154,8 +157,20 @@ private:
         }
     }
 
+    /// Partitions all items by their kind. Returns the index of the first one of the second half;
+    /// nothing if all are of one kind.
+    std::optional<std::size_t> divide_by_kind() {
+        const auto second =
+            std::stable_partition(items_.begin(), items_.end(),
+                                  [&](const Item& item) { return !cost_.is_second_kind(item); });
+        if (second == items_.begin() || second == items_.end()) return std::nullopt;
+        return static_cast<std::size_t>(second - items_.begin());
+    }
+
     /// Partitions the items of a node. Returns the index of the first one of the second half.
     std::size_t divide(const Work& work) {
+        if (work.depth == 0)
+            if (const auto middle = divide_by_kind()) return *middle;
         Extent extent(std::numeric_limits<Number>::infinity());
         for (std::size_t i = work.first; i < work.end; ++i)
             for (int axis = 0; axis < 3; ++axis) {

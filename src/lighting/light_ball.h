@@ -14,10 +14,12 @@ struct LightBall {
     double radius = 0;
 };
 
-/// Centred on the box, and as tight as spheres around the lights in it allow.
+/// Centred on the box, and as tight as spheres around the lights in it allow. Those that fall off
+/// otherwise than with the square of the distance have no surface, and do not count.
 inline LightBall ball_around(const Box& box, const ChoosableLights& lights) {
     LightBall ball{box.centre(), 0};
     for (LightIndex light = 0; light < lights.size(); ++light) {
+        if (lights.falls_off() && lights.falloff(light)) continue;
         const LightBounds b = lights.bounds(light);
         ball.radius = std::fmax(ball.radius, length(b.centre - ball.centre) + b.radius);
     }

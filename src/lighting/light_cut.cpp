@@ -26,8 +26,10 @@ struct EntryColumns {
     const float *half_x, *half_y, *half_z;
     const float *bent_x, *bent_y, *bent_z, *bent_length;
 };
+/// Of rows with a falloff; those before the first one have none.
 struct SourceColumns {
-    const float *fade_power, *per_fade_distance, *dark, *per_edge;
+    std::size_t first;
+    const float *fade_power, *per_fade_distance, *cone_x, *cone_y, *cone_z, *dark, *per_edge;
 };
 using Single = glm::vec<3, float>;
 struct Place {
@@ -91,12 +93,16 @@ struct RoughPower {
 
 [[gnu::always_inline]] inline void fall_off(const EntryColumns& c, const SourceColumns& s,
                                             std::size_t first, const Place& p, Rows& out) {
+    Rows factors;
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
         const FalloffTerms<float> terms{s.fade_power[row], s.per_fade_distance[row],
-                                        axis_of(c, row), s.dark[row], s.per_edge[row]};
-        out[i] *= against_square_law(terms, towards(c, row, p), c.radius[row], RoughPower());
+                                        Single(s.cone_x[row], s.cone_y[row], s.cone_z[row]),
+                                        s.dark[row], s.per_edge[row]};
+        factors[i] = against_square_law(terms, towards(c, row, p), c.radius[row], RoughPower());
     }
+    for (std::size_t i = first; i < s.first; ++i) factors[i - first] = 1;
+    for (std::size_t i = 0; i < block; ++i) out[i] *= factors[i];
 }
 
 /// Exact except for the last bits of double precision: a faint entry behind glaring ones must keep
@@ -113,7 +119,7 @@ struct RoughPower {
 struct Look {
     Horizon horizon;
     bool turned;                   ///< whether any luminaire is flat, or has a bent normal
-    const SourceColumns* sources;  ///< null: there are only luminaires
+    const SourceColumns* sources;  ///< null: all fall off with the square of the distance
 };
 
 /// Sets the weights of all rows, and the sum of each block of them.
@@ -130,7 +136,8 @@ void weigh_rows(const EntryColumns& c, std::size_t count, const Place& place, co
         else
             weigh_even<Horizon::none>(c, first, p, rows);
         if (look.turned) turn_to_point(c, first, p, rows);
-        if (look.sources) fall_off(c, *look.sources, first, p, rows);
+        if (look.sources && look.sources->first < first + block)
+            fall_off(c, *look.sources, first, p, rows);
         std::ranges::copy(rows, result.weight.begin() + first);
         result.block_sum[first / block] = sum(rows);
     }
@@ -194,30 +201,38 @@ LightCut::LightCut(const LightTree& tree, const ChoosableLights& lights, const B
     noise_ = refined.noise;
     clusters_ = std::move(refined.clusters);
     rows_ = (clusters_.size() + block - 1) / block * block;
-    sources_ = tree.falloff(tree.root()) != nullptr;
-    values_.assign((sources_ ? source_columns : columns) * rows_, 0);
+    first_source_ = static_cast<std::size_t>(
+        std::ranges::count_if(clusters_, [&](const LightCluster& c) { return !tree.falloff(c); }));
+    values_.assign((has_sources() ? source_columns : columns) * rows_, 0);
     std::fill_n(column(radius), rows_, 1.0f);
+    // Squares of distances are in units of the cell's size. A falloff has none to divide by, so
+    // that beside others it is divided by the unit.
+    const double of_source = first_source_ > 0 ? 1 / (scale_ * scale_) : 1;
     std::vector<LightProxy> proxies;
     double greatest = 0;
-    for (const LightCluster& c : clusters_) {
+    for (std::size_t i = 0; i < clusters_.size(); ++i) {
+        const LightCluster& c = clusters_[i];
         proxies.push_back(c.count == 1 ? exact_proxy(lights.bounds(tree.light(c.first)))
                                        : tree.light_proxy(c));
-        greatest = std::fmax(greatest, light_in_cell(proxies.back()));
+        const bool by_square_law = i < first_source_;
+        if (!by_square_law) proxies.back().strength *= of_source;
+        greatest = std::fmax(greatest, light_in_cell(proxies.back(), by_square_law));
     }
+    unit_ = (greatest > 0 ? greatest : 1) * (first_source_ > 0 ? scale_ * scale_ : 1);
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
         LightProxy& g = proxies[i];
         const double size = std::fmax(length(g.centre - middle_), g.radius) * scale_;
         const double nearer = std::fmin(farthest / size, 1);
         if (greatest > 0) g.strength /= greatest;
         fill(i, g, nearer);
-        if (sources_) fill(i, *tree.falloff(clusters_[i]), nearer);
+        if (i >= first_source_) fill(i, *tree.falloff(clusters_[i]), nearer);
     }
 }
 
 /// Light of an entry about the cell, up to a constant factor.
-double LightCut::light_in_cell(const LightProxy& g) const {
+double LightCut::light_in_cell(const LightProxy& g, bool by_square_law) const {
     const double intensity = g.strength * g.radius;
-    if (sources_) return intensity;  // their falloff is not that of their distance
+    if (!by_square_law) return intensity;
     const Vec3 v = (g.centre - middle_) * scale_;
     const double r = g.radius * scale_;
     return intensity / (dot(v, v) + r * r + 1);
@@ -233,7 +248,7 @@ void LightCut::fill(std::size_t entry, const LightProxy& g, double nearer) {
     column(y)[entry] = static_cast<float>(place.y);
     column(z)[entry] = static_cast<float>(place.z);
     column(radius)[entry] = static_cast<float>(r);
-    const double brought = sources_ ? 1 : nearer * nearer;
+    const double brought = entry < first_source_ ? nearer * nearer : 1;
     const double share = std::fmax(g.strength * g.radius * brought, min_strength);
     column(strength)[entry] = static_cast<float>(share / r);
     const Vec3 half = glm::min(g.half * scale + rounding, r);
@@ -253,9 +268,9 @@ void LightCut::fill(std::size_t entry, const LightProxy& g, double nearer) {
 
 void LightCut::fill(std::size_t entry, const Falloff& falloff, double nearer) {
     const FalloffTerms<double> terms = terms_of(falloff, scale_ * nearer);
-    column(axis_x)[entry] = static_cast<float>(terms.axis.x);
-    column(axis_y)[entry] = static_cast<float>(terms.axis.y);
-    column(axis_z)[entry] = static_cast<float>(terms.axis.z);
+    column(cone_x)[entry] = static_cast<float>(terms.axis.x);
+    column(cone_y)[entry] = static_cast<float>(terms.axis.y);
+    column(cone_z)[entry] = static_cast<float>(terms.axis.z);
     column(fade_power)[entry] = static_cast<float>(terms.fade_power);
     column(per_fade_distance)[entry] = static_cast<float>(terms.per_fade_distance);
     column(dark)[entry] = static_cast<float>(terms.dark);
@@ -282,10 +297,13 @@ LightCut::Rough LightCut::rough(const Receiver& point) const {
 
 void LightCut::weigh(const Receiver& point, CutWeights& result) const {
     SourceColumns s{};
-    if (sources_)
-        s = {column(fade_power), column(per_fade_distance), column(dark), column(per_edge)};
+    const bool sources = has_sources();
+    if (sources)
+        s = {first_source_,  column(fade_power), column(per_fade_distance),
+             column(cone_x), column(cone_y),     column(cone_z),
+             column(dark),   column(per_edge)};
     const Rough all = rough(point);
-    weigh_rows(all.columns, rows_, all.place, {point.horizon, turned_, sources_ ? &s : nullptr},
+    weigh_rows(all.columns, rows_, all.place, {point.horizon, turned_, sources ? &s : nullptr},
                result);
     result.total = total(result, rows_);
 }
@@ -316,6 +334,24 @@ void LightCut::share_evenly(double share, CutWeights& result) const {
             rows[i] = weight > 0 ? weight + each : 0;
         }
         std::ranges::copy(rows, result.weight.begin() + static_cast<std::ptrdiff_t>(first));
+        result.block_sum[first / block] = sum(rows);
+    }
+    result.total = total(result, rows_);
+}
+
+double LightCut::share_of_sources(const CutWeights& weights) const {
+    double sum = 0;
+    for (std::size_t i = first_source_; i < entries(); ++i)
+        sum += static_cast<double>(weights.weight[i]);
+    return std::fmin(sum / weights.total, 1);
+}
+
+void LightCut::dim_luminaires(double factor, CutWeights& result) const {
+    for (std::size_t i = 0; i < first_source_; ++i) result.weight[i] *= static_cast<float>(factor);
+    for (std::size_t first = 0; first < std::min(first_source_, rows_); first += block) {
+        Rows rows;
+        std::ranges::copy_n(result.weight.begin() + static_cast<std::ptrdiff_t>(first), block,
+                            rows.begin());
         result.block_sum[first / block] = sum(rows);
     }
     result.total = total(result, rows_);

@@ -33,9 +33,17 @@ public:
     std::size_t entry_of(std::uint32_t place) const;
 
     void weigh(const Receiver&, CutWeights&) const;
+    /// Unoccluded irradiance of an entry with weight 1, as luminance.
+    double unit() const { return unit_; }
     /// Turns weights at a point into those of the light that a glossy surface reflects to the
     /// viewer.
     void weigh_answers(const Receiver&, const BsdfLobes&, CutWeights&) const;
+    /// Whether some entries have a falloff, and others fall off with the square of the distance.
+    bool has_both_laws() const { return first_source_ > 0 && has_sources(); }
+    /// Fraction of the total that entries with a falloff have. Precondition: the total is above 0.
+    double share_of_sources(const CutWeights&) const;
+    /// Multiplies the weights of the entries without a falloff by a factor.
+    void dim_luminaires(double factor, CutWeights&) const;
     /// Adds a share of the total to the weights, evenly to all entries that have any.
     void share_evenly(double share, CutWeights&) const;
     /// Multiplies the weight of each entry by a factor above 0.
@@ -65,9 +73,12 @@ private:
         bent_z,
         bent_length,  ///< length of the bent normal
         columns,
-        /// For light sources only, after the others: see FalloffTerms.
+        /// For lights with a falloff only, after the others: see FalloffTerms.
         fade_power = columns,
         per_fade_distance,
+        cone_x,
+        cone_y,
+        cone_z,
         dark,
         per_edge,
         source_columns
@@ -75,7 +86,8 @@ private:
 
     struct Rough;
     Rough rough(const Receiver&) const;
-    double light_in_cell(const LightProxy&) const;
+    double light_in_cell(const LightProxy&, bool by_square_law) const;
+    bool has_sources() const { return first_source_ < entries(); }
     /// `nearer`: factor on the entry's distance and size.
     void fill(std::size_t entry, const LightProxy&, double nearer);
     void fill(std::size_t entry, const Falloff&, double nearer);
@@ -88,8 +100,10 @@ private:
     double scale_ = 1;
     std::size_t rows_ = 0;
     bool turned_ = false;  ///< whether any entry is flat, or has a bent normal
-    bool sources_ = false;
+    /// The first entry with a falloff; those before it fall off with the square of the distance.
+    std::size_t first_source_ = 0;
     double noise_ = 0;
+    double unit_ = 1;
     std::vector<LightCluster> clusters_;  ///< in the tree's order
     std::vector<float> values_;           ///< column by column
 };

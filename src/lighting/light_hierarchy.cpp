@@ -81,6 +81,7 @@ struct OrientationCost {
     static bool longer(double later, double earlier) { return later >= earlier; }
     /// Cuts along a thin side make long slivers, so they cost more.
     static double of_side(double longest, double size) { return longest / size; }
+    static bool is_second_kind(const Item&) { return false; }
 };
 
 /// Sets the properties of each node, from the leaves up.

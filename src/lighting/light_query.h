@@ -42,7 +42,7 @@ struct LightEstimate {
         double irradiance;  ///< mean
         double noise;       ///< standard deviation of the irradiance by one shadow ray
     };
-    double light;  ///< of all luminaires, up to a constant factor
+    double light;  ///< irradiance, as luminance, as far as it is known which light arrives
     std::optional<ShadowRay> ray = {};
 };
 

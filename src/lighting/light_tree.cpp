@@ -60,6 +60,11 @@ struct TreeCost {
     }
     static bool longer(float later, float earlier) { return later > earlier; }
     static double of_side(float, float) { return 1; }
+    bool is_second_kind(const Item& item) const {
+        return falling && falling->falloff(item.light).has_value();
+    }
+
+    const ChoosableLights* falling = nullptr;  ///< null: all fall off with the square
 };
 
 /// Emission of all luminaires of a node: sums, weighted by intensity.
@@ -169,7 +174,8 @@ private:
 
     void build(std::vector<TreeItem> items) {
         tree_.nodes_.resize(2 * items.size() - 1);
-        HierarchyBuilder<TreeCost> builder(std::move(items), {});
+        HierarchyBuilder<TreeCost> builder(
+            std::move(items), {.falling = choosable_.falls_off() ? &choosable_ : nullptr});
         builder.build(
             threads_, [&](std::size_t own, std::size_t first, std::size_t middle, std::size_t end) {
                 TreeCost::Sum all;
@@ -204,11 +210,14 @@ private:
             tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
         shine(tree_.root());
         if (!choosable_.falls_off()) return;
-        tree_.falloffs_.resize(tree_.nodes_.size());
-        fall_off(tree_.root());
+        const bool all = choosable_.falloff(tree_.order_.front()).has_value();
+        const LightCluster falling = all ? tree_.root() : tree_.halves(tree_.root()).second;
+        tree_.first_falling_ = falling.node;
+        tree_.falloffs_.resize(tree_.nodes_.size() - falling.node);
+        fall_off(falling);
     }
 
-    /// Sets the falloff of the nodes, from the leaves up.
+    /// Sets the falloff of the nodes of a cluster, from the leaves up.
     Falloff fall_off(const LightCluster& cluster) {
         Falloff result;
         if (cluster.count > 1) {
@@ -219,9 +228,9 @@ private:
                 [&] { second = fall_off(halves.second); });
             result = join(first, second);
         } else {
-            result = choosable_.falloff(tree_.order_[cluster.first]);
+            result = choosable_.falloff(tree_.order_[cluster.first]).value();
         }
-        return tree_.falloffs_[cluster.node] = result;
+        return tree_.falloffs_[cluster.node - tree_.first_falling_] = result;
     }
 
     /// Sets the emission of the nodes, from the leaves up. (The depth is bounded: see

@@ -8,6 +8,7 @@
 #include "lighting/choosable_lights.h"
 
 #include <array>
+#include <limits>
 
 namespace candelabra {
 
@@ -49,10 +50,14 @@ public:
     /// The cluster as one luminaire: a sphere around all of it.
     LightProxy light_proxy(const LightCluster&) const;
     Box box(const LightCluster&) const;
-    /// Falloff of a cluster of light sources; null if there are only luminaires.
+    /// Falloff of a cluster; null if it has a light that falls off with the square of the distance.
     const Falloff* falloff(const LightCluster& c) const {
-        return falloffs_.empty() ? nullptr : &falloffs_[c.node];
+        return c.node < first_falling_ ? nullptr : &falloffs_[c.node - first_falling_];
     }
+    /// All lights that fall off with the square of the distance. They are apart from the others:
+    /// if there are both, these are the first half of the root.
+    LightCluster by_square_law() const;
+    bool has_both_laws() const { return !falloffs_.empty() && first_falling_ > 0; }
 
     /// share(): fraction of a cluster's strength that one of its luminaires has. draw(): a
     /// luminaire sampled by these fractions, for u in [0, 1). Every luminaire that is not dark has
@@ -75,7 +80,8 @@ private:
     double intensity(const LightCluster&) const;
 
     std::vector<LightTreeNode> nodes_;  ///< depth first
-    std::vector<Falloff> falloffs_;     ///< of the nodes; empty if there are no light sources
+    std::vector<Falloff> falloffs_;     ///< of the nodes below one whose lights all have one
+    std::uint32_t first_falling_ = std::numeric_limits<std::uint32_t>::max();  ///< that node
     std::vector<double> intensities_;   ///< of the nodes, if their range is very wide; else empty
     std::vector<LightIndex> order_;
     std::vector<std::uint32_t> place_of_;
@@ -91,6 +97,11 @@ inline std::pair<LightCluster, LightCluster> LightTree::halves(const LightCluste
     // A cluster of n luminaires has 2n - 1 nodes, depth first.
     const std::uint32_t half = nodes_[c.node].first_half;
     return {{c.node + 1, c.first, half}, {c.node + 2 * half, c.first + half, c.count - half}};
+}
+
+inline LightCluster LightTree::by_square_law() const {
+    if (falloffs_.empty()) return root();
+    return has_both_laws() ? halves(root()).first : LightCluster();
 }
 
 /// A ray that tests nodes in single precision, with margins for all rounding.

@@ -30,7 +30,13 @@ public:
 
     void refine(const CutRule& rule) {
         const auto most = std::min(static_cast<std::size_t>(rule.max_entries), CutWeights::most);
-        add(tree_.root());
+        if (tree_.has_both_laws()) {
+            const auto [by_square_law, others] = tree_.halves(tree_.root());
+            add(by_square_law);
+            add(others);
+        } else {
+            add(tree_.root());
+        }
         // A block of entries takes the same time whether it is full or not.
         while (heap_.size() < most && (heap_.size() < CutWeights::block || noise() > rule.noise)) {
             const Entry coarse = heap_.front();

@@ -17,6 +17,7 @@ struct LightSamplerTraits {
     bool wants_bent_normals = false;  ///< of the lights: see LightBounds
     bool has_cells = false;           ///< in which memory grows while a picture is made
     bool by_transmittance = false;    ///< distances in media are drawn by the transmittance alone
+    bool weighs_falloff = false;  ///< of lights, so that it may choose among luminaires and sources
 };
 
 /// A field that has no effect with the values of others.
@@ -77,7 +78,9 @@ struct LightOctree {
     PaperOctree as_in_paper() const {
         return {threshold, white, max_depth, max_bright, representatives};
     }
-    LightSamplerTraits traits() const { return {.wants_bent_normals = !paper, .has_cells = true}; }
+    LightSamplerTraits traits() const {
+        return {.wants_bent_normals = !paper, .has_cells = true, .weighs_falloff = !paper};
+    }
     std::vector<IdleField> idle_fields() const;
     static const ItemInfo vocabulary;
 };

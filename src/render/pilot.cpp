@@ -19,6 +19,7 @@ constexpr int samples_of_place = 4;
 constexpr double rays_of_light_path = 6;
 /// Cost of a camera ray, with shading and the weights of luminaires, in shadow rays.
 constexpr double cost_of_camera_ray = 1.2;
+/// Maximum number of shadow rays for each draw among lights.
 constexpr int max_pilot_rays = 4;
 /// Maximum number of rays for one of the pilot's camera rays: what is behind so many reflections
 /// does not matter for the choice.
@@ -36,7 +37,10 @@ Pilot tried(const Shot& shot, const RenderSettings& settings, const std::optiona
             const std::function<bool()>& cancelled) {
     const PilotNoise noise = pilot_noise(shot, settings, sent, cancelled);
     const HitNoise& hits = noise.of_hits;
-    return {{best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0}, is_quiet(noise)};
+    // One draw stands for that among luminaires and that among sources.
+    const int draws = shot.joined ? 2 : 1;
+    return {{best_shadow_rays(noise, draws), hits.hits > 0 ? hits.sum / hits.hits : 0},
+            is_quiet(noise)};
 }
 
 double displayed(double radiance) { return from_linear(std::fmax(radiance, 0), display_gamma); }
@@ -112,9 +116,9 @@ PilotNoise pilot_noise(const Shot& shot, const RenderSettings& settings,
     return sum;
 }
 
-int best_shadow_rays(const PilotNoise& noise) {
+int best_shadow_rays(const PilotNoise& noise, int draws) {
     if (!(noise.of_light > 0)) return 1;
-    const double most = max_pilot_rays;
+    const double most = max_pilot_rays * draws;
     const double rays = std::sqrt(cost_of_camera_ray * noise.of_light /
                                   std::fmax(noise.of_camera, 1e-3 * noise.of_light));
     return static_cast<int>(std::lround(std::clamp(rays, 1.0, most)));

@@ -39,9 +39,9 @@ bool paths_pay(const PilotNoise& reflected, const PilotNoise& paths, double send
 
 /// Returns the number of shadow rays with the least noise for a given time: the square root of
 /// (cost of a camera ray over that of a shadow ray) times (variance due to light over variance due
-/// to the camera), from 1 to 4. Larger numbers hardly help even if camera rays make no noise at
-/// all.
-int best_shadow_rays(const PilotNoise&);
+/// to the camera), from 1 to 4 times the number of draws that one draw stands for. Larger numbers
+/// hardly help even if camera rays make no noise at all.
+int best_shadow_rays(const PilotNoise&, int draws = 1);
 
 /// Results of the pilot. The number of shadow rays at each hit is that of the settings, or else the
 /// best one for hits of usual noise. It does not depend on the number of samples, so that pictures

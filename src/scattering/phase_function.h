@@ -26,6 +26,9 @@ public:
     Vec3 evaluate(const Vec3& to_light) const;
     /// Mean of evaluate() over all directions.
     Vec3 mean() const;
+    /// Fraction of uniform light that is scattered towards the viewer per unit of length, times the
+    /// weight. Light from one steradian of radiance 1 is light of colour 1/pi.
+    Vec3 share() const { return 4.0 * mean(); }
     /// Returns a unit direction drawn in proportion to the scattering of uniform light; u is in
     /// [0, 1)^2. Precondition: answers_light().
     Vec3 sample(Vec2 u) const;

@@ -26,12 +26,12 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     Vec3 sum(0);
     if (!layer.scatterer.answers_light()) return sum;
     const ArrivingLight at = arriving(layer, ledger);
-    if (layer.light.has(LightKind::sources)) sum = sources_(at, key);
+    if (layer.light.has_any(all_sources)) sum = sources_(at, key);
     if (photons_ && !layer.scatterer.in_air() && layer.collects())
         sum += light_of_photons(photons_->on_surfaces, at, key);
     bool sky = layer.light.has(LightKind::sky) && !world_.sky.light.empty();
-    if (layer.light.has(LightKind::luminaires) && (sky || !world_.lights.luminaires.empty())) {
-        const LuminaireLight::Found found = luminaires_(at, key, {sum, sky});
+    if (const LightKinds kinds = chosen_.kinds_at(layer); kinds.has_any(all_light)) {
+        const ChosenLight::Found found = chosen_(at, key, kinds, sum);
         sum += found.radiance;
         sky &= !found.with_sky;
     }
@@ -42,7 +42,7 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
 
 Vec3 DirectLight::from_source(std::uint32_t number, double weight, const LitLayer& layer,
                               const Key& key, LightLedger& ledger) const {
-    return sources_.from(number, weight, arriving(layer, ledger), key);
+    return light_of_source(number, weight, arriving(layer, ledger), key);
 }
 
 }  // namespace candelabra

@@ -3,7 +3,7 @@
 // as they count there.
 #pragma once
 
-#include "transport/luminaire_light.h"
+#include "transport/chosen_light.h"
 #include "transport/source_light.h"
 
 namespace candelabra {
@@ -15,20 +15,17 @@ struct PhotonMaps;
 class DirectLight {
 public:
     DirectLight(const Shot& shot, const ShadowRays& rays)
-        : world_(*shot.world),
-          rays_(rays.usual),
-          sources_(shot, rays.usual),
-          luminaires_(shot, rays) {}
+        : world_(*shot.world), rays_(rays.usual), sources_(shot, rays.usual), chosen_(shot, rays) {}
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
     /// The same by one light source, times a weight.
     Vec3 from_source(std::uint32_t number, double weight, const LitLayer&, const Key&,
                      LightLedger&) const;
 
-    /// Expected light of luminaires at a point between surfaces, up to a constant factor, where it
-    /// is known. Precondition: there are luminaires.
-    std::optional<double> expected_luminaires(const Vec3& position) const {
-        return luminaires_.expected(position);
+    /// Expected irradiance by what the strategy of the shot chooses at a point between surfaces, as
+    /// luminance, where it is known. Precondition: there are lights to choose.
+    std::optional<double> expected_choice(const Vec3& position) const {
+        return chosen_.expected(position);
     }
     /// Sets the photons that count from now on: those that serve the sample. Null: none are shot.
     void use(const PhotonMaps* photons) { photons_ = photons; }
@@ -43,7 +40,7 @@ private:
     int rays_;
     const PhotonMaps* photons_ = nullptr;
     SourceLight sources_;
-    LuminaireLight luminaires_;
+    ChosenLight chosen_;
 };
 
 }  // namespace candelabra

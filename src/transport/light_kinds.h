@@ -10,9 +10,10 @@
 namespace candelabra {
 
 enum class LightKind : std::uint8_t {
-    sources,     ///< light sources and their photons
-    luminaires,  ///< luminaires and their photons
-    sky          ///< as far as it is a luminaire
+    sources,        ///< light sources that are all asked, and the photons of all sources
+    drawn_sources,  ///< those of which some are drawn
+    luminaires,     ///< luminaires and their photons
+    sky             ///< as far as it is a luminaire
 };
 
 class LightKinds {
@@ -23,7 +24,12 @@ public:
     }
 
     constexpr bool has(LightKind kind) const { return (bits_ & bit(kind)) != 0; }
+    constexpr bool has_any(LightKinds kinds) const { return (bits_ & kinds.bits_) != 0; }
     constexpr bool has_all(LightKinds kinds) const { return (bits_ & kinds.bits_) == kinds.bits_; }
+    constexpr LightKinds with(LightKinds kinds) const {
+        kinds.bits_ |= bits_;
+        return kinds;
+    }
     constexpr LightKinds without(LightKinds kinds) const {
         LightKinds rest = *this;
         rest.bits_ &= ~kinds.bits_;
@@ -36,7 +42,9 @@ private:
     unsigned bits_ = 0;
 };
 
-inline constexpr LightKinds all_light = {LightKind::sources, LightKind::luminaires, LightKind::sky};
+inline constexpr LightKinds all_sources = {LightKind::sources, LightKind::drawn_sources};
+inline constexpr LightKinds all_light = {LightKind::sources, LightKind::drawn_sources,
+                                         LightKind::luminaires, LightKind::sky};
 
 /// Hands out the kinds of light at one vertex whose calls for light are several: a debug build
 /// stops if a kind is handed out twice.

@@ -8,6 +8,7 @@
 #include "world/volumes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -20,8 +21,8 @@ namespace {
 constexpr int min_places = 8, max_places = 64;
 /// If samples differ in any case, light sources are sampled at one of this many points.
 constexpr int places_for_lit = 4;
-/// Number of points at which luminaires are sampled on a camera ray.
-constexpr int luminaire_places = 4;
+/// Number of points on a camera ray at which the light is sampled that a strategy chooses.
+constexpr int choice_places = 4;
 /// Maximum number of light sources whose unoccluded light is evaluated to find bright points; the
 /// light of more sources tells little.
 constexpr std::size_t max_telling = 16;
@@ -40,6 +41,25 @@ int effort(const MediaList& media) {
     return static_cast<int>(std::clamp<double>(most, min_places, max_places));
 }
 
+/// Whether a medium loses at least what it scatters, by what it says.
+bool adds_no_light(const Media& medium) {
+    const Scattering& s = medium.scattering;
+    return min_component(medium.absorption) >= 0 &&
+           (!medium.scatters() ||
+            (s.physical && s.extinction >= 1 && min_component(s.colour) >= 0));
+}
+
+/// Whether all ways on from a place together have more light than is lost there, although the media
+/// say otherwise. A debug build checks it.
+[[maybe_unused]] bool adds_light(const PhaseFunction& phase, MediaView media, const Vec3& position,
+                                 const PatternScene& scene) {
+    for (const Media* each : media)
+        if (!adds_no_light(*each) || min_component(density(*each, position, scene)) < 0)
+            return false;
+    const Vec3 lost = coefficients(media, position, scene).extinction;
+    return max_component(phase.share() - lost) > 1e-9 * max_component(lost);
+}
+
 double brightness_of(const MediaPlace& place) {
     return max_component(glm::abs(place.weight * place.scattering));
 }
@@ -49,8 +69,12 @@ double brightness_of(const MediaPlace& place) {
 ParticipatingMedia::ParticipatingMedia(const Shot& shot) : world_(*shot.world), near_(shot.near) {
     if (!world_.facts.has_media) return;
     lights_all_ = !world_.facts.differs_by_light;
-    for (const SourceSet& set : world_.lights.source_sets)
+    joined_ = shot.joined != nullptr;
+    chooses_ = joined_ || !world_.lights.luminaires.empty() || !world_.sky.light.empty();
+    for (const SourceSet& set : world_.lights.source_sets) {
+        has_other_sources_ |= &set != shot.joined;
         if (!set.drawn()) sources_.insert(sources_.end(), set.lights.begin(), set.lights.end());
+    }
     if (sources_.size() > max_telling) sources_.clear();
 }
 
@@ -149,19 +173,17 @@ double ParticipatingMedia::unshadowed(const Vec3& position) const {
     return sum;
 }
 
-/// Expected light of luminaires at a point, up to a constant factor.
-double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
-                                         const Vec3& position) const {
-    if (world_.lights.luminaires.empty() ||
-        traits(world_.rules.settings.light_sampler).by_transmittance)
-        return 1;
-    if (const auto known = direct_light.expected_luminaires(position)) return *known;
+/// Expected light at a point of what the strategy of the shot chooses, up to a constant factor.
+double ParticipatingMedia::choice_at(const DirectLight& direct_light, const Vec3& position) const {
+    if (traits(world_.rules.settings.light_sampler).by_transmittance) return 1;
+    if (const auto known = direct_light.expected_choice(position)) return *known;
+    if (world_.lights.luminaires.empty()) return 1;
     const Vec3 away = position - near_.centre(), half = 0.5 * near_.size();
     return 1 / (dot(away, away) + dot(half, half));
 }
 
-/// Adds the light expected at places to their worth. Light of sources and of luminaires counts in
-/// equal parts, as their scales differ.
+/// Adds the light expected at places to their worth. Light of sources that are all asked and of
+/// what is chosen counts in equal parts, as their scales differ.
 void ParticipatingMedia::expect_light(const DirectLight& direct_light, std::span<const Vec3> places,
                                       std::span<double> worth) const {
     const auto add = [&](auto light) {
@@ -174,8 +196,7 @@ void ParticipatingMedia::expect_light(const DirectLight& direct_light, std::span
         for (std::size_t i = 0; i < found.size() && total > 0; ++i) worth[i] += found[i] / total;
     };
     if (!sources_.empty()) add([&](const Vec3& place) { return unshadowed(place); });
-    if (!world_.lights.luminaires.empty())
-        add([&](const Vec3& place) { return luminaires_at(direct_light, place); });
+    if (chooses_) add([&](const Vec3& place) { return choice_at(direct_light, place); });
 }
 
 /// Radiance towards the viewer by light of lamps that media scatter at the places of the march.
@@ -194,9 +215,9 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
             {.vertex = vertex, .scatterer = phase, .light = kinds, .throughput = path.throughput},
             key, ledger);
     };
-    if (!world_.lights.sources.empty()) {
+    if (has_other_sources_) {
         const Key key = path.key.branched(Branch::medium, 0);
-        const LightKinds kinds = once.take({LightKind::sources});
+        const LightKinds kinds = once.take(joined_ ? LightKinds{LightKind::sources} : all_sources);
         const int count = lights_all_ ? places_ : std::max(1, places_ / places_for_lit);
         choose(
             key, count,
@@ -208,22 +229,24 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
                 light(place, key.part(count, number), per_chance, kinds);
             });
     }
-    if (world_.lights.luminaires.empty() && world_.sky.light.empty()) return sum;
-    // Nothing is known of the sky's light: it is sampled where luminaires are bright, or anywhere.
+    if (!chooses_) return sum;
     ShortList<double, 64> given;
     double mean = 0;
     for (const MediaPlace& place : march_.places) {
         given.push_back(brightness_of(place) *
-                        luminaires_at(direct_light, path.ray.at(place.distance)));
+                        choice_at(direct_light, path.ray.at(place.distance)));
         mean += given.back() / static_cast<double>(march_.places.size());
     }
-    const LightKinds kinds = once.take({LightKind::luminaires, LightKind::sky});
+    LightKinds kinds = once.take({LightKind::luminaires, LightKind::sky});
+    if (joined_) kinds = kinds.with(once.take({LightKind::drawn_sources}));
     const Key key = path.key.branched(Branch::medium, 1);
-    const int count = path.depth + path.bounces > 0 ? 1 : luminaire_places;
+    const int count = path.depth + path.bounces > 0 ? 1 : choice_places;
     choose(
         key, count,
         [&](std::size_t i) {
-            return brightness_of(march_.places[i]) > 0 ? given[i] + any_place * mean : 0;
+            const double own = brightness_of(march_.places[i]);
+            if (!(mean > 0)) return own;  // nothing is known
+            return own > 0 ? given[i] + any_place * mean : 0;
         },
         [&](const MediaPlace& place, int number, double per_chance) {
             light(place, key.part(count, number), per_chance, kinds);
@@ -258,6 +281,7 @@ PathState ParticipatingMedia::scattered_path(const PathState& path) const {
     };
     PhaseFunction phase = phase_of(light_);
     if (!phase.answers_light()) return next.dimmed(Vec3(0));
+    assert(!adds_light(phase, view_of(media_), position, scene));
     // The path remembers whether a medium without `multiple` has scattered it.
     const double repeatedly = phase.multiple();
     const bool once = u >= repeatedly;

@@ -43,12 +43,15 @@ private:
     double unshadowed(const Vec3& position) const;
     void expect_light(const DirectLight&, std::span<const Vec3> places,
                       std::span<double> worth) const;
-    double luminaires_at(const DirectLight&, const Vec3& position) const;
+    double choice_at(const DirectLight&, const Vec3& position) const;
 
     const World& world_;
     const Box& near_;                     ///< see Shot
     std::vector<std::uint32_t> sources_;  ///< that show where light is bright, if they are few
     bool lights_all_ = true;              ///< light sources are sampled at all places
+    bool joined_ = false;                 ///< see Shot
+    bool has_other_sources_ = false;      ///< than those that are joined
+    bool chooses_ = false;                ///< there are lights that the shot's strategy may choose
     int places_ = 0;                      ///< number of places for the last segment
     LightInAir light_ = LightInAir::any;  ///< what the last segment may scatter
     // Kept as members to reuse their memory.

@@ -173,7 +173,9 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
             direct_light_({vertex, highlights, once.take({LightKind::luminaires}), path.throughput},
                           path.key, ledger_);
         light += direct_light_(
-            {vertex, whole, once.take({LightKind::sources, LightKind::sky}), path.throughput},
+            {vertex, whole,
+             once.take({LightKind::sources, LightKind::drawn_sources, LightKind::sky}),
+             path.throughput},
             path.key, ledger_);
     } else if (!scatters_inside(world_, s)) {
         light += direct_light_({vertex, whole, all_light, path.throughput}, path.key, ledger_);

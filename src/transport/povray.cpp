@@ -131,7 +131,7 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
         return own +
                direct_light_({.vertex = vertex,
                               .scatterer = bsdf,
-                              .light = {LightKind::sources},
+                              .light = all_sources,
                               .throughput = path.throughput,
                               .highlights = highlights},
                              path.key, ledger_) +

@@ -176,17 +176,20 @@ Vec3 SourceLight::operator()(const ArrivingLight& at, const Key& key) {
     Vec3 sum(0);
     for (std::size_t i = 0; i < samplers_.size(); ++i) {
         const SourceSet& set = at.world.lights.source_sets[i];
-        if (!at.world.reaches(set.group, *at.layer.vertex.material)) continue;
+        const LightKind kind = set.drawn() ? LightKind::drawn_sources : LightKind::sources;
+        if (&set == joined_ || !at.layer.light.has(kind) ||
+            !at.world.reaches(set.group, *at.layer.vertex.material))
+            continue;
         if (set.drawn())
             sum += drawn(set, samplers_[i], at, key);
         else
-            for (const std::uint32_t light : set.lights) sum += from(light, 1, at, key);
+            for (const std::uint32_t light : set.lights) sum += light_of_source(light, 1, at, key);
     }
     return sum;
 }
 
-Vec3 SourceLight::from(std::uint32_t number, double weight, const ArrivingLight& at,
-                       const Key& key) const {
+Vec3 light_of_source(std::uint32_t number, double weight, const ArrivingLight& at,
+                     const Key& key) {
     const bool in_air = at.layer.scatterer.in_air();
     const Vec3& position = at.layer.vertex.position();
     const PointLight& light = at.world.lights.sources[number];
@@ -226,7 +229,8 @@ Vec3 SourceLight::drawn(const SourceSet& set, const BuiltLightSampler& sampler,
             samples_.clear();
             answer.sample(part, samples_);
             for (const LightPick& pick : samples_.picks)
-                sum += from(set.lights[pick.light], 1 / (pick.expected * rays_), at, part);
+                sum += light_of_source(set.lights[pick.light], 1 / (pick.expected * rays_), at,
+                                       part);
         }
         return sum;
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light of POV-Ray's sources, one by one, or of some of them if they are many. Grids of lights are
-// treated as in POV-Ray, too.
+// Light of POV-Ray's sources, one by one, or of some of them if they are many and a strategy draws
+// among them alone. Grids of lights are treated as in POV-Ray, too.
 #pragma once
 
 #include "transport/arrival.h"
@@ -8,21 +8,25 @@
 
 namespace candelabra {
 
+/// Radiance towards the viewer by one light source, times a weight.
+Vec3 light_of_source(std::uint32_t number, double weight, const ArrivingLight&, const Key&);
+
 /// Each job has its own: it keeps scratch memory.
 class SourceLight {
 public:
     /// `rays`: number of choices among many sources.
-    SourceLight(const Shot& shot, int rays) : samplers_(shot.of_sources), rays_(rays) {}
+    SourceLight(const Shot& shot, int rays)
+        : samplers_(shot.of_sources), joined_(shot.joined), rays_(rays) {}
 
-    /// Radiance towards the viewer by all light sources; an unbiased estimate.
+    /// Radiance towards the viewer by all light sources that are not drawn with the luminaires; an
+    /// unbiased estimate.
     Vec3 operator()(const ArrivingLight&, const Key&);
-    /// The same by one of them, times a weight.
-    Vec3 from(std::uint32_t number, double weight, const ArrivingLight&, const Key&) const;
 
 private:
     Vec3 drawn(const SourceSet&, const BuiltLightSampler&, const ArrivingLight&, const Key&);
 
     std::span<const BuiltLightSampler> samplers_;  ///< for each source set
+    const SourceSet* joined_;
     int rays_;
     LightSamples samples_;  ///< kept as a member to reuse its memory
 };

@@ -204,7 +204,7 @@ private:
 
     /// Light of a source that is scattered once, on the refracted ray inside the solid.
     Vec3 light_scattered_once(const Draw& draw) {
-        if (world_.lights.sources.empty() || !layer_.light.has(LightKind::sources)) return Vec3(0);
+        if (world_.lights.sources.empty() || !layer_.light.has_any(all_sources)) return Vec3(0);
         const double cosine = std::fmax(-dot(s_.view, s_.geometric_normal), 0);
         const double behind = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const Ray inner{s_.position,
@@ -241,7 +241,7 @@ private:
         const double way = length(way_in->position - point) * cosine / bent;
         const Vec3 left = math::exp(-dipole_.extinction() * way);
         return left * lights_.from_source(light, 1,
-                                          {vertex, bsdf, {LightKind::sources}, throughput * left},
+                                          {vertex, bsdf, all_sources, throughput * left},
                                           key, ledger_);
     }
 

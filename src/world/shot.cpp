@@ -3,6 +3,7 @@
 
 #include "base/degrees.h"
 #include "base/elementary.h"
+#include "lighting/joined_lights.h"
 #include "shape/transformed.h"
 #include "world/bent_normals.h"
 #include "world/luminaire_choices.h"
@@ -93,6 +94,18 @@ void choose_quickly(Shot& shot) {
         shot.of_sources.push_back(set.drawn() ? hierarchy_of(*set.choices) : BuiltLightSampler());
 }
 
+/// The set of sources among which and the luminaires one draw chooses; null: there is none. It
+/// makes less noise than a draw for each kind: "One draw" in tests/bench/README.md. Where a surface
+/// or a photon takes light of luminaires alone, sources would be drawn in vain.
+const SourceSet* joined_set(const World& world, const ChoosableLights& luminaires) {
+    const bool apart = world.facts.gathers_light || !world.photon_targets.empty() ||
+                       !traits(world.rules.settings.light_sampler).weighs_falloff;
+    if (apart || (luminaires.size() == 0 && !luminaires.sky())) return nullptr;
+    const auto& sets = world.lights.source_sets;
+    const auto found = std::ranges::find_if(sets, &SourceSet::can_be_joined);
+    return found == sets.end() ? nullptr : &*found;
+}
+
 /// Sets the samplers to those that the scene wants.
 void choose_as_wanted(Shot& shot, const ShotSettings& settings) {
     const World& world = *shot.world;
@@ -106,13 +119,17 @@ void choose_as_wanted(Shot& shot, const ShotSettings& settings) {
     const std::vector<Plane> planes = world_planes(world.geometry);
     auto sky = world.sky.light.empty() ? nullptr : std::make_unique<SkyChoice>(world);
     if (sky && sky->glares()) sky = nullptr;
-    scene.lights = std::make_shared<LuminaireChoices>(world.lights.luminaires, shot.bent_normals,
-                                                      std::move(sky));
+    const auto luminaires = std::make_shared<LuminaireChoices>(
+        world.lights.luminaires, shot.bent_normals, std::move(sky));
+    shot.joined = joined_set(world, *luminaires);
+    scene.lights = luminaires;
+    if (shot.joined)
+        scene.lights = std::make_shared<JoinedLights>(luminaires, shot.joined->choices);
     scene.surfaces = boxes;
     scene.planes = planes;
     shot.sampler = build(wanted, scene, settings.threads);
     for (const SourceSet& set : world.lights.source_sets)
-        shot.of_sources.push_back(set.drawn()
+        shot.of_sources.push_back(set.drawn() && &set != shot.joined
                                       ? build(wanted, light_scene(set, scene), settings.threads)
                                       : BuiltLightSampler());
 }
@@ -145,6 +162,12 @@ Shot::Shot(SharedWorld seen, const ShotSettings& settings, Placed placed)
     later.reserve(world->shutter.size());
     for (const World& moment : world->shutter)
         later.emplace_back(SharedWorld(world, &moment), settings, placed);
+}
+
+Lamp Shot::lamp(LightIndex light) const {
+    const std::size_t luminaires = world->lights.luminaires.size();
+    return light < luminaires ? Lamp::luminaire(light)
+                              : Lamp::source(joined->lights[light - luminaires]);
 }
 
 double Shot::inner_rays(const Luminaire& luminaire) const {

@@ -7,6 +7,7 @@
 #include "base/function_ref.h"
 #include "lighting/sampler.h"
 #include "scene/settings.h"
+#include "world/lamp.h"
 #include "world/world.h"
 
 #include <cstdint>
@@ -45,6 +46,9 @@ struct Shot {
     std::size_t moments() const { return 1 + later.size(); }
     const Shot& moment(std::size_t number) const { return number == 0 ? *this : later[number - 1]; }
 
+    /// A light that the sampler chooses, other than the sky.
+    Lamp lamp(LightIndex light) const;
+
     /// Fraction of the rays that leave a luminaire on its inner side, for emit().
     double inner_rays(const Luminaire&) const;
 
@@ -53,8 +57,11 @@ struct Shot {
     std::uint64_t pixels;            ///< of the picture
     Box near;                        ///< where media deserve most effort; empty if there are none
     std::vector<Vec3> bent_normals;  ///< see find_bent_normals()
-    BuiltLightSampler sampler;       ///< chooses among the luminaires and the sky
-    /// For each source set; a default one where all sources are asked.
+    /// Chooses among the luminaires, the sky, and the sources of one set.
+    BuiltLightSampler sampler;
+    /// That set, whose sources come after the luminaires; null: there is none.
+    const SourceSet* joined = nullptr;
+    /// For each other source set; a default one where all sources are asked.
     std::vector<BuiltLightSampler> of_sources;
     std::vector<Shot> later;  ///< of World::shutter
 };

@@ -35,9 +35,15 @@ double SourceChoices::arriving(LightIndex light, const SurveyPlace& from, const 
     const Vec3 offset = sources_[light].centre - from.point.position;
     const double distance = length(offset);
     if (!(distance > 0)) return 0;
-    const auto sight = probe({from.point.position, offset / distance}, from.tolerance);
-    const bool hidden = sight && sight->distance < distance * before_source;
-    return hidden ? 0 : unoccluded(light, from.point);
+    double left = 0;
+    const Ray ray{from.point.position, offset / distance};
+    const double behind =
+        look_along(ray, from.tolerance, probe, [&](const ProbeHit& sight, double share) {
+            if (sight.distance < distance * before_source) return false;
+            left = share;
+            return true;
+        });
+    return (left + behind) * unoccluded(light, from.point);
 }
 
 }  // namespace candelabra

@@ -5,6 +5,7 @@
 
 #include "lighting/choosable_lights.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,8 +24,10 @@ public:
 
     std::size_t size() const override { return sources_.size(); }
     LightBounds bounds(LightIndex) const override;
-    bool falls_off() const override { return true; }
-    Falloff falloff(LightIndex light) const override { return sources_[light].falloff; }
+    bool falls_off() const override { return !sources_.empty(); }
+    std::optional<Falloff> falloff(LightIndex light) const override {
+        return sources_[light].falloff;
+    }
     bool has_surface(LightIndex) const override { return false; }
     double unoccluded(LightIndex, const Receiver&) const override;
     double arriving(LightIndex, const SurveyPlace&, const Vec2& u,

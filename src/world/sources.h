@@ -28,6 +28,8 @@ struct SourceSet {
     bool parallel = false;  ///< lights have one direction everywhere, where the choices are
 
     bool drawn() const { return choices != nullptr; }
+    /// Whether a strategy may choose among them and luminaires by one draw.
+    bool can_be_joined() const { return drawn() && !parallel && group == 0; }
     /// Returns the receiver for which to query the sampler.
     Receiver asked(const Receiver& point) const {
         return parallel ? Receiver{Vec3(0), point.normal, point.horizon} : point;

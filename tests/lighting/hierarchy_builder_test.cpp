@@ -20,6 +20,7 @@ struct LengthCost {
     struct Item {
         double at;
         LightIndex number;
+        bool of_second_kind = false;
     };
     using Number = double;
     struct Sum {
@@ -42,6 +43,7 @@ struct LengthCost {
     static double of(const Sum& sum) { return sum.high - sum.low; }
     static bool longer(double later, double earlier) { return later > earlier; }
     static double of_side(double, double) { return 1; }
+    static bool is_second_kind(const Item& item) { return item.of_second_kind; }
 };
 
 std::vector<LengthCost::Item> items_at(const std::vector<double>& places) {

@@ -61,6 +61,7 @@ TEST_CASE("more shadow rays pay where light makes the noise", "[render]") {
     CHECK(best_shadow_rays(noise_of(0.1, 1)) == 1);
     CHECK(best_shadow_rays(noise_of(5, 1)) == 2);
     CHECK(best_shadow_rays(noise_of(1, 0)) == 4);
+    CHECK(best_shadow_rays(noise_of(1, 0), 2) == 8);
 }
 
 TEST_CASE("the pilot tells the noise of light from that of camera rays", "[render]") {

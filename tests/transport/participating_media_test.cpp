@@ -273,4 +273,47 @@ TEST_CASE("media that are luminaires light a place exactly as the place sees the
         }
 }
 
+TEST_CASE("media get the light of sources, luminaires and the sky by one draw", "[transport]") {
+    const std::string lamps = R"(
+        #declare R = seed(4);
+        #macro Place() <6*rand(R) - 3, 3*rand(R) - 1.5, 6*rand(R)> #end
+        #for (I, 1, 40)
+            light_source { Place(), rgb 0.5*rand(R) fade_distance 0.5 fade_power 2
+                #if (mod(I, 3) = 0) spotlight point_at Place() radius 20 falloff 50 #end }
+        #end
+        #for (I, 1, 20)
+            sphere { Place() + 2*y, 0.1 pigment { rgb 1 } finish { ambient 0 diffuse 0
+                emission 40*rand(R) } }
+        #end
+        box { <-1, -1, 1>, <1, -0.5, 3> pigment { rgb 0.5 } finish { ambient 0 diffuse 0.5 } } )";
+    const std::string sky = "sky_sphere { pigment { rgb 0.05 } luminaire } ",
+                      thin = "media { scattering { 1, 0.05 } } ",
+                      cloud = "media { scattering { 5, 0.1 eccentricity 0.3 } density { bozo } } ";
+    for (const std::string& more : {thin, cloud, thin + sky})
+        for (const std::string integrator : {"", "integrator { path_traced { bounces 1 } }"}) {
+            const auto seen = [&](const std::string& sampler, std::uint32_t count) {
+                return mean_seen("#version 3.7; " + lamps + more + "global_settings { " +
+                                     integrator + " light_sampler { " + sampler + " } } ",
+                                 {Vec3(0, 0, -5), Vec3(0, 0, 1)}, count);
+            };
+            const Mean joined = seen("light_octree", 3000), every = seen("every_light", 300);
+            CAPTURE(more, integrator, joined.value, every.value, joined.error, every.error);
+            CHECK(agree(joined, every, 0.002));
+            CHECK(joined.error < 0.02 * joined.value);
+        }
+}
+
+TEST_CASE("media get the light of a sky alone", "[transport]") {
+    const std::string sky =
+        "sky_sphere { pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } } "
+        "luminaire } box { <-9, 2, -9>, <9, 3, 2> } "
+        "media { scattering { 1, 0.1 } } ";
+    const auto seen = [&](const std::string& sampler) {
+        return mean_seen(
+            "#version 3.7; " + sky + "global_settings { light_sampler { " + sampler + " } } ",
+            {Vec3(0, 0, -5), Vec3(0, 0, 1)}, 4000);
+    };
+    CHECK(agree(seen("light_octree"), seen("every_light"), 0.002));
+}
+
 }  // namespace candelabra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "transport/luminaire_light.h"
+#include "transport/chosen_light.h"
 
 #include "base/elementary.h"
 #include "base/gamma.h"
@@ -7,6 +7,7 @@
 #include "lighting/draw.h"
 #include "transport/sight.h"
 #include "transport/sky_at_layer.h"
+#include "transport/source_light.h"
 #include "world/radiance.h"
 
 #include <algorithm>
@@ -62,8 +63,7 @@ double chance_of_asking(const LightEstimate::ShadowRay& expected, const LitLayer
 
 /// Number of shadow rays in proportion to the expected noise; a power of two, which suits Sobol
 /// points.
-int LuminaireLight::rays_at(double noise_of_ray, const ArrivingLight& at,
-                            const Vec3& straight) const {
+int ChosenLight::rays_at(double noise_of_ray, const ArrivingLight& at, const Vec3& straight) const {
     const double noise = noise_of_ray * std::abs(grey(at.layer.throughput * straight));
     at.ledger.noise.add(noise);
     if (rays_.usual_noise == 0) return rays_.usual;
@@ -72,8 +72,20 @@ int LuminaireLight::rays_at(double noise_of_ray, const ArrivingLight& at,
     return 1 << static_cast<int>(exponent);
 }
 
-LuminaireLight::Found LuminaireLight::operator()(const ArrivingLight& at, const Key& key,
-                                                 const Wanted& wanted) {
+LightKinds ChosenLight::kinds_at(const LitLayer& layer) const {
+    LightKinds kinds = layer.light.without({LightKind::sources});
+    const SourceSet* joined = shot_.joined;
+    if (!joined || !world_.reaches(joined->group, *layer.vertex.material))
+        kinds = kinds.without({LightKind::drawn_sources});
+    // Where no lamps count, the sky has samples of its own.
+    if (world_.sky.light.empty() ||
+        !kinds.has_any({LightKind::luminaires, LightKind::drawn_sources}))
+        kinds = kinds.without({LightKind::sky});
+    return world_.lights.luminaires.empty() ? kinds.without({LightKind::luminaires}) : kinds;
+}
+
+ChosenLight::Found ChosenLight::operator()(const ArrivingLight& at, const Key& key,
+                                           LightKinds kinds, const Vec3& before) {
     const LitLayer& layer = at.layer;
     const Scatterer& scatterer = layer.scatterer;
     const Receiver point = receiver(scatterer);
@@ -87,8 +99,10 @@ LuminaireLight::Found LuminaireLight::operator()(const ArrivingLight& at, const 
     const LightProbe scene(look);
     return std::visit(
         [&](const auto& strategy) {
-            const auto answer = strategy.at({point, lobes, &sampler, &scene, wanted.sky});
+            const auto answer =
+                strategy.at({point, lobes, &sampler, &scene, kinds.has(LightKind::sky)});
             Found found{Vec3(0), answer.takes_sky()};
+            const LightKinds chosen = found.with_sky ? kinds : kinds.without({LightKind::sky});
             int count = rays_.usual;
             double chance = 1;
             const std::optional<LightEstimate> estimate = answer.estimate();
@@ -97,19 +111,19 @@ LuminaireLight::Found LuminaireLight::operator()(const ArrivingLight& at, const 
                 count = rays_at(expected->noise, at, scatterer.phase().mean());
             } else if (expected) {
                 const Vec3 straight = straight_response(layer, key);
-                chance = chance_of_asking(*expected, layer, straight, wanted.before);
+                chance = chance_of_asking(*expected, layer, straight, before);
                 if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return found;
                 count = rays_at(expected->noise, at, straight);
             }
             for (int i = 0; i < count; ++i)
                 found.radiance +=
-                    by_answer(answer, {at, key.part(count, i), count * chance, found.with_sky});
+                    by_answer(answer, {at, key.part(count, i), count * chance, chosen});
             return found;
         },
-        sampler_);
+        shot_.sampler);
 }
 
-std::optional<double> LuminaireLight::expected(const Vec3& position) const {
+std::optional<double> ChosenLight::expected(const Vec3& position) const {
     const Receiver point{position, Vec3(0), Horizon::none};
     const auto look = [&](const Ray& ray, double tolerance) {
         return first_sight(world_, ray, tolerance);
@@ -118,15 +132,16 @@ std::optional<double> LuminaireLight::expected(const Vec3& position) const {
     const BsdfLobes lobes;
     const auto estimate = std::visit(
         [&](const auto& strategy) {
-            return strategy.at({point, lobes, nullptr, &scene}).estimate();
+            return strategy.at({point, lobes, nullptr, &scene, !world_.sky.light.empty()})
+                .estimate();
         },
-        sampler_);
+        shot_.sampler);
     return estimate ? std::optional(estimate->light) : std::nullopt;
 }
 
 /// Light by one shadow ray.
 template <LightAnswer Answer>
-Vec3 LuminaireLight::by_answer(const Answer& answer, const Asked& asked) {
+Vec3 ChosenLight::by_answer(const Answer& answer, const Asked& asked) {
     samples_.clear();
     answer.sample(asked.key, samples_);
     Vec3 sum(0);
@@ -143,6 +158,15 @@ Vec3 LuminaireLight::by_answer(const Answer& answer, const Asked& asked) {
             });
             continue;
         }
+        const Lamp lamp = shot_.lamp(pick.light);
+        if (lamp.is_source()) {
+            // No direction hits a source.
+            if (asked.kinds.has(LightKind::drawn_sources))
+                sum += light_of_source(lamp.index(), 1 / (pick.expected * asked.number), asked.at,
+                                       asked.key);
+            continue;
+        }
+        if (!asked.kinds.has(LightKind::luminaires)) continue;
         const bool volume = world_.lights.luminaires[pick.light].is_volume();
         const Key place = several ? asked.key.with_branch(pick.light) : asked.key;
         sum += by_pick(pick, asked, place, [&](const Vec3& direction, double of_point) {
@@ -156,8 +180,8 @@ Vec3 LuminaireLight::by_answer(const Answer& answer, const Asked& asked) {
 /// Light of one luminaire. Density: returns the pdf of a sampled point, given its direction and the
 /// luminaire's own pdf. A searched luminaire is met wherever the ray meets it.
 template <class Density>
-Vec3 LuminaireLight::by_pick(const LightPick& pick, const Asked& asked, const Key& place,
-                             const Density& density) {
+Vec3 ChosenLight::by_pick(const LightPick& pick, const Asked& asked, const Key& place,
+                          const Density& density) {
     const LitLayer& layer = asked.at.layer;
     const Luminaire& luminaire = world_.lights.luminaires[pick.light];
     const auto searched = SearchedLuminaire::of(luminaire);
@@ -188,7 +212,7 @@ Vec3 LuminaireLight::by_pick(const LightPick& pick, const Asked& asked, const Ke
 /// Light of the sky where it is picked. Density: returns the pdf of a direction, given that of
 /// SkyAtLayer.
 template <class Density>
-Vec3 LuminaireLight::from_sky(const Asked& asked, const Density& density) const {
+Vec3 ChosenLight::from_sky(const Asked& asked, const Density& density) const {
     const SkyAtLayer sky(asked.at, asked.key);
     const auto direction = sky.draw();
     const Vec3 response = direction ? asked.at.layer.response(*direction, asked.key) : Vec3(0);
@@ -201,9 +225,9 @@ Vec3 LuminaireLight::from_sky(const Asked& asked, const Density& density) const 
 /// among what is chosen. Density: returns the pdf of a point,
 /// given its luminaire and the luminaire's own pdf.
 template <class Density>
-Vec3 LuminaireLight::by_direction(const Vec3& direction, const Asked& asked,
-                                  const Density& density) {
+Vec3 ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const Density& density) {
     const LitLayer& layer = asked.at.layer;
+    if (!asked.kinds.has_any({LightKind::luminaires, LightKind::sky})) return Vec3(0);
     const Vec3 response = layer.response(direction, asked.key);
     if (response == Vec3(0)) return Vec3(0);
     const auto weight = [&](LightIndex light, double of_point) {
@@ -222,7 +246,7 @@ Vec3 LuminaireLight::by_direction(const Vec3& direction, const Asked& asked,
                       [&](double of_point) { of_lamp += weight(there.light, of_point); });
         return of_lamp;
     });
-    if (asked.sky && walked.open) {
+    if (asked.kinds.has(LightKind::sky) && walked.open) {
         const SkyAtLayer sky(asked.at, asked.key);
         const Vec3 left = walked.nothing ? Vec3(1) : ray.left_from_sky();
         sum += sky.from(direction, weight(sky_light, sky.density(direction)),
@@ -232,7 +256,7 @@ Vec3 LuminaireLight::by_direction(const Vec3& direction, const Asked& asked,
 }
 
 /// Radiance by the luminaires in on_ray_, as far as they are visible.
-Vec3 LuminaireLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight weight) const {
+Vec3 ChosenLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight weight) const {
     Vec3 sum(0);
     for (const OnRay& there : on_ray_) {
         at.ledger.shadow += there.rays;
@@ -250,14 +274,15 @@ Vec3 LuminaireLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight 
 }
 
 /// Fills on_ray_ with the luminaires that a ray in the scene meets, up to a surface that stops it.
-LuminaireLight::Walked LuminaireLight::walk_along(const ShadowRay& ray, const Asked& asked) {
+ChosenLight::Walked ChosenLight::walk_along(const ShadowRay& ray, const Asked& asked) {
     on_ray_.clear();
     bool unobstructed = !world_.facts.dims_between, open = true;
+    const bool counted = asked.kinds.has(LightKind::luminaires);
     world_.along(
         ray.ray(), asked.at.layer.vertex.tolerance(), RayKind::light,
         [&](const Hit& hit, double distance) {
             const bool first = std::exchange(unobstructed, false);
-            const LightIndex light = world_.lights.luminaire_of.empty()
+            const LightIndex light = !counted || world_.lights.luminaire_of.empty()
                                          ? no_primitive
                                          : world_.lights.luminaire_of[hit.primitive];
             // The walk is one ray, whatever it meets.
@@ -269,13 +294,13 @@ LuminaireLight::Walked LuminaireLight::walk_along(const ShadowRay& ray, const As
     const Walked walked{open, unobstructed};
     if (!on_ray_.empty()) return walked;
     ++asked.at.ledger.shadow;
-    if (!asked.sky || !open) asked.at.ledger.add_miss();
+    if (!asked.kinds.has(LightKind::sky) || !open) asked.at.ledger.add_miss();
     return walked;
 }
 
 /// Adds the meetings of a searched luminaire behind the first one, which is seen through: the
 /// direction is drawn for all of them.
-void LuminaireLight::add_further(const Luminaire& luminaire, const Ray& ray, LightHits& meetings) {
+void ChosenLight::add_further(const Luminaire& luminaire, const Ray& ray, LightHits& meetings) {
     const auto* searched = std::get_if<CompositeEmitter>(&luminaire.emitter);
     if (!searched) return;
     const double density = meetings.front().density;
@@ -294,8 +319,8 @@ void LuminaireLight::add_further(const Luminaire& luminaire, const Ray& ray, Lig
 }
 
 /// Fills on_ray_ with all luminaires on a line, by the tree of luminaires.
-void LuminaireLight::meet_along(const LightTree& tree, const ArrivingLight& at,
-                                const Vec3& direction) {
+void ChosenLight::meet_along(const LightTree& tree, const ArrivingLight& at,
+                             const Vec3& direction) {
     on_ray_.clear();
     const Receiver point = receiver(at.layer.scatterer);
     tree.along(point.position, direction, [&](LightIndex light) {
@@ -317,8 +342,8 @@ void LuminaireLight::meet_along(const LightTree& tree, const ArrivingLight& at,
 /// Calls visit with the pdf of each point of the luminaire at that distance which may be sampled.
 /// That of a searched luminaire is the direction's: all points on the ray are found by it.
 template <class Visit>
-void LuminaireLight::for_densities(const OnRay& there, const LitLayer& layer, const Vec3& direction,
-                                   const Visit& visit) {
+void ChosenLight::for_densities(const OnRay& there, const LitLayer& layer, const Vec3& direction,
+                                const Visit& visit) {
     const Luminaire& luminaire = world_.lights.luminaires[there.light];
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         visit(searched->density(layer.vertex.position(), direction));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "transport/luminaire_light.h"
+#include "transport/chosen_light.h"
 
 #include "support/lit.h"
 #include "support/means.h"
@@ -244,6 +244,95 @@ TEST_CASE("light stays finite where hardly anything of a path is left", "[transp
             CAPTURE(away);
             CHECK(std::isfinite(seen.x));
         }
+}
+
+namespace {
+
+/// Forty sources that fade, some of them spots, beside twenty lamps, some of them hidden.
+const std::string both_kinds = R"(
+    #version 3.7;
+    camera { location <0, 3, -9> look_at 0 }
+    box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 $ } }
+    box { <0.5, 0.6, -9>, <2, 0.7, 9> pigment { rgb 0.5 } }
+    box { <-4, 0.9, -9>, <-1, 1, 9> pigment { rgbt 0.5 } }
+    #declare R = seed(4);
+    #macro Place() <8*rand(R) - 4, 0.4 + 2*rand(R), 8*rand(R) - 4> #end
+    #for (I, 1, 40)
+        light_source { Place(), rgb 0.3*rand(R) fade_distance 0.5 fade_power 2
+            #if (mod(I, 3) = 0) spotlight point_at Place() - 3*y radius 20 falloff 50 #end }
+    #end
+    #for (I, 1, 20)
+        sphere { Place(), 0.05 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 20*rand(R) } }
+    #end
+)";
+
+std::string with_finish(std::string script, const std::string& words) {
+    return script.replace(script.find('$'), 1, words);
+}
+
+}  // namespace
+
+TEST_CASE("one draw among sources and luminaires gives the light of all", "[render]") {
+    LightOctree alone;
+    alone.alone = true;
+    const std::string sky = "sky_sphere { pigment { rgb 0.1 } luminaire } ";
+    for (const std::string& more : {std::string(), sky})
+        for (const std::string finish : {"", "specular 0.5 roughness 0.05"}) {
+            const std::string script = with_finish(both_kinds, finish) + more;
+            const Shot every(world_of(scene_of(script), EveryLight{}));
+            REQUIRE(!every.joined);
+            for (const LightOctree& sampler : {LightOctree{}, alone}) {
+                const Shot shot(world_of(scene_of(script), sampler));
+                REQUIRE(shot.joined);
+                CHECK(shot.lamp(0) == Lamp::luminaire(0));
+                CHECK(shot.lamp(20) == Lamp::source(shot.joined->lights[0]));
+                for (const double x : {-3.0, -0.5, 1.2, 3.0}) {
+                    CAPTURE(more, finish, sampler.alone, x);
+                    CHECK(lit_at(shot, x, 4, 20000).mean ==
+                          Approx(lit_at(every, x, 4, 4000).mean).epsilon(0.02));
+                }
+            }
+        }
+}
+
+TEST_CASE("one draw leaves out the kind that does not light an object", "[render]") {
+    // Nothing of a group without global lights gets light of sources that are in none.
+    const auto scene = [](const std::string& group) { return with_finish(both_kinds, "") + group; };
+    const std::string patch =
+        "box { <-1, 0.1, -1>, <1, 0.2, 1> pigment { rgb 1 } finish { ambient 0 diffuse 1 } } ";
+    const std::string apart = "light_group { " + patch + " global_lights off } ";
+    const auto light = [&](const std::string& group, const LightSampler& sampler) {
+        return lit_at(Shot(world_of(scene_of(scene(group)), sampler)), -0.5, 4, 20000).mean;
+    };
+    const double lamps = light(apart, EveryLight{}), all = light(patch, EveryLight{});
+    CHECK(lamps < 0.9 * all);
+    CHECK(light(apart, LightOctree{}) == Approx(lamps).epsilon(0.02));
+    CHECK(light(patch, LightOctree{}) == Approx(all).epsilon(0.02));
+}
+
+TEST_CASE("one draw is made only where all that is chosen may count", "[world]") {
+    const auto joins = [](const std::string& more) {
+        return shot_of(with_finish(both_kinds, "") + more).joined != nullptr;
+    };
+    CHECK(joins(""));
+    CHECK(joins("global_settings { integrator { path_traced } } "));
+    CHECK_FALSE(joins("global_settings { radiosity { } } "));
+    CHECK_FALSE(joins("global_settings { light_sampler { light_bvh } } "));
+    CHECK_FALSE(joins("global_settings { light_sampler { light_octree { paper } } } "));
+}
+
+TEST_CASE("paths find the light of all kinds by one draw", "[transport]") {
+    const Ray down{Vec3(-0.5, 0.5, 0), Vec3(0, -1, 0)};
+    for (const std::string integrator : {"", "integrator { path_traced { bounces 2 } }"}) {
+        const auto seen = [&](const std::string& sampler, std::uint32_t count) {
+            return mean_seen(with_finish(both_kinds, "") + "global_settings { " + integrator +
+                                 " light_sampler { " + sampler + " } } ",
+                             down, count);
+        };
+        const Mean joined = seen("light_octree", 8000), every = seen("every_light", 800);
+        CAPTURE(integrator, joined.value, every.value);
+        CHECK(agree(joined, every, 0.005));
+    }
 }
 
 }  // namespace candelabra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light of luminaires at a layer, and that of the sky where the light strategy chooses it with
-// them, by shadow rays to luminaires and in directions that the strategy of the shot chooses.
-// Strategies implement the interface of lighting/light_query.h; this code knows none of them by
-// name.
+// Light at a layer of what the light strategy of the shot chooses: luminaires, and with them the
+// sky and light sources as far as one draw is made among all of them. Shadow rays go to what is
+// chosen, and in directions that the strategy chooses. Strategies implement the interface of
+// lighting/light_query.h; this code knows none of them by name.
 #pragma once
 
 #include "base/function_ref.h"
@@ -28,25 +28,24 @@ struct ShadowRays {
 };
 
 /// Each job has its own: it keeps scratch memory.
-class LuminaireLight {
+class ChosenLight {
 public:
-    LuminaireLight(const Shot& shot, const ShadowRays& rays)
-        : world_(*shot.world), sampler_(shot.sampler), rays_(rays) {}
+    ChosenLight(const Shot& shot, const ShadowRays& rays)
+        : shot_(shot), world_(*shot.world), rays_(rays) {}
 
-    struct Wanted {
-        Vec3 before;  ///< radiance by other light, in which noise is hidden
-        bool sky;     ///< the light of the sky counts, too
-    };
+    /// The kinds that count at a layer, and that the strategy may choose.
+    LightKinds kinds_at(const LitLayer&) const;
+
     struct Found {
         Vec3 radiance = Vec3(0);  ///< towards the viewer
         bool with_sky = false;    ///< it has the light of the sky, which the strategy chose among
     };
-    /// Light of all luminaires; an unbiased estimate. Precondition: there are luminaires, or a sky
-    /// that counts.
-    Found operator()(const ArrivingLight&, const Key&, const Wanted&);
+    /// Light of these kinds; an unbiased estimate. `before`: radiance by other light, in which
+    /// noise is hidden. Precondition: there are some, none that kinds_at() does not return.
+    Found operator()(const ArrivingLight&, const Key&, LightKinds, const Vec3& before);
 
-    /// Expected light at a point between surfaces, up to a constant factor, where it is known.
-    /// Precondition: there are luminaires.
+    /// Expected irradiance at a point between surfaces, as luminance, where it is known.
+    /// Precondition: there are lights to choose.
     std::optional<double> expected(const Vec3& position) const;
 
 private:
@@ -64,8 +63,8 @@ private:
     struct Asked {
         const ArrivingLight& at;
         Key key;
-        double number;  ///< expected number of shadow rays at the hit
-        bool sky;       ///< the sky is among what is chosen
+        double number;     ///< expected number of shadow rays at the hit
+        LightKinds kinds;  ///< that count; the sky if it is among what is chosen
     };
 
     template <LightAnswer Answer>
@@ -91,8 +90,8 @@ private:
 
     int rays_at(double noise_of_ray, const ArrivingLight&, const Vec3& straight) const;
 
+    const Shot& shot_;
     const World& world_;
-    const BuiltLightSampler& sampler_;
     ShadowRays rays_;
     // Kept as members to reuse their memory.
     LightSamples samples_;
