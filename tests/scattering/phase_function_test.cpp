@@ -114,4 +114,15 @@ TEST_CASE("what scatters nothing answers no light", "[render]") {
     CHECK(scatterer.phase().receiver().position == Vec3(1, 2, 3));
 }
 
+TEST_CASE("media of physical scattering send on what they take, and no more", "[render]") {
+    for (int type = 1; type <= 5; ++type) {
+        Media medium = scattering_medium(type, 0.3, 0.6), other = scattering_medium(1, 0.2);
+        medium.scattering.physical = other.scattering.physical = true;
+        const std::vector<const Media*> both = {&medium, &other};
+        const PhaseFunction phase(both, Vec3(0), Vec3(0, 0, 1), {}, Vec3(2));
+        CAPTURE(type);
+        CHECK(phase.share().x == Approx(2 * coefficients(both, Vec3(0), {}).extinction.x));
+    }
+}
+
 }  // namespace candelabra
