@@ -84,10 +84,13 @@ void review_meters(const World& world, std::span<const Meter> meters, Diagnostic
         diagnostics.add(warning(Fault::no_effect, {},
                                 "daylight factors are for a sky without sun, but this one has it")
                             .with_help("sky_luminance { overcast ... }, or `direct 0`"));
-    if (any(is(Quantity::ugr)) && !world.lights.sources.empty())
+    const bool endless = std::ranges::any_of(world.lights.sources, [](const PointLight& source) {
+        return source.parallel && source.disc_edge == 1;
+    });
+    if (any(is(Quantity::ugr)) && endless)
         diagnostics.add(warning(Fault::no_effect, {},
-                                "light sources have no size, and so no glare by `ugr`: only "
-                                "luminaires count"));
+                                "parallel light comes from no place, and so makes no glare by "
+                                "`ugr`"));
 }
 
 std::string readings_as_csv(const MeasuredScene& scene) {

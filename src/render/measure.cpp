@@ -159,7 +159,30 @@ private:
             const double index = guth_index(sight, direction);
             if (index > 0) sum += bright * bright * angle / (index * index);
         });
+        for (std::uint32_t i = 0; i < world_.lights.sources.size(); ++i)
+            sum += glare_of_source(i, from, sight, key);
         return sum;
+    }
+
+    /// The same sum for a light source, whose luminance times solid angle is the illuminance on a
+    /// plane that faces it. By CIE 147, sources of less than 0.005 m2 count as if they had that
+    /// area. Two estimates make the square, so that its mean is right.
+    double glare_of_source(std::uint32_t number, const Vec3& from, const Sightline& sight,
+                           const Key& key) {
+        constexpr double least_area = 0.005;
+        const PointLight& source = world_.lights.sources[number];
+        const Incidence there = incidence(source, source.location, from);
+        const double index = guth_index(sight, there.direction);
+        const double metres = there.distance * units_.metres;
+        const double angle = source.parallel ? 2 * pi * (1 - source.disc_edge)
+                                             : least_area / (metres * metres);
+        if (!(index > 0 && angle > 0)) return 0;
+        const auto lit = [&](std::uint32_t branch) {
+            return on_element({from, there.direction}, [&](const LitLayer& layer) {
+                return direct_.from_source(number, 1, layer, key.with_branch(branch), ledger_);
+            });
+        };
+        return lit(1) * lit(2) / (angle * index * index);
     }
 
     double veil(const Vec3& from, const Sightline& sight, const Key& key) {

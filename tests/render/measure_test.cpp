@@ -145,6 +145,15 @@ TEST_CASE("glare is rated as by its formulas", "[render]") {
         "meter { ugr direction z points { 1, <0, 0, 0> } }",
         0.001);
     CHECK(ugr.value == Approx(14.3154).margin(0.06));
+    // A light source of I candela counts as 200 I^2 / r^2.
+    for (const double candela : {100.0, 1000.0}) {
+        const double glare = 200 * candela * candela / 25;
+        CHECK(read_one("background { rgb 30 } light_source { 5*z, rgb 1 intensity candela(" +
+                           std::to_string(candela) +
+                           ") } meter { ugr direction z points { 1, <0, 0, 0> } }",
+                       0.001)
+                  .value == Approx(8 * std::log10(0.25 / 30 * glare)).margin(0.02));
+    }
     const std::string road =
         "background { rgb 1 } meter { \"road\" luminance eye <0, 1.5, 0> points { 1, <0, 20, -50> "
         "} } "
