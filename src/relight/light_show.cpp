@@ -8,6 +8,7 @@
 #include "text/message.h"
 #include "text/opened_file.h"
 #include "text/printable.h"
+#include "text/trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -23,11 +24,8 @@ constexpr std::size_t most_cells = 20'000'000;
 constexpr std::string_view value_rule =
     "a value is a number from 0 on, a colour, or both: 0.5, #ff8800, or 0.5,#ff8800";
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
+/// A cell without the blanks around it.
+std::string_view bare(std::string_view cell) { return trimmed(cell, " \t\r"); }
 
 /// One column of a table for each lamp.
 class TableFrames final : public ShowFrames {
@@ -102,7 +100,7 @@ public:
         for (std::size_t line = 1; !text.empty(); ++line) {
             const std::string_view row = text.substr(0, text.find('\n'));
             text.remove_prefix(std::min(row.size() + 1, text.size()));
-            if (!trimmed(row).empty()) lines_.emplace_back(line, row);
+            if (!bare(row).empty()) lines_.emplace_back(line, row);
         }
         // Names in a header have no other separators.
         for (const char each : {';', '\t', '|'})
@@ -113,7 +111,7 @@ public:
     std::unique_ptr<ShowFrames> read(double rate) {
         if (lines_.empty()) return fail("has no rows"), nullptr;
         if (!cells_of(0)) return nullptr;
-        if (lower_case(std::string(trimmed(cells_[0]))) == "cue") return cues(rate);
+        if (lower_case(std::string(bare(cells_[0]))) == "cue") return cues(rate);
         return table();
     }
 
@@ -149,7 +147,7 @@ private:
         auto made = std::make_unique<TableFrames>();
         std::vector<bool> counts;  // whether a column of the file is one of lamps
         for (const std::string& cell : std::vector<std::string>(cells_)) {
-            const std::string_view name = trimmed(cell);
+            const std::string_view name = bare(cell);
             const std::string word = lower_case(std::string(name));
             counts.push_back(word != "frame" && word != "time");
             if (!counts.back()) continue;
@@ -182,7 +180,7 @@ private:
                            "a range such as Bulb[0..9] has a column for each of its lamps");
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             if (!counts[i]) continue;
-            const std::string_view cell = trimmed(cells_[i]);
+            const std::string_view cell = bare(cells_[i]);
             const auto factor = cell.empty() ? std::optional(Vec3(-1)) : lamp_factor(cell);
             if (!factor)
                 return fail_at(row, message("`", printable(cell), "` is no value of a lamp"),
@@ -197,7 +195,7 @@ private:
         constexpr std::string_view form = "cue, time, fade, Lamp=0.5, Other=#ff8800 ...";
         constexpr std::array<std::string_view, 3> words = {"cue", "time", "fade"};
         for (std::size_t i = 0; i < words.size(); ++i)
-            if (i >= cells_.size() || lower_case(std::string(trimmed(cells_[i]))) != words[i])
+            if (i >= cells_.size() || lower_case(std::string(bare(cells_[i]))) != words[i])
                 return fail_at(0, "a cue list has the columns cue, time and fade", form), nullptr;
         auto made = std::make_unique<CueFrames>();
         made->rate = rate;
@@ -211,7 +209,7 @@ private:
         if (!cells_of(row)) return false;
         const auto seconds = [&](std::size_t i) {
             const auto number =
-                i < cells_.size() ? finite_number(trimmed(cells_[i])) : std::nullopt;
+                i < cells_.size() ? finite_number(bare(cells_[i])) : std::nullopt;
             return number && *number >= 0 ? number : std::nullopt;
         };
         CueFrames::Cue cue;
@@ -225,16 +223,16 @@ private:
         cue.time = *time;
         cue.fade = *fade;
         for (std::size_t i = 3; i < cells_.size(); ++i) {
-            const std::string cell(trimmed(cells_[i]));
+            const std::string cell(bare(cells_[i]));
             if (cell.empty()) continue;
             const std::size_t equals = cell.rfind('=');
             const auto factor =
-                equals == cell.npos ? std::nullopt : lamp_factor(trimmed(cell).substr(equals + 1));
+                equals == cell.npos ? std::nullopt : lamp_factor(bare(cell).substr(equals + 1));
             if (!factor)
                 return fail_at(row, message("`", printable(cell), "` is no lamp with its value"),
                                value_rule);
             const auto lamps =
-                names_.chosen(trimmed(std::string_view(cell).substr(0, equals)), diagnostics_);
+                names_.chosen(bare(std::string_view(cell).substr(0, equals)), diagnostics_);
             if (!lamps) return false;
             for (const std::uint32_t lamp : *lamps) cue.looks.emplace_back(lamp, *factor);
         }
