@@ -46,8 +46,9 @@ TEST_CASE("every shape is written with its places in their order") {
         {Sphere{Vec3(0), 1.0 / 3}, "sphere { 0, 0.3333333333333333 }\n"},
         {Cuboid{Vec3(-1), Vec3(1)}, "box { -1, 1 }\n"},
         {Plane{Vec3(0, -1, -0.0), 3}, "plane { <0, -1, -0>, 3 }\n"},
-        {Shared<HeightField>(HeightField{"a.gif", "pot"}), "height_field { pot \"a.gif\" }\n"},
-        {Shared<HeightField>(HeightField{"a.gif"}), "height_field { \"a.gif\" }\n"},
+        {Shared<HeightField>(HeightField{.file = "a.gif", .kind = "pot"}),
+         "height_field { pot \"a.gif\" }\n"},
+        {Shared<HeightField>(HeightField{.file = "a.gif"}), "height_field { \"a.gif\" }\n"},
         {Shared<Mesh>(mesh),
          "mesh2 { vertex_vectors { 3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } face_indices { 1, <0, 1, "
          "2> } }\n"},
