@@ -218,7 +218,6 @@ TEST_CASE("an argument for which POV-Ray has an answer is taken", "[stdlib]") {
 
 TEST_CASE("an argument that a macro has no answer for is named", "[stdlib]") {
     const auto [file, call, parameter] = GENERATE(table<std::string, std::string, std::string>({
-        {"math.inc", "SetGradientAccuracy(0)", "Distance"},
         {"math.inc", "#declare N = VDist(x, \"y\");", "B"},
         {"rand.inc", "#declare N = Rand_Geo(1, seed(1));", "P"},
         {"rand.inc", "#declare N = Rand_Triangle(2, 1, 1, seed(1));", "High"},
