@@ -89,7 +89,7 @@ TEST_CASE("in a room full of glowing gas all is as bright", "[statistics]") {
     for (const char* const sampler : {"light_octree", "light_bvh { mis }"})
         for (const Vec3& from : {Vec3(0, 0, -2.5), Vec3(0.1, 0.2, 0.3)}) {
             CAPTURE(sampler);
-            const Found found = seen(with(sampler, "path_traced { bounces 100 }") + room, 3000,
+            const Found found = seen(with(sampler, "path_traced { bounces 100 }") + room, 1500,
                                      {from, unit(Vec3(0.2, 0.1, 1))});
             CHECK(std::abs(found.mean.x - 4) <= 4.5 * found.deviation.x);
             CHECK(found.deviation.x < 0.12);
