@@ -39,6 +39,7 @@ enum Trait : unsigned {
     passes = 1 << 18,  ///< light passes it
     fogs = 1 << 19,    ///< fog or a rainbow
     veils = 1 << 20,   ///< dims every ray, however short it is
+    in_lens = 1 << 21  ///< a lamp in glass that bends its light, and that photons do not aim at
 };
 
 /// A scene in the making.

@@ -105,7 +105,7 @@ Factor luminaires() {
                  "} sphere { 0, 0.8 hollow pigment { rgb 1 transmit 1 } finish { diffuse 0 "
                  "reflection { 0, 1 fresnel } conserve_energy } interior { ior 1.5 } } " +
                  place,
-             refracts));
+             refracts | in_lens));
     levels.push_back(lamp(
         "behind a pane", "union",
         "sphere { 0.3*y, 0.5 " + glow +

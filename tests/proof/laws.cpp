@@ -33,7 +33,7 @@ const std::vector<Law>& laws() {
         {"reflected", "Reflected luminaires change no mean.", no_trait, in_corner,
          with_reflected_luminaires},
         {"photons", "Photons bring the light that paths find by chance.",
-         sources | tiny_light | gathers | hides | dims, in_photons, photons_or_chance},
+         sources | tiny_light | gathers | hides | dims | in_lens, in_photons, photons_or_chance},
         {"writing", "What is written in another way is the same scene.", no_trait, staged,
          other_writing},
         {"running", "Threads, shards and interruptions change no byte.", no_trait, staged,
