@@ -37,8 +37,10 @@ public:
         } else {
             add(tree_.root());
         }
-        // A block of entries takes the same time whether it is full or not.
-        while (heap_.size() < most && (heap_.size() < CutWeights::block || noise() > rule.noise)) {
+        // A block of entries takes the same time whether it is full or not. There is none if all
+        // lights are dark.
+        while (!heap_.empty() && heap_.size() < most &&
+               (heap_.size() < CutWeights::block || noise() > rule.noise)) {
             const Entry coarse = heap_.front();
             if (coarse.excess <= 0) break;
             remove_greatest(heap_);
