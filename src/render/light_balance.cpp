@@ -2,16 +2,17 @@
 #include "render/light_balance.h"
 
 #include "base/parallel.h"
-#include "base/weighted_places.h"
-#include "lighting/draw.h"
 #include "photometry/light_colour.h"
+#include "transport/lamp_rays.h"
 #include "transport/light_left.h"
 #include "transport/surface_lobes.h"
 #include "world/radiance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace candelabra {
 
@@ -20,8 +21,6 @@ namespace {
 /// Paths of a batch in the first round, each further one of which doubles them.
 constexpr std::uint32_t first_paths = 1024, most_paths = 1U << 17U;
 constexpr int most_surfaces = 1000;  ///< that a path may meet
-/// Ray tolerance of a path that leaves a luminaire, as a fraction of the luminaire's radius.
-constexpr double off_the_lamp = 1e-7;
 /// Number of surfaces from which on paths are subject to Russian roulette, and their minimum
 /// survival probability.
 constexpr int first_chance = 3;
@@ -41,11 +40,11 @@ struct BalanceSums {
 class BalancePaths {
 public:
     BalancePaths(const Shot& shot, const Vec3& up)
-        : shot_(shot), world_(*shot.world), rules_(shading_rules(world_)), up_(up) {
-        std::vector<double> weights;
-        for (const Luminaire& luminaire : world_.lights.luminaires)
-            weights.push_back(bounds(luminaire).intensity);
-        places_ = WeightedPlaces(weights);
+        : shot_(shot),
+          world_(*shot.world),
+          rules_(shading_rules(world_)),
+          up_(up),
+          lamp_rays_(world_) {
         std::map<Place, std::uint32_t> numbers;
         for (const Span& span : world_.provenance.object_spans) {
             const auto [found, fresh] =
@@ -55,32 +54,18 @@ public:
         }
     }
 
-    bool any() const { return places_.total() > 0; }
+    bool any() const { return lamp_rays_.any(); }
     /// The statements that made objects, in the order of BalanceSums::objects.
     const std::vector<Span>& statements() const { return statements_; }
 
     void follow(const Key& key, BalanceSums& sums) const {
-        const auto total = static_cast<double>(places_.total());
-        const auto place = static_cast<std::uint64_t>(uniform(key, Purpose::light_choice) * total);
-        const LightIndex light = places_.at(std::min(place, places_.total() - 1));
-        const Luminaire& luminaire = world_.lights.luminaires[light];
-        const auto emitted =
-            emit(luminaire, inner_rays(luminaire),
-                 {place_on_light(key),
-                  {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
-                  uniform(key, Purpose::way_choice)});
-        if (!emitted) return;
-        const double chance = static_cast<double>(places_.of(light)) / total;
-        PathState path;
-        path.key = key;
-        path.kind = RayKind::gathering;
-        path.ray = emitted->ray;
-        path.tolerance = off_the_lamp * bounds(luminaire).radius;
-        path.media = world_.containing(path.ray.at(path.tolerance));
+        auto drawn = lamp_rays_.draw(
+            key, 1, [&](const Luminaire& luminaire) { return inner_rays(luminaire); });
+        if (!drawn) return;
+        PathState& path = drawn->path;
         path.throughput =
-            leaving(luminaire, path) * (dot(emitted->normal, path.ray.direction) /
-                                        (std::numbers::pi * emitted->density * chance));
-        go_on(std::move(path), world_.provenance.statement_of_luminaire[light], sums);
+            drawn->power_of_one * leaving(world_.lights.luminaires[drawn->light], path);
+        go_on(std::move(path), world_.provenance.statement_of_luminaire[drawn->light], sums);
     }
 
 private:
@@ -168,7 +153,7 @@ private:
     const World& world_;
     ShadingRules rules_;
     Vec3 up_;
-    WeightedPlaces places_;  ///< luminaires, weighted by their intensity
+    LampRays lamp_rays_;
     std::vector<Span> statements_;
     std::vector<std::uint32_t> statement_of_;  ///< of each of Provenance::object_spans
 };

@@ -2,7 +2,6 @@
 #include "transport/light_path.h"
 
 #include "base/cosine_direction.h"
-#include "lighting/draw.h"
 #include "scattering/bsdf.h"
 #include "surface/lambertian.h"
 #include "transport/light_left.h"
@@ -17,19 +16,10 @@ namespace candelabra {
 
 namespace {
 
-/// Ray tolerance of a path that leaves a luminaire, as a fraction of the luminaire's radius.
-constexpr double off_its_lamp = 1e-7;
 /// Minimum survival probability of a light path at a surface that reflects next to nothing.
 constexpr double min_light_survival = 0.05;
 /// Minimum cosine of incidence. Light below it is invisible, and would lead to a division by zero.
 constexpr double grazing_cosine = 1e-6;
-
-std::vector<double> intensities(const WorldLights& lights) {
-    std::vector<double> all;
-    all.reserve(lights.luminaires.size());
-    for (const Luminaire& luminaire : lights.luminaires) all.push_back(bounds(luminaire).intensity);
-    return all;
-}
 
 /// The way of light that has come to the vertex from a point, as a shadow ray goes it.
 WayOfLight way_back(const Vertex& vertex, const Vec3& from) {
@@ -50,7 +40,7 @@ LightPaths::LightPaths(const Shot& shot, int max_reflections)
     : shot_(shot),
       world_(*shot.world),
       rules_(shading_rules(world_)),
-      places_(intensities(world_.lights)),
+      lamp_rays_(world_),
       max_reflections_(max_reflections) {}
 
 /// A light path that has arrived at a vertex.
@@ -64,24 +54,13 @@ struct LightPaths::Lit {
 
 void LightPaths::follow(const Key& key, double share,
                         std::vector<ReflectedLuminaire>& found) const {
-    const double places = static_cast<double>(places_.total());
-    const auto place = static_cast<std::uint64_t>(uniform(key, Purpose::light_choice) * places);
-    const LightIndex light = places_.at(std::min(place, places_.total() - 1));
+    auto drawn = lamp_rays_.draw(
+        key, share, [&](const Luminaire& luminaire) { return shot_.inner_rays(luminaire); });
+    if (!drawn) return;
+    const LightIndex light = drawn->light;
     const Luminaire& luminaire = world_.lights.luminaires[light];
-    const double chance = static_cast<double>(places_.of(light)) / places;
-    const auto emitted = emit(luminaire, shot_.inner_rays(luminaire),
-                              {place_on_light(key),
-                               {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
-                               uniform(key, Purpose::way_choice)});
-    if (!emitted) return;
-    const double power_of_one = share * dot(emitted->normal, emitted->ray.direction) /
-                                (std::numbers::pi * emitted->density * chance);
-    PathState path;
-    path.ray = emitted->ray;
-    path.tolerance = off_its_lamp * bounds(luminaire).radius;
-    path.kind = RayKind::gathering;
-    // Beyond the surface of the lamp, which is not inside of it.
-    path.media = world_.containing(path.ray.at(path.tolerance));
+    PathState& path = drawn->path;
+    const Vec3 begin = path.ray.origin;
     // Attenuates light to each surface on the way as a shadow ray from that surface would.
     for (int met = 0; met < max_surfaces_along; ++met) {
         path.key = key.branched(Branch::light_path, static_cast<std::uint32_t>(met));
@@ -89,14 +68,15 @@ void LightPaths::follow(const Key& key, double share,
         if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit)) return;
         const Vertex vertex =
             vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
-        const WayOfLight way = way_back(vertex, emitted->ray.origin);
+        const WayOfLight way = way_back(vertex, begin);
         const Vec3 left = light_left(world_, way, path.key);
         if (left != Vec3(0)) {
             const Vec3 seen =
                 radiance_seen(world_, {luminaire, way.ray, way.tolerance, way.distance});
             if (seen == Vec3(0)) return;
             const Vec3 by_lamp = left_by_lamp(world_, luminaire, way, path.key);
-            go_on({path, vertex, power_of_one * left * by_lamp * seen, 0, Lamp::luminaire(light)},
+            go_on({path, vertex, drawn->power_of_one * left * by_lamp * seen, 0,
+                   Lamp::luminaire(light)},
                   found);
         }
         if (world_.passed(hit, path.ray) == Vec3(0)) return;

@@ -3,7 +3,7 @@
 // that reflects their light, and continue from there.
 #pragma once
 
-#include "base/weighted_places.h"
+#include "transport/lamp_rays.h"
 #include "transport/layer_stack.h"
 #include "world/shot.h"
 
@@ -32,7 +32,7 @@ public:
     LightPaths(const Shot&, int max_reflections);
 
     /// Whether there are luminaires from which light can be followed.
-    bool any() const { return places_.total() > 0; }
+    bool any() const { return lamp_rays_.any(); }
 
     /// Follows one path, and adds its reflected luminaires. `share` is a factor on their power.
     void follow(const Key&, double share, std::vector<ReflectedLuminaire>&) const;
@@ -46,7 +46,7 @@ private:
     const Shot& shot_;
     const World& world_;
     ShadingRules rules_;
-    WeightedPlaces places_;  ///< luminaires, weighted by their intensity
+    LampRays lamp_rays_;
     int max_reflections_;
 };
 

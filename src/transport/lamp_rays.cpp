@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/lamp_rays.h"
+
+#include "lighting/draw.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace candelabra {
+
+namespace {
+
+/// Ray tolerance of a path that leaves a luminaire, as a fraction of the luminaire's radius.
+constexpr double off_its_lamp = 1e-7;
+
+std::vector<double> intensities(const WorldLights& lights) {
+    std::vector<double> all;
+    all.reserve(lights.luminaires.size());
+    for (const Luminaire& luminaire : lights.luminaires) all.push_back(bounds(luminaire).intensity);
+    return all;
+}
+
+}  // namespace
+
+LampRays::LampRays(const World& world) : world_(world), places_(intensities(world.lights)) {}
+
+std::optional<LampRay> LampRays::draw(const Key& key, double share,
+                                      FunctionRef<double(const Luminaire&)> inner) const {
+    const double places = static_cast<double>(places_.total());
+    const auto place = static_cast<std::uint64_t>(uniform(key, Purpose::light_choice) * places);
+    const LightIndex light = places_.at(std::min(place, places_.total() - 1));
+    const Luminaire& luminaire = world_.lights.luminaires[light];
+    const double chance = static_cast<double>(places_.of(light)) / places;
+    const auto emitted = emit(luminaire, inner(luminaire),
+                              {place_on_light(key),
+                               {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
+                               uniform(key, Purpose::way_choice)});
+    if (!emitted) return std::nullopt;
+    LampRay drawn{light,
+                  {},
+                  share * dot(emitted->normal, emitted->ray.direction) /
+                      (std::numbers::pi * emitted->density * chance)};
+    PathState& path = drawn.path;
+    path.ray = emitted->ray;
+    path.tolerance = off_its_lamp * bounds(luminaire).radius;
+    path.kind = RayKind::gathering;
+    path.key = key;
+    // Beyond the surface of the lamp, which is not inside of it.
+    path.media = world_.containing(path.ray.at(path.tolerance));
+    return drawn;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rays that leave luminaires, each of which is chosen by its intensity: the beginnings of paths of
+// light.
+#pragma once
+
+#include "base/function_ref.h"
+#include "base/weighted_places.h"
+#include "luminaire/luminaire.h"
+#include "transport/path.h"
+
+#include <optional>
+
+namespace candelabra {
+
+struct LampRay {
+    LightIndex light;
+    PathState path;  ///< its ray begins on the luminaire; its throughput is 1
+    /// Colour of light times area, if the luminaire has radiance 1 along the ray: the mean over
+    /// many rays of all luminaires is their power over pi.
+    double power_of_one;
+};
+
+class LampRays {
+public:
+    /// The world must outlive this.
+    explicit LampRays(const World&);
+
+    /// Whether there are luminaires with light.
+    bool any() const { return places_.total() > 0; }
+
+    /// Draws a ray; nothing if no point of the luminaire is drawn. `share` is a factor on its
+    /// power, and `inner` the fraction of a luminaire's rays on its inner side, as in emit().
+    /// Precondition: any().
+    std::optional<LampRay> draw(const Key&, double share,
+                                FunctionRef<double(const Luminaire&)> inner) const;
+
+private:
+    const World& world_;
+    WeightedPlaces places_;  ///< luminaires, weighted by their intensity
+};
+
+}  // namespace candelabra
