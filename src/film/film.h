@@ -75,9 +75,7 @@ public:
     }
     std::size_t aovs() const { return extras_; }
     /// Returns the further sums of a pixel by its number.
-    std::span<ExactSum> extra(std::size_t pixel) {
-        return {sums() + pixel * extras_, extras_};
-    }
+    std::span<ExactSum> extra(std::size_t pixel) { return {sums() + pixel * extras_, extras_}; }
     std::span<const ExactSum> extra(std::size_t pixel) const {
         return {sums() + pixel * extras_, extras_};
     }

@@ -99,9 +99,8 @@ struct VolumeEmitter {
 class BodyWeb;
 class Brightness;
 
-using Emitter =
-    std::variant<SphereEmitter, TriangleEmitter, RectangleEmitter, AreaEmitter, CompositeEmitter,
-                 VolumeEmitter>;
+using Emitter = std::variant<SphereEmitter, TriangleEmitter, RectangleEmitter, AreaEmitter,
+                             CompositeEmitter, VolumeEmitter>;
 
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they do in POV-Ray, unless
 /// they have another texture on the inner side.

@@ -217,9 +217,8 @@ bool is_second_task(const Options& options, const Given& given, Diagnostics& dia
         return true;
     }
     static constexpr auto exclusive =
-        std::array{check,      check_syntax, dump_tokens, dump_tree,
-                   dump_scene, dump_world,   dump_index,  export_mesh,
-                   measure,    balance};
+        std::array{check,      check_syntax, dump_tokens, dump_tree, dump_scene,
+                   dump_world, dump_index,   export_mesh, measure,   balance};
     if (std::ranges::find(exclusive, options.task) == exclusive.end() ||
         std::ranges::find(same, options.task) != same.end())
         return false;

@@ -89,8 +89,7 @@ constexpr auto listed = std::to_array<OptionRow>({
            "picture if it is OpenEXR, otherwise in a file .layers.exr beside it; see LAYERS",
            in_force::layers),
     that(Touches::writes,
-         option(none, "", "", "keep-lights", value, "file",
-                kept<&Options::kept_lights>(Type::text),
+         option(none, "", "", "keep-lights", value, "file", kept<&Options::kept_lights>(Type::text),
                 "keeps the light of each lamp in a file, from which candelabra relight makes the "
                 "picture under any powers and colours of the lamps")),
     option(none, "", "", "keep-lights-size", value, "size",

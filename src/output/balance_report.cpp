@@ -53,22 +53,18 @@ BalanceJson lamps_json(const BalancedScene& scene, const LampBalance& lamps) {
     return json;
 }
 
-std::string right(std::string text, std::size_t width) {
-    return std::string(width - std::min(width, text.size()), ' ') + text;
-}
-
 std::string per_cent(double part, double whole) {
     return message(whole > 0 ? std::round(1000 * part / whole) / 10 : 0, " %");
 }
 
 std::string line_of(const BalancedScene& scene, const LampBalance& lamps, const std::string& what) {
     constexpr std::size_t width = 9, of_lumens = 10;
-    std::string text = right(cell(rounded(in_lumens(scene, lamps.sent).value, 4)), of_lumens);
+    std::string text = padded(cell(rounded(in_lumens(scene, lamps.sent).value, 4)), of_lumens);
     for (const LightEnd end :
          {LightEnd::surfaces, LightEnd::air, LightEnd::above, LightEnd::above_reflected,
           LightEnd::below, LightEnd::below_reflected})
-        text += right(per_cent(lamps.of(end).value, lamps.sent.value), width);
-    return text + right(message(lamps.lamps), width) + "  " + what + "\n";
+        text += padded(per_cent(lamps.of(end).value, lamps.sent.value), width);
+    return text + padded(message(lamps.lamps), width) + "  " + what + "\n";
 }
 
 }  // namespace
@@ -149,7 +145,7 @@ std::string balance_as_text(const BalancedScene& scene) {
     for (const ObjectBalance& each : balance.objects) {
         if (!(each.absorbed.value > 0) || ++shown_objects > most_objects) break;
         if (shown_objects == 1) text += "surfaces that absorb most:\n";
-        text += right(per_cent(each.absorbed.value, all), 10) + "  " +
+        text += padded(per_cent(each.absorbed.value, all), 10) + "  " +
                 statement_text(each.statement, scene.sources) + "\n";
     }
     return text;

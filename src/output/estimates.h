@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,9 @@ double rounded(double value, int digits = 6);
 std::string cell(double value);
 /// A text as a cell of CSV, in quotes if necessary.
 std::string csv_cell(std::string_view text);
+
+/// The text with blanks before it, in a column of that width.
+std::string padded(const std::string& text, std::size_t width);
 
 /// An object with `value` and `error`.
 nlohmann::json value_json(const MeterValue&);

@@ -38,8 +38,7 @@ Image smooth_image(const Film& film, const FilmFiles& files) {
     const std::size_t first = files.aovs().first_smooth();
     const double factor = files.film.exposure_factor();
     Image image(film.width(), film.height());
-    film.each(
-        [&](std::size_t i) { image.pixels[i] = expanded(mean_of(film, i, first), factor); });
+    film.each([&](std::size_t i) { image.pixels[i] = expanded(mean_of(film, i, first), factor); });
     return image;
 }
 

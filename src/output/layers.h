@@ -8,9 +8,9 @@
 #include "picture/write.h"
 #include "transport/aovs.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -106,9 +106,9 @@ std::optional<FilmSettings> film_of(const std::string& text, const std::string& 
     if (!film.on) film = {};  // as without a film: clipped
     film.on = true;
     if (wrong.empty()) return film;
-    diagnostics.add(error(
-        Fault::option, {},
-        message("the options do not fit the film of `", printable(path), "`: ", wrong)));
+    diagnostics.add(
+        error(Fault::option, {},
+              message("the options do not fit the film of `", printable(path), "`: ", wrong)));
     return std::nullopt;
 }
 

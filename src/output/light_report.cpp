@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/light_report.h"
 
+#include "output/estimates.h"
 #include "text/message.h"
 #include "text/printable.h"
 #include "world/emitters.h"
@@ -11,10 +12,6 @@
 namespace candelabra {
 
 namespace {
-
-std::string padded(std::string text, std::size_t width) {
-    return std::string(width - std::min(width, text.size()), ' ') + text;
-}
 
 std::string percent(double part, double whole) {
     const double value = whole > 0 ? 100 * part / whole : 0;

@@ -52,9 +52,7 @@ std::vector<std::string> lines_of(std::string_view bytes, bool& latin) {
     return lines;
 }
 
-std::string_view trimmed(std::string_view text) {
-    return trimmed(text, " \t\v\f");
-}
+std::string_view trimmed(std::string_view text) { return trimmed(text, " \t\v\f"); }
 
 std::optional<double> number_of(std::string_view text) {
     text = trimmed(text);

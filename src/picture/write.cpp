@@ -151,8 +151,8 @@ RawPicture raw_picture(const PictureRows& rows, const PictureFormat& format) {
                    : format.file_gamma < srgb_gamma ? video_power
                                                     : format.file_gamma};
     if (type.linear)
-        raw.values = channels_of<float>(
-            rows, format, [&](double value) { return representable(value, format); });
+        raw.values = channels_of<float>(rows, format,
+                                        [&](double value) { return representable(value, format); });
     else if (format.bits == 16)
         raw.values = integers<std::uint16_t>(rows, format);
     else
@@ -224,11 +224,9 @@ std::optional<std::string> encode(const Image& image, const PictureFormat& forma
     const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> opaque) {
         const std::size_t first = static_cast<std::size_t>(y) * pixels.size();
         std::ranges::copy(std::span(image.pixels).subspan(first, pixels.size()), pixels.begin());
-        if (!opaque.empty())
-            std::ranges::copy(alpha.subspan(first, pixels.size()), opaque.begin());
+        if (!opaque.empty()) std::ranges::copy(alpha.subspan(first, pixels.size()), opaque.begin());
     };
-    return encode(PictureRows{image.width, image.height, !alpha.empty(), row}, format,
-                  diagnostics);
+    return encode(PictureRows{image.width, image.height, !alpha.empty(), row}, format, diagnostics);
 }
 
 bool write_picture(const PictureRows& rows, const std::string& path, const PictureFormat& format,

@@ -87,8 +87,7 @@ bool RenderJob::can_keep() const {
     std::error_code none;
     const fs::file_status status = fs::status(plan_.picture, none);
     return state_fits_ && plan_.options.to_file && plan_.options.leaves_state &&
-           plan_.picture != "-" &&
-           (!fs::exists(status) || fs::is_regular_file(status));
+           plan_.picture != "-" && (!fs::exists(status) || fs::is_regular_file(status));
 }
 
 void RenderJob::begin() {
@@ -166,15 +165,14 @@ bool RenderJob::has_room() {
     const RenderSettings& settings = plan_.options.render;
     const auto limit = plan_.options.memory_bytes;
     if (!limit) return true;
-    const std::uint64_t pixels = static_cast<std::uint64_t>(settings.width) *
-                                 static_cast<std::uint64_t>(settings.height);
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
     const std::size_t aovs = extras_.count(*rendering_.shot.world);
     // The sums of other rows are never touched, except for those beside the region.
     const Region region = region_of(plan_.options);
     const int rows = std::min(settings.height, region.bottom - region.top + 2);
     const std::uint64_t sums = Film::bytes_of(settings.width, rows, aovs);
-    const std::uint64_t beside =
-        pixels * plan_.writing + plan_.lamps.memory + memory_in_use();
+    const std::uint64_t beside = pixels * plan_.writing + plan_.lamps.memory + memory_in_use();
     if (sums + beside <= *limit) {
         if (rows < settings.height)
             pages_ = ZeroedPages::sparse(Film::bytes_of(settings.width, settings.height, aovs));
@@ -186,10 +184,9 @@ bool RenderJob::has_room() {
     if (fits) pages_ = pages_in_file(Film::bytes_of(settings.width, settings.height, aovs));
     if (pages_) return has_room_for_state(held + beside, *limit);
     const std::uint64_t need = megabytes((filed && !fits ? held : sums) + beside);
-    const char* const less =
-        plan_.lamps.sink ? "; with a smaller --keep-lights-size it needs less"
-        : aovs > 0       ? "; without layers and --denoise it needs less"
-                         : "";
+    const char* const less = plan_.lamps.sink ? "; with a smaller --keep-lights-size it needs less"
+                             : aovs > 0       ? "; without layers and --denoise it needs less"
+                                              : "";
     diagnostics_.add(
         error(Fault::option, {},
               message("a picture of ", settings.width, "x", settings.height, " needs ", need,
@@ -203,18 +200,17 @@ bool RenderJob::has_room() {
 bool RenderJob::has_room_for_state(std::uint64_t held, std::uint64_t limit) {
     if (!can_keep()) return true;
     const RenderSettings& settings = plan_.options.render;
-    const std::uint64_t need =
-        held + bytes_to_encode(settings.width, settings.height,
-                               extras_.count(*rendering_.shot.world));
+    const std::uint64_t need = held + bytes_to_encode(settings.width, settings.height,
+                                                      extras_.count(*rendering_.shot.world));
     if (need <= limit) return true;
     state_fits_ = false;
     const bool wanted = plan_.shard || plan_.options.keep_state;
     std::string text = message("a state of this picture needs ", megabytes(need),
                                " MB of memory, and the limit is ", megabytes(limit), " MB");
-    diagnostics_.add((wanted ? error(Fault::option, {}, text)
-                             : warning(Fault::option, {},
-                                       text + ": it cannot be stopped and gone on with"))
-                         .with_help(message("--limit-memory ", megabytes(need))));
+    diagnostics_.add(
+        (wanted ? error(Fault::option, {}, text)
+                : warning(Fault::option, {}, text + ": it cannot be stopped and gone on with"))
+            .with_help(message("--limit-memory ", megabytes(need))));
     return !wanted;
 }
 

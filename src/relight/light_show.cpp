@@ -208,8 +208,7 @@ private:
     bool add_cue(std::size_t row, CueFrames& made) {
         if (!cells_of(row)) return false;
         const auto seconds = [&](std::size_t i) {
-            const auto number =
-                i < cells_.size() ? finite_number(bare(cells_[i])) : std::nullopt;
+            const auto number = i < cells_.size() ? finite_number(bare(cells_[i])) : std::nullopt;
             return number && *number >= 0 ? number : std::nullopt;
         };
         CueFrames::Cue cue;

@@ -174,8 +174,8 @@ private:
         const Incidence there = incidence(source, source.location, from);
         const double index = guth_index(sight, there.direction);
         const double metres = there.distance * units_.metres;
-        const double angle = source.parallel ? 2 * pi * (1 - source.disc_edge)
-                                             : least_area / (metres * metres);
+        const double angle =
+            source.parallel ? 2 * pi * (1 - source.disc_edge) : least_area / (metres * metres);
         if (!(index > 0 && angle > 0)) return 0;
         const auto lit = [&](std::uint32_t branch) {
             return on_element({from, there.direction}, [&](const LitLayer& layer) {

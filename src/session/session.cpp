@@ -113,8 +113,12 @@ void Session::review(const Scene& scene) {
 
 SharedWorld Session::compile(Scene&& scene, Shutter shutter) {
     const RenderSettings& r = settings_.render;
-    const CompileOptions options{r.threads, r.light_sampler, r.index, r.quality,
-                                 settings_.remembers_objects, settings_.follows_lamps};
+    const CompileOptions options{r.threads,
+                                 r.light_sampler,
+                                 r.index,
+                                 r.quality,
+                                 settings_.remembers_objects,
+                                 settings_.follows_lamps};
     const ShutterScenes later{sources_, [this](double ahead) { return scene_at(ahead); }};
     return candelabra::compile(std::move(scene), options, diagnostics_,
                                shutter == Shutter::all_samples ? &later : nullptr);

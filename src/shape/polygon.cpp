@@ -41,18 +41,25 @@ Vec3 plane_normal(const Polygon& polygon) {
     return Vec3(0);
 }
 
+/// Rounding of a side, as a fraction of it.
+constexpr double side_rounding = 1e-9;
+
 std::optional<FlatRectangle> rectangle_of(const Polygon& polygon) {
-    constexpr double exact = 1e-9;
     const auto& p = polygon.points;
     if (p.size() != 4 && !(p.size() == 5 && p[4] == p[0])) return {};
     const Vec3 side1 = p[1] - p[0], side2 = p[3] - p[0];
     const double size = length(side1) + length(side2);
-    const bool opposite = length(p[2] - p[0] - side1 - side2) <= exact * size;
-    const bool upright = std::abs(dot(side1, side2)) <= exact * length(side1) * length(side2);
-    return opposite && upright ? std::optional(FlatRectangle{p[0], side1, side2}) : std::nullopt;
+    const bool opposite = length(p[2] - p[0] - side1 - side2) <= side_rounding * size;
+    return opposite && at_right_angles(side1, side2)
+               ? std::optional(FlatRectangle{p[0], side1, side2})
+               : std::nullopt;
 }
 
 }  // namespace
+
+bool at_right_angles(const Vec3& side1, const Vec3& side2) {
+    return std::abs(dot(side1, side2)) <= side_rounding * length(side1) * length(side2);
+}
 
 BuiltPolygon build(const Polygon& polygon) {
     BuiltPolygon result;

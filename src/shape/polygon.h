@@ -24,6 +24,9 @@ struct FlatRectangle {
     Vec3 corner, side1, side2;
 };
 
+/// Whether the sides of a parallelogram are at right angles, but for rounding.
+bool at_right_angles(const Vec3& side1, const Vec3& side2);
+
 struct BuiltPolygon {
     Vec3 origin = Vec3(0), normal = Vec3(0, 0, 1);
     Vec3 right = Vec3(1, 0, 0), up = Vec3(0, 1, 0);  ///< axes of the outline's plane

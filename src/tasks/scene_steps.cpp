@@ -152,8 +152,7 @@ bool SceneSteps::destinations_work() {
         saves && !is_stream(output_.path) ? state_path(output_.path, shard_) : "";
     for (const std::string& path :
          {saves ? output_.path : std::string(), options_.stats_file, options_.depfile,
-          options_.mesh_file, options_.readings_file, options_.kept_lights, layers, quiet,
-          state}) {
+          options_.mesh_file, options_.readings_file, options_.kept_lights, layers, quiet, state}) {
         const std::string problem = problem_with_output(options_, path);
         if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
     }

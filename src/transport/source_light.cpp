@@ -188,8 +188,7 @@ Vec3 SourceLight::operator()(const ArrivingLight& at, const Key& key) {
     return sum;
 }
 
-Vec3 light_of_source(std::uint32_t number, double weight, const ArrivingLight& at,
-                     const Key& key) {
+Vec3 light_of_source(std::uint32_t number, double weight, const ArrivingLight& at, const Key& key) {
     const bool in_air = at.layer.scatterer.in_air();
     const Vec3& position = at.layer.vertex.position();
     const PointLight& light = at.world.lights.sources[number];
@@ -229,8 +228,8 @@ Vec3 SourceLight::drawn(const SourceSet& set, const BuiltLightSampler& sampler,
             samples_.clear();
             answer.sample(part, samples_);
             for (const LightPick& pick : samples_.picks)
-                sum += light_of_source(set.lights[pick.light], 1 / (pick.expected * rays_), at,
-                                       part);
+                sum +=
+                    light_of_source(set.lights[pick.light], 1 / (pick.expected * rays_), at, part);
         }
         return sum;
     };

@@ -240,8 +240,7 @@ private:
         const double bent = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const double way = length(way_in->position - point) * cosine / bent;
         const Vec3 left = math::exp(-dipole_.extinction() * way);
-        return left * lights_.from_source(light, 1,
-                                          {vertex, bsdf, all_sources, throughput * left},
+        return left * lights_.from_source(light, 1, {vertex, bsdf, all_sources, throughput * left},
                                           key, ledger_);
     }
 

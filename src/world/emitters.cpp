@@ -47,10 +47,7 @@ std::optional<RectangleEmitter> placed_rectangle(const PlacedShape& placed) {
     const Transform& there = *placed.transform;
     const RectangleEmitter found{there.point(corner), there.direction(side1),
                                  there.direction(side2)};
-    constexpr double exact = 1e-9;
-    const bool upright = std::abs(dot(found.side1, found.side2)) <=
-                         exact * length(found.side1) * length(found.side2);
-    return upright ? std::optional(found) : std::nullopt;
+    return at_right_angles(found.side1, found.side2) ? std::optional(found) : std::nullopt;
 }
 
 class Emitters {

@@ -119,8 +119,8 @@ void choose_as_wanted(Shot& shot, const ShotSettings& settings) {
     const std::vector<Plane> planes = world_planes(world.geometry);
     auto sky = world.sky.light.empty() ? nullptr : std::make_unique<SkyChoice>(world);
     if (sky && sky->glares()) sky = nullptr;
-    const auto luminaires = std::make_shared<LuminaireChoices>(
-        world.lights.luminaires, shot.bent_normals, std::move(sky));
+    const auto luminaires = std::make_shared<LuminaireChoices>(world.lights.luminaires,
+                                                               shot.bent_normals, std::move(sky));
     shot.joined = joined_set(world, *luminaires);
     scene.lights = luminaires;
     if (shot.joined)

@@ -259,7 +259,8 @@ TEST_CASE("every wrong argument has one message") {
         {{"--frobnicate", "x", "a.pov"}, "`--frobnicate`: there is no such option"},
         {{"--output-alpha=perhaps"}, "`--output-alpha=perhaps`: the value must be on or off"},
         {{"--check", "--export-mesh", "m.ply"},
-         "`--export-mesh`: a run checks, dumps, exports, measures or balances a scene, one of them only"},
+         "`--export-mesh`: a run checks, dumps, exports, measures or balances a scene, one of them "
+         "only"},
         {{"--export-mesh", "m.ply", "--dump", "scene"},
          "`--dump`: a run checks, dumps, exports, measures or balances a scene, one of them only"},
         {{"--dump", "scene", "--check"},

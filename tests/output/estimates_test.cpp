@@ -14,6 +14,11 @@ TEST_CASE("estimates have the digits that their errors leave", "[output]") {
     CHECK(value_json({1.0 / 3, 0.25}).dump() == R"({"error":0.25,"value":0.333333})");
 }
 
+TEST_CASE("numbers stand at the right of their columns", "[output]") {
+    CHECK(padded("12 %", 6) == "  12 %");
+    CHECK(padded("1234 %", 4) == "1234 %");
+}
+
 TEST_CASE("texts are cells of CSV", "[output]") {
     CHECK(csv_cell("desk") == "desk");
     CHECK(csv_cell("a, \"b\"") == "\"a, \"\"b\"\"\"");

@@ -129,8 +129,14 @@ TEST_CASE("a picture that does not fit into the memory tells what it needs") {
     const DataLimit kept;
     Shell shell;
     const auto posters = [&](std::vector<std::string> more) {
-        std::vector<std::string> all = {shell.path("lit.pov"), "-V",       "+W8000", "+H6000",
-                                        "--memory",            "512M",     "--samples", "1",
+        std::vector<std::string> all = {shell.path("lit.pov"),
+                                        "-V",
+                                        "+W8000",
+                                        "+H6000",
+                                        "--memory",
+                                        "512M",
+                                        "--samples",
+                                        "1",
                                         "+O" + shell.path("a.png")};
         all.insert(all.end(), more.begin(), more.end());
         return shell(all);
@@ -157,8 +163,8 @@ TEST_CASE("a picture whose sums are too large for the memory lies in a file unti
     const DataLimit kept;
     Shell shell;
     const auto run = [&](std::vector<std::string> more) {
-        const std::vector<std::string> all = {shell.path("lit.pov"), "-V", "-A",     "+W1000",
-                                              "+H600",               "-P", "--samples", "1"};
+        const std::vector<std::string> all = {
+            shell.path("lit.pov"), "-V", "-A", "+W1000", "+H600", "-P", "--samples", "1"};
         more.insert(more.begin(), all.begin(), all.end());
         return shell(more);
     };

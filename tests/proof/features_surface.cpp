@@ -133,10 +133,9 @@ void finish_words(Factor& factor) {
             {name, traits_of_finish(name), [name](Draft& draft) {
                  for (Element& each : drawn_words(item_of("Surfaces", "finish"), draft.dice, 1))
                      if (each.values == name || each.values.starts_with(name + " "))
-                         draft.finish =
-                             name == "diffuse"
-                                 ? block("finish", each.values)
-                                 : block("finish", "diffuse 0.6", {std::move(each)});
+                         draft.finish = name == "diffuse"
+                                            ? block("finish", each.values)
+                                            : block("finish", "diffuse 0.6", {std::move(each)});
              }});
     }
 }
