@@ -22,6 +22,7 @@
 #include "options/ini.h"
 #include "options/memory_limit.h"
 #include "options/option_help.h"
+#include "options/option_store.h"
 #include "options/option_table.h"
 #include "options/option_values.h"
 #include "output/measurement.h"
@@ -242,6 +243,11 @@ int run_with(Options options, const Console& console, Diagnostics diagnostics) {
                                       printable(options.mesh_file), "` is not by its ending"))
                             .with_help("--export-mesh mesh.ply, or mesh.obj"));
     if (measures_light(options)) check_measuring(options, diagnostics);
+    if (options.task != Task::measure && is_given(options, "until"))
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "--until is the error at which --measure ends, and nothing is "
+                                "measured at meters")
+                            .with_help("--measure light.csv"));
     const std::optional<Sheet> sheet = plan_sheet(options, diagnostics);
     if (!options.preview_host.empty() && !options.preview_port)
         diagnostics.add(error(Fault::option, {}, "--preview-host is the address of a preview")

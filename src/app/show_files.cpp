@@ -57,14 +57,9 @@ private:
         auto data = read_fseq(*bytes, problem, way_out);
         if (!data) fail(message("`", printable(files_.fseq), "` ", problem), way_out);
         constexpr double second = 1000;
-        if (data && data->step > 0 && !is_rate_given()) options_.frame_rate = second / data->step;
+        if (data && data->step > 0 && !is_given(options_, "frame-rate"))
+            options_.frame_rate = second / data->step;
         return data;
-    }
-
-    bool is_rate_given() const {
-        return std::ranges::any_of(options_.given, [](const GivenOption& each) {
-            return each.line.starts_with("--frame-rate=");
-        });
     }
 
     std::optional<ChannelData> raw() {

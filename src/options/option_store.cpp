@@ -19,6 +19,13 @@
 
 namespace candelabra {
 
+bool is_given(const Options& options, std::string_view word) {
+    const std::string name = message("--", word), with_value = name + "=";
+    return std::ranges::any_of(options.given, [&](const GivenOption& each) {
+        return each.line == name || each.line.starts_with(with_value);
+    });
+}
+
 std::optional<double> number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     return finite_number(text);

@@ -23,6 +23,9 @@ struct Given {
 /// Parses a decimal number that fills the text; returns nothing for anything else.
 std::optional<double> number(std::string_view text);
 
+/// Whether an option was given, by its long name, such as "frame-rate".
+bool is_given(const Options&, std::string_view word);
+
 /// Parses on, true, yes, 1 and off, false, no, 0, ignoring case.
 std::optional<bool> truth(std::string_view text);
 

@@ -70,6 +70,9 @@ TEST_CASE("a balance tells which light it leaves out", "[output]") {
     CHECK(has(shell.err, "light of light sources and of the sky is left out of the balance"));
     CHECK(shell({shell.path("both.pov"), "--light-balance", shell.path("a.txt")}) == 2);
     CHECK(has(shell.err, "--light-balance light.csv, or light.json"));
+    CHECK(shell({shell.path("both.pov"), "--light-balance", shell.path("a.csv"), "--until",
+                 "lux 1%"}) == 0);
+    CHECK(has(shell.err, "--until is the error at which --measure ends"));
 }
 
 }  // namespace candelabra
