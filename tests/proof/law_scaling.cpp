@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace candelabra::proof {
 
@@ -13,6 +15,10 @@ namespace {
 /// size of them is another view.
 constexpr auto of_lengths = std::to_array<std::string_view>(
     {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical", "cylinder"});
+
+bool mentions(const Script& script, std::string_view word) {
+    return written(script).find(word) != std::string::npos;
+}
 
 /// The script at another size, and the same view of it.
 Script at_size(Script script, double factor) {
@@ -36,18 +42,21 @@ Claims more_light(const Script& script, Dice& dice) {
 }
 
 Claims motion(const Script& script, Dice& dice) {
-    const std::string way = dice.pick<std::string>(
-        {"translate <1000, -300, 200>", "rotate <30, 70, -20>", "scale <-1, 1, 1>",
-         "scale <1, 1, -1> rotate 90*y", "matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 5, -3, 2>"});
+    std::vector<std::string> ways = {"translate <1000, -300, 200>", "rotate <30, 70, -20>",
+                                     "matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 5, -3, 2>"};
+    // As in POV-Ray, the outside of a patch follows from its control points: a mirror changes sides.
+    if (!mentions(script, "bicubic_patch") || !mentions(script, "interior_texture")) {
+        ways.insert(ways.end(), {"scale <-1, 1, 1>", "scale <1, 1, -1> rotate 90*y"});
+    }
+    const std::string way = dice.pick(ways);
     return {same_mean(way, picture(script), picture(transformed(script, way)))};
 }
 
 Claims other_size(const Script& script, Dice& dice) {
     // As in POV-Ray, light of sources passes clear surfaces that are within 0.001 of each other as
     // if they were one: in a smaller scene these are more.
-    const std::string text = written(script);
-    const auto has = [&](const char* word) { return text.find(word) != text.npos; };
-    const bool joins = has("light_source") && (has("transmit") || has("filter"));
+    const bool joins = mentions(script, "light_source") &&
+                       (mentions(script, "transmit") || mentions(script, "filter"));
     const double factor = joins ? dice.pick<double>({2, 1024, 1e3, 1e6})
                                 : dice.pick<double>({2, 1024, 1.0 / 128, 1e3, 1e6, 0.1});
     return {
