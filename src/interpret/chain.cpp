@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/chain.h"
 
-#include "interpret/state.h"
+#include "interpret/calls.h"
+#include "interpret/expressions.h"
+#include "interpret/statements.h"
 #include "text/message.h"
 
 namespace candelabra {
 
 /// Splits an expression into operands. A macro stands for its text, and so does a part of a
 /// directive: 2*Sum(1, 2) is 2*1 + 2 when Sum(A, B) is A+B without parentheses.
-class Evaluator::State::OperandWalk {
+class Expressions::OperandWalk {
 public:
-    OperandWalk(State& state, FunctionRef<void(const Operand&)> take)
-        : state_(state), take_(take) {}
+    OperandWalk(Context& context, FunctionRef<void(const Operand&)> take)
+        : context_(context), take_(take) {}
 
     /// `text`: the expression is the text of a macro or a directive.
     void expression(const Tree&, NodeId, bool text = false);
@@ -25,7 +27,7 @@ private:
     void operand(const Tree&, NodeId);
     void join(Operator sign);
 
-    State& state_;
+    Context& context_;
     FunctionRef<void(const Operand&)> take_;
     std::optional<Operator> sign_ = Operator::add;  ///< operator before the next operand
     bool negative_ = false;                         ///< the next operand is negated
@@ -33,8 +35,8 @@ private:
     bool good_ = true;
 };
 
-void Evaluator::State::OperandWalk::expression(const Tree& tree, NodeId id, bool text) {
-    if (!state_.room(tree, id)) return;
+void Expressions::OperandWalk::expression(const Tree& tree, NodeId id, bool text) {
+    if (!context_.room(tree, id)) return;
     const NodeContent& content = tree[id].content;
     const auto* binary = std::get_if<node::Binary>(&content);
     if (binary && (binary->open || (text && binary->sign <= Operator::divide))) {
@@ -47,9 +49,9 @@ void Evaluator::State::OperandWalk::expression(const Tree& tree, NodeId id, bool
         expression(tree, unary->operand, text);
     } else if (const auto* chain = std::get_if<node::Chain>(&content)) {
         this->chain(tree, chain->first);
-    } else if (const auto* call = state_.macro_call(tree, id)) {
+    } else if (const auto* call = context_.calls->macro_call(tree, id)) {
         macro(tree, *call, id);
-    } else if (is_directive(tree, id)) {
+    } else if (Statements::is_directive(tree, id)) {
         directive(tree, id);
     } else if (!std::get_if<node::Nothing>(&content)) {
         operand(tree, id);
@@ -57,78 +59,74 @@ void Evaluator::State::OperandWalk::expression(const Tree& tree, NodeId id, bool
 }
 
 /// Takes an operator. After another operator it is the sign of the next operand.
-void Evaluator::State::OperandWalk::join(Operator sign) {
+void Expressions::OperandWalk::join(Operator sign) {
     if (sign_ && (sign == Operator::add || sign == Operator::subtract))
         negative_ ^= sign == Operator::subtract;
     else
         sign_ = sign;
 }
 
-void Evaluator::State::OperandWalk::chain(const Tree& tree, NodeId first) {
-    for (NodeId id = first; id != no_node && !state_.stopped_; id = tree[id].next) {
+void Expressions::OperandWalk::chain(const Tree& tree, NodeId first) {
+    for (NodeId id = first; id != no_node && !context_.stopped(); id = tree[id].next) {
         const auto* joined = tree.get_if<node::Joined>(id);
         if (joined) join(joined->sign);
         expression(tree, joined ? joined->operand : id);
     }
 }
 
-void Evaluator::State::OperandWalk::directive(const Tree& tree, NodeId id) {
+void Expressions::OperandWalk::directive(const Tree& tree, NodeId id) {
     const auto take = [&](const Tree& from, NodeId part) { expression(from, part, true); };
-    state_.walk_one(tree, id, Sink(Sink::Written(take)));
+    context_.statements->walk_one(tree, id, Sink(Sink::Written(take)));
 }
 
-void Evaluator::State::OperandWalk::macro(const Tree& tree, const node::Call& call, NodeId id) {
+void Expressions::OperandWalk::macro(const Tree& tree, const node::Call& call, NodeId id) {
     std::size_t count = 0;
     const auto take = [&](const Tree& from, NodeId part) {
         if (count++ == 0) expression(from, part, true);
     };
-    const std::size_t errors = state_.diagnostics.error_count();
+    const std::size_t errors = context_.diagnostics.error_count();
     const bool outermost = !call_;
     if (outermost) call_ = tree.span(id);
-    state_.call_macro(tree, call, id, Sink(Sink::Written(take)));
+    context_.calls->call_macro(tree, call, id, Sink(Sink::Written(take)));
     if (outermost) call_.reset();
     if (count == 1) return;
     good_ = false;
-    if (state_.diagnostics.error_count() == errors) state_.report_count(count, tree.span(id));
+    if (context_.diagnostics.error_count() == errors)
+        context_.expressions->report_count(count, tree.span(id));
 }
 
-void Evaluator::State::OperandWalk::operand(const Tree& tree, NodeId id) {
+void Expressions::OperandWalk::operand(const Tree& tree, NodeId id) {
     const bool joined = sign_.has_value();
     if (joined) take_({*sign_, negative_, tree, id, call_.value_or(tree.span(id))});
     sign_.reset();
     negative_ = false;
     if (joined) return;
     good_ = false;
-    state_.report(error(Fault::wrong_count, tree.span(id),
-                        "there is no operator between this and the expression before it")
-                      .with_help("in an expression, the parts of a directive are joined by +, -, * "
-                                 "and /"));
+    context_.report(
+        error(Fault::wrong_count, tree.span(id),
+              "there is no operator between this and the expression before it")
+            .with_help("in an expression, the parts of a directive are joined by +, -, * "
+                       "and /"));
 }
 
-bool Evaluator::State::OperandWalk::finish(Span span) {
-    if (sign_ && good_ && !state_.stopped_) {
+bool Expressions::OperandWalk::finish(Span span) {
+    if (sign_ && good_ && !context_.stopped()) {
         good_ = false;
-        state_.report(error(Fault::missing, span, "an operator in this has no value behind it")
-                          .with_help("where a part of a directive ends in an operator, a value "
-                                     "follows: #if (A) 2 * #end 3"));
+        context_.report(error(Fault::missing, span, "an operator in this has no value behind it")
+                            .with_help("where a part of a directive ends in an operator, a value "
+                                       "follows: #if (A) 2 * #end 3"));
     }
-    return good_ && !state_.stopped_;
+    return good_ && !context_.stopped();
 }
 
-const node::Call* Evaluator::State::macro_call(const Tree& tree, NodeId id) const {
-    const auto* call = tree.get_if<node::Call>(id);
-    const Value* found = call ? scope.find(call->name) : nullptr;
-    return found && found->macro() ? call : nullptr;
-}
-
-bool Evaluator::State::walk_operands(const Tree& tree, NodeId id,
-                                     FunctionRef<void(const Operand&)> take) {
-    OperandWalk walk(*this, take);
+bool Expressions::walk_operands(const Tree& tree, NodeId id,
+                                FunctionRef<void(const Operand&)> take) {
+    OperandWalk walk(context_, take);
     walk.expression(tree, id);
     return walk.finish(tree.span(id));
 }
 
-Value Evaluator::State::open_expression(const Tree& tree, NodeId id) {
+Value Expressions::open_expression(const Tree& tree, NodeId id) {
     struct Placed {
         Value value;
         Span span;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours in expressions, and the parts of vectors and colours.
 #include "base/gamma.h"
-#include "interpret/state.h"
+#include "interpret/expressions.h"
 #include "text/message.h"
 
 #include <utility>
@@ -31,48 +31,51 @@ int component_of(std::string_view member) {
     return -1;
 }
 
-Value Evaluator::State::member(const Tree& tree, const node::Member& node, NodeId id) {
+Value Expressions::member(const Tree& tree, const node::Member& node, NodeId id) {
     const Value value = evaluate(tree, node.operand);
     if (value.broken()) return value;
-    const std::string_view name = names.spelling(node.member);
+    const std::string_view name = context_.names.spelling(node.member);
     const Numbers* numbers = value.numbers();
     if (!numbers) {
-        report(error(Fault::wrong_type, tree.span(id),
-                     message("`.", name, "` is a part of a vector or a colour, but this is ",
-                             kind_name(value)))
-                   .with_help(value.array()  ? "dimension_size(A, 1) is the size of an array"
-                              : value.text() ? "strlen(S) is the length of a string"
-                                             : ""));
+        context_.report(
+            error(Fault::wrong_type, tree.span(id),
+                  message("`.", name, "` is a part of a vector or a colour, but this is ",
+                          kind_name(value)))
+                .with_help(value.array()  ? "dimension_size(A, 1) is the size of an array"
+                           : value.text() ? "strlen(S) is the length of a string"
+                                          : ""));
         return Absence::broken;
     }
     const int component = component_of(name);
     if (component < 0) {
-        report(error(Fault::unknown_word, tree.span(id),
-                     message("a vector or a colour has no part `.", name, "`"))
-                   .with_help("parts are x y z t, u v, red green blue filter transmit, gray"));
+        context_.report(
+            error(Fault::unknown_word, tree.span(id),
+                  message("a vector or a colour has no part `.", name, "`"))
+                .with_help("parts are x y z t, u v, red green blue filter transmit, gray"));
         return Absence::broken;
     }
     if (component == grey_component)
         return grey_weights[0] * numbers->at[0] + grey_weights[1] * numbers->at[1] +
                grey_weights[2] * numbers->at[2];
     if (component >= numbers->count)
-        return broken(Fault::bad_index, tree.span(id),
-                      message("there is no `.", name, "` in ", kind_name(value)));
+        return context_.broken(Fault::bad_index, tree.span(id),
+                               message("there is no `.", name, "` in ", kind_name(value)));
     return numbers->at[static_cast<std::size_t>(component)];
 }
 
-Value Evaluator::State::prefixed(const Tree& tree, const node::Prefixed& node, NodeId id) {
+Value Expressions::prefixed(const Tree& tree, const node::Prefixed& node, NodeId id) {
     const Value value = evaluate(tree, node.operand);
     if (value.broken()) return value;
-    const std::string_view prefix = names.spelling(node.prefix);
+    const std::string_view prefix = context_.names.spelling(node.prefix);
     const Numbers* given = value.numbers();
     if (!given)
-        return broken(Fault::wrong_type, tree.span(id),
-                      message("`", prefix, "` takes numbers, but this is ", kind_and_text(value)));
+        return context_.broken(
+            Fault::wrong_type, tree.span(id),
+            message("`", prefix, "` takes numbers, but this is ", kind_and_text(value)));
     const std::string_view form = prefix.substr(prefix.starts_with("s") ? 4 : 3);
     const int wanted = form.empty() ? 3 : form == "ft" ? 5 : 4;
     if (!given->is_scalar() && given->count != wanted)
-        report(warning(
+        context_.report(warning(
             Fault::wrong_count, tree.span(node.operand),
             message("`", prefix, "` takes ", wanted, " numbers, but here are ", given->count)));
     Numbers result = given->promoted(wanted);
@@ -80,27 +83,19 @@ Value Evaluator::State::prefixed(const Tree& tree, const node::Prefixed& node, N
     if (form == "t") result.at[4] = std::exchange(result.at[3], 0);
     if (prefix.starts_with("s"))
         for (std::size_t i = 0; i < 3; ++i)
-            result.at[i] = from_linear(srgb_decode(result.at[i]), working_gamma);
+            result.at[i] = from_linear(srgb_decode(result.at[i]), context_.working_gamma);
     return result;
 }
 
-Numbers Evaluator::display_colour(const std::array<double, 4>& colour) const {
-    Numbers result = Numbers::colour({});
-    for (std::size_t i = 0; i < 3; ++i)
-        result.at[i] = from_linear(srgb_decode(colour[i]), state_->working_gamma);
-    result.at[4] = 1 - colour[3];
-    return result;
-}
-
-bool Evaluator::State::set_channel(const Tree& tree, const node::Channel& node, Numbers& colour) {
-    const std::string_view name = names.spelling(node.channel);
+bool Expressions::set_channel(const Tree& tree, const node::Channel& node, Numbers& colour) {
+    const std::string_view name = context_.names.spelling(node.channel);
     const std::optional<double> amount = number(tree, node.operand, "the amount of", node.channel);
     if (!amount) return false;
     colour.at[static_cast<std::size_t>(name == "alpha" ? 3 : component_of(name))] = *amount;
     return true;
 }
 
-Value Evaluator::State::colour(const Tree& tree, const node::Colour& node, NodeId id) {
+Value Expressions::colour(const Tree& tree, const node::Colour& node, NodeId id) {
     Numbers result;
     result.count = 5;
     if (node.base != no_node) {
@@ -111,9 +106,9 @@ Value Evaluator::State::colour(const Tree& tree, const node::Colour& node, NodeI
             constexpr const char* quoted =
                 "colours have names without quotes: Red, in colors.inc; in a table they are "
                 "written as #ff8800";
-            report(error(Fault::wrong_type, tree.span(id),
-                         message("a colour is wanted, but this is ", kind_and_text(base)))
-                       .with_help(base.text() ? quoted : ""));
+            context_.report(error(Fault::wrong_type, tree.span(id),
+                                  message("a colour is wanted, but this is ", kind_and_text(base)))
+                                .with_help(base.text() ? quoted : ""));
             return Absence::broken;
         }
         result = given->promoted(5);

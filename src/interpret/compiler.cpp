@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/compiler.h"
 
+#include "interpret/expressions.h"
+
 #include "base/transform.h"
 #include "interpret/splines.h"
 
@@ -34,19 +36,19 @@ OperatorCode operations_of(Operator sign) {
     return codes[static_cast<std::size_t>(sign)];
 }
 
-Code* Evaluator::State::compile(const Tree& tree, NodeId id) {
+Code* Expressions::compile(const Tree& tree, NodeId id) {
     Code code;
-    Compiler compiler(*this, tree, code);
+    ExpressionCompiler compiler(context_, codes_, tree, code);
     const Operands result = compiler.compile(id);
     if (result.count == 0 || !compiler.builder.fits()) return nullptr;
     code.program = compiler.builder.finish({result.at.data(), result.count});
     code.cost = cost(code.program);
     code.registers.resize(code.program.registers);
     code.program.prepare(code.registers.data());
-    return codes.keep(tree, id, std::move(code));
+    return codes_.keep(tree, id, std::move(code));
 }
 
-Operands Evaluator::State::Compiler::compile(NodeId id) {
+Operands ExpressionCompiler::compile(NodeId id) {
     if (++depth > max_depth) return {};
     const NodeContent& content = tree[id].content;
     const auto compiled = [&]() -> Operands {
@@ -87,26 +89,26 @@ Operands Evaluator::State::Compiler::compile(NodeId id) {
     }();
     --depth;
     // No node around such a node can be compiled either, so none is tried again.
-    if (hopeless) state.codes.exclude(tree, id);
+    if (hopeless) codes.exclude(tree, id);
     return compiled;
 }
 
-Operands Evaluator::State::Compiler::never() {
+Operands ExpressionCompiler::never() {
     hopeless = true;
     return {};
 }
 
-Operands Evaluator::State::Compiler::numbers(std::span<const double> values) {
+Operands ExpressionCompiler::numbers(std::span<const double> values) {
     Operands result;
     for (const double value : values) result.at[result.count++] = builder.constant(value);
     return result;
 }
 
-Operands Evaluator::State::Compiler::name(NameId name) {
+Operands ExpressionCompiler::name(NameId name) {
     for (const auto& [known, operands] : loaded)
         if (known == name) return operands;
-    if (state.deprecated.contains(name)) return {};
-    const Value* found = state.scope.find(name);
+    if (context.deprecated.contains(name)) return {};
+    const Value* found = context.scope.find(name);
     const Numbers* numbers = found ? found->numbers() : nullptr;
     if (!numbers) return {};
     Operands result;
@@ -118,38 +120,38 @@ Operands Evaluator::State::Compiler::name(NameId name) {
     return result;
 }
 
-Operands Evaluator::State::Compiler::constant(NameId word) {
-    const std::string_view name = state.names.spelling(word);
+Operands ExpressionCompiler::constant(NameId word) {
+    const std::string_view name = context.names.spelling(word);
     if (name == "version" || name == "now") return never();  // they change
-    const Value value = state.constant(word);
+    const Value value = context.expressions->constant(word);
     return numbers({value.numbers()->at.data(), static_cast<std::size_t>(value.numbers()->count)});
 }
 
-Operands Evaluator::State::Compiler::promoted(const Operands& operands, std::size_t count) {
+Operands ExpressionCompiler::promoted(const Operands& operands, std::size_t count) {
     if (operands.count != 1) return with_zeros(operands, count);
     Operands result;
     while (result.count < count) result.at[result.count++] = operands.at[0];
     return result;
 }
 
-Operands Evaluator::State::Compiler::with_zeros(const Operands& operands, std::size_t count) {
+Operands ExpressionCompiler::with_zeros(const Operands& operands, std::size_t count) {
     Operands result = operands;
     while (result.count < count) result.at[result.count++] = builder.constant(0);
     return result;
 }
 
-void Evaluator::State::Compiler::release(const Operands& operands) {
+void ExpressionCompiler::release(const Operands& operands) {
     for (std::size_t i = 0; i < operands.count; ++i) builder.release(operands.at[i]);
 }
 
-void Evaluator::State::Compiler::refuse_unless(Operand condition) {
+void ExpressionCompiler::refuse_unless(Operand condition) {
     const Operand opposite = builder.emit(Operation::equal, condition, builder.constant(0));
     builder.refuse(opposite);
     builder.release(opposite);
     builder.release(condition);
 }
 
-Operands Evaluator::State::Compiler::unary(const node::Unary& node) {
+Operands ExpressionCompiler::unary(const node::Unary& node) {
     const Operands operand = compile(node.operand);
     if (operand.count == 0 || node.sign == Operator::plus) return operand;
     const Operation operation =
@@ -161,7 +163,7 @@ Operands Evaluator::State::Compiler::unary(const node::Unary& node) {
     return result;
 }
 
-Operands Evaluator::State::Compiler::binary(const node::Binary& node) {
+Operands ExpressionCompiler::binary(const node::Binary& node) {
     const Operands left = compile(node.left);
     if (left.count == 0) return {};
     const Operands right = compile(node.right);
@@ -183,7 +185,7 @@ Operands Evaluator::State::Compiler::binary(const node::Binary& node) {
 
 /// Only one of the branches gives the value, but random streams advance as if both were computed,
 /// the first before the second.
-Operands Evaluator::State::Compiler::choice(const node::Choice& node) {
+Operands ExpressionCompiler::choice(const node::Choice& node) {
     const Operands condition = compile(node.condition);
     if (condition.count != 1) return {};
     const std::size_t to_no = builder.jump_unless(condition.at[0]);
@@ -207,8 +209,8 @@ Operands Evaluator::State::Compiler::choice(const node::Choice& node) {
     return result;
 }
 
-bool Evaluator::State::Compiler::draw(NodeId id) {
-    for (const NodeId call : state.random_calls(tree, id)) {
+bool ExpressionCompiler::draw(NodeId id) {
+    for (const NodeId call : context.expressions->random_calls(tree, id)) {
         const Operands drawn = compile(call);
         if (drawn.count == 0) return false;
         release(drawn);
@@ -216,7 +218,7 @@ bool Evaluator::State::Compiler::draw(NodeId id) {
     return true;
 }
 
-Operands Evaluator::State::Compiler::vector(const node::Vector& node) {
+Operands ExpressionCompiler::vector(const node::Vector& node) {
     Operands result;
     for (NodeId id = node.components; id != no_node; id = tree[id].next) {
         const Operands component = compile(id);
@@ -227,8 +229,8 @@ Operands Evaluator::State::Compiler::vector(const node::Vector& node) {
     return result.count < 2 ? never() : result;
 }
 
-Operands Evaluator::State::Compiler::member(const node::Member& node) {
-    const int part = component_of(state.names.spelling(node.member));
+Operands ExpressionCompiler::member(const node::Member& node) {
+    const int part = component_of(context.names.spelling(node.member));
     if (part < 0) return never();
     const Operands operand = compile(node.operand);
     if (operand.count == 0) return {};
@@ -244,8 +246,8 @@ Operands Evaluator::State::Compiler::member(const node::Member& node) {
     return Operands::one(result);
 }
 
-Operands Evaluator::State::Compiler::prefixed(const node::Prefixed& node) {
-    const std::string_view prefix = state.names.spelling(node.prefix);
+Operands ExpressionCompiler::prefixed(const node::Prefixed& node) {
+    const std::string_view prefix = context.names.spelling(node.prefix);
     if (prefix.starts_with("s")) return never();  // sRGB needs more than arithmetic
     const std::string_view form = prefix.substr(3);
     const std::size_t wanted = form.empty() ? 3 : form == "ft" ? 5 : 4;
@@ -256,9 +258,9 @@ Operands Evaluator::State::Compiler::prefixed(const node::Prefixed& node) {
     return result;
 }
 
-Operands Evaluator::State::Compiler::call(const node::Call& node) {
-    if (!state.names.reserved(node.name)) {
-        const Value* found = state.scope.find(node.name);
+Operands ExpressionCompiler::call(const node::Call& node) {
+    if (!context.names.reserved(node.name)) {
+        const Value* found = context.scope.find(node.name);
         if (!found) return {};
         Handle<Formula> formula = found->handle<Formula>();
         if (const auto spline = found->handle<Spline>()) formula = spline_formula(spline);
@@ -266,7 +268,7 @@ Operands Evaluator::State::Compiler::call(const node::Call& node) {
         code.callees.push_back({node.name, found->shared_place()});
         return call_formula(std::move(formula), node.arguments);
     }
-    const std::string_view name = state.names.spelling(node.name);
+    const std::string_view name = context.names.spelling(node.name);
     if (const auto function = function_number(name)) return of_one(name, *function, node.arguments);
     if (name == "rand") return random(node.arguments);
     if (name.starts_with("dimension")) return array_size(name, node.arguments);
@@ -277,7 +279,7 @@ Operands Evaluator::State::Compiler::call(const node::Call& node) {
 }
 
 /// Compiles arguments that are single numbers.
-bool Evaluator::State::Compiler::scalars(NodeId first, std::vector<Operand>& result) {
+bool ExpressionCompiler::scalars(NodeId first, std::vector<Operand>& result) {
     for (NodeId id = first; id != no_node; id = tree[id].next) {
         const Operands operand = compile(id);
         if (operand.count != 1) return false;
@@ -286,8 +288,8 @@ bool Evaluator::State::Compiler::scalars(NodeId first, std::vector<Operand>& res
     return true;
 }
 
-Operands Evaluator::State::Compiler::call_program(Handle<Formula> formula,
-                                                  std::span<const Operand> arguments) {
+Operands ExpressionCompiler::call_program(Handle<Formula> formula,
+                                          std::span<const Operand> arguments) {
     Operands result;
     result.count = formula->results();
     const Operand first = builder.call(std::move(formula), arguments);
@@ -297,17 +299,17 @@ Operands Evaluator::State::Compiler::call_program(Handle<Formula> formula,
     return result;
 }
 
-Operands Evaluator::State::Compiler::call_formula(Handle<Formula> formula, NodeId arguments) {
+Operands ExpressionCompiler::call_formula(Handle<Formula> formula, NodeId arguments) {
     std::vector<Operand> values;
     if (!scalars(arguments, values) || values.size() != formula->parameters()) return {};
     return call_program(std::move(formula), values);
 }
 
-Operands Evaluator::State::Compiler::random(NodeId arguments) {
+Operands ExpressionCompiler::random(NodeId arguments) {
     std::vector<Operand> stream;
     if (!scalars(arguments, stream) || stream.size() != 1) return {};
     code.random = true;
-    const auto next = [&streams = state.world.random](const double* in, double* out) {
+    const auto next = [&streams = context.world.random](const double* in, double* out) {
         if (!streams.known(in[0])) return false;
         out[0] = streams.attempt(static_cast<std::size_t>(in[0]));
         return true;
@@ -316,9 +318,9 @@ Operands Evaluator::State::Compiler::random(NodeId arguments) {
 }
 
 /// trace() and inside() of a named object.
-Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arguments) {
+Operands ExpressionCompiler::of_object(std::string_view name, NodeId arguments) {
     const auto* object = tree.get_if<node::Name>(arguments);
-    if (!object || !state.world.objects || !state.deprecated.empty()) return never();
+    if (!object || !context.world.objects || !context.deprecated.empty()) return never();
     const bool traces = name == "trace";
     std::vector<Operand> vectors;
     NodeId id = tree[arguments].next;
@@ -336,28 +338,29 @@ Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arg
         return fits ? trace(object->name, normal ? normal->name : no_name, vectors) : never();
     }
     if (id != no_node) return never();
-    const auto inside = [&state = state, object = object->name](const double* in, double* out) {
-        const Value* value = state.scope.find(object);
+    const auto inside = [&context = context, object = object->name](const double* in, double* out) {
+        const Value* value = context.scope.find(object);
         const Handle<Object> content = value ? value->handle<Object>() : nullptr;
         if (!content) return false;
         const Vec3 point(in[0], in[1], in[2]);
-        const std::optional<bool> answer = state.world.objects->inside(content, point, state.work);
+        const std::optional<bool> answer =
+            context.world.objects->inside(content, point, context.costs.work);
         if (answer) out[0] = *answer;
         return answer.has_value();
     };
     return native(1, inside, vectors);
 }
 
-Operands Evaluator::State::Compiler::trace(NameId object, NameId normal,
-                                           std::span<const Operand> ray) {
-    const auto first_hit = [&state = state, object, normal](const double* in, double* out) {
-        const Value* value = state.scope.find(object);
+Operands ExpressionCompiler::trace(NameId object, NameId normal, std::span<const Operand> ray) {
+    const auto first_hit = [&context = context, object, normal](const double* in, double* out) {
+        const Value* value = context.scope.find(object);
         const Handle<Object> content = value ? value->handle<Object>() : nullptr;
         const Vec3 from(in[0], in[1], in[2]), direction(in[3], in[4], in[5]);
         Numbers* const target =
-            normal == no_name ? nullptr : state.scope.overwritable(normal, false);
+            normal == no_name ? nullptr : context.scope.overwritable(normal, false);
         if (!content || direction == Vec3(0) || (normal != no_name && !target)) return false;
-        const auto hit = state.world.objects->first_hit(content, from, direction, state.work);
+        const auto hit =
+            context.world.objects->first_hit(content, from, direction, context.costs.work);
         if (target) *target = Numbers::vector(hit ? hit->normal : Vec3(0));
         for (int i = 0; i < 3; ++i) out[i] = hit ? hit->position[i] : 0;
         return true;
@@ -366,8 +369,8 @@ Operands Evaluator::State::Compiler::trace(NameId object, NameId normal,
 }
 
 /// Compiles the indices of an element. The last may be one of the array's current names.
-bool Evaluator::State::Compiler::indices_of(const ArrayData& now, NodeId first,
-                                            std::vector<Operand>& result, bool& named) {
+bool ExpressionCompiler::indices_of(const ArrayData& now, NodeId first,
+                                    std::vector<Operand>& result, bool& named) {
     NodeId last = first;
     while (tree[last].next != no_node) last = tree[last].next;
     const auto* const text = tree.get_if<node::Text>(last);
@@ -384,8 +387,8 @@ bool Evaluator::State::Compiler::indices_of(const ArrayData& now, NodeId first,
 }
 
 /// An element of an array of numbers with as many components as its elements have now.
-Operands Evaluator::State::Compiler::index(const node::Index& node) {
-    const Value* found = state.scope.find(node.name);
+Operands ExpressionCompiler::index(const node::Index& node) {
+    const Value* found = context.scope.find(node.name);
     const ArrayData* now = found ? found->array() : nullptr;
     std::vector<Operand> indices;
     bool named = false;
@@ -394,7 +397,7 @@ Operands Evaluator::State::Compiler::index(const node::Index& node) {
     const auto names = named ? now->names() : nullptr;
     if (now->max_numbers() == 0 || now->sizes().size() != indices.size()) return {};
     const int count = now->count(0) > 0 ? now->count(0) : now->max_numbers();
-    const auto element = [&scope = state.scope, name = node.name, rank = indices.size(), count,
+    const auto element = [&scope = context.scope, name = node.name, rank = indices.size(), count,
                           names](const double* in, double* out) {
         const Value* value = scope.find(name);
         const ArrayData* array = value ? value->array() : nullptr;
@@ -414,13 +417,13 @@ Operands Evaluator::State::Compiler::index(const node::Index& node) {
     return native(static_cast<std::size_t>(count), element, indices);
 }
 
-Operands Evaluator::State::Compiler::array_size(std::string_view name, NodeId arguments) {
+Operands ExpressionCompiler::array_size(std::string_view name, NodeId arguments) {
     const auto* array = tree.get_if<node::Name>(arguments);
     if (!array) return never();
     std::vector<Operand> dimension;
     if (!scalars(tree[arguments].next, dimension)) return {};
     if (dimension.size() != (name == "dimensions" ? 0 : 1)) return {};
-    const auto size = [&scope = state.scope, array = array->name, all = dimension.empty()](
+    const auto size = [&scope = context.scope, array = array->name, all = dimension.empty()](
                           const double* in, double* out) {
         const Value* value = scope.find(array);
         if (!value || !value->array()) return false;
@@ -434,7 +437,7 @@ Operands Evaluator::State::Compiler::array_size(std::string_view name, NodeId ar
 }
 
 /// Refuses arguments outside of the function's domain: they are reported when it is walked.
-void Evaluator::State::Compiler::refuse_outside(std::string_view function, Operand x) {
+void ExpressionCompiler::refuse_outside(std::string_view function, Operand x) {
     const Operand zero = builder.constant(0);
     if (function == "sqrt") refuse_unless(builder.emit(Operation::greater_equal, x, zero));
     if (function == "ln" || function == "log")
@@ -445,8 +448,8 @@ void Evaluator::State::Compiler::refuse_outside(std::string_view function, Opera
     }
 }
 
-Operands Evaluator::State::Compiler::of_one(std::string_view name, std::uint16_t function,
-                                            NodeId arguments) {
+Operands ExpressionCompiler::of_one(std::string_view name, std::uint16_t function,
+                                    NodeId arguments) {
     std::vector<Operand> values;
     if (!scalars(arguments, values) || values.size() != 1) return {};
     refuse_outside(name, values[0]);
@@ -455,7 +458,7 @@ Operands Evaluator::State::Compiler::of_one(std::string_view name, std::uint16_t
     return Operands::one(result);
 }
 
-Operands Evaluator::State::Compiler::of_numbers(std::string_view name, NodeId arguments) {
+Operands ExpressionCompiler::of_numbers(std::string_view name, NodeId arguments) {
     const bool extreme = name == "min" || name == "max";
     const auto two = operation_of_two(name);
     if (!extreme && name != "select" && !two) return never();
@@ -473,15 +476,15 @@ Operands Evaluator::State::Compiler::of_numbers(std::string_view name, NodeId ar
     return Operands::one(builder.fold(*two, values));
 }
 
-ProgramBuilder::Operand Evaluator::State::Compiler::dot(const Operands& a, const Operands& b) {
+ProgramBuilder::Operand ExpressionCompiler::dot(const Operands& a, const Operands& b) {
     std::array<Operand, 3> products;
     for (std::size_t i = 0; i < products.size(); ++i)
         products[i] = builder.emit(Operation::multiply, a.at[i], b.at[i]);
     return builder.fold(Operation::add, products);
 }
 
-Operands Evaluator::State::Compiler::of_two_vectors(std::string_view name, const Operands& a,
-                                                    const Operands& b) {
+Operands ExpressionCompiler::of_two_vectors(std::string_view name, const Operands& a,
+                                            const Operands& b) {
     if (name == "vdot") return Operands::one(dot(a, b));
     Operands result;
     if (name == "vcross") {
@@ -503,7 +506,7 @@ Operands Evaluator::State::Compiler::of_two_vectors(std::string_view name, const
     return native(3, rotate, arguments);
 }
 
-Operands Evaluator::State::Compiler::of_vectors(std::string_view name, NodeId arguments) {
+Operands ExpressionCompiler::of_vectors(std::string_view name, NodeId arguments) {
     std::vector<Operands> given, values;
     for (NodeId id = arguments; id != no_node; id = tree[id].next) {
         given.push_back(compile(id));

@@ -7,7 +7,8 @@
 
 #include "formula/builder.h"
 #include "formula/formula.h"
-#include "interpret/state.h"
+#include "interpret/code.h"
+#include "interpret/context.h"
 
 #include <utility>
 
@@ -29,10 +30,11 @@ struct OperatorCode {
 /// Precondition: the operator is binary.
 OperatorCode operations_of(Operator);
 
-struct Evaluator::State::Compiler {
+struct ExpressionCompiler {
     using Operand = ProgramBuilder::Operand;
 
-    Compiler(State& state, const Tree& tree, Code& code) : state(state), tree(tree), code(code) {}
+    ExpressionCompiler(Context& context, CodeTable& codes, const Tree& tree, Code& code)
+        : context(context), codes(codes), tree(tree), code(code) {}
 
     // ---- operators
     Operands compile(NodeId);
@@ -79,7 +81,8 @@ struct Evaluator::State::Compiler {
     void refuse_outside(std::string_view function, Operand x);
     Operand dot(const Operands& a, const Operands& b);
 
-    State& state;
+    Context& context;
+    CodeTable& codes;
     const Tree& tree;
     Code& code;
     ProgramBuilder builder;

@@ -2,7 +2,7 @@
 // The fast path to numbers. Literals and names are read directly; other expressions run as the
 // programs that compiler.cpp makes of them. Expressions with anything to report are left to
 // walk_expression().
-#include "interpret/state.h"
+#include "interpret/expressions.h"
 #include "text/message.h"
 #include "vocabulary/reserved.h"
 
@@ -10,11 +10,11 @@
 
 namespace candelabra {
 
-bool Evaluator::State::compute(const Tree& tree, NodeId id, Numbers& result) {
+bool Expressions::compute(const Tree& tree, NodeId id, Numbers& result) {
     const NodeContent& content = tree[id].content;
     if (const auto* name = std::get_if<node::Name>(&content)) {
-        note_use(name->name, tree, id);
-        const Value* found = scope.find(name->name);
+        context_.note_use(name->name, tree, id);
+        const Value* found = context_.scope.find(name->name);
         const Numbers* numbers = found ? found->numbers() : nullptr;
         if (numbers) result = *numbers;
         return numbers != nullptr;
@@ -23,44 +23,44 @@ bool Evaluator::State::compute(const Tree& tree, NodeId id, Numbers& result) {
         result = Numbers::scalar(tree.numbers[number->number]);
         return true;
     }
-    if (codes.excluded(tree, id)) return false;
-    for (Code* code = codes.find(tree, id); code; code = code->other.get())
+    if (codes_.excluded(tree, id)) return false;
+    for (Code* code = codes_.find(tree, id); code; code = code->other.get())
         if (load(*code)) return run(*code, result);
-    if (!codes.wanted(tree, id)) return false;
+    if (!codes_.wanted(tree, id)) return false;
     Code* const code = compile(tree, id);
     return code && load(*code) && run(*code, result);
 }
 
-std::optional<double> Evaluator::State::compute_scalar(const Tree& tree, NodeId id) {
+std::optional<double> Expressions::compute_scalar(const Tree& tree, NodeId id) {
     Numbers result;
     if (!compute(tree, id, result) || !result.is_scalar()) return std::nullopt;
     return result.at[0];
 }
 
 /// Loads the names into the registers. False if their kinds are not those that the code is for.
-bool Evaluator::State::load(Code& code) const {
+bool Expressions::load(Code& code) const {
     double* const registers = code.registers.data();
     for (const Code::Input& input : code.inputs) {
-        const Value* found = scope.find(input.name);
+        const Value* found = context_.scope.find(input.name);
         const Numbers* numbers = found ? found->numbers() : nullptr;
         if (!numbers || numbers->count != input.count) return false;
         registers[input.first] = numbers->at[0];
         for (std::size_t i = 1; i < input.count; ++i) registers[input.first + i] = numbers->at[i];
     }
     for (const Code::Callee& callee : code.callees) {
-        const Value* found = scope.find(callee.name);
+        const Value* found = context_.scope.find(callee.name);
         if (!found || found->shared_place() != callee.function) return false;
     }
     return true;
 }
 
-bool Evaluator::State::run(Code& code, Numbers& result) {
-    const std::size_t begin = code.random ? world.random.begin_attempt() : 0;
+bool Expressions::run(Code& code, Numbers& result) {
+    const std::size_t begin = code.random ? context_.world.random.begin_attempt() : 0;
     std::uint32_t passes = 0;
     const bool good = execute(code.program, code.registers.data(), passes);
-    work += code.cost;  // loops count their passes themselves
+    context_.costs.work += code.cost;  // loops count their passes themselves
     if (!good) {
-        if (code.random) world.random.take_back(begin);
+        if (code.random) context_.world.random.take_back(begin);
         return false;
     }
     const double* const registers = code.registers.data();
@@ -90,10 +90,10 @@ std::string about_axis(const Tree& tree, NodeId id) {
 
 }  // namespace
 
-std::optional<double> Evaluator::State::number_or(const Tree& tree, NodeId id, Value& other) {
+std::optional<double> Expressions::number_or(const Tree& tree, NodeId id, Value& other) {
     if (const auto* name = tree.get_if<node::Name>(id)) {
-        note_use(name->name, tree, id);
-        const Value* found = scope.find(name->name);
+        context_.note_use(name->name, tree, id);
+        const Value* found = context_.scope.find(name->name);
         const Numbers* known = found ? found->numbers() : nullptr;
         if (known && known->is_scalar()) return known->at[0];
     }
@@ -104,22 +104,22 @@ std::optional<double> Evaluator::State::number_or(const Tree& tree, NodeId id, V
     return std::nullopt;
 }
 
-std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
-                                               NameId word) {
+std::optional<double> Expressions::number(const Tree& tree, NodeId id, std::string_view what,
+                                          NameId word) {
     Value other = Absence::nothing;
     if (const auto found = number_or(tree, id, other)) return found;
     return number_in(other, tree, id, what, word);
 }
 
-std::optional<double> Evaluator::State::number_in(const Value& value, const Tree& tree, NodeId id,
-                                                  std::string_view what, NameId word) {
+std::optional<double> Expressions::number_in(const Value& value, const Tree& tree, NodeId id,
+                                             std::string_view what, NameId word) {
     if (const Numbers* found = value.numbers(); found && found->is_scalar()) return found->at[0];
     const std::string named =
-        word == no_name ? std::string() : message(" `", names.spelling(word), "`");
+        word == no_name ? std::string() : message(" `", context_.names.spelling(word), "`");
     if (value.broken()) return std::nullopt;
-    report(error(Fault::wrong_type, tree.span(id),
-                 message(what, named, " must be a number, but it is ", kind_name(value)))
-               .with_help(about_axis(tree, id)));
+    context_.report(error(Fault::wrong_type, tree.span(id),
+                          message(what, named, " must be a number, but it is ", kind_name(value)))
+                        .with_help(about_axis(tree, id)));
     return std::nullopt;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions: numbers of one to five components with POV-Ray's rules of promotion, strings, and
 // colours.
+#include "interpret/calls.h"
+#include "interpret/expressions.h"
 #include "interpret/previous.h"
-#include "interpret/state.h"
+#include "interpret/statements.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -70,77 +72,78 @@ std::optional<Numbers> sum(std::span<const Element> elements, const SourceStore&
 
 }  // namespace
 
-Value Evaluator::State::evaluate(const Tree& tree, NodeId id) {
+Value Expressions::evaluate(const Tree& tree, NodeId id) {
     Numbers numbers;
     if (compute(tree, id, numbers)) return numbers;
     return walk_expression(tree, id);
 }
 
-Value Evaluator::State::name_value(NameId name, Span span) {
+Value Expressions::name_value(NameId name, Span span) {
     const Value* found = value_named(name);
-    if (!found) return unknown_name(name, span);
+    if (!found) return context_.unknown_name(name, span);
     if (found->macro())
-        return broken(
-            Fault::wrong_type, span,
-            message("`", names.spelling(name), "` is a macro: its call needs parentheses"));
+        return context_.broken(Fault::wrong_type, span,
+                               message("`", context_.names.spelling(name),
+                                       "` is a macro: its call needs parentheses"));
     if (found->is(Absence::uninitialised))
-        return broken(Fault::uninitialised, span,
-                      message("`", names.spelling(name), "` has no value"));
+        return context_.broken(Fault::uninitialised, span,
+                               message("`", context_.names.spelling(name), "` has no value"));
     return *found;
 }
 
-Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, NodeId id) {
+Value Expressions::index_value(const Tree& tree, const node::Index& index, NodeId id) {
     Indices places;
-    note_use(index.name, tree, id);
+    context_.note_use(index.name, tree, id);
     if (!indices(tree, index.indices, places)) return Absence::broken;
-    const Value* array = scope.find(index.name);
-    if (!array) return unknown_name(index.name, tree.span(id));
+    const Value* array = context_.scope.find(index.name);
+    if (!array) return context_.unknown_name(index.name, tree.span(id));
     Value found = element(*array, places, tree.span(id));
     if (found.is(Absence::uninitialised))
-        return broken(Fault::uninitialised, tree.span(id),
-                      "this element of the array was never set");
+        return context_.broken(Fault::uninitialised, tree.span(id),
+                               "this element of the array was never set");
     return found;
 }
 
-[[gnu::noinline]] Value Evaluator::State::take_tuple(const Tree& tree, NodeId id) {
-    std::vector<Value>& values = *std::exchange(awaited_tuple_, nullptr);
+[[gnu::noinline]] Value Expressions::take_tuple(const Tree& tree, NodeId id) {
+    std::vector<Value>& values = *std::exchange(context_.awaited_tuple, nullptr);
     for (NodeId each = tree.get<node::Tuple>(id).content; each != no_node; each = tree[each].next)
         values.push_back(evaluate(tree, each));
     return Numbers::scalar(static_cast<double>(values.size()));
 }
 
 // Not inlined, so that nested expressions do not each reserve stack for a message.
-[[gnu::noinline]] Value Evaluator::State::refuse_tuple(const Tree& tree, NodeId id) {
-    const std::string_view before = sources.text(tree.source).substr(0, tree[id].first);
+[[gnu::noinline]] Value Expressions::refuse_tuple(const Tree& tree, NodeId id) {
+    const std::string_view before = context_.sources.text(tree.source).substr(0, tree[id].first);
     const std::size_t last = before.find_last_not_of(" \t");
     const bool elements = last != before.npos && before[last] == ']';
     const NodeId ahead = previous(tree, id);
     const auto* word = ahead == no_node ? nullptr : tree.get_if<node::Word>(ahead);
-    if (word && reported.tree == &tree && reported.first == ahead) return Absence::broken;
+    if (word && context_.reported.tree == &tree && context_.reported.first == ahead)
+        return Absence::broken;
     Diagnostic problem = error(
         Fault::wrong_count, tree.span(id),
         elements ? "values in parentheses are no elements" : "values in parentheses are no vector");
     if (elements)
         problem.with_help("the elements of an array stand in braces: { 1, 2, 3 }");
-    else if (word && handlers.takes_braces(word->word))
+    else if (word && context_.handlers.takes_braces(word->word))
         problem.with_help(
             message("a vector is written between `<` and `>`, and what belongs to "
                     "an object in braces: <1, 2, 3>, ",
-                    names.spelling(word->word), " { ... }"));
+                    context_.names.spelling(word->word), " { ... }"));
     else
         problem.with_help("a vector is written between `<` and `>`: <1, 2, 3>");
-    report(std::move(problem));
+    context_.report(std::move(problem));
     return Absence::broken;
 }
 
-[[gnu::noinline]] Value Evaluator::State::refuse_gap(const Tree& tree, NodeId id) {
-    report(error(Fault::syntax, tree.span(id), "two commas in a row")
-               .with_help("leave one out, or put the missing value between them"));
+[[gnu::noinline]] Value Expressions::refuse_gap(const Tree& tree, NodeId id) {
+    context_.report(error(Fault::syntax, tree.span(id), "two commas in a row")
+                        .with_help("leave one out, or put the missing value between them"));
     return Absence::broken;
 }
 
-Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
-    if (!room(tree, id)) return Absence::broken;
+Value Expressions::walk_expression(const Tree& tree, NodeId id) {
+    if (!context_.room(tree, id)) return Absence::broken;
     const NodeContent& content = tree[id].content;
     switch (content.index()) {
         case kind<node::Number>:
@@ -156,7 +159,7 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         case kind<node::Text>:
             return tree.texts[std::get_if<node::Text>(&content)->text];
         case kind<node::Name>:
-            note_use(std::get_if<node::Name>(&content)->name, tree, id);
+            context_.note_use(std::get_if<node::Name>(&content)->name, tree, id);
             return name_value(std::get_if<node::Name>(&content)->name, tree.span(id));
         case kind<node::Index>:
             return index_value(tree, *std::get_if<node::Index>(&content), id);
@@ -177,7 +180,7 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         case kind<node::Member>:
             return member(tree, *std::get_if<node::Member>(&content), id);
         case kind<node::Call>:
-            return call(tree, *std::get_if<node::Call>(&content), id);
+            return context_.calls->call(tree, *std::get_if<node::Call>(&content), id);
         case kind<node::Prefixed>:
             return prefixed(tree, *std::get_if<node::Prefixed>(&content), id);
         case kind<node::Colour>:
@@ -185,37 +188,37 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         case kind<node::Array>:
             return array(tree, *std::get_if<node::Array>(&content), id);
         case kind<node::Function>:
-            return function(tree, *std::get_if<node::Function>(&content), id);
+            return context_.calls->function(tree, *std::get_if<node::Function>(&content), id);
         case kind<node::Apply>: {
             const auto& apply = *std::get_if<node::Apply>(&content);
             const Value called = evaluate(tree, apply.function);
             const NameId name = tree.get<node::Index>(apply.function).name;
-            return call_value(tree, called, name, apply.arguments, tree.span(id));
+            return context_.calls->call_value(tree, called, name, apply.arguments, tree.span(id));
         }
         case kind<node::Tuple>:
-            return awaited_tuple_ ? take_tuple(tree, id) : refuse_tuple(tree, id);
+            return context_.awaited_tuple ? take_tuple(tree, id) : refuse_tuple(tree, id);
         case kind<node::Broken>:
             return Absence::broken;
         case kind<node::Omitted>:
             return refuse_gap(tree, id);
         default:
-            return right_side(tree, id);
+            return context_.statements->right_side(tree, id);
     }
 }
 
-Value Evaluator::State::unary(const Tree& tree, const node::Unary& node, NodeId id) {
-    if (node.sign != Operator::no && macro_call(tree, node.operand))
+Value Expressions::unary(const Tree& tree, const node::Unary& node, NodeId id) {
+    if (node.sign != Operator::no && context_.calls->macro_call(tree, node.operand))
         return open_expression(tree, id);
     return with_sign(node.sign, evaluate(tree, node.operand), tree.span(id));
 }
 
-Value Evaluator::State::with_sign(Operator sign, Value value, Span span) {
+Value Expressions::with_sign(Operator sign, Value value, Span span) {
     if (value.broken()) return value;
     Numbers* numbers = value.edit_numbers();
     if (!numbers)
-        return broken(Fault::wrong_type, span,
-                      message("`", candelabra::spelling(sign), "` takes numbers, but this is ",
-                              kind_name(value)));
+        return context_.broken(Fault::wrong_type, span,
+                               message("`", candelabra::spelling(sign),
+                                       "` takes numbers, but this is ", kind_name(value)));
     for (int i = 0; i < numbers->count && sign != Operator::plus; ++i) {
         double& x = numbers->at[static_cast<std::size_t>(i)];
         x = sign == Operator::minus ? -x : is_true(x) ? 0 : 1;
@@ -223,7 +226,7 @@ Value Evaluator::State::with_sign(Operator sign, Value value, Span span) {
     return value;
 }
 
-Value Evaluator::State::binary(const Tree& tree, const node::Binary& node, NodeId id) {
+Value Expressions::binary(const Tree& tree, const node::Binary& node, NodeId id) {
     if (node.open) return open_expression(tree, id);
     Value left = evaluate(tree, node.left);
     Value right = evaluate(tree, node.right);
@@ -231,8 +234,7 @@ Value Evaluator::State::binary(const Tree& tree, const node::Binary& node, NodeI
                    tree.span(id));
 }
 
-Value Evaluator::State::combine(Operator sign, Value left, Value right, Span right_span,
-                                Span whole) {
+Value Expressions::combine(Operator sign, Value left, Value right, Span right_span, Span whole) {
     if (left.broken() || right.broken()) return Absence::broken;
     Numbers* a = left.edit_numbers();
     Numbers* b = right.edit_numbers();
@@ -242,16 +244,16 @@ Value Evaluator::State::combine(Operator sign, Value left, Value right, Span rig
     if (b->count < count) *b = b->promoted(count);
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         if (sign == Operator::divide && b->at[i] == 0)
-            report(warning(Fault::division_by_zero, right_span,
-                           "division by zero; the result is infinite")
-                       .with_label("this is 0"));
+            context_.report(warning(Fault::division_by_zero, right_span,
+                                    "division by zero; the result is infinite")
+                                .with_label("this is 0"));
         a->at[i] = apply(sign, a->at[i], b->at[i]);
     }
     return left;
 }
 
 /// Applies an operator to operands that are not numbers: strings can be compared.
-Value Evaluator::State::truth(const Value& left, const Value& right, Operator sign, Span span) {
+Value Expressions::truth(const Value& left, const Value& right, Operator sign, Span span) {
     if (left.text() && right.text() && is_comparison(sign)) {
         const int order = left.text()->compare(*right.text());
         return apply(sign, order, 0);
@@ -263,13 +265,13 @@ Value Evaluator::State::truth(const Value& left, const Value& right, Operator si
         problem.with_help("strings are joined by concat(a, b)");
     else if ((left.text() && right.numbers()) || (left.numbers() && right.text()))
         problem.with_help("val(s) is the number in a string, str(x, 0, 2) is a number as a string");
-    report(problem);
+    context_.report(problem);
     return Absence::broken;
 }
 
 /// Only one of the branches is evaluated; but in POV-Ray both are, so random streams advance for
 /// both.
-Value Evaluator::State::choice(const Tree& tree, const node::Choice& node) {
+Value Expressions::choice(const Tree& tree, const node::Choice& node) {
     const std::optional<double> condition = number(tree, node.condition, "the condition of `? :`");
     if (!condition) return Absence::broken;
     const bool yes = is_true(*condition);
@@ -279,11 +281,11 @@ Value Evaluator::State::choice(const Tree& tree, const node::Choice& node) {
     return value;
 }
 
-void Evaluator::State::draw(const Tree& tree, NodeId id) {
+void Expressions::draw(const Tree& tree, NodeId id) {
     for (const NodeId call : random_calls(tree, id)) evaluate(tree, call);
 }
 
-std::vector<NodeId> Evaluator::State::random_calls(const Tree& tree, NodeId id) const {
+std::vector<NodeId> Expressions::random_calls(const Tree& tree, NodeId id) const {
     std::vector<NodeId> calls;
     std::vector<NodeId> work = {id};
     const auto later = [&](std::initializer_list<NodeId> parts) {
@@ -299,7 +301,7 @@ std::vector<NodeId> Evaluator::State::random_calls(const Tree& tree, NodeId id) 
         const NodeId at = work.back();
         work.pop_back();
         if (const auto* call = tree.get_if<node::Call>(at)) {
-            const bool random = names.spelling(call->name) == "rand";
+            const bool random = context_.names.spelling(call->name) == "rand";
             random ? calls.push_back(at) : list(call->arguments);
         } else if (const auto* unary = tree.get_if<node::Unary>(at)) {
             later({unary->operand});
@@ -322,18 +324,19 @@ std::vector<NodeId> Evaluator::State::random_calls(const Tree& tree, NodeId id) 
     return calls;
 }
 
-Value Evaluator::State::group(const Tree& tree, NodeId content, Span span) {
+Value Expressions::group(const Tree& tree, NodeId content, Span span) {
     // Nearly always there is only the value.
     if (content != no_node && tree[content].next == no_node && !tree.get_if<node::If>(content))
         return evaluate(tree, content);
     std::vector<Element> elements;
-    walk(tree, content, [&](const Element& element) { elements.push_back(element); });
+    context_.statements->walk(tree, content,
+                              [&](const Element& element) { elements.push_back(element); });
     if (elements.size() > 1)
-        if (const std::optional<Numbers> total = sum(elements, sources)) return *total;
+        if (const std::optional<Numbers> total = sum(elements, context_.sources)) return *total;
     return one_value(elements, span);
 }
 
-bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<double>& result) {
+bool Expressions::components(const Tree& tree, NodeId first, std::vector<double>& result) {
     for (NodeId id = first; id != no_node; id = tree[id].next) {
         const auto add = [&](const Value& value, Span span) {
             const Numbers* numbers = value.numbers();
@@ -342,21 +345,22 @@ bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<do
                 return true;
             }
             if (!value.broken())
-                broken(Fault::wrong_type, span,
-                       message("a component of a vector is a number, but this is ",
-                               kind_and_text(value)));
+                context_.broken(Fault::wrong_type, span,
+                                message("a component of a vector is a number, but this is ",
+                                        kind_and_text(value)));
             return false;
         };
         const auto* call = tree.get_if<node::Call>(id);
-        const bool macro = call && !names.reserved(call->name) && !is_function(call->name);
-        if (macro || is_directive(tree, id)) {
+        const bool macro = call && !context_.names.reserved(call->name) &&
+                           !context_.calls->is_function(call->name);
+        if (macro || Statements::is_directive(tree, id)) {
             // It may yield several components, or none.
             bool good = true;
             const auto take = [&](const Element& element) {
-                good = good && add(evaluator.value_of(element), element.span);
+                good = good && add(context_.evaluator.value_of(element), element.span);
             };
-            walk_one(tree, id, take);
-            if (!good || stopped_) return false;
+            context_.statements->walk_one(tree, id, take);
+            if (!good || context_.stopped()) return false;
         } else if (!add(evaluate(tree, id), tree.span(id))) {
             return false;
         }
@@ -364,24 +368,25 @@ bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<do
     return true;
 }
 
-Value Evaluator::State::vector(const Tree& tree, const node::Vector& node, NodeId id) {
+Value Expressions::vector(const Tree& tree, const node::Vector& node, NodeId id) {
     std::vector<double> numbers;
     if (!components(tree, node.components, numbers)) return Absence::broken;
     return vector_of(numbers, tree.span(id));
 }
 
-Value Evaluator::State::vector_of(const std::vector<double>& numbers, Span span) {
+Value Expressions::vector_of(const std::vector<double>& numbers, Span span) {
     if (numbers.size() < 2 || numbers.size() > 5)
-        return broken(Fault::wrong_count, span,
-                      message("a vector has 2 to 5 components, but this has ", numbers.size()));
+        return context_.broken(
+            Fault::wrong_count, span,
+            message("a vector has 2 to 5 components, but this has ", numbers.size()));
     Numbers result;
     result.count = static_cast<int>(numbers.size());
     std::copy(numbers.begin(), numbers.end(), result.at.begin());
     return result;
 }
 
-Value Evaluator::State::constant(NameId word) {
-    const std::string_view name = names.spelling(word);
+Value Expressions::constant(NameId word) {
+    const std::string_view name = context_.names.spelling(word);
     if (name == "x") return Numbers{{1, 0, 0}, 3};
     if (name == "y") return Numbers{{0, 1, 0}, 3};
     if (name == "z") return Numbers{{0, 0, 1}, 3};
@@ -391,13 +396,61 @@ Value Evaluator::State::constant(NameId word) {
     if (name == "pi") return std::numbers::pi;
     if (name == "true" || name == "yes" || name == "on") return 1.0;
     if (name == "false" || name == "no" || name == "off") return 0.0;
-    if (name == "clock") return facts.clock;
-    if (name == "clock_on") return facts.clock_given ? 1.0 : 0.0;
-    if (name == "version") return version;
+    if (name == "clock") return context_.facts.clock;
+    if (name == "clock_on") return context_.facts.clock_given ? 1.0 : 0.0;
+    if (name == "version") return context_.version;
     // now: days since the year 2000 began, in UTC
     using namespace std::chrono;
     return duration<double, std::ratio<86400>>(system_clock::now() - sys_days(year(2000) / 1 / 1))
         .count();
+}
+
+Value Expressions::one_value(OneValue&& one, Span span) {
+    if (one.broken || context_.stopped()) return Absence::broken;
+    if (one.count == 1 && !one.first) return std::move(one.value);
+    if (one.count != 1) return report_count(one.count, span);
+    return one_value(
+        one.first ? std::span<const Element>(&*one.first, 1) : std::span<const Element>(), span);
+}
+
+Value Expressions::report_count(std::size_t count, Span span) {
+    if (count > 0)
+        return context_.broken(Fault::wrong_count, span,
+                               message("one value is wanted here, and this gives ", count));
+    if (context_.stopped()) return Absence::broken;
+    context_.report(error(Fault::missing, span, "a value is wanted here, and this macro gives none")
+                        .with_help("a macro gives what stands in it without a directive: "
+                                   "#macro Twice(A) (2*A) #end"));
+    return Absence::broken;
+}
+
+Value Expressions::one_value(std::span<const Element> elements, Span span) {
+    if (context_.stopped()) return Absence::broken;
+    if (elements.empty())
+        return context_.broken(Fault::missing, span, "a value is wanted here, and this gives none");
+    const bool blocks = std::all_of(elements.begin(), elements.end(), [](const Element& e) {
+        return e.kind == Element::Kind::block;
+    });
+    if (blocks) return context_.handlers.value(elements);
+    for (const Element& element : elements)
+        if (element.kind == Element::Kind::value && element.value.broken()) return Absence::broken;
+    if (elements.size() > 1)
+        return context_.broken(
+            Fault::wrong_count, span,
+            message("one value is wanted here, and this gives ", elements.size()));
+    const Element& element = elements.front();
+    switch (element.kind) {
+        case Element::Kind::value:
+            return element.value;
+        case Element::Kind::word:
+            if (!context_.names.reserved(element.word))
+                return context_.unknown_name(element.word, element.span);
+            return context_.broken(Fault::wrong_type, element.span,
+                                   message("a value is wanted here, and `",
+                                           context_.names.spelling(element.word), "` is none"));
+        default:
+            return context_.broken(Fault::wrong_type, element.span, "a value is wanted here");
+    }
 }
 
 }  // namespace candelabra

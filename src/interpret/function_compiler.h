@@ -7,7 +7,7 @@
 #include "formula/builder.h"
 #include "formula/formula.h"
 #include "formula/function_texts.h"
-#include "interpret/state.h"
+#include "interpret/context.h"
 #include "text/message.h"
 
 #include <optional>
@@ -19,11 +19,11 @@
 
 namespace candelabra {
 
-struct Evaluator::State::FunctionCompiler {
+struct FunctionCompiler {
     using Operand = ProgramBuilder::Operand;
     using Result = std::optional<Operand>;  ///< nothing: after a report
 
-    explicit FunctionCompiler(State& state) : state(state) {}
+    explicit FunctionCompiler(Context& context) : context(context) {}
 
     void add_parameter(NameId name) { locals.push_back({name, builder.input()}); }
 
@@ -85,7 +85,7 @@ struct Evaluator::State::FunctionCompiler {
     Operand function_of_two(std::string_view name, Operand a, Operand b);
     std::optional<std::vector<Operand>> arguments(const Tree&, NodeId first);
 
-    State& state;
+    Context& context;
     ProgramBuilder builder;
     std::vector<std::pair<NameId, Operand>> locals;  ///< parameters and counters of loops
     struct Said {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "interpret/frames.h"
+#include "interpret/context.h"
 
 #include "bind/evaluate.h"
 #include "text/excerpt.h"
