@@ -25,8 +25,12 @@ constexpr std::uint32_t version = 1;
 constexpr std::size_t digest_bytes = 64;  // hexadecimal
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28;
 constexpr std::uint32_t most_lamps = std::uint32_t{1} << 30;
-/// No zlib stream is smaller than its content by a larger factor.
-constexpr std::uint64_t most_packing = 1032;
+/// Most bytes that the blocks of a file of so many bytes may have together when they are unpacked.
+/// The files of this program unpack to a few times their size; a dark picture to more, of little.
+std::uint64_t most_unpacked(std::size_t file_bytes) {
+    constexpr std::uint64_t small_file = std::uint64_t{1} << 28, factor = 128;
+    return small_file + factor * file_bytes;
+}
 
 /// Returns a block with the bytes.
 std::string block_of(const std::string& raw) {
@@ -42,11 +46,13 @@ std::string block_of(const std::string& raw) {
     return block + packed;
 }
 
-/// Takes a block from the front of the bytes; nothing if there is none.
-std::optional<std::string> take_block(ByteReader& reader) {
+/// Takes a block from the front of the bytes, and its size from `left`, which blocks may still have;
+/// nothing if there is none of at most that size.
+std::optional<std::string> take_block(ByteReader& reader, std::uint64_t& left) {
     const auto size = reader.number<std::uint64_t>(), packed_size = reader.number<std::uint64_t>();
     const std::string_view packed = reader.take(packed_size);
-    if (!reader.good() || size > (packed.size() + 1) * most_packing) return std::nullopt;
+    if (!reader.good() || size > left) return std::nullopt;
+    left -= size;
     std::string raw(static_cast<std::size_t>(size), '\0');
     auto made = static_cast<uLongf>(size);
     const int result = uncompress(reinterpret_cast<Bytef*>(raw.data()), &made,
@@ -187,14 +193,15 @@ std::optional<LightRecords> decode_records(std::string_view bytes, std::string& 
     if (sha256(bytes.substr(0, bytes.size() - digest_bytes)) != reader.left())
         return fail("is damaged: its bytes are not those that it had");
     ByteReader blocks(rest);
+    std::uint64_t left = most_unpacked(bytes.size());
     LightRecords records;
-    const auto head = take_block(blocks);
+    const auto head = take_block(blocks, left);
     if (!head || !take_head(*head, records)) return fail("has no lamps that are possible");
-    const auto alpha = take_block(blocks);
+    const auto alpha = take_block(blocks, left);
     if (!alpha || !take_alpha(*alpha, records))
         return fail("has no alpha channel that is possible");
     for (int row = 0; row < records.tiles_down(); ++row) {
-        const auto raw = take_block(blocks);
+        const auto raw = take_block(blocks, left);
         if (!raw || !take_row(*raw, records)) return fail("has tiles that are not possible");
     }
     if (!blocks.left().empty()) return fail("has more than its tiles");

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 seconds=${1:-60}
-all=(lexer parser evaluate scene http lsp data photometry ini options picture mesh density font state develop)
+all=(lexer parser evaluate scene http lsp data photometry ini options relight picture mesh density font state develop)
 targets=("${@:2}")
 [ ${#targets[@]} -gt 0 ] || targets=("${all[@]}")
 build=${BUILD_DIR:-build-fuzz}

@@ -69,6 +69,14 @@ TEST_CASE("files that keep no light are refused", "[relight]") {
         REQUIRE(problem_of(bytes.substr(0, size)) != "none");
 }
 
+TEST_CASE("blocks that unpack to more than a file can need are refused", "[relight]") {
+    const std::string bytes = encode(file_records(), 1);
+    std::string content = bytes.substr(0, bytes.size() - 64);
+    const std::size_t size_of_head = 20;
+    content[size_of_head + 4] = 1;  // 4 GB more than it has
+    CHECK(problem_of(content + sha256(content)) == "has no lamps that are possible");
+}
+
 TEST_CASE("a file with a right digest may still be anything", "[relight]") {
     const std::string bytes = encode(file_records(), 1);
     const std::string content = bytes.substr(0, bytes.size() - 64);
