@@ -203,6 +203,9 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
         return reader.layered(below, above, span);
     };
     handlers.takes_braces = [](NameId word) { return block_table().takes_braces(word); };
+    handlers.knows_word = [&](NameId name) {
+        return block_table().knows(evaluator.spelling(name));
+    };
     handlers.print = [&](std::string_view text) {
         if (options.print) options.print(text);
     };

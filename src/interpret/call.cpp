@@ -36,6 +36,8 @@ Value Calls::call(const Tree& tree, const node::Call& node, NodeId id) {
         const Value called = *found;
         return call_value(tree, called, node.name, node.arguments, tree.span(id));
     }
+    if (context_.word_call.tree == &tree && context_.word_call.first == id)
+        return context_.expressions->group(tree, node.arguments, tree.span(id));
     called_macro(tree, node, id);  // reports the problem
     return Absence::broken;
 }

@@ -23,6 +23,7 @@ Context::Context(Evaluator& evaluator, SourceStore& sources, const Loader& loade
     handlers.function = [](const Element&) { return Handle<Formula>(nullptr); };
     handlers.set_default = [](const Element&) {};
     handlers.takes_braces = [](NameId) { return false; };
+    handlers.knows_word = [](NameId) { return false; };
     handlers.print = [](std::string_view) {};
     world.evaluator = &evaluator;
     world.report = [this](Diagnostic diagnostic) { report(std::move(diagnostic)); };

@@ -101,6 +101,8 @@ struct Context {
     /// Receives the values in parentheses that a macro gives to `#declare (a, b) = M();`. Null if
     /// none are expected.
     std::vector<Value>* awaited_tuple = nullptr;
+    /// The call that is a word of a block, before the parentheses of its value.
+    Body word_call;
     const char* stack_end = nullptr;  ///< lowest address that the stack may reach; null: unlimited
 
     // ---- the parts

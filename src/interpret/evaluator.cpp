@@ -63,7 +63,7 @@ void Evaluator::declare(std::string_view name, Value value) {
 }
 void Evaluator::undeclare(NameId name) { state_->context.scope.undefine(name); }
 void Evaluator::walk(Body body, Take take) {
-    state_->statements.walk_whole(*body.tree, body.first, take);
+    state_->statements.walk_whole(*body.tree, body.first, Sink::of_block(take));
 }
 bool Evaluator::compute(Body body, Numbers& result) {
     return !state_->context.stopped() &&

@@ -93,6 +93,9 @@ struct ElementHandlers {
     std::function<void(double, Span)> set_version;
     /// Whether the word needs braces after it, for messages.
     std::function<bool(NameId)> takes_braces;
+    /// Whether the name, which is not reserved, is a word of some block. In a block, parentheses
+    /// behind it are those of its value: `along (A)*x`.
+    std::function<bool(NameId)> knows_word;
     /// Prints the text of `#debug`, `#render` and `#statistics`, without an added line end.
     std::function<void(std::string_view)> print;
 };

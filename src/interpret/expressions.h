@@ -44,6 +44,8 @@ public:
         return found || name != tau_ ? found : &value_of_tau_;
     }
     Value name_value(NameId, Span);
+    /// The value in parentheses.
+    Value group(const Tree&, NodeId content, Span);
     Value index_value(const Tree&, const node::Index&, NodeId);
     Value constant(NameId);
     Value combine(Operator, Value left, Value right, Span right_span, Span whole);
@@ -130,7 +132,6 @@ private:
     Value choice(const Tree&, const node::Choice&);
     /// Draws the random numbers that an expression would have drawn.
     void draw(const Tree&, NodeId);
-    Value group(const Tree&, NodeId content, Span);
     Value vector(const Tree&, const node::Vector&, NodeId);
     Value truth(const Value&, const Value&, Operator, Span);
     /// The value of an expression whose operands are walked one by one.

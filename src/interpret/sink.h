@@ -60,6 +60,14 @@ public:
     /// Takes unevaluated nodes. They must be used at once, while their names are bound.
     using Written = FunctionRef<void(const Tree&, NodeId)>;
     explicit Sink(const Written& written) : take_(nowhere), written_(&written) {}
+    /// Takes the content of a block, where words may stand before values.
+    static Sink of_block(Evaluator::Take take) {
+        Sink sink(take);
+        sink.of_block_ = true;
+        return sink;
+    }
+
+    bool is_of_block() const { return of_block_; }
 
     /// The callback for unevaluated nodes, or null.
     const Written* written() const { return written_; }
@@ -84,6 +92,7 @@ private:
     static constexpr auto nowhere = [](const Element&) {};
 
     Evaluator::Take take_;
+    bool of_block_ = false;
     OneValue* one_ = nullptr;
     const Written* written_ = nullptr;
 };

@@ -55,6 +55,11 @@ private:
     NodeId take_value(const Tree&, NodeId, const Sink& take);
     Flow take_vector(const Tree&, NodeId, const Sink& take);
     NodeId take_power(const Tree&, NodeId, const Sink& take);
+    /// The call at the beginning of an expression that is no call, but a word of a block before the
+    /// parentheses of its value: `along (A)*x`. no_node: there is none.
+    NodeId word_before(const Tree&, NodeId, const Sink& take) const;
+    /// Passes on that word, and then the value of the expression.
+    Flow take_word(const Tree&, NodeId, NodeId call, const Sink& take);
 
     // ---- directive.cpp
     Flow directive(const Tree&, NodeId, const Sink& take);

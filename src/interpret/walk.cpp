@@ -10,6 +10,7 @@
 #include "vocabulary/reserved.h"
 
 #include <new>
+#include <utility>
 
 namespace candelabra {
 
@@ -129,6 +130,7 @@ Flow Statements::walk_one(const Tree& tree, NodeId id, const Sink& take) {
         }
         case kind<node::Call>: {
             const auto& call = *std::get_if<node::Call>(&content);
+            if (word_before(tree, id, take) == id) return take_word(tree, id, id, take);
             if (!context_.names.reserved(call.name) && !context_.calls->is_function(call.name))
                 return context_.calls->call_macro(tree, call, id, take);
             take.value(context_.expressions->evaluate(tree, id), tree, id);
@@ -143,9 +145,47 @@ Flow Statements::walk_one(const Tree& tree, NodeId id, const Sink& take) {
             [[fallthrough]];
         default:
             if (is_directive(tree, id)) return directive(tree, id, take);
+            if (const NodeId call = word_before(tree, id, take); call != no_node)
+                return take_word(tree, id, call, take);
             take.value(context_.expressions->evaluate(tree, id), tree, id);
             return Flow::end;
     }
+}
+
+NodeId Statements::word_before(const Tree& tree, NodeId id, const Sink& take) const {
+    if (!take.is_of_block()) return no_node;
+    for (;;) {
+        if (const auto* binary = tree.get_if<node::Binary>(id)) {
+            id = binary->left;
+        } else if (const auto* member = tree.get_if<node::Member>(id)) {
+            id = member->operand;
+        } else if (const auto* choice = tree.get_if<node::Choice>(id)) {
+            id = choice->condition;
+        } else {
+            const auto* call = tree.get_if<node::Call>(id);
+            const bool known = !call || context_.names.reserved(call->name) ||
+                               context_.scope.find(call->name) ||
+                               context_.calls->is_function(call->name);
+            return !known && context_.handlers.knows_word(call->name) ? id : no_node;
+        }
+    }
+}
+
+Flow Statements::take_word(const Tree& tree, NodeId id, NodeId call, const Sink& take) {
+    Element element;
+    element.word = tree.get<node::Call>(call).name;
+    element.origin = {&tree, call};
+    element.span = tree.span(call);
+    element.span.last = element.span.first +
+                        static_cast<std::uint32_t>(context_.names.spelling(element.word).size());
+    element.word_span = element.span;
+    take(element);
+    const Body around = std::exchange(context_.word_call, Body{&tree, call});
+    Element value = Sink::value_element(context_.expressions->walk_expression(tree, id), tree, id);
+    context_.word_call = around;
+    value.span.first = value.word_span.first = element.span.last;
+    take(value);
+    return context_.stopped() ? Flow::stopped : Flow::end;
 }
 
 Element Statements::braces_element(const Tree& tree, NodeId id) {

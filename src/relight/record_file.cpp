@@ -46,8 +46,8 @@ std::string block_of(const std::string& raw) {
     return block + packed;
 }
 
-/// Takes a block from the front of the bytes, and its size from `left`, which blocks may still have;
-/// nothing if there is none of at most that size.
+/// Takes a block from the front of the bytes, and its size from `left`, which blocks may still
+/// have. Returns nothing if there is none of at most that size.
 std::optional<std::string> take_block(ByteReader& reader, std::uint64_t& left) {
     const auto size = reader.number<std::uint64_t>(), packed_size = reader.number<std::uint64_t>();
     const std::string_view packed = reader.take(packed_size);

@@ -69,6 +69,21 @@ TEST_CASE("a film belongs to its camera", "[bind][film]") {
     CHECK(old.shape<Sphere>().radius == 2);
 }
 
+TEST_CASE("words of a block may stand before parentheses", "[bind][film]") {
+    CHECK(film_of("exposure (1)").exposure == 1);
+    CHECK(film_of("exposure (1+1)*2 grain (0.02)").exposure == 4);
+    CHECK(film_of("exposure (-1)+(3)").exposure == 2);
+    CHECK(film_of("exposure (<1, 2>).y grain (0.02)/2").grain == 0.01);
+    CHECK(film_of("exposure (#if (1) 2 #else 3 #end)").exposure == 2);
+    CHECK(film_of("#local A = 3; exposure ((A > 2 ? 5 : 6))").exposure == 5);
+    // A macro of that name is called.
+    CHECK(film_of("#macro grain(A) exposure A #end grain(2)").exposure == 2);
+    CHECK(wrong_film("exposure (1, 2)").starts_with("error wrong-count"));
+    CHECK(wrong_film("grained (1)").starts_with("error unknown-name"));
+    CHECK(complaint("#declare A = exposure (1);").starts_with("error unknown-name"));
+    CHECK(complaint("sphere { 0, exposure (1) }").starts_with("error"));
+}
+
 TEST_CASE("what is wrong with a film is said", "[bind][film]") {
     CHECK(wrong_film("response kodak") ==
           "error unknown-name: there is no response of a film `kodak`");
