@@ -21,7 +21,8 @@ PAGES = [("candelabra-tutorial.7", "Tutorial"), ("candelabra-lights.7", "Light")
          ("candelabra-povray.7", "From POV-Ray"), ("candelabra-scene.5", "The language"),
          ("candelabra.1", "The program"), ("candelabra-develop.1", "candelabra develop"),
          ("candelabra-relight.1", "candelabra relight"), ("candelabra-merge.1", "candelabra merge"),
-         ("candelabra-fmt.1", "candelabra fmt"), ("candelabra-lsp.1", "candelabra lsp")]
+         ("candelabra-fmt.1", "candelabra fmt"), ("candelabra-lsp.1", "candelabra lsp"),
+         ("candelabra-python.3", "Python")]
 
 HEAD = "#version 3.7; global_settings { assumed_gamma 1 }\n"
 EYE = "camera { location -4*z look_at 0 angle 40 right 4/3*x }\n"

@@ -5,7 +5,7 @@
 #include "app/frame_commands.h"
 #include "app/frame_run.h"
 #include "app/movie.h"
-#include "app/scene_run.h"
+#include "tasks/scene_run.h"
 #include "app/shell_commands.h"
 #include "options/memory_limit.h"
 #include "options/output.h"

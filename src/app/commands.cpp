@@ -13,7 +13,6 @@
 #include "app/preview.h"
 #include "app/relight_command.h"
 #include "app/sandbox.h"
-#include "app/scene_run.h"
 #include "app/share_command.h"
 #include "app/sheet_run.h"
 #include "app/shell_commands.h"
@@ -29,6 +28,8 @@
 #include "output/mesh_export.h"
 #include "picture/file.h"
 #include "production/version.h"
+#include "tasks/measuring.h"
+#include "tasks/scene_run.h"
 #include "text/loader.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -108,19 +109,6 @@ void warn_of_wide_folder(const Options& options, Diagnostics& diagnostics) {
                     message("the scene reads nothing from the current directory, `",
                             printable(wide), "`, since that is or holds a home, or the system"))
                 .with_help("--allow-read FOLDER permits a folder of it"));
-}
-
-/// Reports what does not go together with measuring, which includes balances of light.
-void check_measuring(const Options& options, Diagnostics& diagnostics) {
-    const std::string name = options.task == Task::balance ? "--light-balance" : "--measure";
-    if (!reading_format(options.readings_file))
-        diagnostics.add(error(Fault::option, {},
-                              message("results are written as CSV or JSON, which `",
-                                      printable(options.readings_file), "` is not by its ending"))
-                            .with_help(name + " light.csv, or light.json"));
-    if (options.denoise)
-        diagnostics.add(error(Fault::option, {},
-                              name + " reports light as it is, and --denoise changes pictures"));
 }
 
 /// A subcommand of the program, given as the first argument.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/frame_run.h"
 
-#include "app/scene_run.h"
+#include "tasks/scene_run.h"
 
 #include <algorithm>
 #include <filesystem>

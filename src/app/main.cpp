@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program's entry point.
 #include "app/commands.h"
-#include "app/library.h"
+#include "tasks/library.h"
 #include "app/sandbox.h"
 #include "console/signals.h"
 #include "text/message.h"

@@ -2,8 +2,8 @@
 #include "app/preview.h"
 
 #include "app/animation_run.h"
-#include "app/library.h"
-#include "app/scene_run.h"
+#include "tasks/library.h"
+#include "tasks/scene_run.h"
 #include "console/heard.h"
 #include "output/stats.h"
 #include "preview/answers.h"

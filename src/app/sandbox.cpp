@@ -2,7 +2,7 @@
 #include "app/sandbox.h"
 
 #include "app/child.h"
-#include "app/library.h"
+#include "tasks/library.h"
 #include "console/console.h"
 #include "options/output.h"
 #include "text/scene_folders.h"

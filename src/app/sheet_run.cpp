@@ -2,7 +2,7 @@
 #include "app/sheet_run.h"
 
 #include "app/movie.h"
-#include "app/scene_run.h"
+#include "tasks/scene_run.h"
 #include "options/animation.h"
 #include "options/command_line.h"
 #include "options/declared_values.h"

@@ -18,6 +18,7 @@ void say(const Console& console, Stream stream, std::string_view text, std::stri
 
 void say(const Console& console, const Options& options, const Diagnostic& said,
          const SourceStore& sources) {
+    if (console.diagnosed) console.diagnosed(said, sources);
     Diagnostic diagnostic = said;
     if (said.fault == Fault::include_not_found && console.library.empty())
         diagnostic.with_note(

@@ -11,12 +11,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace candelabra {
 
+struct FinishedPicture;
 struct ReadFile;
 struct ReadyScene;
 struct SandboxRules;
@@ -43,6 +45,11 @@ struct Console {
     /// Receives all messages of diagnostics and of the scene, whatever their form for err. May be
     /// empty.
     std::function<void(Stream, std::string_view plain)> heard;
+    /// Receives each diagnostic of a scene or of its options as data. May be empty.
+    std::function<void(const Diagnostic&, const SourceStore&)> diagnosed = {};
+    /// Receives the completed fraction of a rendering, 0 to 1. Called by several threads; may be
+    /// empty.
+    std::function<void(double fraction)> progressed = {};
     bool terminal = false;  ///< err can rewrite its line
     bool coloured = false;
     std::string library;                            ///< folder of the standard library; empty: none
@@ -50,6 +57,11 @@ struct Console {
     std::string povray_library;  ///< folder of POV-Ray's include files; empty: not installed
     Interrupts interrupts;       ///< requests by signals
     Environment environment;     ///< variables; empty: none
+    /// The text of the scene `-`; unset: that of standard input.
+    std::optional<std::string> text = {};
+    std::string text_name = "standard input";  ///< of this text in messages
+    /// Whether the process does nothing but this run, so that its memory may be limited.
+    bool owns_process = true;
     /// Confines the process to these rules; returns false if the system cannot. If empty, the
     /// process is not confined.
     std::function<bool(const SandboxRules&)> confine;
@@ -57,6 +69,8 @@ struct Console {
     /// `files_read` receives the files that the scene is made from. Both may be empty.
     std::function<void(const ReadyScene&)> preview;
     std::function<void(const std::vector<ReadFile>&)> files_read;
+    /// Receives each finished picture before it is written. May be empty.
+    std::function<void(const FinishedPicture&)> finished = {};
     /// Hooks by which several runs take turns; all may be empty. The first is called before
     /// rendering, which it prevents by returning false. The second is called once when the
     /// rendering may leave cores idle (not with a time limit), the last between rendering and

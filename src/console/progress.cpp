@@ -21,11 +21,12 @@ std::string two_digits(long number) { return message(number < 10 ? "0" : "", num
 
 }  // namespace
 
-Progress::Progress(Style style, Seconds clock, Output output, Share share)
+Progress::Progress(Style style, Seconds clock, Output output, Share share, Heard heard)
     : style_(style),
       clock_(std::move(clock)),
       output_(std::move(output)),
       share_(share),
+      heard_(std::move(heard)),
       start_(clock_()),
       shown_at_(start_) {}
 
@@ -38,6 +39,7 @@ bool Progress::worth_showing(double now) const {
 }
 
 void Progress::update(double fraction) {
+    if (heard_) heard_(fraction);
     if (style_ == Style::silent) return;
     const std::lock_guard lock(mutex_);
     const double now = clock_();

@@ -20,8 +20,10 @@ public:
     using Share = ProgressShare;
     using Seconds = std::function<double()>;
     using Output = std::function<void(std::string_view)>;
+    using Heard = std::function<void(double fraction)>;
 
-    Progress(Style style, Seconds clock, Output output, Share share = {0, 1});
+    /// `heard`: receives each fraction, whatever the style; several threads call it. May be empty.
+    Progress(Style style, Seconds clock, Output output, Share share = {0, 1}, Heard heard = {});
 
     /// Reports that `fraction` of the work is done. An update that arrives late from another
     /// thread, with a smaller fraction, is ignored.
@@ -39,6 +41,7 @@ private:
     Seconds clock_;
     Output output_;
     Share share_;
+    Heard heard_;
     std::mutex mutex_;
     double start_;
     double shown_at_;

@@ -86,6 +86,9 @@ struct Options {
     std::string mesh_object;              ///< the declared object to export; empty: the whole scene
     /// Of --measure: what the meters say; of --light-balance: where light ends.
     std::string readings_file;
+    /// The results are for the program that calls the run: layers need no file, and readings are
+    /// JSON. No option sets it.
+    bool for_caller = false;
     MeterGoal meter_goal;                 ///< how good that has to be
     std::string kept_lights;              ///< receives the light of each lamp; empty: none
     std::optional<std::uint64_t> kept_lights_bytes;  ///< most; unset: by the picture's size

@@ -127,7 +127,7 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
         refuse(" is not written in grey", formats_with(std::mem_fn(&PictureTypeInfo::grey)));
     const bool stored = options.to_file && !is_stream(output.path);
     const bool layered = output.format.type == PictureType::exr && options.to_file;
-    if (!options.layers.empty() && !stored && !layered)
+    if (!options.layers.empty() && !stored && !layered && !options.for_caller)
         diagnostics.add(
             error(Fault::option, {}, "layers need a file").with_help("+Oa.exr or +Oa.png"));
     if (output.format.bits == 16 && !type.wide)

@@ -278,10 +278,19 @@ bool is_developed(const FilmFiles& files) {
            files.format.type != PictureType::hdr;
 }
 
-bool write_developed(Negative negative, const FilmFiles& files, Diagnostics& diagnostics) {
-    PictureFormat format = files.format;
+namespace {
+
+/// The format of a picture that has been developed, whose values are those of a display.
+PictureFormat developed_format(PictureFormat format) {
     format.gamma = 1;
     format.encoded = true;
+    return format;
+}
+
+}  // namespace
+
+bool write_developed(Negative negative, const FilmFiles& files, Diagnostics& diagnostics) {
+    const PictureFormat format = developed_format(files.format);
     const std::vector<double> alpha = negative.alpha;
     return write_picture(develop(std::move(negative), files.film, files.threads), files.path,
                          format, diagnostics, alpha);
@@ -319,10 +328,8 @@ bool write_flat(const Film& film, const FilmFiles& files, Diagnostics& diagnosti
                          files.format, diagnostics);
 }
 
-bool write_denoised(const Film& film, const FilmFiles& files, const std::string& path,
-                    Diagnostics& diagnostics) {
-    FilmFiles beside = files;
-    beside.path = path;
+/// Returns the denoised picture. If it is to be developed, it has the values of a file's layers.
+Negative quiet_negative(const Film& film, const FilmFiles& files) {
     QuietFilm quiet = denoised_film(film, files);
     Negative negative = negative_of(film, files);
     negative.light = std::move(quiet.light);
@@ -330,10 +337,49 @@ bool write_denoised(const Film& film, const FilmFiles& files, const std::string&
     if (is_developed(files))
         for (Image* image : {&negative.light, &negative.smooth})
             *image = linear(std::move(*image), files.format);
-    return write_flat(std::move(negative), beside, diagnostics);
+    return negative;
+}
+
+bool write_denoised(const Film& film, const FilmFiles& files, const std::string& path,
+                    Diagnostics& diagnostics) {
+    FilmFiles beside = files;
+    beside.path = path;
+    return write_flat(quiet_negative(film, files), beside, diagnostics);
+}
+
+/// The files with a picture for displays.
+FilmFiles for_display(FilmFiles files) {
+    files.format.type = PictureType::png;
+    files.format.grey = false;
+    return files;
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> shown_bytes(Negative negative, const FilmFiles& given) {
+    const FilmFiles files = for_display(given);
+    const bool develops = is_developed(files);
+    const std::vector<double> alpha = negative.alpha;
+    const Image shown = develops ? develop(std::move(negative), files.film, files.threads)
+                                 : std::move(negative.light);
+    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> opaque) {
+        const std::size_t first = static_cast<std::size_t>(y) * pixels.size();
+        std::ranges::copy(std::span(shown.pixels).subspan(first, pixels.size()), pixels.begin());
+        if (!opaque.empty())
+            std::ranges::copy(std::span(alpha).subspan(first, pixels.size()), opaque.begin());
+    };
+    return bytes_of(PictureRows{shown.width, shown.height, !alpha.empty(), row},
+                    develops ? developed_format(files.format) : files.format);
+}
+
+std::vector<std::uint8_t> shown_bytes(const Film& film, const FilmFiles& given) {
+    const FilmFiles files = for_display(given);
+    return shown_bytes(files.draft ? quiet_negative(film, files) : negative_of(film, files), files);
+}
+
+LayeredPicture layered_picture(const Film& film, const FilmFiles& files) {
+    return LayerWriter(film, files).picture();
+}
 
 std::size_t bytes_to_write(const FilmFiles& files) {
     // Encoded bytes grow in steps, at each of which the old ones and twice as many exist.
@@ -364,7 +410,7 @@ bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnosti
     if (flat && !files.draft && !write_flat(film, files, diagnostics)) return false;
     if (flat && !quiet.empty() && !write_denoised(film, files, quiet, diagnostics)) return false;
     if (layers.empty()) return true;
-    const auto bytes = encode(LayerWriter(film, files).picture(), diagnostics);
+    const auto bytes = encode(layered_picture(film, files), diagnostics);
     return bytes && write_file(layers, *bytes, diagnostics);
 }
 

@@ -9,6 +9,7 @@
 #include "transport/aovs.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@
 namespace candelabra {
 
 class Film;
+struct LayeredPicture;
 struct Negative;
 class SourceStore;
 class World;
@@ -71,6 +73,14 @@ bool is_developed(const FilmFiles&);
 /// Develops the picture to display values from 0 to 1 and writes it. Returns false, with a
 /// diagnostic, on failure.
 bool write_developed(Negative, const FilmFiles&, Diagnostics&);
+
+/// Returns the interleaved channels of the picture as a PNG file with 8 bits a channel has them:
+/// red, green, blue, and alpha if there is any.
+std::vector<std::uint8_t> shown_bytes(Negative, const FilmFiles&);
+std::vector<std::uint8_t> shown_bytes(const Film&, const FilmFiles&);
+
+/// Returns the picture and its layers, as an OpenEXR file has them.
+LayeredPicture layered_picture(const Film&, const FilmFiles&);
 
 /// Returns how many bytes of memory write_film() takes for each pixel of the picture, at most.
 std::size_t bytes_to_write(const FilmFiles&);

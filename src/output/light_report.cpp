@@ -7,15 +7,15 @@
 #include "world/emitters.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <functional>
 
 namespace candelabra {
 
 namespace {
 
-std::string percent(double part, double whole) {
-    const double value = whole > 0 ? 100 * part / whole : 0;
-    return padded(message(std::round(value * 100) / 100, " %"), 9);
+std::string percent(double share) {
+    return padded(message(std::round(100 * share * 100) / 100, " %"), 9);
 }
 
 std::vector<std::size_t> made_by(const World& world) {
@@ -43,8 +43,7 @@ std::string statement_text(const Span& span, const SourceStore& sources) {
     return message(printable(sources.name(span.source)), ":", place.line, ": ", printable(line));
 }
 
-std::string light_report(const World& world, const LightLedger& counted,
-                         const SourceStore& sources) {
+LightShares light_shares(const World& world, const LightLedger& counted) {
     std::vector<LightCount> lights = counted.lights;
     lights.resize(world.provenance.light_statements.size() + 1);
     double light = 0, rays = 0;
@@ -52,31 +51,45 @@ std::string light_report(const World& world, const LightLedger& counted,
         light += each.light.value();
         rays += static_cast<double>(each.rays);
     }
-    const std::vector<std::size_t> made = made_by(world);
-    std::vector<std::size_t> order(made.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-        return lights[a].light.value() > lights[b].light.value();
-    });
-    std::string text = "    light      rays    lights  statement\n";
-    const auto line = [&](const LightCount& count, const std::string& number,
-                          const std::string& what) {
-        text += percent(count.light.value(), light) + " " +
-                percent(static_cast<double>(count.rays), rays) + padded(number, 10) + "  " + what +
-                "\n";
+    const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
+    const auto rays_of = [&](const LightCount& count) {
+        return share(static_cast<double>(count.rays), rays);
     };
-    for (const std::size_t i : order)
-        line(lights[i], message(made[i]),
-             statement_text(world.provenance.light_statements[i], sources));
-    line(lights.back(), "", "rays that met no light");
+    const std::vector<std::size_t> made = made_by(world);
+    LightShares table;
+    for (std::size_t i = 0; i < made.size(); ++i)
+        table.rows.push_back(
+            {i, share(lights[i].light.value(), light), rays_of(lights[i]), made[i]});
+    std::ranges::stable_sort(table.rows, std::greater(), [&](const LightRow& row) {
+        return lights[row.statement].light.value();
+    });
+    table.missed = rays_of(lights.back());
+    table.glowing = glows_without_light(world);
+    return table;
+}
+
+std::string light_report(const World& world, const LightLedger& counted,
+                         const SourceStore& sources) {
+    const LightShares table = light_shares(world, counted);
+    const auto statement = [&](const LightRow& row) {
+        return statement_text(world.provenance.light_statements[row.statement], sources);
+    };
+    std::string text = "    light      rays    lights  statement\n";
+    const auto line = [&](double light, double rays, const std::string& number,
+                          const std::string& what) {
+        text += percent(light) + " " + percent(rays) + padded(number, 10) + "  " + what + "\n";
+    };
+    for (const LightRow& row : table.rows)
+        line(row.light, row.rays, message(row.lights), statement(row));
+    line(0, table.missed, "", "rays that met no light");
     constexpr std::size_t number_column = 29;
-    if (const std::size_t glows = glows_without_light(world); glows > 0)
-        text += padded(message(glows), number_column) + "  that glow, but light nothing\n";
-    for (const std::size_t i : order)
-        if (lights[i].light.value() == 0 && light > 0)
+    if (table.glowing > 0)
+        text += padded(message(table.glowing), number_column) + "  that glow, but light nothing\n";
+    const bool lit = !table.rows.empty() && table.rows.front().light > 0;
+    for (const LightRow& row : table.rows)
+        if (row.light == 0 && lit)
             text +=
-                message("no light came from ",
-                        statement_text(world.provenance.light_statements[i], sources),
+                message("no light came from ", statement(row),
                         "\n    it may stand inside or below something that lets no light out\n");
     return text;
 }

@@ -62,7 +62,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The libraries that the program opens itself lie in a folder of their own.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS fonts-povray)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, python3-numpy")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Renders scenes written in the manner of POV-Ray. Every object that glows lights
  the others; light is sampled so that a scene with thousands of lamps is a matter

@@ -229,6 +229,10 @@ std::optional<std::string> encode(const Image& image, const PictureFormat& forma
     return encode(PictureRows{image.width, image.height, !alpha.empty(), row}, format, diagnostics);
 }
 
+std::vector<std::uint8_t> bytes_of(const PictureRows& rows, const PictureFormat& format) {
+    return integers<std::uint8_t>(rows, format);
+}
+
 bool write_picture(const PictureRows& rows, const std::string& path, const PictureFormat& format,
                    Diagnostics& diagnostics) {
     const auto bytes = encode(rows, format, diagnostics);

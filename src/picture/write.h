@@ -8,10 +8,12 @@
 #include "base/image.h"
 #include "text/diagnostic.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace candelabra {
 
@@ -80,6 +82,9 @@ struct PictureRows {
 std::optional<std::string> encode(const Image&, const PictureFormat&, Diagnostics&,
                                   std::span<const double> alpha = {});
 std::optional<std::string> encode(const PictureRows&, const PictureFormat&, Diagnostics&);
+
+/// Returns the interleaved channels of the pixels as a file of 8 bits a channel has them.
+std::vector<std::uint8_t> bytes_of(const PictureRows&, const PictureFormat&);
 
 /// Encodes the picture and writes it as write_file() does.
 bool write_picture(const Image&, const std::string& path, const PictureFormat&, Diagnostics&,

@@ -3,6 +3,8 @@
 
 #include "output/measurement.h"
 #include "picture/file.h"
+#include "text/message.h"
+#include "text/printable.h"
 
 namespace candelabra {
 
@@ -15,8 +17,20 @@ std::function<bool()> ends_measuring(const SceneSteps& steps, bool& stopped) {
     };
 }
 
+void check_measuring(const Options& options, Diagnostics& diagnostics) {
+    const std::string name = options.task == Task::balance ? "--light-balance" : "--measure";
+    if (!reading_format(options.readings_file))
+        diagnostics.add(error(Fault::option, {},
+                              message("results are written as CSV or JSON, which `",
+                                      printable(options.readings_file), "` is not by its ending"))
+                            .with_help(name + " light.csv, or light.json"));
+    if (options.denoise)
+        diagnostics.add(error(Fault::option, {},
+                              name + " reports light as it is, and --denoise changes pictures"));
+}
+
 bool measures_as_json(const Options& options) {
-    return reading_format(options.readings_file) == ReadingFormat::json;
+    return options.for_caller || reading_format(options.readings_file) == ReadingFormat::json;
 }
 
 int write_measured(SceneSteps& steps, const std::string& table, const std::string& text,

@@ -13,6 +13,9 @@ namespace candelabra {
 /// `stopped`. Both must outlive the function.
 std::function<bool()> ends_measuring(const SceneSteps&, bool& stopped);
 
+/// Reports what does not go together with measuring, which includes balances of light.
+void check_measuring(const Options&, Diagnostics&);
+
 /// Whether the table is to be JSON; otherwise it is CSV.
 bool measures_as_json(const Options&);
 

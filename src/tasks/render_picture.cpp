@@ -31,7 +31,8 @@ Progress progress(const Options& options, const Console& console) {
     const Progress::Style style = progress_style(options.progress).value_or(usual);
     // Farm managers read standard output, unless the picture goes there.
     const bool out = (style == alf || style == openjd) && options.output != "-";
-    return Progress(style, seconds_now, out ? console.out : console.err, options.share);
+    return Progress(style, seconds_now, out ? console.out : console.err, options.share,
+                    console.progressed);
 }
 
 /// Waits until rendering may begin, and excludes the waiting time from the statistics.
@@ -116,6 +117,9 @@ int render_shot(SceneSteps& steps, const Shot& shot) {
     if (end == JobEnd::stopped) return say_stopped(steps, plan, job);
     files.format.description = description(identity, job.samples(), files.format);
     const bool whole = !steps.shard();
+    const auto& finished = steps.console().finished;
+    if (finished && whole && end == JobEnd::finished)
+        finished({job.film(), files, world, job.rays(), steps.sources()});
     if (options.to_file && whole && end == JobEnd::finished)
         write_film(job.film(), files, diagnostics);
     if (recorder) write_kept_lights(*recorder, job.film(), files, options, diagnostics);

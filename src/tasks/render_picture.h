@@ -6,6 +6,17 @@
 
 namespace candelabra {
 
+class Film;
+
+/// A picture that has been rendered, for Console::finished.
+struct FinishedPicture {
+    const Film& film;
+    const FilmFiles& files;  ///< what is made of the film
+    const World& world;
+    const LightLedger& rays;
+    const SourceStore& sources;
+};
+
 /// Renders the picture or a shard of it, and writes it. Returns the exit status.
 int render_picture(SceneSteps&);
 

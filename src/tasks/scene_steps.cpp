@@ -136,6 +136,7 @@ void SceneSteps::read_part() {
 
 /// Sets the memory limit. The evaluation's stack is reserved but hardly used, so it does not count.
 void SceneSteps::bound_memory() const {
+    if (!console_.owns_process) return;
     const auto bytes = options_.memory_bytes ? options_.memory_bytes : physical_memory();
     const std::uint64_t stacks = options_.at_once * options_.limits.stack_bytes;
     if (bytes) limit_memory(*bytes + stacks);
@@ -144,7 +145,7 @@ void SceneSteps::bound_memory() const {
 /// Finds problems with destinations before the long work begins.
 bool SceneSteps::destinations_work() {
     const bool renders = options_.task == Task::render, saves = renders && options_.to_file;
-    const std::string layers = renders ? layers_path(film_files()) : "";
+    const std::string layers = saves ? layers_path(film_files()) : "";
     const std::string quiet = saves ? denoised_path(film_files()) : "";
     if (saves) can_write(output_.format.type, diagnostics_);
     if (!layers.empty()) can_write(PictureType::exr, diagnostics_);
@@ -193,9 +194,11 @@ SessionSettings SceneSteps::session_settings() {
 /// Opens the session. The scene may come from standard input.
 void SceneSteps::open_session() {
     SessionSettings settings = session_settings();
-    settings.source.name = "standard input";
+    settings.source.name = console_.text_name;
     if (settings.source.path == "-")
-        settings.source.text = std::string(std::istreambuf_iterator<char>(std::cin), {});
+        settings.source.text = console_.text
+                                   ? *console_.text
+                                   : std::string(std::istreambuf_iterator<char>(std::cin), {});
     settings.evaluation.print = [this](std::string_view text) {
         if (options_.diagnostics_as_json) {
             if (console_.heard) console_.heard(Stream::debug, printable_lines(text));

@@ -24,6 +24,19 @@ TEST_CASE("errors are said as text or as JSON") {
     CHECK(heard.starts_with("{"));
 }
 
+TEST_CASE("a caller gets diagnostics as data, too") {
+    std::vector<Fault> faults;
+    Console console;
+    console.err = [](std::string_view) {};
+    console.diagnosed = [&](const Diagnostic& each, const SourceStore&) {
+        faults.push_back(each.fault);
+    };
+    Diagnostics diagnostics;
+    diagnostics.add(error(Fault::option, {}, "wrong"));
+    say_errors(console, {}, diagnostics);
+    CHECK(faults == std::vector<Fault>{Fault::option});
+}
+
 TEST_CASE("a reader who has read enough is no error, and a full disk is one") {
     const Shell shell;
     const auto said = [&](const std::string& command) {

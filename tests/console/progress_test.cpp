@@ -92,6 +92,16 @@ TEST_CASE("a quick rendering says nothing, nor does a silent one") {
     }
 }
 
+TEST_CASE("a caller hears each fraction, whatever the style") {
+    std::vector<double> heard;
+    Progress silent(
+        Progress::Style::silent, [] { return 0.0; }, [](std::string_view) {}, {0, 1},
+        [&](double fraction) { heard.push_back(fraction); });
+    silent.update(0.25);
+    silent.update(1);
+    CHECK(heard == std::vector<double>{0.25, 1});
+}
+
 TEST_CASE("progress never goes back") {
     Listener listener;
     Progress progress = listener.progress(Progress::Style::terminal);

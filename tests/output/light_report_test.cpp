@@ -63,6 +63,15 @@ TEST_CASE("the report of light has a line for each statement that makes lights",
     for (const LightCount& each : made.rays.lights) rays += each.rays;
     CHECK(rays == made.rays.shadow);
     CHECK(light_report(*shot.world, rendered(shot, 3).rays, sources) == text);
+    const LightShares shares = light_shares(*shot.world, made.rays);
+    REQUIRE(shares.rows.size() == 2);
+    const LightRow& first = shares.rows[0];
+    const LightRow& second = shares.rows[1];
+    CHECK(first.light >= second.light);
+    CHECK(first.light + second.light == Approx(1));
+    CHECK(first.rays + second.rays + shares.missed == Approx(1));
+    CHECK(first.lights + second.lights == 10);
+    CHECK(first.statement != second.statement);
 }
 
 TEST_CASE("the report names lamps from which no light comes", "[output]") {

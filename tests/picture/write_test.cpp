@@ -151,6 +151,20 @@ TEST_CASE("a picture that is made row by row has the bytes of one in memory") {
         }
 }
 
+TEST_CASE("the bytes of a picture are those of a file") {
+    const Image image = ramp(7, 5);
+    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double>) {
+        for (int x = 0; x < 7; ++x) pixels[static_cast<std::size_t>(x)] = image.at(x, y);
+    };
+    const PictureFormat format{PictureType::ppm, 8};
+    const std::vector<std::uint8_t> bytes = bytes_of(PictureRows{7, 5, false, row}, format);
+    REQUIRE(bytes.size() == 7 * 5 * 3);
+    Diagnostics diagnostics;
+    const auto file = encode(image, format, diagnostics);
+    REQUIRE(file);
+    CHECK(file->ends_with(std::string(bytes.begin(), bytes.end())));
+}
+
 TEST_CASE("the type of a picture is known by the end of its name") {
     struct Case {
         const char* name;

@@ -30,6 +30,29 @@ TEST_CASE("what was measured goes to its file, or to the standard output") {
     CHECK(write_measured(steps, "table", "for people", false) == exit_status::file);
 }
 
+TEST_CASE("a caller gets readings as JSON") {
+    Options options;
+    options.readings_file = "-";
+    CHECK_FALSE(measures_as_json(options));
+    options.for_caller = true;
+    CHECK(measures_as_json(options));
+}
+
+TEST_CASE("measuring needs a table that it can write, and no denoiser") {
+    Options options;
+    const auto errors = [&] {
+        Diagnostics diagnostics;
+        check_measuring(options, diagnostics);
+        return diagnostics.error_count();
+    };
+    options.readings_file = "a.csv";
+    CHECK(errors() == 0);
+    options.readings_file = "a.txt";
+    CHECK(errors() == 1);
+    options.denoise = true;
+    CHECK(errors() == 2);
+}
+
 TEST_CASE("measuring ends by time and by signals") {
     Options options;
     Console console;

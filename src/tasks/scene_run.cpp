@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/scene_run.h"
+#include "tasks/scene_run.h"
 
 #include "base/deep_stack.h"
 #include "tasks/balance_light.h"

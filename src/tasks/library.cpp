@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/library.h"
+#include "tasks/library.h"
 
 #include "text/message.h"
 

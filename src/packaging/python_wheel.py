@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What `pip install .` calls (PEP 517). It makes a wheel by CMake, and needs nothing but the standard library.
+
+The wheel has the module, the libraries that it opens itself, and the standard library of scenes. It is for
+this Python and this system, whose libraries it uses. CANDELABRA_BUILD, or the setting build-dir, names a build
+folder to use instead of build/wheel.
+"""
+
+import base64
+import hashlib
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SUMMARY = "A scene language and ray tracer for scenes lit by thousands of luminaires"
+
+
+def version():
+    return re.search(r"VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text().split("project(")[1])[1]
+
+
+def metadata():
+    return (f"Metadata-Version: 2.1\nName: candelabra\nVersion: {version()}\nSummary: {SUMMARY}\n"
+            "License: GPL-3.0-or-later\nRequires-Python: >=3.9\nRequires-Dist: numpy\n")
+
+
+def tag():
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    return f"{python}-{python}-{re.sub('[^0-9a-zA-Z]', '_', sysconfig.get_platform())}"
+
+
+def cmake(*arguments):
+    subprocess.run(["cmake", *map(str, arguments)], check=True, cwd=ROOT)
+
+
+def files_of(build, staging):
+    """Pairs of a path in the wheel and a file."""
+    cmake("--install", build, "--component", "python", "--prefix", staging, "--strip")
+    for module in pathlib.Path(staging).rglob("candelabra"):
+        for file in sorted(module.iterdir()):
+            yield f"candelabra/{file.name}", file
+    for file in sorted(build.glob("libcandelabra_*.so")):
+        yield f"candelabra/{file.name}", file
+    for file in sorted((ROOT / "stdlib").rglob("*")):
+        if file.is_file():
+            yield f"candelabra/stdlib/{file.relative_to(ROOT / 'stdlib')}", file
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    chosen = (config_settings or {}).get("build-dir") or os.environ.get("CANDELABRA_BUILD")
+    build = pathlib.Path(chosen).resolve() if chosen else ROOT / "build" / "wheel"
+    if not (build / "CMakeCache.txt").exists():
+        cmake("-S", ROOT, "-B", build, "-DCANDELABRA_TESTS=OFF", "-DCANDELABRA_PYTHON=ON",
+              f"-DPython3_EXECUTABLE={sys.executable}")
+    cmake("--build", build, "--target", "python_package", "--parallel")
+    name = f"candelabra-{version()}"
+    info = f"{name}.dist-info"
+    records = []
+    wheel = f"{name}-{tag()}.whl"
+    with tempfile.TemporaryDirectory() as staging, \
+            zipfile.ZipFile(pathlib.Path(wheel_directory) / wheel, "w", zipfile.ZIP_DEFLATED) as archive:
+        def add(path, content):
+            archive.writestr(path, content)
+            digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+            records.append(f"{path},sha256={digest},{len(content)}\n")
+
+        for path, file in files_of(build, staging):
+            add(path, file.read_bytes())
+        add(f"{info}/METADATA", metadata().encode())
+        add(f"{info}/WHEEL", f"Wheel-Version: 1.0\nGenerator: candelabra\nRoot-Is-Purelib: false\nTag: {tag()}\n"
+            .encode())
+        archive.writestr(f"{info}/RECORD", "".join(records) + f"{info}/RECORD,,\n")
+    return wheel
