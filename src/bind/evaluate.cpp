@@ -192,6 +192,7 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
     SolidQueries objects;
     evaluator.add_functions(object_functions(), objects);
     evaluator.set_limits(options.limits);
+    evaluator.set_ended(options.ended);
     SceneReader reader(evaluator, scene);
     ElementHandlers handlers;
     handlers.top = [&](const Element& element) { reader.take(element); };

@@ -24,6 +24,9 @@ struct EvaluateOptions {
     std::string only;
     /// Receives the output of #debug and similar directives as it comes; empty: it is discarded.
     std::function<void(std::string_view)> print;
+    /// Returns true if the scene is no longer wanted. It then ends early, without a message, and is
+    /// incomplete. May be empty.
+    std::function<bool()> ended = {};
 };
 
 /// `main` is a source in the store. Adds all problems to the diagnostics, with the frames that lead

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ public:
     explicit Costs(Context& context) : context_(context) {}
 
     Limits limits;
+    /// Returns true if nobody wants the result any more; asked now and then. May be empty.
+    std::function<bool()> ended;
     /// The innermost last. They stay here if evaluation ends early: a report names one.
     std::vector<OpenLoop> loops;
     /// Done so far, in the unit of Limits::work. Who adds to it directly has it checked by the next
@@ -48,7 +51,7 @@ public:
     bool overspent(Span);
 
     /// Counts one more pass of a loop or call of a macro. If it is one too many, reports, stops and
-    /// returns true.
+    /// returns true; the same, without a report, if evaluation has ended.
     bool too_many_steps(const Tree&, NodeId);
     /// Counts a file that is included or opened. Returns false if it is one too many.
     bool count_file(Span);

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace candelabra {
 
@@ -57,6 +58,9 @@ void Evaluator::add_functions(std::span<const FunctionInfo> functions, ObjectQue
     state_->context.world.objects = &objects;
 }
 void Evaluator::set_limits(const Limits& limits) { state_->context.costs.limits = limits; }
+void Evaluator::set_ended(std::function<bool()> ended) {
+    state_->context.costs.ended = std::move(ended);
+}
 const Limits& Evaluator::limits() const { return state_->context.costs.limits; }
 void Evaluator::declare(std::string_view name, Value value) {
     state_->context.scope.declare(state_->context.names.intern(name), std::move(value));

@@ -119,6 +119,9 @@ public:
 
     /// To be called before run(); otherwise the default limits hold.
     void set_limits(const Limits&);
+    /// Sets a function that ends the evaluation, without a message, by returning true. It is asked
+    /// after some thousand passes of loops and calls of macros. To be called before run().
+    void set_ended(std::function<bool()>);
     const Limits& limits() const;
 
     /// Declares a global name from outside the scene: `Declare=Depth=5`.

@@ -271,6 +271,7 @@ private:
         } catch (...) {
             problem_ = std::current_exception();
         }
+        if (stop_ && !picture_) status_ = exit_status::stopped;
         const std::lock_guard lock(mutex_);
         ended_ = true;
         changed_.notify_all();

@@ -37,6 +37,7 @@ public:
 private:
     static SessionSettings with_print(SessionSettings settings, const Listener& listener) {
         settings.evaluation.print = listener.print;
+        settings.evaluation.ended = listener.cancelled;
         return settings;
     }
 

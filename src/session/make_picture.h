@@ -22,7 +22,8 @@ struct Listener {
     std::function<void(std::string_view)> print = {};  ///< output of #debug and its relatives
     /// Receives the completed fraction of the rendering, 0 to 1. Called by several threads.
     std::function<void(double done)> progress = {};
-    /// Returns true if the picture is no longer wanted. Called by several threads.
+    /// Returns true if the picture is no longer wanted. Called by several threads, also while the
+    /// scene is evaluated.
     std::function<bool()> cancelled = {};
 };
 

@@ -46,7 +46,7 @@ Scene SceneSteps::evaluated() {
 
 std::optional<Scene> SceneSteps::valid_scene() {
     std::optional<Scene> scene = evaluated();
-    if (say_diagnostics()) scene.reset();
+    if (say_diagnostics() || stopped_by_caller()) scene.reset();
     return scene;
 }
 
@@ -191,6 +191,12 @@ SessionSettings SceneSteps::session_settings() {
     return settings;
 }
 
+/// Whether the program that calls the run wants it to stop.
+bool SceneSteps::stopped_by_caller() const {
+    const auto& take = console_.interrupts.take;
+    return !console_.owns_process && take && take() == Interrupt::stop;
+}
+
 /// Opens the session. The scene may come from standard input.
 void SceneSteps::open_session() {
     SessionSettings settings = session_settings();
@@ -199,6 +205,7 @@ void SceneSteps::open_session() {
         settings.source.text = console_.text
                                    ? *console_.text
                                    : std::string(std::istreambuf_iterator<char>(std::cin), {});
+    if (!console_.owns_process) settings.evaluation.ended = [this] { return stopped_by_caller(); };
     settings.evaluation.print = [this](std::string_view text) {
         if (options_.diagnostics_as_json) {
             if (console_.heard) console_.heard(Stream::debug, printable_lines(text));

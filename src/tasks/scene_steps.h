@@ -33,7 +33,7 @@ public:
 
     /// The scene as it is written, with its errors unprinted.
     Scene evaluated();
-    /// The scene, if it has no errors.
+    /// The scene, if it has no errors, and the calling program has not stopped the run.
     std::optional<Scene> valid_scene();
     /// The scene, if it has no errors, with warnings of probable mistakes.
     std::optional<Scene> reviewed_scene();
@@ -68,6 +68,7 @@ private:
     void read_part();
     void bound_memory() const;
     bool destinations_work();
+    bool stopped_by_caller() const;
     SessionSettings session_settings();
     void open_session();
     std::string marked(std::string_view text) const;

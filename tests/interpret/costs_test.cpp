@@ -43,6 +43,23 @@ std::string levels(int count, const std::string& first, const std::string& next)
 
 }  // namespace
 
+TEST_CASE("an evaluation that nobody wants any more ends without a message", "[interpret]") {
+    for (const char* const endless :
+         {"#while (1) #end", "#for (I, 1, 1e9) #end", "#macro M() M() #end M()"}) {
+        CAPTURE(endless);
+        SourceStore sources;
+        Diagnostics diagnostics;
+        int asked = 0;
+        EvaluateOptions options;
+        options.ended = [&] { return ++asked == 3; };
+        const FileAccess access({}, {});
+        const Loader loader(scene_reader(access), {}, {}, access);
+        evaluate(sources, loader, sources.add("a.pov", endless), options, diagnostics);
+        CHECK(asked == 3);
+        CHECK_FALSE(diagnostics.failed());
+    }
+}
+
 TEST_CASE("files that include others twice come to an end", "[interpret]") {
     const Folder folder;
     folder.put("f0.inc", "");

@@ -58,4 +58,11 @@ dpkg-deb --extract "$deb" "$folder/root"
 env -i "$folder/root/usr/bin/candelabra" a.pov +W80 +H60 +Odeb.png
 cmp deb.png build.png
 echo "ok: the .deb"
+if [ -d "$folder/root/usr/lib/python3/dist-packages/candelabra" ] && /usr/bin/python3 -c 'import numpy' 2> /dev/null; then
+    env -i PYTHONPATH="$folder/root/usr/lib/python3/dist-packages" /usr/bin/python3 -c 'import candelabra
+candelabra.render("a.pov", width=80, height=60).save("python.png")
+candelabra.render("a.pov", width=80, height=60).save("python.tga")'
+    cmp python.png build.png
+    echo "ok: the module of Python in the .deb"
+fi
 ls -l "$deb" "$build"/candelabra-"$version"-linux-*.tar.gz | awk '{ print $5, $NF }'

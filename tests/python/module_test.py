@@ -250,6 +250,12 @@ class Work(Folder):
         self.assertLess(time.monotonic() - begun, 20)
         self.assertEqual(os.listdir(), ["lit.pov"])
 
+    def test_an_endless_loop_is_cancelled(self):
+        begun = time.monotonic()
+        with self.assertRaises(candelabra.Cancelled):
+            candelabra.render_text("#while (1) #end", progress=lambda done: False)
+        self.assertLess(time.monotonic() - begun, 5)
+
     def test_an_error_of_the_callback_cancels(self):
         def fails(done):
             raise KeyError("mine")

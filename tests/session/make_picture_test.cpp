@@ -78,6 +78,14 @@ TEST_CASE("a run that is cancelled makes no picture", "[session]") {
     under_way.cancelled = [&] { return begun.load(); };
     CHECK_FALSE(make_picture(long_work, under_way));
     CHECK(begun);
+    int asked = 0;
+    Listener while_evaluated;
+    while_evaluated.cancelled = [&] { return ++asked > 3; };
+    bool told = false;
+    while_evaluated.diagnostic = [&](const Diagnostic&, const SourceStore&) { told = true; };
+    CHECK_FALSE(make_picture(small("#while (1) #end"), while_evaluated));
+    CHECK(asked > 3);
+    CHECK_FALSE(told);
 }
 
 }  // namespace candelabra
