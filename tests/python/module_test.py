@@ -112,6 +112,7 @@ class Pictures(Folder):
         picture.save("python.jpg")
         with self.assertRaises(ValueError):
             picture.save("python.exr")
+        self.assertFalse(os.path.exists("python.exr"))
 
     def test_a_text_is_a_scene(self):
         picture = candelabra.render_text(LIT, **SMALL)

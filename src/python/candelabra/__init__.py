@@ -164,9 +164,9 @@ class Picture:
         """Writes `pixels` to a file for displays: png, jpg, tiff, webp, bmp, ppm or tga by its ending.
 
         render(..., output="scene.exr") writes the files of the command."""
-        ending = os.path.splitext(os.fspath(path))[1].lstrip(".")
+        encoded = self._encoded(os.path.splitext(os.fspath(path))[1].lstrip("."))
         with open(path, "wb") as file:
-            file.write(self._encoded(ending))
+            file.write(encoded)
 
     def _encoded(self, ending: str) -> bytes:
         encoded, reports = _core.encode(self.pixels, ending, self.description)
