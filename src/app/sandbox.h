@@ -5,6 +5,7 @@
 // confines itself once its inputs are known; confinement is irrevocable.
 #pragma once
 
+#include "app/confine.h"
 #include "options/options.h"
 
 #include <span>
@@ -15,18 +16,6 @@ namespace candelabra {
 
 struct Console;
 
-/// The remaining rights of a confined process. Paths that do not exist are skipped.
-struct SandboxRules {
-    std::vector<std::string> readable;  ///< files, and folders with everything below them
-    std::vector<std::string> writable;  ///< folders with everything below them; readable as well
-    bool sockets = false;               ///< may open sockets
-    bool programs = false;              ///< may start other programs
-    std::vector<std::string> written = {};  ///< folders with everything below, not readable
-    /// A writable folder of the scene's that is made before, since folders that do not exist get no
-    /// rights; empty: none.
-    std::string made = {};
-};
-
 /// Returns the rights that a run with these options needs: the system's libraries, fonts and status
 /// files, the scene's folder, the current one, the library, the folders that the options name, and
 /// those of all output files. `library`: the folder of the standard library, or "".
@@ -36,11 +25,6 @@ SandboxRules sandbox_rules(const Options&, const std::string& library);
 /// above, the files, and the folder of the output, or of each file if the options name none.
 SandboxRules sandbox_rules(const Options&, const std::string& library,
                            std::span<const std::string> files);
-
-/// Confines the calling thread and all threads and processes that it starts later; system calls are
-/// forbidden to all threads. Returns false if the system lacks Landlock or seccomp; the one that it
-/// has is then in force.
-bool confine(const SandboxRules&);
 
 /// Confines the program if the options and the console ask for it. Returns false, after an error
 /// has been reported, if a sandbox was requested and the system has none; warns if it has none and

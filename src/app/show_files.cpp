@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,7 +21,8 @@ namespace candelabra {
 
 namespace {
 
-constexpr std::size_t most_show_bytes = std::size_t{1} << 33;
+constexpr auto most_show_bytes = static_cast<std::size_t>(std::min(
+    std::uint64_t{1} << 33, std::uint64_t{std::numeric_limits<std::size_t>::max()}));
 
 /// Reads shows of channels.
 class ChannelReader {

@@ -80,4 +80,6 @@ void on_deep_stack(std::size_t bytes, FunctionRef<void(std::size_t)> function) {
     function(least);  // here: systems give the main thread at least this
 }
 
+std::uint64_t memory_of_deep_stack(std::size_t bytes) { return bytes; }
+
 }  // namespace candelabra

@@ -8,6 +8,7 @@
 #include "base/function_ref.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace candelabra {
 
@@ -15,5 +16,8 @@ namespace candelabra {
 /// of its stack in bytes, which may be less than requested. If the calling thread is of this kind
 /// and has half of the size left, the function runs on it.
 void on_deep_stack(std::size_t bytes, FunctionRef<void(std::size_t)>);
+
+/// How much a limit on the memory of the process counts of such a stack, in bytes.
+std::uint64_t memory_of_deep_stack(std::size_t bytes);
 
 }  // namespace candelabra

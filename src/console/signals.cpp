@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "console/signals.h"
 
+#include <atomic>
 #include <csignal>
 #include <initializer_list>
+#include <thread>
 
 #include <pthread.h>
 #include <unistd.h>
@@ -28,35 +30,46 @@ sigset_t taken() {
 
 }  // namespace
 
-Signals::Signals() : taken_(taken()) {
-    pthread_sigmask(SIG_BLOCK, &taken_, nullptr);
+struct Signals::Waiter {
+    sigset_t taken = candelabra::taken();
+    std::atomic<Interrupt> asked = Interrupt::none;
+    std::atomic<bool> listening = false;
+    std::atomic<bool> ending = false;
+    std::thread thread = {};
+
+    void wait();
+    void arrived(int signal);
+};
+
+Signals::Signals() : waiter_(std::make_unique<Waiter>()) {
+    pthread_sigmask(SIG_BLOCK, &waiter_->taken, nullptr);
     // A full disk or a closed pipe is reported as a write error.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
-    thread_ = std::thread([this] { wait(); });
+    waiter_->thread = std::thread([waiter = waiter_.get()] { waiter->wait(); });
 }
 
 Signals::~Signals() {
-    ending_ = true;
-    pthread_kill(thread_.native_handle(), SIGUSR1);
-    thread_.join();
-    pthread_sigmask(SIG_UNBLOCK, &taken_, nullptr);
+    waiter_->ending = true;
+    pthread_kill(waiter_->thread.native_handle(), SIGUSR1);
+    waiter_->thread.join();
+    pthread_sigmask(SIG_UNBLOCK, &waiter_->taken, nullptr);
 }
 
-void Signals::wait() {
-    while (!ending_) {
+void Signals::Waiter::wait() {
+    while (!ending) {
         int signal = 0;
-        if (sigwait(&taken_, &signal) == 0 && !ending_) arrived(signal);
+        if (sigwait(&taken, &signal) == 0 && !ending) arrived(signal);
     }
 }
 
-void Signals::arrived(int signal) {
+void Signals::Waiter::arrived(int signal) {
     if (signal == SIGUSR1) {
         Interrupt none = Interrupt::none;
-        if (listening_) asked_.compare_exchange_strong(none, Interrupt::save);
+        if (listening) asked.compare_exchange_strong(none, Interrupt::save);
         return;
     }
-    if (listening_ && asked_.exchange(Interrupt::stop) != Interrupt::stop) return;
+    if (listening && asked.exchange(Interrupt::stop) != Interrupt::stop) return;
     // Applies the default action, since nothing listens or the user insists.
     std::signal(signal, SIG_DFL);
     const sigset_t set = set_of({signal});
@@ -65,12 +78,12 @@ void Signals::arrived(int signal) {
 }
 
 Interrupts Signals::interrupts() {
-    return {[this] {
+    return {[waiter = waiter_.get()] {
                 // Usually costs only a load.
-                return asked_ == Interrupt::none ? Interrupt::none
-                                                 : asked_.exchange(Interrupt::none);
+                return waiter->asked == Interrupt::none ? Interrupt::none
+                                                        : waiter->asked.exchange(Interrupt::none);
             },
-            [this](bool on) { listening_ = on; }};
+            [waiter = waiter_.get()](bool on) { waiter->listening = on; }};
 }
 
 }  // namespace candelabra

@@ -7,9 +7,7 @@
 
 #include "console/interrupt.h"
 
-#include <atomic>
-#include <csignal>
-#include <thread>
+#include <memory>
 
 namespace candelabra {
 
@@ -23,14 +21,8 @@ public:
     Interrupts interrupts();
 
 private:
-    void wait();
-    void arrived(int signal);
-
-    sigset_t taken_;
-    std::atomic<Interrupt> asked_ = Interrupt::none;
-    std::atomic<bool> listening_ = false;
-    std::atomic<bool> ending_ = false;
-    std::thread thread_;
+    struct Waiter;
+    std::unique_ptr<Waiter> waiter_;
 };
 
 }  // namespace candelabra

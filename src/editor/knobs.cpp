@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/knobs.h"
 
+#include "base/number_text.h"
 #include "editor/edited_file.h"
 #include "text/decimal.h"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <span>
 #include <system_error>
@@ -27,7 +27,7 @@ public:
     std::optional<double> number() {
         skip_blanks();
         double value = 0;
-        const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+        const auto [end, error] = number_from(rest_.data(), rest_.data() + rest_.size(), value);
         if (error != std::errc()) return std::nullopt;
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
         return value;

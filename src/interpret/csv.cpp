@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/csv.h"
 
+#include "base/number_text.h"
 #include "interpret/csv_rows.h"
 #include "text/ascii.h"
 #include "text/decimal.h"
@@ -184,7 +185,7 @@ std::optional<double> csv_number(std::string_view cell, bool decimal_comma) {
     if (first != '.' && !is_digit(first)) return std::nullopt;
     double result = 0;
     const char* const end = cell.data() + cell.size();
-    const auto [behind, failure] = std::from_chars(cell.data(), end, result);
+    const auto [behind, failure] = number_from(cell.data(), end, result);
     if (behind != end) return std::nullopt;
     if (failure == std::errc()) return result;
     // A number that is too small for a double is 0; one that is too large is not a number.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/csv_rows.h"
 
+#include "base/number_text.h"
+
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <system_error>
 
@@ -25,7 +26,7 @@ bool is_comment(std::string_view line) {
 bool take_number(const char*& at, const char* end, double& result) {
     const char first = at < end && *at == '-' && at + 1 < end ? at[1] : at < end ? *at : ' ';
     if (first != '.' && (first < '0' || first > '9')) return false;
-    const auto [behind, failure] = std::from_chars(at, end, result);
+    const auto [behind, failure] = number_from(at, end, result);
     if (failure != std::errc()) return false;
     at = behind;
     return true;

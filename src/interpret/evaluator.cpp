@@ -144,7 +144,7 @@ void Evaluator::run(SourceId main) {
     on_deep_stack(state.context.costs.limits.stack_bytes, [&](std::size_t bytes) {
         const char here = 0;
         // The code between two checks, including the binder's, fits into the margin.
-        const std::size_t margin = std::size_t{1} << 20;
+        const std::size_t margin = std::min(std::size_t{1} << 20, bytes / 4);
         state.context.stack_end = &here - (bytes - margin);
         state.statements.run(main);
         state.files.check_written_files();

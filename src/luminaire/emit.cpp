@@ -4,6 +4,7 @@
 #include "base/cosine_direction.h"
 #include "luminaire/area.h"
 #include "luminaire/composite.h"
+#include "luminaire/rectangle.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
 #include "luminaire/volume.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/obj_reader.h"
 
+#include "base/number_text.h"
 #include "models/fan.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <system_error>
 
@@ -31,7 +31,7 @@ public:
         skip_blanks();
         if (rest_.starts_with('+')) rest_.remove_prefix(1);
         const auto [end, failure] =
-            std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+            number_from(rest_.data(), rest_.data() + rest_.size(), value);
         if (failure != std::errc()) return false;
         rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
         return true;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models/ply_reader.h"
 
+#include "base/number_text.h"
 #include "models/fan.h"
 #include "models/words.h"
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -115,7 +115,7 @@ private:
     bool next_written(double& value) {
         std::string_view word = next_word(rest_);
         if (word.starts_with('+')) word.remove_prefix(1);
-        return std::from_chars(word.data(), word.data() + word.size(), value).ec == std::errc();
+        return number_from(word.data(), word.data() + word.size(), value).ec == std::errc();
     }
     template <class Stored>
     bool next_stored(double& value) {
@@ -167,7 +167,7 @@ std::string take(std::string_view line, Header& header) {
     } else if (word == "element") {
         Element& element = header.elements.emplace_back(Element{next_word(line), 0, {}});
         const std::string_view count = next_word(line);
-        if (std::from_chars(count.data(), count.data() + count.size(), element.count).ec !=
+        if (number_from(count.data(), count.data() + count.size(), element.count).ec !=
             std::errc())
             return "an element of its header has no count";
     } else if (word == "property") {

@@ -2,8 +2,9 @@
 // Words and numbers of text, for the readers of files.
 #pragma once
 
+#include "base/number_text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <string_view>
 #include <system_error>
@@ -32,7 +33,7 @@ inline void skip_line(std::string_view& text) {
 template <class Number>
 bool read_number(std::string_view word, Number& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
-    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, failure] = number_from(word.data(), word.data() + word.size(), value);
     return failure == std::errc() && end == word.data() + word.size();
 }
 

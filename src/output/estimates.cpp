@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/estimates.h"
 
+#include "base/number_text.h"
 #include "text/message.h"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ double rounded(double value, int digits) {
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
                                    std::chars_format::scientific, digits - 1);
     double result = value;
-    std::from_chars(text.data(), end.ptr, result);
+    number_from(text.data(), end.ptr, result);
     return result;
 }
 

@@ -4,11 +4,17 @@
 #include "base/loaded_library.h"
 #include "picture/tga.h"
 #include "png/png.h"
+#include "raster/exr_reader.h"
+#include "raster/exr_writer.h"
+#include "raster/hdr_writer.h"
+#include "raster/pnm_writer.h"
 #include "raster/raster.h"
 #include "raster/tiff_writer.h"
 #include "text/message.h"
 #include "text/printable.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace candelabra {
@@ -28,7 +34,25 @@ std::string problem_of(const StoredPicture& stored) {
     return whole ? "" : "it is damaged: pixels of it are missing";
 }
 
+/// The formats that are written without the library.
+struct OwnWriter {
+    std::string_view extension;
+    std::string (*write)(const RawPicture&, std::string& bytes);
+};
+constexpr auto own_writers = std::to_array<OwnWriter>({{"png", write_png},
+                                                       {"tif", write_tiff},
+                                                       {"exr", write_exr},
+                                                       {"hdr", write_hdr},
+                                                       {"ppm", write_pnm}});
+
+const OwnWriter* own_writer(std::string_view extension) {
+    const auto found = std::ranges::find(own_writers, extension, &OwnWriter::extension);
+    return found == own_writers.end() ? nullptr : &*found;
+}
+
 }  // namespace
+
+bool writes_itself(std::string_view extension) { return own_writer(extension) != nullptr; }
 
 const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
     static const LoadedFunction library = load_function(formats_library, formats_function);
@@ -50,6 +74,8 @@ std::optional<StoredPicture> read_stored(const Found& file, Diagnostics& diagnos
         problem = read_png(file.text, max_pixels, stored);
     } else if (is_tga(file.path) && reads_tga(file.text)) {
         if (!read_tga(file.text, max_pixels, stored)) problem = "it is damaged";
+    } else if (reads_exr(file.text)) {
+        problem = read_exr(file.text, max_pixels, stored);
     } else if (!read_raster(file.text, max_pixels, stored)) {
         const Formats* formats = picture_formats(diagnostics, asked_at);
         if (!formats) return std::nullopt;
@@ -65,10 +91,8 @@ std::optional<StoredPicture> read_stored(const Found& file, Diagnostics& diagnos
 
 std::optional<std::string> write_stored(const RawPicture& picture, Diagnostics& diagnostics) {
     std::string bytes, problem;
-    if (picture.extension == "png") {
-        problem = write_png(picture, bytes);
-    } else if (picture.extension == "tif") {
-        problem = write_tiff(picture, bytes);
+    if (const OwnWriter* const own = own_writer(picture.extension)) {
+        problem = own->write(picture, bytes);
     } else {
         const Formats* formats = picture_formats(diagnostics);
         if (!formats) return std::nullopt;

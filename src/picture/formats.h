@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chooses the reader or writer of a picture file: libpng, or the library of all formats, which is
-// loaded when it is first needed.
+// Chooses the reader or writer of a picture file: those of png/ and raster/, or the library of all
+// formats, which is loaded when it is first needed.
 #pragma once
 
 #include "oiio/formats.h"
@@ -9,11 +9,15 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace candelabra {
 
 /// Pictures with more pixels are taken to be damaged.
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+
+/// Whether files with this extension are written without the library.
+bool writes_itself(std::string_view extension);
 
 /// Returns the library's entry points; null, with a diagnostic at the span, if it cannot be loaded.
 const Formats* picture_formats(Diagnostics&, Span asked_at = {});

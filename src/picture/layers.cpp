@@ -2,6 +2,8 @@
 #include "picture/layers.h"
 
 #include "picture/formats.h"
+#include "raster/exr_reader.h"
+#include "raster/exr_writer.h"
 #include "text/message.h"
 #include "text/opened_file.h"
 #include "text/printable.h"
@@ -23,10 +25,8 @@ bool is_whole(const LayeredPicture& picture) {
 }  // namespace
 
 std::optional<std::string> encode(const LayeredPicture& picture, Diagnostics& diagnostics) {
-    const Formats* formats = picture_formats(diagnostics);
-    if (!formats) return std::nullopt;
     std::string bytes;
-    const std::string problem = formats->write_layers(picture, bytes);
+    const std::string problem = write_exr(picture, bytes);
     if (problem.empty()) return bytes;
     diagnostics.add(error(Fault::io, {},
                           message("cannot make an exr file of ", picture.width, " by ",
@@ -37,8 +37,6 @@ std::optional<std::string> encode(const LayeredPicture& picture, Diagnostics& di
 std::optional<LayeredPicture> read_layers(const std::string& path,
                                           std::span<const std::string_view> texts,
                                           Diagnostics& diagnostics) {
-    const Formats* formats = picture_formats(diagnostics);
-    if (!formats) return std::nullopt;
     const auto fail = [&](std::string_view problem) {
         diagnostics.add(error(
             Fault::io, {}, message("cannot read `", printable(path), "`: ", printable(problem))));
@@ -49,7 +47,14 @@ std::optional<LayeredPicture> read_layers(const std::string& path,
     if (!bytes) return fail("it cannot be opened, or is no regular file");
     LayeredPicture picture;
     for (const std::string_view name : texts) picture.texts.emplace_back(name, "");
-    std::string problem = formats->read_layers(*bytes, max_pixels, picture);
+    std::string problem;
+    if (reads_exr(*bytes)) {
+        problem = read_exr(*bytes, max_pixels, picture);
+    } else {
+        const Formats* formats = picture_formats(diagnostics);
+        if (!formats) return std::nullopt;
+        problem = formats->read_layers(*bytes, max_pixels, picture);
+    }
     if (problem.empty() && !is_whole(picture)) problem = "it is damaged: pixels of it are missing";
     return problem.empty() ? std::optional(std::move(picture)) : fail(problem);
 }

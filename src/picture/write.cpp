@@ -185,7 +185,7 @@ const PictureTypeInfo& info(PictureType type) {
 }
 
 bool can_write(PictureType type, Diagnostics& diagnostics) {
-    return type == PictureType::png || type == PictureType::tiff || picture_formats(diagnostics);
+    return writes_itself(info(type).extension) || picture_formats(diagnostics);
 }
 
 std::optional<PictureType> type_of_name(std::string_view path) {

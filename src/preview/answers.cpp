@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preview/answers.h"
 
+#include "base/number_text.h"
 #include "output/light_report.h"
 #include "preview/inspect.h"
 #include "preview/page_files.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <system_error>
@@ -28,7 +28,7 @@ template <class Number>
 std::optional<Number> number_in(const WebRequest& request, std::string_view name) {
     const std::string text = request.parameter(name);
     Number value{};
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, problem] = number_from(text.data(), text.data() + text.size(), value);
     if (problem != std::errc() || end != text.data() + text.size()) return std::nullopt;
     if constexpr (std::is_floating_point_v<Number>)
         if (!std::isfinite(value)) return std::nullopt;

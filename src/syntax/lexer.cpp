@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/lexer.h"
 
+#include "base/number_text.h"
 #include "syntax/escapes.h"
 #include "text/ascii.h"
 #include "text/decimal.h"
@@ -153,7 +154,7 @@ double convert(const char*& p, const char* end) {
     if (const auto value = convert_short(p, end)) return negative ? -*value : *value;
     double value = 0;
     // An exponent without digits, which the scanner accepts and from_chars does not, is ignored.
-    auto [rest, problem] = std::from_chars(p, end, value);
+    auto [rest, problem] = number_from(p, end, value);
     if (problem == std::errc::result_out_of_range)
         value = underflows({p, static_cast<std::size_t>(rest - p)}) ? 0 : HUGE_VAL;
     p = rest;
@@ -355,7 +356,7 @@ Token Lexer::read_number(const char* first) {
     if (hexadecimal) {
         double value = HUGE_VAL;  // kept if the number is out of range
         for (++cursor_; cursor_ < limit_ && is_hex_digit(*cursor_);) ++cursor_;
-        std::from_chars(first + 2, cursor_, value, std::chars_format::hex);
+        number_from(first + 2, cursor_, value, std::chars_format::hex);
         report(error(Fault::syntax, span(first, cursor_), "numbers are written in decimal digits")
                    .with_help(message("write ", value)));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/scene_steps.h"
 
+#include "base/deep_stack.h"
 #include "console/diagnostics_json.h"
 #include "console/progress.h"
 #include "options/memory_limit.h"
@@ -138,7 +139,8 @@ void SceneSteps::read_part() {
 void SceneSteps::bound_memory() const {
     if (!console_.owns_process) return;
     const auto bytes = options_.memory_bytes ? options_.memory_bytes : physical_memory();
-    const std::uint64_t stacks = options_.at_once * options_.limits.stack_bytes;
+    const std::uint64_t stacks =
+        options_.at_once * memory_of_deep_stack(options_.limits.stack_bytes);
     if (bytes) limit_memory(*bytes + stacks);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/decimal.h"
 
+#include "base/number_text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -29,7 +31,7 @@ bool underflows(std::string_view number) {
 
 std::optional<double> finite_number(std::string_view text) {
     double number = 0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const auto [end, failed] = number_from(text.data(), text.data() + text.size(), number);
     // from_chars also reads "inf" and "nan".
     const bool whole = failed == std::errc() && end == text.data() + text.size();
     return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;

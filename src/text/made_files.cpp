@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/made_files.h"
 
+#include "text/file_mark.h"
 #include "text/sha256.h"
 
-#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <filesystem>
@@ -14,14 +14,12 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <sys/xattr.h>
 #include <unistd.h>
 
 namespace candelabra {
 
 namespace {
 
-constexpr auto mark_name = "user.candelabra.scene";
 constexpr auto no_scene = "-";
 
 /// Whether the file is regular and has no other hard link. A file that shares its content with
@@ -31,17 +29,6 @@ bool is_single(const struct stat& state) { return S_ISREG(state.st_mode) && stat
 bool is_single(const OpenedFile& file) {
     struct stat state {};
     return ::fstat(file.descriptor(), &state) == 0 && is_single(state);
-}
-
-/// Returns the mark of the scene that has made the file; "" if it has none.
-std::string mark_of(const OpenedFile& file) {
-    // Read the attribute through /proc, since it cannot be read from an O_PATH handle.
-    const std::string link = "/proc/self/fd/" + std::to_string(file.descriptor());
-    std::array<char, 128> mark;
-    const ssize_t size = ::getxattr(link.c_str(), mark_name, mark.data(), mark.size());
-    // A mark that is too long is no scene's, but a mark.
-    if (size < 0 && errno == ERANGE) return "?";
-    return {mark.data(), size > 0 ? static_cast<std::size_t>(size) : 0};
 }
 
 }  // namespace
@@ -63,9 +50,7 @@ bool MadeFiles::has(const OpenedFile& file, const std::string& path) const {
 }
 
 void MadeFiles::add(const OpenedFile& file) {
-    const bool marked =
-        ::fsetxattr(file.descriptor(), mark_name, mark_.data(), mark_.size(), 0) == 0;
-    if (marked && mark_ != no_scene) return;
+    if (set_mark(file, mark_) && mark_ != no_scene) return;
     struct stat state {};
     const std::lock_guard lock(mutex_);
     if (::fstat(file.descriptor(), &state) == 0) files_.insert({state.st_dev, state.st_ino});

@@ -48,12 +48,13 @@ std::vector<fs::path> files_below(const fs::path& folder, const std::set<std::st
 }
 
 /// The modules. src/packaging has files for desktops, editors and packagers, and no source;
-/// src/python is the module of Python, which is no part of the program.
+/// src/system has what stands in for sources of modules on other systems; src/python is the module
+/// of Python, and src/playground a page, which are no part of the program.
 std::vector<fs::path> folders_of_source() {
+    const std::set<std::string> others = {"packaging", "playground", "python", "system"};
     std::vector<fs::path> folders;
     for (const auto& entry : fs::directory_iterator(root / "src"))
-        if (entry.is_directory() && entry.path().filename() != "packaging" &&
-            entry.path().filename() != "python")
+        if (entry.is_directory() && others.count(entry.path().filename().string()) == 0)
             folders.push_back(entry.path());
     return folders;
 }
@@ -150,6 +151,7 @@ TEST_CASE("each source file has a test, and each test a source file", "[house]")
     const std::set<std::string> elsewhere = {"app/main.cpp", "python/module.cpp"};
     for (const fs::path& file : files_below(root / "src", {".cpp"})) {
         const fs::path name = fs::relative(file, root / "src");
+        if (*name.begin() == "system") continue;
         fs::path test = root / "tests" / name;
         test.replace_filename(file.stem().string() + "_test.cpp");
         INFO(name << " has no " << test);
@@ -168,6 +170,20 @@ TEST_CASE("each source file has a test, and each test a source file", "[house]")
             INFO(test << " tests nothing of that name");
             CHECK((fs::exists(base.string() + ".cpp") || fs::exists(base.string() + ".h")));
         }
+}
+
+TEST_CASE("what stands in for a source on another system has its name", "[house]") {
+    int count = 0;
+    for (const fs::path& file : files_below(root / "src/system", {".h", ".cpp"})) {
+        const fs::path module = file.parent_path(), system = module.parent_path();
+        const fs::path source = root / "src" / module.filename() / file.filename();
+        INFO(file << " stands in for nothing");
+        CHECK(fs::exists(source));
+        CHECK(system.parent_path() == root / "src/system");
+        CHECK(fs::exists(system / "system.cmake"));
+        ++count;
+    }
+    CHECK(count > 10);
 }
 
 TEST_CASE("the map of the source names every module", "[house]") {
