@@ -152,4 +152,4 @@ emcmake cmake -S "$root" -B "$build" -G Ninja -DCMAKE_CXX_FLAGS="$flags" -DCMAKE
     -DCMAKE_FIND_ROOT_PATH="$prefix" -DCANDELABRA_LIBRARIES="$prefix" -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
     -DCANDELABRA_TESTS=OFF > "$build/configure.log" ||
     { cat "$build/configure.log" >&2; exit 1; }
-cmake --build "$build" --target candelabra --parallel "$(nproc)" -- -k 0
+cmake --build "$build" --target candelabra --parallel "$(nproc)"
