@@ -2,7 +2,7 @@
 // One frame after the other: a frame is rendered and written when it is asked to render.
 #include "app/frame_run.h"
 
-#include "app/scene_run.h"
+#include "tasks/scene_run.h"
 
 #include <new>
 
