@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the book: the manual as HTML, with a picture for each scene, shape, pattern, normal, finish, light, camera and
-macro. book.py PROGRAM MAN FOLDER [--without-pictures]: the program, the folder of the made manual pages, the folder to
-write (index.html). Needs mandoc. Pictures are kept by what they show, so that another run makes new ones only."""
+macro. book.py PROGRAM MAN FOLDER [--without-pictures] [--playground=FILE]: the program, the folder of the made manual
+pages, the folder to write (index.html); FILE: the playground as one file, which is copied there, so that each whole scene
+can be tried. Needs mandoc. Pictures are kept by what they show, so that another run makes new ones only."""
+import base64
 import concurrent.futures
 import hashlib
 import html
@@ -13,6 +15,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zlib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -116,6 +119,13 @@ def plain(text):
     return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", text)).split())
 
 
+def tried(scene):
+    """The address of the playground with a scene in it."""
+    pack = zlib.compressobj(9, zlib.DEFLATED, -15)
+    code = base64.urlsafe_b64encode(pack.compress(scene.encode()) + pack.flush()).decode().rstrip("=")
+    return f"playground.html#scene={code}"
+
+
 def sentence(head):
     """The head of a section, which manual pages write in capitals."""
     number, _, words = head.rpartition(". ")
@@ -161,8 +171,9 @@ class Pictures:
 
 
 class Book:
-    def __init__(self, program, made, folder, illustrated):
+    def __init__(self, program, made, folder, illustrated, playground):
         self.program, self.made, self.folder, self.illustrated = program, made, folder, illustrated
+        self.playground = playground
         self.pictures = Pictures(program, folder / "pictures")
         self.all = json.loads(subprocess.run([program, "describe", "--json"], capture_output=True, text=True,
                                              check=True).stdout)
@@ -342,6 +353,8 @@ class Book:
             result = f"<pre>{html.escape(code) if plain else self.linked(code)}</pre>"
             if code.startswith("#version") and "camera" in code:
                 picture = self.pictures.add(code, (400, 300), files)
+                if self.playground and "read_csv" not in code and ".csv" not in code:
+                    result += f'<a class="try" href="{tried(code)}">Try it</a>'
                 result += f'</div><div><img class="scene" src="{picture}" alt="" width="400" height="300">'
             figures = "".join(developed(code))
             return result + (f'</div><div class="gallery">{figures}' if figures else "")
@@ -406,6 +419,8 @@ class Book:
                 f'<script src="words.js" defer></script><script src="search.js" defer></script></head><body>{menu}'
                 f"<main>{body}</main></body></html>\n")
         (self.folder / "words.js").write_text("const words = " + json.dumps(self.entries, ensure_ascii=False) + ";\n")
+        if self.playground:
+            shutil.copyfile(self.playground, self.folder / "playground.html")
         for file in (HERE / "book" / "book.css", HERE / "book" / "search.js", FRONT):
             shutil.copyfile(file, self.folder / file.name)
         if self.illustrated:
@@ -419,7 +434,8 @@ class Book:
 def main():
     program, made, folder = (Path(word).resolve() for word in sys.argv[1:4])
     folder.mkdir(parents=True, exist_ok=True)
-    return Book(str(program), made, folder, "--without-pictures" not in sys.argv).write()
+    playground = [word.removeprefix("--playground=") for word in sys.argv if word.startswith("--playground=")]
+    return Book(str(program), made, folder, "--without-pictures" not in sys.argv, *playground or [None]).write()
 
 
 if __name__ == "__main__":
