@@ -14,6 +14,8 @@ public:
     using Content = T;
     Shared() : value_(make_handle<T>()) {}
     Shared(T value) : value_(make_handle<T>(std::move(value))) {}
+    /// Precondition: not null.
+    explicit Shared(Handle<T> value) : value_(std::move(value)) {}
 
     const T& operator*() const { return *value_; }
     const T* operator->() const { return value_.get(); }

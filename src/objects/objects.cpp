@@ -10,6 +10,7 @@
 #include "objects/clipping.h"
 #include "objects/cutaway.h"
 #include "objects/lights.h"
+#include "objects/model_block.h"
 #include "objects/model_reader.h"
 #include "objects/models.h"
 #include "objects/object_draft.h"
@@ -198,6 +199,8 @@ public:
         const std::size_t kind = Kinds<Shape>::find(element_.word);
         if (kind != Kinds<Shape>::count)
             read_shape(kind);
+        else if (element_.word == "model"_word)
+            read_model();
         else
             read_content(block_.binder.blocks.combines_objects(element_.word)
                              ? ContentReader::Kind::together
@@ -244,6 +247,19 @@ private:
         else
             complete(block_, shape);
         if (!block_.broken) check(shape);
+    }
+
+    /// Reads a model, which is an object in a file as a declared one is an object in the text.
+    void read_model() {
+        block_.item = &ModelSettings::vocabulary;
+        ModelSettings settings;
+        ItemReader fields(block_, ModelSettings::vocabulary, &settings);
+        ReplacedLookReader replaced(block_);
+        ContentReader content(block_, draft_, ContentReader::Kind::shape);
+        read_with(element_.body, content, replaced, fields);
+        if (block_.broken || draft_.declared) return;
+        draft_.declared = model_object(block_, settings, replaced.looks());
+        draft_.has_form = true;
     }
 
     /// Reads the fields of a shape, which a declared object may replace.

@@ -15,10 +15,13 @@
 #include "scene/scene.h"
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 
 namespace candelabra {
+
+struct ImportedContent;  // of objects/, which alone reads models
 
 /// A camera as a value of the language.
 struct DeclaredCamera {
@@ -59,6 +62,8 @@ struct Binder {
     std::map<std::pair<std::string, TexelCoding>, Handle<Texels>> pictures = {};
     /// Webs of photometric files, by file and set of lamps.
     std::map<std::pair<std::string, int>, Handle<PhotometricWeb>> webs = {};
+    /// Models that have been read, by folder and name.
+    std::map<std::pair<std::string, std::string>, std::shared_ptr<ImportedContent>> models = {};
     /// Contents of font files, by folder and name.
     std::map<std::pair<std::string, std::string>, std::string> fonts = {};
     /// The value of `assumed_gamma`, once the scene has given it.

@@ -14,6 +14,7 @@ BlockTable::BlockTable(std::span<const BlockRow> rows, const BlockRow& shape, Re
         const bool is_shape = Kinds<Shape>::find(word.spelling) != Kinds<Shape>::count;
         by_number_.push_back(is_shape ? &shape : row(word.spelling));
     }
+    for (const std::string_view word : own_words()) by_number_.push_back(row(word));
 }
 
 const BlockRow* BlockTable::row(std::string_view word) const {

@@ -2,6 +2,7 @@
 #include "scene/catalogue.h"
 
 #include "pattern/use.h"
+#include "scene/model_settings.h"
 #include "scene/scene.h"
 #include "surface/normal_map.h"
 
@@ -29,6 +30,7 @@ constexpr auto lamps = std::array{&LampData::vocabulary};
 constexpr auto photons_of_objects = std::array{&ObjectPhotons::vocabulary};
 constexpr auto photons_of_lights = std::array{&LightPhotons::vocabulary};
 
+constexpr auto models = std::array{&ModelSettings::vocabulary};
 constexpr auto lights = std::array{&PointLight::vocabulary};
 constexpr auto meters = std::array{&Meter::vocabulary};
 
@@ -37,6 +39,7 @@ constexpr auto groups = std::array{
     ItemGroup{"Objects",
               "What any object may have, beside its appearance, its interior and transformations.",
               objects},
+    ItemGroup{"Models", "Objects in files.", models},
     ItemGroup{"Cameras",
               "The type is the first word in camera { }; perspective when there is none.",
               Kinds<Camera>::infos, "camera"},

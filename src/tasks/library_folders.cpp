@@ -31,8 +31,9 @@ std::vector<std::string> library_folders(const std::vector<std::string>& first,
     // POV-Ray's order: its settings name its own library before the command line is read.
     if (!standard.empty()) paths.push_back(standard);
     std::ranges::for_each(given, add);
-    // The library's pictures come last, so that they never hide others of the same name.
-    if (!standard.empty()) paths.push_back(standard + "/pictures");
+    // The library's pictures and models come last, so that they never hide others of the same name.
+    if (!standard.empty())
+        for (const char* folder : {"/pictures", "/models"}) paths.push_back(standard + folder);
     return paths;
 }
 

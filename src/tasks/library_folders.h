@@ -11,7 +11,7 @@ namespace candelabra {
 
 /// Returns the folders that are searched for files, in order: those that come before the standard
 /// library, the standard library (empty: none), the folders of the options, and the library's
-/// pictures. Warns of a folder that does not exist.
+/// pictures and models. Warns of a folder that does not exist.
 std::vector<std::string> library_folders(const std::vector<std::string>& first,
                                          const std::string& standard,
                                          const std::vector<std::string>& given, Diagnostics&);

@@ -134,6 +134,11 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "a union without the surfaces that are hidden within it, for glass",
      {"merge { sphere { <-0.5, 0.9, 0>, 0.8 } sphere { <0.5, 0.9, 0>, 0.8 } }"}},
     {"split_union sturm", "union { ... split_union off }", "without effect"},
+    {"replace",
+     "model { file \"name\" replace \"material\" texture { ... } }",
+     "a texture or material { } of the scene in the place of a material of the model",
+     {"model { file \"lantern.gltf\" replace \"Iron\" texture { pigment { rgb <0.5, 0.1, 0.1> } "
+      "} }"}},
     {"light_group global_lights",
      "light_group { lights objects [global_lights on] }",
      "lights that shine on these objects only",

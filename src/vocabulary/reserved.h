@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reserved words as a compile-time table. Names holds them first and in this order, so their
-// numbers are constants, and `element.word == "pigment"_word` compares two numbers.
+// The reserved words as a compile-time table, and own words behind them. Names holds them first and
+// in this order, so their numbers are constants, and `element.word == "pigment"_word` compares two
+// numbers.
 #pragma once
 
 #include "text/ascii.h"
@@ -115,6 +116,9 @@ inline constexpr auto groups = std::array{
           "write"},
 };
 
+/// Words of this language alone that make objects. Scenes may declare them.
+inline constexpr auto own_words = std::array<std::string_view, own_word_count>{"model"};
+
 constexpr std::size_t count_words() {
     std::size_t count = 0;
     for (const Group& group : groups) {
@@ -145,10 +149,18 @@ constexpr NameId reserved_word(std::string_view spelling) {
     return no_name;
 }
 
-/// The same for a reserved word; other spellings do not compile.
+/// The same for an own word.
+constexpr NameId own_word(std::string_view spelling) {
+    for (std::size_t i = 0; i < reserved_detail::own_words.size(); ++i)
+        if (reserved_detail::own_words[i] == spelling) return NameId(reserved_word_count + i);
+    return no_name;
+}
+
+/// The number of a reserved or own word; other spellings do not compile.
 consteval NameId operator""_word(const char* spelling, std::size_t length) {
-    const NameId found = reserved_word({spelling, length});
-    if (found == no_name) throw "this is no reserved word";
+    const NameId reserved = reserved_word({spelling, length});
+    const NameId found = reserved == no_name ? own_word({spelling, length}) : reserved;
+    if (found == no_name) throw "this word has no number of its own";
     return found;
 }
 

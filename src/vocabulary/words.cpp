@@ -46,12 +46,15 @@ constexpr auto signed_words = std::to_array<SignedWord>({
 
 std::span<const Word> reserved_words() { return words; }
 
+std::span<const std::string_view> own_words() { return reserved_detail::own_words; }
+
 bool takes_sign(std::string_view block, std::string_view word) {
     return std::ranges::find(signed_words, SignedWord{block, word}) != signed_words.end();
 }
 
 Names::Names() : slots_(4096) {
     for (const Word& word : words) intern(word.spelling);
+    for (const std::string_view word : own_words()) intern(word);
 }
 
 std::size_t Names::slot(std::string_view spelling, std::uint32_t hash) const {

@@ -43,6 +43,11 @@ std::span<const Word> reserved_words();
 /// Number of reserved words.
 inline constexpr std::size_t reserved_word_count = 498;
 
+/// Words of this language alone that make objects, such as `model`: they are names, which scenes
+/// may declare, but have the same numbers in all tables.
+std::span<const std::string_view> own_words();
+inline constexpr std::size_t own_word_count = 1;
+
 /// Whether the word, which is not reserved, has a value in the block that may begin with a sign:
 /// `film { exposure -1 }`. Elsewhere it may be the name of a number, from which another is
 /// subtracted.
@@ -55,7 +60,7 @@ inline constexpr NameId no_name{~std::uint32_t{0}};
 
 class Names {
 public:
-    /// Holds the reserved words, in the order of reserved_words().
+    /// Holds the reserved words, in the order of reserved_words(), and then own_words().
     Names();
 
     /// The id of a spelling, which is added if necessary. Ids never change.

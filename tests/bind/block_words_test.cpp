@@ -32,6 +32,7 @@ const std::multimap<std::string_view, std::string>& scenes() {
         {"sphere", "sphere { 0, 1 @ }"},
         {"box", "box { 0, 1 @ }"},
         {"mesh", "mesh { triangle { 0, x, y } @ }"},
+        {"model", "model { @ }"},
         {"triangle", "mesh { triangle { 0, x, y @ } }"},
         {"triangle", "triangle { 0, x, y @ }"},
         {"sphere", "blob { sphere { 0, 1, 1 @ } }"},

@@ -25,6 +25,7 @@ const std::map<std::string_view, std::string> samples = {
     {"light_group", "light_source { y, 1 } sphere { 0, 1 }"},
     {"object", "sphere { 0, 1 }"},
     {"light_source", "y, rgb 1"},
+    {"model", "file \"a.off\""},
     {"camera", "location -5*z"},
     {"background", "rgb <0, 0, 1>"},
     {"sky_sphere", "pigment { rgb 1 }"},
@@ -50,6 +51,10 @@ const std::map<std::string_view, std::string> samples = {
     {"normal_map", "[0 bumps 1] [1 dents 1]"},
     {"slope_map", "[0 <0, 1>] [1 <1, 0>]"},
 };
+
+/// What the samples read.
+const std::map<std::string, std::string> sample_files = {
+    {"a.off", "OFF\n3 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n"}};
 
 std::string sample(std::string_view word) {
     INFO("a sample of " << word);
@@ -108,7 +113,7 @@ TEST_CASE("the row of a word is found by its number", "[bind]") {
 TEST_CASE("what a scene holds is written, and reads back as the same", "[bind]") {
     for (const BlockRow& row : block_table().rows()) {
         if (!row.in_scene) continue;
-        const Script done = run("#version 3.7; " + sample(row.word));
+        const Script done = run("#version 3.7; " + sample(row.word), sample_files);
         INFO(row.word << '\n' << done.text);
         CHECK(done.text.empty());
         const std::string text = dump(done.scene);
@@ -126,7 +131,8 @@ TEST_CASE("what is a value can be declared, and is called by its name", "[bind]"
     for (const BlockRow& row : block_table().rows()) {
         if (!row.as_value) continue;
         const Script done =
-            run("#version 3.7; #declare A = " + sample(row.word) + " #declare B = A + 1;");
+            run("#version 3.7; #declare A = " + sample(row.word) + " #declare B = A + 1;",
+                sample_files);
         INFO(row.word << '\n' << done.text);
         REQUIRE(done.said.size() == 1);
         std::string name = row.makes_object() && row.word != "light_source" ? "object"

@@ -5,6 +5,7 @@
 #include "camera/film_settings.h"
 #include "font/system_font.h"
 #include "picture/formats.h"
+#include "support/gltf.h"
 
 #include <filesystem>
 #include <fstream>
@@ -68,6 +69,22 @@ void put_pictures(const std::filesystem::path& folder) {
     put(folder / "bits.pbm", "\0P4\n8 2\n\xaa\x55"s);
 }
 
+void put_models(const std::filesystem::path& folder) {
+    put(folder / "gltf", "\0"s + gltf());
+    put(folder / "glb", "\1"s + glb());
+    put(folder / "obj", "\2mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nusemtl m\n"
+                        "f 1/1 2/1 3/1\n"s);
+    put(folder / "fbx",
+        "\3; FBX 7.4.0 project file\nObjects: {\nGeometry: 1, \"Geometry::A\", \"Mesh\" {\n"
+        "Vertices: *9 { a: 0,0,0,2,0,0,0,1,0 }\nPolygonVertexIndex: *3 { a: 0,1,-3 } }\n"
+        "Model: 2, \"Model::B\", \"Mesh\" { Version: 232 } }\nConnections: {\n"
+        "C: \"OO\",2,0\nC: \"OO\",1,2 }\n"s);
+    put(folder / "dae",
+        "\4<?xml version=\"1.0\"?><COLLADA version=\"1.4.1\"><library_geometries><geometry "
+        "id=\"g\"><mesh></mesh></geometry></library_geometries></COLLADA>"s);
+    put(folder / "3mf", "\5PK\3\4"s + std::string(30, '\0'));
+}
+
 void put_meshes(const std::filesystem::path& folder) {
     put(folder / "obj",
         "\0v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 1\nvn 0 0 1\n"
@@ -107,6 +124,7 @@ int main(int count, char** arguments) {
     const std::filesystem::path folder = arguments[1];
     put_pictures(folder / "picture");
     put_meshes(folder / "mesh");
+    put_models(folder / "model");
     // All of a font is more than most runs look at: its tables stand at its beginning.
     for (const char* name : {"timrom.ttf", "cyrvetic.ttf"})
         if (const auto font = system_font(name)) put(folder / "font" / name, "\0"s + *font);

@@ -9,6 +9,9 @@ find_library(OPENIMAGEIO_UTIL OpenImageIO_Util REQUIRED)
 find_path(CGAL_HEADERS CGAL/version.h REQUIRED)
 find_library(GMP gmp REQUIRED)
 find_library(MPFR mpfr REQUIRED)
+# Debian's CMake files of Assimp name a static library of zlib that is not installed with it.
+find_path(ASSIMP_HEADERS assimp/Importer.hpp REQUIRED)
+find_library(ASSIMP assimp REQUIRED)
 find_library(SECCOMP seccomp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 

@@ -5,6 +5,7 @@ add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)
 add_library(TBB::tbb INTERFACE IMPORTED)  # one thread
 set(OPENIMAGEIO "")
 set(OPENIMAGEIO_UTIL "")
+set(ASSIMP "")
 set(GMP "")
 set(MPFR "")
 set(SECCOMP "")

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "imports/importer.h"
+
+#include "imports/gltf_strength.h"
+#include "imports/guarded_files.h"
+#include "imports/material.h"
+
+#include <assimp/BaseImporter.h>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace candelabra {
+
+namespace {
+
+/// Whether the space-separated list of extensions has this one.
+bool lists(std::string_view list, std::string_view extension) {
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find(' '), list.size());
+        if (list.substr(0, end) == extension) return true;
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+    return false;
+}
+
+std::string extension_of(std::string_view name) {
+    std::string extension(name.substr(std::min(name.rfind('.'), name.size() - 1) + 1));
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+/// Leaves only the readers of this extension, so that no content of a file reaches another one.
+void keep_readers(Assimp::Importer& importer, std::string_view extension) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        const aiImporterDesc* const about = importer.GetImporterInfo(i);
+        if (about && lists(about->mFileExtensions, extension)) continue;
+        Assimp::BaseImporter* const other = importer.GetImporter(i);
+        importer.UnregisterLoader(other);
+        delete other;
+    }
+}
+
+/// Whether the material is the one that Assimp gives meshes without one.
+bool is_default(const ImportedMaterial& material) {
+    const ImportedMaterial usual;
+    return material.name == AI_DEFAULT_MATERIAL_NAME ||
+           (material.name.empty() && material.facets && material.metallic == 1 &&
+            material.roughness == 1 && material.colour == usual.colour &&
+            material.emission == usual.emission && material.picture < 0 &&
+            material.facet_picture < 0 && material.emission_picture < 0);
+}
+
+ImportedMesh imported_mesh(const aiMesh& from, unsigned uv) {
+    ImportedMesh made;
+    made.points.reserve(from.mNumVertices);
+    for (unsigned i = 0; i < from.mNumVertices; ++i)
+        made.points.push_back({from.mVertices[i].x, from.mVertices[i].y, from.mVertices[i].z});
+    if (from.HasNormals()) {
+        made.normals.reserve(from.mNumVertices);
+        for (unsigned i = 0; i < from.mNumVertices; ++i)
+            made.normals.push_back({from.mNormals[i].x, from.mNormals[i].y, from.mNormals[i].z});
+    }
+    if (!from.HasTextureCoords(uv)) uv = 0;
+    if (from.HasTextureCoords(uv)) {
+        made.uvs.reserve(from.mNumVertices);
+        for (unsigned i = 0; i < from.mNumVertices; ++i)
+            made.uvs.push_back({from.mTextureCoords[uv][i].x, from.mTextureCoords[uv][i].y});
+    }
+    made.faces.reserve(from.mNumFaces);
+    for (unsigned i = 0; i < from.mNumFaces; ++i) {
+        const aiFace& face = from.mFaces[i];
+        if (face.mNumIndices != 3) continue;
+        made.faces.push_back({static_cast<int>(face.mIndices[0]),
+                              static_cast<int>(face.mIndices[1]),
+                              static_cast<int>(face.mIndices[2])});
+    }
+    made.coloured = from.HasVertexColors(0);
+    return made;
+}
+
+/// Whether the file states that z is up. Only FBX files do; those of Collada have been turned.
+bool has_z_up(const aiScene& scene) {
+    constexpr std::int32_t z = 2;
+    std::int32_t axis = 1;
+    return scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && axis == z;
+}
+
+/// Converts a scene that Assimp has read.
+class Converter {
+public:
+    Converter(const aiScene& scene, ImportedModel& model) : scene_(scene), model_(model) {}
+
+    void take_materials() {
+        for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
+            model_.materials.push_back(imported_material(scene_, *scene_.mMaterials[i], model_));
+    }
+
+    void take_meshes() {
+        for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+            const aiMesh& from = *scene_.mMeshes[i];
+            const bool has_material = from.mMaterialIndex < scene_.mNumMaterials;
+            const aiMaterial* const material =
+                has_material ? scene_.mMaterials[from.mMaterialIndex] : nullptr;
+            ImportedMesh& made =
+                model_.meshes.emplace_back(imported_mesh(from, material ? uv_set(*material) : 0));
+            if (material && !is_default(model_.materials[from.mMaterialIndex]))
+                made.material = static_cast<int>(from.mMaterialIndex);
+        }
+    }
+
+    /// `units` tells whether the format states the units of lights.
+    void take_lights(bool units) {
+        for (unsigned i = 0; i < scene_.mNumLights; ++i) {
+            const aiLight& from = *scene_.mLights[i];
+            const bool known = from.mType == aiLightSource_POINT ||
+                               from.mType == aiLightSource_SPOT ||
+                               from.mType == aiLightSource_DIRECTIONAL;
+            if (!units || !known) {
+                ++model_.lights_left_out;
+                continue;
+            }
+            ImportedLight light;
+            light.kind = from.mType == aiLightSource_POINT  ? ImportedLight::point
+                         : from.mType == aiLightSource_SPOT ? ImportedLight::spot
+                                                            : ImportedLight::sun;
+            const aiColor3D& c = from.mColorDiffuse;
+            light.colour = {c.r, c.g, c.b};
+            light.inner = from.mAngleInnerCone;
+            light.outer = from.mAngleOuterCone;
+            lights_[from.mName.C_Str()] = static_cast<int>(model_.lights.size());
+            model_.lights.push_back(light);
+        }
+    }
+
+    /// `z_up` tells whether the file has z up, which is turned to y.
+    void take_nodes(bool z_up) {
+        if (!scene_.mRootNode) return;
+        struct Step {
+            const aiNode* node;
+            int parent;
+        };
+        std::vector<Step> open{{scene_.mRootNode, -1}};
+        while (!open.empty()) {
+            const auto [from, parent] = open.back();
+            open.pop_back();
+            const auto number = static_cast<int>(model_.nodes.size());
+            model_.nodes.push_back(imported_node(*from, parent));
+            for (unsigned i = from->mNumChildren; i > 0; --i)
+                open.push_back({from->mChildren[i - 1], number});
+        }
+        if (!z_up) return;
+        std::array<double, 12>& t = model_.nodes.front().transform;
+        for (std::size_t i = 4; i < 8; ++i) {
+            std::swap(t[i], t[i + 4]);
+            t[i + 4] = -t[i + 4];
+        }
+    }
+
+private:
+    ImportedNode imported_node(const aiNode& from, int parent) {
+        ImportedNode made;
+        made.name = from.mName.C_Str();
+        made.parent = parent;
+        const aiMatrix4x4& m = from.mTransformation;
+        made.transform = {m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4};
+        for (unsigned i = 0; i < from.mNumMeshes; ++i)
+            made.meshes.push_back(static_cast<int>(from.mMeshes[i]));
+        const auto light = lights_.find(made.name);
+        if (light != lights_.end()) made.light = light->second;
+        return made;
+    }
+
+    const aiScene& scene_;
+    ImportedModel& model_;
+    std::map<std::string, int, std::less<>> lights_;  ///< by the name of their node
+};
+
+}  // namespace
+
+std::string import_model(std::string_view name, std::string_view bytes, const BesideModel& beside,
+                         ImportedModel& model) {
+    const std::string extension = extension_of(name);
+    const bool gltf = extension == "gltf" || extension == "glb";
+    Assimp::Importer importer;
+    keep_readers(importer, extension);
+    const std::string own_name(name.substr(name.rfind('/') + 1));
+    const auto changed = gltf ? with_strengths(bytes) : std::nullopt;
+    if (changed) bytes = *changed;
+    auto* const files = new GuardedFiles(own_name, bytes, beside);
+    importer.SetIOHandler(files);  // which owns it from now on
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
+    // Other formats have each corner of each face as a point of its own.
+    if (!gltf) steps |= aiProcess_JoinIdenticalVertices;
+    const aiScene* const scene = importer.ReadFile(own_name, steps);
+    if (!scene) {
+        const std::string problem = importer.GetErrorString();
+        return problem.empty() ? "it is damaged" : problem;
+    }
+    Converter converter(*scene, model);
+    converter.take_materials();
+    converter.take_meshes();
+    converter.take_lights(gltf);
+    converter.take_nodes(extension == "3mf" || has_z_up(*scene));
+    // Materials of OBJ files are in files of their own.
+    if (extension == "obj" && files->misses())
+        for (ImportedMaterial& material : model.materials) material.stated = false;
+    model.animated = scene->mNumAnimations > 0;
+    return {};
+}
+
+}  // namespace candelabra

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshing/packed_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace candelabra {
+
+namespace {
+
+/// The fields of each part of a model, for both directions.
+template <class Way>
+void pass(Way& way, ImportedPicture& p) {
+    way(p.file, p.bytes);
+}
+template <class Way>
+void pass(Way& way, ImportedMaterial& m) {
+    way(m.name, m.stated, m.colour, m.emission, m.opacity, m.transmission, m.ior, m.facets,
+        m.metallic, m.roughness, m.specular, m.shininess, m.uses_alpha, m.picture,
+        m.emission_picture, m.facet_picture, m.bumpy);
+}
+template <class Way>
+void pass(Way& way, ImportedMesh& m) {
+    way(m.points, m.normals, m.uvs, m.faces, m.material, m.coloured);
+}
+template <class Way>
+void pass(Way& way, ImportedLight& l) {
+    way(l.kind, l.colour, l.inner, l.outer);
+}
+template <class Way>
+void pass(Way& way, ImportedNode& n) {
+    way(n.name, n.parent, n.transform, n.meshes, n.light);
+}
+template <class Way>
+void pass(Way& way, ImportedModel& m) {
+    way(m.nodes, m.meshes, m.materials, m.pictures, m.lights, m.lights_left_out, m.animated);
+}
+
+/// Lists of these are copied at once.
+template <class T>
+constexpr bool is_plain = std::is_trivially_copyable_v<T> && !std::is_same_v<T, ImportedLight>;
+
+class Packer {
+public:
+    template <class... Fields>
+    void operator()(Fields&... fields) {
+        (put(fields), ...);
+    }
+    std::string bytes;
+
+private:
+    template <class T>
+    void put(T& value) {
+        if constexpr (is_plain<T>)
+            bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+        else
+            pass(*this, value);
+    }
+    void put(std::string& text) { put_list(text); }
+    template <class T>
+    void put(std::vector<T>& list) {
+        if constexpr (is_plain<T>) return put_list(list);
+        std::uint64_t count = list.size();
+        put(count);
+        for (T& each : list) put(each);
+    }
+    template <class List>
+    void put_list(List& list) {
+        std::uint64_t count = list.size();
+        put(count);
+        bytes.append(reinterpret_cast<const char*>(list.data()), count * sizeof list[0]);
+    }
+};
+
+class Unpacker {
+public:
+    explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
+    template <class... Fields>
+    void operator()(Fields&... fields) {
+        (take(fields), ...);
+    }
+    bool good() const { return good_ && rest_.empty(); }
+
+private:
+    template <class T>
+    void take(T& value) {
+        if constexpr (std::is_same_v<T, bool>) {
+            char byte = 0;
+            copy(&byte, 1);
+            value = byte != 0;
+        } else if constexpr (is_plain<T>) {
+            copy(&value, sizeof value);
+        } else {
+            pass(*this, value);
+        }
+    }
+    void take(std::string& text) { take_list(text); }
+    template <class T>
+    void take(std::vector<T>& list) {
+        if constexpr (is_plain<T>) return take_list(list);
+        std::uint64_t count = 0;
+        take(count);
+        for (std::uint64_t i = 0; i < count && good_; ++i) take(list.emplace_back());
+    }
+    template <class List>
+    void take_list(List& list) {
+        std::uint64_t count = 0;
+        take(count);
+        if (count > rest_.size() / sizeof list[0]) good_ = false;
+        if (!good_) return;
+        list.resize(count);
+        copy(list.data(), count * sizeof list[0]);
+    }
+    void copy(void* to, std::size_t size) {
+        good_ = good_ && size <= rest_.size();
+        if (!good_ || size == 0) return;
+        std::memcpy(to, rest_.data(), size);
+        rest_.remove_prefix(size);
+    }
+
+    std::string_view rest_;
+    bool good_ = true;
+};
+
+template <class Number, std::size_t count>
+bool is_finite(const std::array<Number, count>& each) {
+    return std::ranges::all_of(each, [](Number x) { return std::isfinite(x); });
+}
+
+template <class List>
+bool all_finite(const List& list) {
+    return std::ranges::all_of(list, [](const auto& each) { return is_finite(each); });
+}
+
+template <class List>
+bool is_place(int index, const List& list) {
+    return index < 0 || static_cast<std::size_t>(index) < list.size();
+}
+
+bool is_whole(const ImportedMesh& mesh, const ImportedModel& model) {
+    const auto fits = [&](const auto& list) {
+        return list.empty() || list.size() == mesh.points.size();
+    };
+    const auto inside = [&](const std::array<int, 3>& face) {
+        return std::ranges::all_of(
+            face, [&](int corner) { return corner >= 0 && is_place(corner, mesh.points); });
+    };
+    return fits(mesh.normals) && fits(mesh.uvs) && std::ranges::all_of(mesh.faces, inside) &&
+           all_finite(mesh.points) && all_finite(mesh.normals) && all_finite(mesh.uvs) &&
+           is_place(mesh.material, model.materials);
+}
+
+bool is_whole(const ImportedMaterial& m, const ImportedModel& model) {
+    const auto numbers = {m.opacity,   m.transmission, m.ior,      m.metallic,
+                          m.roughness, m.specular,     m.shininess};
+    return is_finite(m.colour) && is_finite(m.emission) &&
+           std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }) &&
+           std::ranges::all_of(std::array{m.picture, m.emission_picture, m.facet_picture},
+                               [&](int place) { return is_place(place, model.pictures); });
+}
+
+bool is_whole(const ImportedNode& node, int number, const ImportedModel& model) {
+    return node.parent < number && (number == 0 || node.parent >= 0) && is_finite(node.transform) &&
+           is_place(node.light, model.lights) && std::ranges::all_of(node.meshes, [&](int mesh) {
+               return mesh >= 0 && is_place(mesh, model.meshes);
+           });
+}
+
+bool is_whole(const ImportedLight& light) {
+    return is_finite(light.colour) && std::isfinite(light.inner) && std::isfinite(light.outer);
+}
+
+std::string problem_of(const ImportedModel& model) {
+    const auto whole = [&](const auto& part) { return is_whole(part, model); };
+    if (!std::ranges::all_of(model.meshes, whole))
+        return "a face, a normal or a number of a mesh in it is wrong";
+    if (!std::ranges::all_of(model.materials, whole)) return "a number of a material is wrong";
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        if (!is_whole(model.nodes[i], static_cast<int>(i), model))
+            return "the place of a part in it is wrong";
+    if (!std::ranges::all_of(model.lights, [](const ImportedLight& l) { return is_whole(l); }))
+        return "a number of a light is wrong";
+    return {};
+}
+
+}  // namespace
+
+std::string packed(const ImportedModel& model) {
+    Packer packer;
+    ImportedModel& same = const_cast<ImportedModel&>(model);  // it is only read
+    pass(packer, same);
+    return std::move(packer.bytes);
+}
+
+std::string unpack(std::string_view bytes, ImportedModel& model) {
+    Unpacker unpacker(bytes);
+    ImportedModel made;
+    pass(unpacker, made);
+    if (!unpacker.good()) return "it is damaged";
+    std::string problem = problem_of(made);
+    if (problem.empty()) model = std::move(made);
+    return problem;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "objects/imported_content.h"
+
+#include "base/degrees.h"
+#include "base/long_work.h"
+#include "meshing/library.h"
+#include "objects/object_draft.h"
+#include "photometry/light_colour.h"
+#include "text/message.h"
+#include "text/nearest.h"
+#include "text/printable.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+Vec3 mirrored(const std::array<float, 3>& p) { return {p[0], p[1], -double{p[2]}}; }
+
+/// The mesh in the space of scenes; null if it has no faces.
+Handle<Mesh> mirrored(const ImportedMesh& from) {
+    if (from.faces.empty()) return nullptr;
+    constexpr std::uint64_t work_of_point = 10;
+    count_long_work(work_of_point * (from.points.size() + from.faces.size()));
+    Mesh made;
+    made.vertices.reserve(from.points.size());
+    for (const auto& point : from.points) made.vertices.push_back(mirrored(point));
+    made.normals.reserve(from.normals.size());
+    for (const auto& normal : from.normals) made.normals.push_back(mirrored(normal));
+    made.uvs.reserve(from.uvs.size());
+    for (const auto& [u, v] : from.uvs) made.uvs.emplace_back(u, v);
+    made.faces.reserve(from.faces.size());
+    // Two corners change places, so that faces still turn to the same side.
+    for (const auto& [a, b, c] : from.faces) made.faces.push_back({a, c, b});
+    return make_handle<Mesh>(std::move(made));
+}
+
+/// The same for a file without parts and materials.
+Handle<Mesh> mirrored(const MeshFile& file) {
+    Mesh made = mesh(file.shape);
+    dress(made, file.look);
+    for (auto* list : {&made.vertices, &made.normals})
+        for (Vec3& each : *list) each.z = -each.z;
+    for (auto* list : {&made.faces, &made.normal_faces, &made.uv_faces})
+        for (Face& face : *list) std::swap(face[1], face[2]);
+    return make_handle<Mesh>(std::move(made));
+}
+
+/// A node's transformation in the space of scenes.
+Affine mirrored(const std::array<double, 12>& m) {
+    const auto row = [&](std::size_t column) {
+        return Vec3(m[column], m[4 + column], -m[8 + column]);
+    };
+    return {{row(0), row(1), -row(2)}, row(3)};
+}
+
+/// Says once what of the file is left out.
+void report_left_out(OpenBlock& block, const ImportedModel& model, const LeftOutLooks& looks) {
+    std::string all;
+    const auto add = [&](auto count, std::string_view what) {
+        if (count > 0) all += message(all.empty() ? "" : ", ", what);
+    };
+    add(looks.bumpy, "its maps of normals");
+    add(looks.dim, "the colours of materials whose light has another picture");
+    add(std::ranges::count(model.meshes, true, &ImportedMesh::coloured),
+        "the colours of its points");
+    add(model.lights_left_out, "its lights, as the format states no units for them");
+    add(model.animated ? 1 : 0, "its movements");
+    if (!all.empty())
+        block.report(warning(Fault::no_effect, block.file_place(),
+                             message("this is left out of the model: ", all)));
+    if (looks.averaged > 0)
+        block.report(warning(Fault::no_effect, block.file_place(),
+                             "maps of metallic and roughness in the model count by their means"));
+}
+
+using Content = std::shared_ptr<ImportedContent>;
+
+/// Reads a file of parts and materials.
+Content read_parts(OpenBlock& block, const Found& file) {
+    Evaluator& evaluator = block.binder.evaluator;
+    const std::string folder = directory_of(file.path);
+    std::string missing;
+    const auto beside = [&](const std::string& name) -> std::optional<std::string> {
+        auto found = evaluator.loader().load(name, folder, FileKind::data);
+        if (found) return std::move(found->text);
+        // The reader of the model then tries other names in the place of this one.
+        if (missing.empty()) missing = name;
+        return std::nullopt;
+    };
+    auto model = import_model(file, beside, evaluator.diagnostics(), block.file_place());
+    if (!model) return nullptr;
+    if (!missing.empty())
+        block.report(warning(Fault::io, block.file_place(),
+                             message("`", printable(missing),
+                                     "` is not beside the model, so what it has is left out")));
+    const auto made = std::make_shared<ImportedContent>();
+    made->model = std::move(*model);
+    ImportedLooks looks(block, made->model, folder);
+    for (const ImportedMaterial& material : made->model.materials)
+        made->looks.push_back(looks.look(material));
+    report_left_out(block, made->model, looks.left_out());
+    for (ImportedMesh& each : made->model.meshes) {
+        made->meshes.push_back(mirrored(each));
+        const int material = each.material;
+        each = {};
+        each.material = material;
+    }
+    made->model.pictures.clear();
+    return made;
+}
+
+/// Reads a file that is one mesh.
+Content read_mesh(OpenBlock& block, const Found& file) {
+    const auto read =
+        read_mesh_file(file, block.binder.evaluator.diagnostics(), block.file_place());
+    if (!read) return nullptr;
+    const auto made = std::make_shared<ImportedContent>();
+    ImportedNode& root = made->model.nodes.emplace_back();
+    root.transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    root.meshes = {0};
+    made->model.meshes.emplace_back();
+    made->meshes.push_back(mirrored(*read));
+    return made;
+}
+
+PlacedLight placed_light(const ImportedLight& from, const LightUnits& units, Span span) {
+    PlacedLight placed{PointLight(), span};
+    PointLight& light = placed.light;
+    light.colour = {from.colour[0], from.colour[1], from.colour[2]};
+    if (from.kind == ImportedLight::sun) {
+        // Its rays come from beyond whatever they light.
+        constexpr double far = 1e6;
+        light.location = {0, 0, -far};
+        light.point_at = Vec3(0);
+        light.parallel = true;
+        light.colour *= units.colour(1);
+        return placed;
+    }
+    if (from.kind == ImportedLight::spot) {
+        constexpr double greatest = 89.9;
+        light.beam = cone;
+        light.falloff = std::clamp(from.outer / radians_per_degree, 0.0, greatest);
+        light.radius = std::clamp(from.inner / radians_per_degree, 0.0, *light.falloff);
+    }
+    light.intensity = units.intensity(light_luminance(light.colour));
+    if (!measure(light).empty()) light.colour = Vec3(0);
+    return placed;
+}
+
+/// Makes the objects of nodes.
+class Assembly {
+public:
+    Assembly(OpenBlock& block, const ImportedContent& content, const ReplacedLooks& replaced)
+        : block_(block),
+          content_(content),
+          replaced_(replaced),
+          meshes_(content.meshes.size()),
+          parts_(content.model.nodes.size()) {}
+
+    /// The node `first` with all that belongs to it, transformed by `movement` in the place of its
+    /// own transformation if there is one, as a union; null if there is nothing in it.
+    ObjectHandle object(std::size_t first, const std::optional<Affine>& movement) {
+        const std::vector<ImportedNode>& nodes = content_.model.nodes;
+        std::vector<char> inside(nodes.size());
+        inside[first] = 1;
+        for (std::size_t i = first + 1; i < nodes.size(); ++i)
+            inside[i] = nodes[i].parent >= 0 && inside[static_cast<std::size_t>(nodes[i].parent)];
+        // Children come after their parents, so the last ones are complete first.
+        for (std::size_t i = nodes.size(); i-- > first;) {
+            if (!inside[i]) continue;
+            ObjectHandle made =
+                part(i, i == first && movement ? *movement : mirrored(nodes[i].transform));
+            if (i == first && made && !std::holds_alternative<Union>(made->form))
+                made = together({std::move(made)}, Affine());
+            if (i == first) return made;
+            if (made) parts_[static_cast<std::size_t>(nodes[i].parent)].push_back(std::move(made));
+        }
+        return nullptr;
+    }
+
+private:
+    ObjectHandle part(std::size_t number, const Affine& movement) {
+        const ImportedNode& node = content_.model.nodes[number];
+        const double volume = determinant(movement);
+        if (!(volume != 0 && std::isfinite(1 / volume))) return nullptr;
+        std::vector<ObjectHandle> inner;
+        for (const int each : node.meshes)
+            if (ObjectHandle shown = mesh_object(static_cast<std::size_t>(each)))
+                inner.push_back(std::move(shown));
+        if (node.light >= 0) inner.push_back(as_object(light(node.light)));
+        std::vector<ObjectHandle>& children = parts_[number];
+        inner.insert(inner.end(), children.rbegin(), children.rend());
+        children.clear();
+        if (inner.empty()) return nullptr;
+        if (movement == Affine() && inner.size() == 1) return inner.front();
+        return together(std::move(inner), movement);
+    }
+
+    ObjectHandle together(std::vector<ObjectHandle> inner, const Affine& movement) {
+        ObjectHandle whole = block_.binder.pool.make();
+        Object& object = whole.edit();
+        object.span = block_.span;
+        Union& all = object.form.emplace<Union>();
+        for (ObjectHandle& each : inner) {
+            take_lights(*each, all);
+            nest(object, *each);
+            all.children.push_back(std::move(each));
+        }
+        if (movement != Affine())
+            object.transform = block_.binder.transform_pool.make(Transform(movement));
+        return whole;
+    }
+
+    /// The object of a mesh, which all nodes with this mesh share; null if it has no faces.
+    ObjectHandle mesh_object(std::size_t number) {
+        ObjectHandle& known = meshes_[number];
+        if (known || !content_.meshes[number]) return known;
+        known = block_.binder.pool.make();
+        Object& object = known.edit();
+        object.form = Shape(Shared<Mesh>(content_.meshes[number]));
+        object.span = block_.span;
+        const int material = content_.model.meshes[number].material;
+        if (material < 0) return known;
+        const auto place = static_cast<std::size_t>(material);
+        const auto other = replaced_.find(content_.model.materials[place].name);
+        const ImportedLook& look = other == replaced_.end() ? content_.looks[place] : other->second;
+        object.texture = look.texture;
+        object.interior = look.interior;
+        return known;
+    }
+
+    PlacedLight light(int number) {
+        return placed_light(content_.model.lights[static_cast<std::size_t>(number)],
+                            block_.binder.evaluator.use_light_units(), block_.span);
+    }
+
+    OpenBlock& block_;
+    const ImportedContent& content_;
+    const ReplacedLooks& replaced_;
+    std::vector<ObjectHandle> meshes_;
+    std::vector<std::vector<ObjectHandle>> parts_;  ///< of each node: its children, last first
+};
+
+/// Whether nodes nest deeper than objects may.
+bool nests_too_deeply(const ImportedModel& model, std::size_t most) {
+    std::vector<std::size_t> depths(model.nodes.size());
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const int parent = model.nodes[i].parent;
+        depths[i] = parent < 0 ? 0 : depths[static_cast<std::size_t>(parent)] + 1;
+        if (depths[i] > most) return true;
+    }
+    return false;
+}
+
+/// Lists names that a word may be, for a message: the nearest one, or the first ones.
+std::string names_help(std::string_view wanted, const std::vector<std::string_view>& names) {
+    if (const std::string near = nearest(wanted, names); !near.empty())
+        return message("did you mean \"", printable(near), "\"?");
+    constexpr std::size_t most = 12;
+    std::string all;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+        all += message(i > 0 ? ", \"" : "\"", printable(names[i]), '"');
+    if (names.empty()) return "the file has no names";
+    return message("the file has ", all, names.size() > most ? " and others" : "");
+}
+
+/// Reports names of materials that the file does not have.
+void check_names(OpenBlock& block, const ImportedModel& model, const ReplacedLooks& replaced) {
+    std::vector<std::string_view> names;
+    for (const ImportedMaterial& material : model.materials) names.push_back(material.name);
+    for (const auto& [name, look] : replaced)
+        if (std::ranges::find(names, name) == names.end())
+            block.report(error(Fault::unknown_name, block.span,
+                               message("the model has no material \"", printable(name), '"'))
+                             .with_help(names_help(name, names)));
+}
+
+}  // namespace
+
+Content imported_content(OpenBlock& block, const std::string& file) {
+    Evaluator& evaluator = block.binder.evaluator;
+    const Span place = block.file_place();
+    Content& known =
+        block.binder.models[{directory_of(evaluator.sources().name(place.source)), file}];
+    if (known) return known;
+    const auto found = evaluator.load_found(file, place);
+    if (!found) return nullptr;
+    return known = has_parts(found->path) ? read_parts(block, *found) : read_mesh(block, *found);
+}
+
+ObjectHandle imported_object(OpenBlock& block, const ImportedContent& content,
+                             const std::string& part, const ReplacedLooks& replaced) {
+    const std::vector<ImportedNode>& nodes = content.model.nodes;
+    check_names(block, content.model, replaced);
+    if (nests_too_deeply(content.model, block.binder.evaluator.limits().nesting))
+        block.report(error(Fault::recursion_limit, block.file_place(),
+                           "the parts of the model are nested too deeply"));
+    if (block.broken) return nullptr;
+    std::size_t first = 0;
+    std::optional<Affine> movement;
+    if (!part.empty()) {
+        const auto found = std::ranges::find(nodes, part, &ImportedNode::name);
+        if (found == nodes.end()) {
+            std::vector<std::string_view> names;
+            for (const ImportedNode& node : nodes)
+                if (!node.name.empty()) names.push_back(node.name);
+            block.report(error(Fault::unknown_name, block.span,
+                               message("the model has no part \"", printable(part), '"'))
+                             .with_help(names_help(part, names)));
+            return nullptr;
+        }
+        first = static_cast<std::size_t>(found - nodes.begin());
+        Affine whole = mirrored(found->transform);
+        for (int i = found->parent; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
+            const Affine outer = mirrored(nodes[static_cast<std::size_t>(i)].transform);
+            for (Vec3& row : whole.rows) row = outer.direction(row);
+        }
+        whole.translation = Vec3(0);
+        movement = whole;
+    }
+    ObjectHandle made =
+        nodes.empty() ? nullptr : Assembly(block, content, replaced).object(first, movement);
+    if (!made)
+        block.report(error(Fault::missing, block.file_place(), "there is nothing in the model"));
+    return made;
+}
+
+}  // namespace candelabra

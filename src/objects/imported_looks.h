@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Materials of imported models as textures and interiors. Called by imported_content.cpp.
+#pragma once
+
+#include "imports/imported_model.h"
+#include "meshing/model_import.h"
+#include "reading/block.h"
+
+#include <map>
+
+namespace candelabra {
+
+/// What a material gives an object.
+struct ImportedLook {
+    Handle<Texture> texture;    ///< null: that of the object around it
+    Handle<Interior> interior;  ///< null: that of the object around it
+};
+
+/// What materials have that the language has not, for one warning.
+struct LeftOutLooks {
+    int bumpy = 0;  ///< materials with maps of normals
+    int dim = 0;    ///< materials whose light has a picture, and whose colour has another
+    int averaged =
+        0;  ///< materials with maps of metallic and roughness, which count by their means
+};
+
+class ImportedLooks {
+public:
+    /// All arguments outlive the object. `folder` is that of the model, for pictures beside it.
+    ImportedLooks(OpenBlock& block, const ImportedModel& model, std::string folder)
+        : block_(block), model_(model), folder_(std::move(folder)) {}
+
+    ImportedLook look(const ImportedMaterial&);
+
+    const LeftOutLooks& left_out() const { return left_out_; }
+
+private:
+    struct Shown {
+        std::string file;
+        Handle<Texels> texels;
+    };
+    /// A picture of the model, coded for colours or as stored; null after a diagnostic.
+    const Shown& shown(int picture, TexelCoding::Decode);
+    std::optional<Found> find(const ImportedPicture&, int number);
+    Pigment pigment(int picture, const Vec3& factor, const ImportedMaterial&, double transmit);
+    Finish finish(const ImportedMaterial&);
+    void glow(const ImportedMaterial&, Texture&);
+    Vec3 in_scene(const std::array<double, 3>& linear) const;
+
+    OpenBlock& block_;
+    const ImportedModel& model_;
+    std::string folder_;
+    LeftOutLooks left_out_;
+    std::map<std::pair<int, TexelCoding::Decode>, Shown> pictures_;
+};
+
+}  // namespace candelabra

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "objects/imported_content.h"
+
+#include "scene/dump.h"
+#include "support/gltf.h"
+#include "support/script.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+namespace {
+
+constexpr std::string_view four_nodes = R"({"nodes": [
+    {"name": "Root", "children": [1, 2, 3], "scale": [2, 2, 2]},
+    {"name": "Left", "mesh": 0, "translation": [1, 2, 3]},
+    {"name": "Right", "mesh": 0, "rotation": [0, 0.70710678, 0, 0.70710678]},
+    {"name": "Flat", "mesh": 0, "scale": [1, 0, 1]}]})";
+
+Script run_model(const std::string& statements, const std::string& file) {
+    return run("#version 3.7;\n" + statements, {{"a.gltf", file}});
+}
+
+/// The corners of all triangles as the scene has them.
+void corners_of(const Object& object, const Transform& outer, std::vector<Vec3>& corners) {
+    const Transform whole = object.transform ? object.transform->then(outer) : outer;
+    if (const auto* all = std::get_if<Union>(&object.form)) {
+        for (const ObjectHandle& child : all->children) corners_of(*child, whole, corners);
+        return;
+    }
+    const Mesh& mesh = *std::get<Shared<Mesh>>(std::get<Shape>(object.form));
+    for (const Face& face : mesh.faces)
+        for (const int corner : {face[0], face[1], face[2]})
+            corners.push_back(whole.point(mesh.vertices[static_cast<std::size_t>(corner)]));
+}
+
+std::vector<Vec3> corners_of(const Script& done) {
+    std::vector<Vec3> corners;
+    for (const ObjectHandle& object : done.scene.objects) corners_of(*object, {}, corners);
+    return corners;
+}
+
+void check_near(const std::vector<Vec3>& found, const std::vector<Vec3>& expected) {
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        INFO(i << ": " << found[i].x << ' ' << found[i].y << ' ' << found[i].z);
+        CHECK(length(found[i] - expected[i]) < 1e-6);
+    }
+}
+
+void meshes_of(const Object& object, std::vector<const Mesh*>& meshes) {
+    if (const auto* all = std::get_if<Union>(&object.form))
+        for (const ObjectHandle& child : all->children) meshes_of(*child, meshes);
+    else
+        meshes.push_back(&*std::get<Shared<Mesh>>(std::get<Shape>(object.form)));
+}
+
+}  // namespace
+
+TEST_CASE("parts of a model stand where the file has them, with z the other way", "[objects]") {
+    const Script done = run_model("model { file \"a.gltf\" }", gltf(four_nodes));
+    INFO(done.text);
+    CHECK(done.said.empty());
+    // Left: moved and doubled. Right: x leads to -z in the file, and so to +z in the scene. Flat has
+    // no size.
+    check_near(corners_of(done),
+               {{2, 4, -6}, {2, 6, -6}, {6, 4, -6}, {0, 0, 0}, {0, 2, 0}, {0, 0, 4}});
+}
+
+TEST_CASE("a part stands on the origin, as large and turned as in the model", "[objects]") {
+    const Script left =
+        run_model("model { file \"a.gltf\" part \"Left\" translate 10*x }", gltf(four_nodes));
+    check_near(corners_of(left), {{10, 0, 0}, {10, 2, 0}, {14, 0, 0}});
+    const Script none = run_model("model { file \"a.gltf\" part \"Lift\" }", gltf(four_nodes));
+    CHECK(none.text.find("the model has no part \"Lift\"") != std::string::npos);
+    CHECK(none.text.find("did you mean \"Left\"?") != std::string::npos);
+    const Script flat = run_model("model { file \"a.gltf\" part \"Flat\" }", gltf(four_nodes));
+    CHECK(flat.text.find("there is nothing in the model") != std::string::npos);
+}
+
+TEST_CASE("a mesh is stored once, however often it is shown", "[objects]") {
+    const Script done = run_model(
+        "#declare A = model { file \"a.gltf\" }\n#for (I, 1, 3) object { A translate I*x } #end\n"
+        "#for (I, 1, 3) model { file \"a.gltf\" part \"Left\" translate I*x } #end",
+        gltf(four_nodes));
+    INFO(done.text);
+    std::vector<const Mesh*> meshes;
+    for (const ObjectHandle& object : done.scene.objects) meshes_of(*object, meshes);
+    REQUIRE(meshes.size() == 9);
+    for (const Mesh* mesh : meshes) CHECK(mesh == meshes.front());
+}
+
+TEST_CASE("lights of a model are light sources in units of the scene", "[objects]") {
+    const std::string file = gltf(R"({"extensionsUsed": ["KHR_lights_punctual"],
+        "nodes": [{"name": "Root", "children": [1, 2, 3]},
+            {"translation": [1, 2, 3], "extensions": {"KHR_lights_punctual": {"light": 0}}},
+            {"rotation": [0.70710678, 0, 0, -0.70710678],
+             "extensions": {"KHR_lights_punctual": {"light": 1}}},
+            {"extensions": {"KHR_lights_punctual": {"light": 2}}}],
+        "extensions": {"KHR_lights_punctual": {"lights": [
+            {"type": "point", "color": [1, 1, 1], "intensity": 50},
+            {"type": "spot", "intensity": 7, "spot": {"innerConeAngle": 0.5, "outerConeAngle": 1}},
+            {"type": "directional", "intensity": 3}]}}})");
+    const std::string units = "global_settings { photometry { unit 1 white 100 } }\n";
+    const Script done = run_model(units + "model { file \"a.gltf\" scale 2 }", file);
+    INFO(done.text);
+    const Script own =
+        run("#version 3.7;\n" + units +
+            "light_source { <2, 4, -6>, 1 intensity candela(50) }\n"
+            "light_source { 0, 1 spotlight point_at -y radius degrees(0.5) falloff degrees(1) "
+            "intensity candela(7) }\n"
+            "light_source { -2e6*z, rgb lux(3) parallel point_at 0 }");
+    INFO(own.text);
+    REQUIRE(done.scene.lights.size() == 3);
+    REQUIRE(own.scene.lights.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const PointLight& a = done.scene.lights[i].light;
+        const PointLight& b = own.scene.lights[i].light;
+        INFO(i);
+        CHECK(length(a.location - b.location) < 1e-6);
+        CHECK(length(a.colour - b.colour) < 1e-9 * length(b.colour));
+        CHECK(a.fade_power == b.fade_power);
+        CHECK(a.beam == b.beam);
+        CHECK(a.parallel == b.parallel);
+        if (i > 0) CHECK(length(axis_of(a) - axis_of(b)) < 1e-7);
+        CHECK(a.radius.value_or(0) == Approx(b.radius.value_or(0)));
+        CHECK(a.falloff.value_or(0) == Approx(b.falloff.value_or(0)));
+    }
+}
+
+TEST_CASE("files of one mesh are turned as models are", "[objects]") {
+    const Script done = run("#version 3.7; model { file \"a.off\" }",
+                            {{"a.off", "OFF\n3 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n"}});
+    INFO(done.text);
+    check_near(corners_of(done), {{0, 0, -1}, {0, 1, -1}, {1, 0, -1}});
+}
+
+TEST_CASE("files beside a model are looked for in its folder", "[objects]") {
+    const std::string obj = "mtllib ../../a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl Red\nf 1 2 3\n";
+    const std::string script = "#version 3.7; model { file \"m/a.obj\" }";
+    const Script with = run(script, {{"m/a.obj", obj}, {"m/a.mtl", "newmtl Red\nKd 1 0 0\n"}});
+    INFO(with.text);
+    CHECK(with.said.empty());
+    CHECK(dump(with.scene).find("rgb <1, 0, 0>") != std::string::npos);
+    const Script without = run(script, {{"m/a.obj", obj},
+                                        {"../../a.mtl", "newmtl Red\nKd 1 0 0\n"},
+                                        {"m/../../a.mtl", "newmtl Red\nKd 1 0 0\n"}});
+    REQUIRE(without.said.size() == 1);
+    CHECK(without.said[0].severity == Severity::warning);
+    CHECK(without.said[0].message.find("`a.mtl` is not beside the model") != std::string::npos);
+}
+
+TEST_CASE("models that are missing or broken are errors", "[objects]") {
+    const auto first = [](const Script& done) {
+        REQUIRE(done.said.size() == 1);
+        return done.said[0].message;
+    };
+    CHECK(first(run("#version 3.7; model { file \"none.glb\" }")).find("none.glb") !=
+          std::string::npos);
+    CHECK(first(run("#version 3.7; model { file \"a.glb\" }", {{"a.glb", glb().substr(0, 99)}}))
+              .starts_with("cannot read the model `a.glb`: "));
+    CHECK(first(run("#version 3.7; model { }")) == "`model` needs a file");
+    CHECK(first(run_model("model { file \"a.gltf\" }", gltf(R"({"meshes": [{"primitives": [
+        {"attributes": {"POSITION": 0}, "indices": 99}]}]})")))
+              .starts_with("cannot read the model"));
+}
+
+TEST_CASE("what is left out of a model is said once", "[objects]") {
+    const Script done = run_model(
+        "#for (I, 1, 3) model { file \"a.gltf\" translate I*x } #end",
+        gltf(R"({"materials": [{"normalTexture": {"index": 0}}, {"normalTexture": {"index": 0}}],
+                 "textures": [{"source": 0}], "images": [{"uri": "n.png"}]})"));
+    REQUIRE(done.said.size() == 1);
+    CHECK(done.said[0].message == "this is left out of the model: its maps of normals");
+}
+
+}  // namespace candelabra

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "objects/imported_looks.h"
+
+#include "support/gltf.h"
+#include "support/script.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+namespace {
+
+/// A picture of 2 by 1 pixels: linear 1, 0, 0 and 0, 0, 1.
+const std::string red_and_blue = "P6 2 1 255\n" + std::string("\xff\0\0\0\0\xff", 6);
+
+/// The look of the triangle of a model with this material.
+struct Looked {
+    Script done;
+    Texture texture;
+    Handle<Interior> interior;
+};
+
+Looked look_of(const std::string& material, const std::string& more = "") {
+    Looked made{run("#version 3.7; global_settings { assumed_gamma 1 } model { file \"a.gltf\" }",
+                    {{"a.gltf", gltf("{\"materials\": [" + material + "]" + more + "}")},
+                     {"a.ppm", red_and_blue}}),
+                {},
+                {}};
+    INFO(made.done.text);
+    REQUIRE(made.done.scene.objects.size() == 1);
+    const Object* object = made.done.scene.objects[0].get();
+    while (const auto* all = std::get_if<Union>(&object->form)) object = all->children.at(0).get();
+    made.texture = *object->texture;
+    made.interior = object->interior;
+    return made;
+}
+
+const std::string one_picture = R"(, "textures": [{"source": 0}], "images": [{"uri": "a.ppm"}])";
+
+}  // namespace
+
+TEST_CASE("facets, colours and opacity of a material become a texture", "[objects]") {
+    const Looked paint = look_of(R"({"alphaMode": "BLEND", "pbrMetallicRoughness": {
+        "baseColorFactor": [0.5, 0.25, 0.125, 0.75], "metallicFactor": 0.5, "roughnessFactor": 0.25}})");
+    CHECK(paint.done.said.empty());
+    CHECK(paint.texture.pigment.colour.rgb == Vec3(0.5, 0.25, 0.125));
+    CHECK(paint.texture.pigment.colour.transmit == 0.25);
+    CHECK(paint.texture.finish.ambient == Vec3(0));
+    CHECK(paint.texture.finish.microfacet.on);
+    CHECK(paint.texture.finish.microfacet.roughness == 0.25);
+    CHECK(paint.texture.finish.microfacet.metallic == 0.5);
+    CHECK_FALSE(paint.interior);
+}
+
+TEST_CASE("materials that let light through have an interior", "[objects]") {
+    const Looked glass = look_of(R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0.25, 1]},
+        "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}})",
+                                 R"(, "extensionsUsed": ["KHR_materials_transmission"])");
+    CHECK(glass.texture.pigment.colour.filter == 1);
+    REQUIRE(glass.interior);
+    CHECK(glass.interior->ior == 1.5);
+}
+
+TEST_CASE("the light of a surface is its emission, whatever its colour", "[objects]") {
+    const auto light = [](const std::string& colour) {
+        const Looked lamp = look_of(
+            R"({"emissiveFactor": [1, 0.5, 0], "pbrMetallicRoughness": {"baseColorFactor": [)" +
+                colour + R"(, 1]}, "extensions": {"KHR_materials_emissive_strength": {
+            "emissiveStrength": 8}}})",
+            R"(, "extensionsUsed": ["KHR_materials_emissive_strength"])");
+        return greatest_emission(lamp.texture);
+    };
+    for (const char* colour : {"1, 1, 1", "0, 0, 0", "0.5, 0, 0.25"}) {
+        INFO(colour);
+        CHECK(length(light(colour) - Vec3(8, 4, 0)) < 1e-12);
+    }
+}
+
+TEST_CASE("pictures beside a model are multiplied with its colours", "[objects]") {
+    const Looked painted = look_of(R"({"pbrMetallicRoughness": {
+        "baseColorFactor": [0.5, 1, 0.25, 1], "baseColorTexture": {"index": 0}}})",
+                                   one_picture);
+    CHECK(painted.done.text.empty());
+    REQUIRE(painted.texture.pigment.pattern);
+    CHECK(painted.texture.pigment.uv);
+    PatternScene place;
+    CHECK(brightest(painted.texture.pigment) == Vec3(0.5, 0, 0.25));
+    place.uv = {0.25, 0.5};
+    const Vec3 left = evaluate(painted.texture.pigment, Vec3(0), place).rgb;
+    place.uv = {0.75, 0.5};
+    const Vec3 right = evaluate(painted.texture.pigment, Vec3(0), place).rgb;
+    CHECK(left.x > right.x);
+    CHECK(left.z < right.z);
+}
+
+TEST_CASE("pictures of light glow", "[objects]") {
+    const Looked screen = look_of(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0},
+        "pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1]}})",
+                                  one_picture);
+    CHECK(screen.done.text.empty());
+    CHECK(greatest_emission(screen.texture) == Vec3(1, 0, 1));
+    CHECK(varied(screen.texture));
+}
+
+TEST_CASE("pictures that are missing or broken are left out with a warning", "[objects]") {
+    const std::string painted =
+        R"({"pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 0.25, 1],
+        "baseColorTexture": {"index": 0}}})";
+    const auto warning_of = [&](const std::string& picture) {
+        const Looked made = look_of(
+            painted, R"(, "textures": [{"source": 0}], "images": [{"uri": ")" + picture + "\"}]");
+        CHECK(made.texture.pigment.colour.rgb == Vec3(0.5, 1, 0.25));
+        REQUIRE(made.done.said.size() == 1);
+        CHECK(made.done.said[0].severity == Severity::warning);
+        return made.done.said[0].message;
+    };
+    CHECK(warning_of("b.png") ==
+          "the picture `b.png` of the model is not beside it, so it is left out");
+    CHECK(warning_of("../a.png").find("../a.png") != std::string::npos);
+    CHECK(
+        warning_of("data:image/png;base64,QUJD").starts_with("a picture of the model is left out"));
+}
+
+TEST_CASE("maps of roughness and metallic count by their means", "[objects]") {
+    const Looked worn = look_of(R"({"pbrMetallicRoughness": {"metallicFactor": 1,
+        "roughnessFactor": 1, "metallicRoughnessTexture": {"index": 0}}})",
+                                one_picture);
+    CHECK(worn.texture.finish.microfacet.roughness == 0);
+    CHECK(worn.texture.finish.microfacet.metallic == 0.5);
+    CHECK(worn.done.text.find("count by their means") != std::string::npos);
+}
+
+}  // namespace candelabra
