@@ -58,7 +58,8 @@ void read_and_send(const Imports& imports, const Found& file, MessageEnd& end) {
 
 /// In the program: sends files until the model or a problem comes.
 std::string answer_files(MessageEnd& end, ReadBeside read, ImportedModel& model) {
-    constexpr std::uint64_t work_of_wait = 10'000'000;
+    // Enough to be asked whether to go on, and too little to be the work of a scene.
+    constexpr std::uint64_t work_of_wait = 20'000;
     const auto waiting = [] { count_long_work(work_of_wait); };
     while (const std::optional<std::string> got = end.receive(waiting)) {
         const std::string_view text = std::string_view(*got).substr(1);

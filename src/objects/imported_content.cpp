@@ -22,8 +22,8 @@ Vec3 mirrored(const std::array<float, 3>& p) { return {p[0], p[1], -double{p[2]}
 /// The mesh in the space of scenes; null if it has no faces.
 Handle<Mesh> mirrored(const ImportedMesh& from) {
     if (from.faces.empty()) return nullptr;
-    constexpr std::uint64_t work_of_point = 10;
-    count_long_work(work_of_point * (from.points.size() + from.faces.size()));
+    constexpr std::uint64_t points_of_step = 4;
+    count_long_work((from.points.size() + from.faces.size()) / points_of_step);
     Mesh made;
     made.vertices.reserve(from.points.size());
     for (const auto& point : from.points) made.vertices.push_back(mirrored(point));
