@@ -4,6 +4,7 @@
 #include "editor/folding.h"
 #include "editor/highlights.h"
 #include "editor/inlay_hints.h"
+#include "editor/knobs.h"
 #include "editor/language_server.h"
 #include "editor/layout.h"
 #include "editor/links.h"
@@ -112,6 +113,14 @@ Json LanguageServer::inlay_hints(Parameters& parameters) {
                        {"label", each.name + ":"},
                        {"kind", kind_of_parameter},
                        {"paddingRight", true}});
+    return all;
+}
+
+Json LanguageServer::knobs(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    Json all = Json::array();
+    for (const Knob& each : candelabra::knobs(file->text)) all.push_back(json_of(each, each.value));
     return all;
 }
 

@@ -6,6 +6,8 @@
 #include "text/decimal.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <iterator>
 #include <span>
 #include <system_error>
@@ -13,6 +15,14 @@
 namespace candelabra {
 
 namespace {
+
+nlohmann::json json_of(const KnobValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    const Vec3 vector = std::get<Numbers>(value).vec3();
+    return {vector.x, vector.y, vector.z};
+}
+
 
 /// Most tokens of a default: `rgb <1, 0.5, 0>` has two.
 constexpr std::size_t most_tokens = 2;
@@ -218,6 +228,18 @@ std::optional<KnobValue> knob_value(const Knob& knob, std::string_view stated) {
     if (knob.kind == toggle) return std::get<double>(*value) != 0 ? 1.0 : 0.0;
     if (knob.kind == slider) return std::clamp(std::get<double>(*value), knob.low, knob.high);
     return value;
+}
+
+nlohmann::json json_of(const Knob& knob, const KnobValue& value) {
+    // In the order of the kinds.
+    static constexpr std::array kinds = {"slider", "toggle", "list", "text", "colour", "vector"};
+    nlohmann::json choices = nlohmann::json::array();
+    for (const KnobValue& each : knob.choices) choices.push_back(json_of(each));
+    return {{"name", knob.name},       {"kind", kinds[static_cast<std::size_t>(knob.kind)]},
+            {"value", json_of(value)}, {"low", knob.low},
+            {"high", knob.high},       {"step", knob.step},
+            {"choices", choices},      {"help", knob.help},
+            {"section", knob.section}};
 }
 
 }  // namespace candelabra

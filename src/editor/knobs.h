@@ -15,6 +15,8 @@
 
 #include "interpret/value.h"
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,5 +57,9 @@ std::vector<Knob> knobs(std::string_view scene);
 /// the text itself. Numbers outside the range become its bounds; nothing for what the knob cannot
 /// be.
 std::optional<KnobValue> knob_value(const Knob&, std::string_view stated);
+
+/// Returns the knob for a page that shows a widget for it: name, kind, low, high, step, choices,
+/// help, section, and the value.
+nlohmann::json json_of(const Knob&, const KnobValue&);
 
 }  // namespace candelabra

@@ -49,6 +49,7 @@ constexpr auto methods = std::array{
     Method{"textDocument/semanticTokens/range", &LanguageServer::semantic_tokens_of_range, true},
     Method{"textDocument/foldingRange", &LanguageServer::folding, true},
     Method{"textDocument/inlayHint", &LanguageServer::inlay_hints, true},
+    Method{"candelabra/knobs", &LanguageServer::knobs, true},
     Method{"textDocument/documentLink", &LanguageServer::links, true},
     Method{"textDocument/documentColor", &LanguageServer::colours, true},
     Method{"textDocument/colorPresentation", &LanguageServer::colour_texts, true},

@@ -70,6 +70,7 @@ public:
     Json semantic_tokens_of_range(Parameters&);
     Json folding(Parameters&);
     Json inlay_hints(Parameters&);
+    Json knobs(Parameters&);
     Json links(Parameters&);
     Json colours(Parameters&);
     Json colour_texts(Parameters&);

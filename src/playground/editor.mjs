@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The editor: a text area over its own text in colours, with proposals and hints.
+// The editor: a text area over its own text in colours, with proposals and hints. element() is that
+// of src/preview/page/widgets.js.
 
-import { element } from "./page.mjs";
 
 function escaped(text) { return text.replace(/[&<>]/g, c => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;" })[c]); }
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 own = Path(__file__).resolve().parent
 root = own.parents[1]
-modules = ["page", "assets", "engine", "language", "editor", "playground"]  # each behind those that it imports
+modules = ["assets", "engine", "language", "editor", "playground"]  # each behind those that it imports
 
 
 def grammar(build):
@@ -76,6 +76,7 @@ def one_file(folder):
                    for name in ("candelabra.wasm", "parts.json", "worker.js"))
     page = page.replace("icon.svg", icon)
     page = re.sub(r'<link rel="stylesheet" href="common.css">\n<link rel="stylesheet" href="style.css">\n', lambda _: style, page)
+    page = page.replace('<script src="widgets.js"></script>', f"<script>\n{(folder / 'widgets.js').read_text()}</script>")
     return page.replace('<script type="module" src="playground.mjs"></script>\n',
                         f'{data}<script type="module">\n{script}</script>\n')
 
@@ -88,7 +89,7 @@ def main():
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     for path in [own / "index.html", own / "style.css", root / "src/preview/page/common.css",
-                 root / "src/preview/page/icon.svg", build / "candelabra.wasm", *(own / f"{name}.mjs" for name in modules)]:
+                 root / "src/preview/page/widgets.js", root / "src/preview/page/icon.svg", build / "candelabra.wasm", *(own / f"{name}.mjs" for name in modules)]:
         shutil.copy(path, folder)
     (folder / "parts.json").write_text(parts(build))
     (folder / "worker.js").write_text(worker(build))

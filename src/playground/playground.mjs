@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page: the text of a scene, and its picture, which becomes finer. Nothing leaves the page.
+// The page: the text of a scene, and its picture, which becomes finer. Nothing leaves the page. Sliders
+// and the like are those of the preview (src/preview/page/widgets.js).
 import { loadAssets } from "./assets.mjs";
 import { Editor } from "./editor.mjs";
 import { bandsOf, Engine, needsWhole } from "./engine.mjs";
 import { colourer, Language } from "./language.mjs";
-import { element } from "./page.mjs";
 
 const canvas = element("picture"), context = canvas.getContext("2d");
 const workers = Math.min(8, Math.max(1, (navigator.hardwareConcurrency ?? 2) - 1));
@@ -17,16 +17,10 @@ const passes = [{ shrink: 4, samples: 1 }, ...[1, 4, 16, 64, 256].filter(samples
   .map(samples => ({ shrink: 1, samples }))];
 
 const assets = await loadAssets();
-const engine = new Engine(assets), files = {};
+const engine = new Engine(assets), language = new Language(engine), files = {};
 let generation = 0, soon = 0, wholePicture = null;
-const editor = new Editor({ colour: colourer(assets.grammar), language: new Language(engine), files: () => files,
+const editor = new Editor({ colour: colourer(assets.grammar), language, files: () => files,
                             changed: () => later(400) });
-
-function toast(text) {
-  element("toast").textContent = text;
-  element("toast").hidden = false;
-  setTimeout(() => { element("toast").hidden = true; }, 2500);
-}
 
 function tell(status, samples = "", time = "") {
   element("status").textContent = status;
@@ -72,6 +66,31 @@ function showMessages(messages) {
   editor.mark(marks);
 }
 
+// ---- the scene's own widgets
+
+let shownKnobs = "[]", knobValues = {};
+
+// The value of a knob for --preset, of what its widget sends.
+function valueOf(knob, sent) {
+  if (knob.kind === "colour") return { rgb: sent.split(",").map(Number) };
+  if (knob.kind === "vector") return sent.split(",").map(Number);
+  return knob.kind === "list" && typeof knob.value === "number" ? Number(sent) : sent;
+}
+
+async function showKnobs() {
+  const knobs = await language.ask("candelabra/knobs", editor.text, files, 0, 0) ?? [];
+  const form = JSON.stringify(knobs);
+  if (form === shownKnobs) return;
+  shownKnobs = form;
+  knobValues = {};
+  const rows = knobs.map(knob => knobRow(knob, sent => {
+    knobValues[knob.name] = valueOf(knob, sent);
+    later(150);
+  }));
+  rows.forEach((row, i) => row.set(knobs[i].value));
+  element("knobs").replaceChildren(...withSections(knobs, rows));
+}
+
 // ---- pictures
 
 function sizeOfPicture() { return element("size").value.split("x").map(Number); }
@@ -81,6 +100,7 @@ function settings() {
   if (exposure !== 0) words.push("--exposure", String(exposure));
   if (clock !== 0) words.push("+K" + clock);
   if (element("response").value) words.push("--response", element("response").value);
+  if (Object.keys(knobValues).length > 0) words.push("--preset", "set.json");
   return words;
 }
 
@@ -106,7 +126,7 @@ async function renderPass({ shrink, samples }, mine, whole) {
   let done = 0;
   const results = await Promise.all(bands.map(async ([first, last]) => {
     const rows = bands.length > 1 ? [`+SR${first}`, `+ER${last}`] : [];
-    const result = await engine.run({ words: [...common, ...rows], files: { ...files, "scene.pov": editor.text },
+    const result = await engine.run({ words: [...common, ...rows], files: { ...files, "scene.pov": editor.text, "set.json": JSON.stringify(knobValues) },
                                       wants: ["out.png"] }, "picture");
     element("bar").style.width = 100 * ++done / bands.length + "%";
     return result;
@@ -131,6 +151,7 @@ async function render() {
     tell("rendering", pass.shrink > 1 ? "draft" : inWords(pass.samples));
     const picture = await renderPass(pass, mine, whole);
     if (mine !== generation) return;
+    if (pass.shrink > 1) showKnobs();
     if (!picture) {
       tell("mistake in the scene");
       element("stop").disabled = true;
@@ -174,14 +195,6 @@ async function unpacked(code) {
   return new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
 }
 
-function save(content, name) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(content);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-}
-
 function addFile(name, content) {
   files[name] = content;
   element("file-list").textContent = "Files beside the scene: " + Object.keys(files).join(", ");
@@ -213,10 +226,10 @@ element("size").onchange = render;
 for (const id of ["exposure", "clock"])
   element(id).oninput = event => { element(id + "-value").textContent = event.target.value; later(150); };
 element("response").onchange = render;
-element("save-scene").onclick = () => save(new Blob([editor.text]), "scene.pov");
+element("save-scene").onclick = () => saveFile(editor.text, "scene.pov");
 element("save-picture").onclick = () => {
-  if (wholePicture) save(new Blob([wholePicture]), "scene.png");
-  else canvas.toBlob(blob => save(blob, "scene.png"));
+  if (wholePicture) saveFile(wholePicture, "scene.png");
+  else canvas.toBlob(blob => saveFile(blob, "scene.png"));
 };
 element("share").onclick = async () => {
   history.replaceState(null, "", "#scene=" + await packed(editor.text));
@@ -226,10 +239,6 @@ element("share").onclick = async () => {
   } catch {
     toast("The address of this page holds the scene");
   }
-};
-element("theme").onclick = () => {
-  const root = document.documentElement;
-  root.dataset.theme = root.dataset.theme === "light" ? "dark" : "light";
 };
 document.addEventListener("keydown", event => {
   if (event.key === "Enter" && event.ctrlKey) render();
@@ -263,6 +272,5 @@ async function beginWithAddress() {
   }
 }
 window.addEventListener("hashchange", beginWithAddress);
-if (matchMedia("(prefers-color-scheme: light)").matches) document.documentElement.dataset.theme = "light";
 await beginWithAddress();
 document.body.dataset.ready = "yes";

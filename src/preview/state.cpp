@@ -20,24 +20,6 @@ using Json = nlohmann::json;
 
 Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-Json json_of(const KnobValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* number = std::get_if<double>(&value)) return *number;
-    return json_of(std::get<Numbers>(value).vec3());
-}
-
-Json json_of(const Knob& knob, const KnobValue& value) {
-    // In the order of the kinds.
-    static constexpr std::array kinds = {"slider", "toggle", "list", "text", "colour", "vector"};
-    Json choices = Json::array();
-    for (const KnobValue& each : knob.choices) choices.push_back(json_of(each));
-    return {{"name", knob.name},       {"kind", kinds[static_cast<std::size_t>(knob.kind)]},
-            {"value", json_of(value)}, {"low", knob.low},
-            {"high", knob.high},       {"step", knob.step},
-            {"choices", choices},      {"help", knob.help},
-            {"section", knob.section}};
-}
-
 Json json_of(const FilmSettings& film) {
     return {{"on", film.on},
             {"exposure", film.exposure},

@@ -63,6 +63,28 @@ TEST_CASE("names of parameters stand before arguments") {
                         {"paddingRight", true}}}));
 }
 
+TEST_CASE("widgets of a scene are listed") {
+    Client client;
+    client.open("// [Tree]\n#ifndef (Tall) #declare Tall = 2; #end // 0 to 5 by 0.5: how tall it is\n"
+                "#ifndef (Tint) #declare Tint = rgb <1, 0.5, 0>; #end // colour\n"
+                "#ifndef (Kind) #declare Kind = \"fir\"; #end // one of \"fir\", \"oak\"\n");
+    const Json found = client.ask("candelabra/knobs", {{"textDocument", {{"uri", client.uri}}}});
+    REQUIRE(found.size() == 3);
+    CHECK(found[0] == Json{{"name", "Tall"},
+                           {"kind", "slider"},
+                           {"value", 2.0},
+                           {"low", 0.0},
+                           {"high", 5.0},
+                           {"step", 0.5},
+                           {"choices", Json::array()},
+                           {"help", "how tall it is"},
+                           {"section", "Tree"}});
+    CHECK(found[1]["kind"] == "colour");
+    CHECK(found[1]["value"] == Json::array({1.0, 0.5, 0.0}));
+    CHECK(found[2]["choices"] == Json::array({"fir", "oak"}));
+    CHECK(client.ask("candelabra/knobs")["code"] == -32602);
+}
+
 TEST_CASE("names of the workspace are found in all its files") {
     Client client;
     client.folder.put("b.inc", "\n#declare Shared = 1;");

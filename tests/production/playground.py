@@ -115,6 +115,22 @@ def writes_and_reads(page, shots):
     check("help for a word", "sphere" in page.text_of("#hint").lower())
 
 
+def turns(page):
+    """A slider that a comment asks for changes the picture."""
+    browser = page.browser
+    page.open(size="96x72", samples="1")
+    page.type("#version 3.8; #ifndef (Size) #declare Size = 0.2; #end // 0.1 to 2\n"
+              "camera { location -5*z look_at 0 } sphere { 0, Size pigment { rgb 1 } finish { emission 1 } }")
+    browser.until("document.querySelector('#knobs input[type=range]') !== null")
+    page.finished()
+    before = sum(page.samples())
+    browser.run("(() => { const input = document.querySelector('#knobs input'); input.value = 1;"
+                "input.dispatchEvent(new Event('input')); })()")
+    browser.until("document.body.dataset.passes !== 'all'")
+    page.finished()
+    check("a larger ball is seen", sum(page.samples()) > 4 * before)
+
+
 def code_of_book(scene):
     """The scene as the book puts it into its links."""
     about = importlib.util.spec_from_file_location("manual_book", ROOT / "man/book.py")
@@ -174,6 +190,7 @@ def main():
             page = Page(browser, serve(build / "playground"))
             same_bytes(page, program, folder, list(EXAMPLES)[:10])
             writes_and_reads(page, shots)
+            turns(page)
             shares(page, program, folder)
             looks(page, shots)
             own = {path.name for path in (build / "playground").iterdir()}

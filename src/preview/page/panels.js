@@ -51,21 +51,6 @@ const develop = name => {
   return value => send({ name, value });
 };
 const share = value => (100 * value).toFixed(0) + " %";
-function selectOf(name, options, send) {
-  const select = make("select", {}, ...options.map(each => new Option(each)));
-  select.setAttribute("aria-label", name);
-  select.addEventListener("change", () => send(select.value));
-  const row = make("label", { className: "field" }, make("span", { textContent: name }), select);
-  row.set = value => setValue(select, value);
-  return row;
-}
-function checkOf(name, send) {
-  const input = make("input", { type: "checkbox" });
-  input.addEventListener("change", () => send(input.checked ? "on" : "off"));
-  const row = make("label", { className: "check" }, input, name);
-  row.set = value => { input.checked = value; };
-  return row;
-}
 function makeFilm() {
   film.exposure = slider("Exposure", "In stops: doublings of the light",
                          { min: -8, max: 8, step: 0.05 }, develop("exposure"), stops);
@@ -128,59 +113,13 @@ function playOn(status) {
 
 // The scene's own widgets.
 let knownKnobs = "", knobRows = [], knobsNow = [];
-const short = value => +value.toPrecision(6);
-const knobKinds = {
-  slider: (knob, send) =>
-    slider(knob.name, knob.help, { min: knob.low, max: knob.high, step: knob.step }, send, short),
-  toggle: (knob, send) => checkOf(knob.name, value => send(value === "on" ? 1 : 0)),
-  list: (knob, send) => selectOf(knob.name, knob.choices.map(String), send),
-  text: (knob, send) => fieldOf(knob.name, "text", "change", send),
-  colour: (knob, send) => {
-    const row = fieldOf(knob.name, "color", "input", value => send(fromHex(value).join(",")));
-    const set = row.set;
-    row.set = value => set(hex(value));
-    return row;
-  },
-  vector: (knob, send) => {
-    const values = [...knob.value];
-    const rows = ["x", "y", "z"].map((axis, i) =>
-      slider(`${knob.name}.${axis}`, knob.help, { min: knob.low, max: knob.high, step: knob.step },
-             value => {
-               values[i] = value;
-               send(values.join(","));
-             }, short));
-    const row = make("div", {}, ...rows);
-    row.set = value => value.forEach((each, i) => {
-      values[i] = each;
-      rows[i].set(each);
-    });
-    return row;
-  },
-};
-function fieldOf(name, type, moment, send) {
-  const input = make("input", { type });
-  input.setAttribute("aria-label", name);
-  input.addEventListener(moment, () => send(input.value));
-  const row = make("label", { className: "field" }, make("span", { textContent: name }), input);
-  row.set = value => setValue(input, value);
-  return row;
-}
-function knobRow(knob) {
-  const send = sender("/turn");
-  const row = knobKinds[knob.kind](knob, value => send({ name: knob.name, value }));
-  row.title = knob.help;
-  return row;
-}
 function showKnobs(knobs) {
   const form = JSON.stringify(knobs.map(({ value, ...form }) => form));
   if (form !== knownKnobs) {
     knownKnobs = form;
-    knobRows = knobs.map(knobRow);
-    const headed = knobs.flatMap((knob, i) => {
-      const begins = knob.section && (i === 0 || knobs[i - 1].section !== knob.section);
-      return begins ? [make("h3", { textContent: knob.section }), knobRows[i]] : [knobRows[i]];
-    });
-    element("knobs").replaceChildren(...headed);
+    const send = sender("/turn");
+    knobRows = knobs.map(knob => knobRow(knob, value => send({ name: knob.name, value })));
+    element("knobs").replaceChildren(...withSections(knobs, knobRows));
     if (knobs.some(isFrame)) element("knobs").append(player.button);
     element("panel-knobs").hidden = knobs.length === 0;
     element("set-save").parentElement.hidden = knobs.every(isFrame);

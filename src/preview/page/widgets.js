@@ -44,6 +44,22 @@ function slider(name, help, range, send, show = value => value) {
   return row;
 }
 
+function selectOf(name, options, send) {
+  const select = make("select", {}, ...options.map(each => new Option(each)));
+  select.setAttribute("aria-label", name);
+  select.addEventListener("change", () => send(select.value));
+  const row = make("label", { className: "field" }, make("span", { textContent: name }), select);
+  row.set = value => setValue(select, value);
+  return row;
+}
+function checkOf(name, send) {
+  const input = make("input", { type: "checkbox" });
+  input.addEventListener("change", () => send(input.checked ? "on" : "off"));
+  const row = make("label", { className: "check" }, input, name);
+  row.set = value => { input.checked = value; };
+  return row;
+}
+
 // Colours: of light from 0 on, and of screens as #rrggbb.
 const linear = byte => {
   const value = byte / 255;
@@ -106,6 +122,58 @@ function lampCard(name, send, all) {
     share.style.width = 100 * part + "%";
   };
   return row;
+}
+
+// Widgets of a scene's own, for what `knobs` says of it (src/editor/knobs.h). A value is sent as a
+// text or a number.
+const short = value => +value.toPrecision(6);
+const knobKinds = {
+  slider: (knob, send) =>
+    slider(knob.name, knob.help, { min: knob.low, max: knob.high, step: knob.step }, send, short),
+  toggle: (knob, send) => checkOf(knob.name, value => send(value === "on" ? 1 : 0)),
+  list: (knob, send) => selectOf(knob.name, knob.choices.map(String), send),
+  text: (knob, send) => fieldOf(knob.name, "text", "change", send),
+  colour: (knob, send) => {
+    const row = fieldOf(knob.name, "color", "input", value => send(fromHex(value).join(",")));
+    const set = row.set;
+    row.set = value => set(hex(value));
+    return row;
+  },
+  vector: (knob, send) => {
+    const values = [...knob.value];
+    const rows = ["x", "y", "z"].map((axis, i) =>
+      slider(`${knob.name}.${axis}`, knob.help, { min: knob.low, max: knob.high, step: knob.step },
+             value => {
+               values[i] = value;
+               send(values.join(","));
+             }, short));
+    const row = make("div", {}, ...rows);
+    row.set = value => value.forEach((each, i) => {
+      values[i] = each;
+      rows[i].set(each);
+    });
+    return row;
+  },
+};
+function fieldOf(name, type, moment, send) {
+  const input = make("input", { type });
+  input.setAttribute("aria-label", name);
+  input.addEventListener(moment, () => send(input.value));
+  const row = make("label", { className: "field" }, make("span", { textContent: name }), input);
+  row.set = value => setValue(input, value);
+  return row;
+}
+function knobRow(knob, send) {
+  const row = knobKinds[knob.kind](knob, send);
+  row.title = knob.help;
+  return row;
+}
+// The rows, each section below its name.
+function withSections(knobs, rows) {
+  return knobs.flatMap((knob, i) => {
+    const begins = knob.section && (i === 0 || knobs[i - 1].section !== knob.section);
+    return begins ? [make("h3", { textContent: knob.section }), rows[i]] : [rows[i]];
+  });
 }
 
 // Saves bytes or a text as a file of this browser.
