@@ -16,6 +16,7 @@
 #include "app/share_command.h"
 #include "app/sheet_run.h"
 #include "app/shell_commands.h"
+#include "app/solve_command.h"
 #include "console/streams.h"
 #include "options/completion.h"
 #include "options/ini.h"
@@ -155,6 +156,11 @@ constexpr auto commands = std::to_array<Command>({
      "...\n       file.lights\n"
      "Makes pictures of a scene under other powers and colours of its lamps, without rendering;\n"
      "candelabra-relight(1) says more.\n"},
+    {"solve", run_solve,
+     "usage: candelabra solve scene.pov --on meter --lux 20..50 [--lamps name] [--max-power 2]\n"
+     "       ... -o powers.inc\n"
+     "Finds the least powers of lamps with which meters of a scene read what they are to;\n"
+     "candelabra-solve(1) says more.\n"},
     {"share", run_share,
      "usage: candelabra share [-o page.html] [option ...] scene.pov|picture.exr\n"
      "Makes a page to share: a picture whose lamps can be dimmed and coloured in any browser. "

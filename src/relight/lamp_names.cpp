@@ -85,7 +85,7 @@ bool LampNames::unknown(std::string_view name, Diagnostics& diagnostics) const {
     if (names.size() > most_said) all += ", ...";
     const std::string meant = nearest(std::string(name), names);
     diagnostics.add(
-        error(Fault::option, {}, message("there is no lamp `", printable(name), "` in the file"))
+        error(Fault::option, {}, message("there is no lamp `", printable(name), "`"))
             .with_help(
                 message(meant.empty() ? "" : message("did you mean `", printable(meant), "`? "),
                         "there are ", all)));

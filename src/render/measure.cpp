@@ -47,11 +47,11 @@ double free_sky(const World& world, const Vec3& up) {
 /// Takes samples of the quantities of meters. A copy serves one thread.
 class Prober {
 public:
-    explicit Prober(const Shot& shot, const SentLight& sent)
+    Prober(const Shot& shot, const SentLight& sent, bool keeps_lamps)
         : shot_(shot),
           world_(*shot.world),
           units_(world_.rules.settings.light_units()),
-          integrator_(shot, {.sent = sent, .from_anywhere = true}),
+          integrator_(shot, {.keeps_lamps = keeps_lamps, .sent = sent, .from_anywhere = true}),
           direct_(shot, ShadowRays{}),
           photons_(sent.photons) {}
 
@@ -77,6 +77,15 @@ public:
             default:
                 sums[0] += illuminance({place.position, faced(meter.measures(), sight, key)}, key);
         }
+    }
+
+    /// Adds what lamps contributed to the last sample, which was of an illuminance.
+    void add_lamps(const LampColumns& columns, std::span<double> by_column) {
+        std::vector<LampPart>& parts = integrator_.ledger().parts;
+        for (const LampPart& part : parts)
+            if (const std::size_t column = columns.of(part.lamp); column < columns.count)
+                by_column[column] += pi * units_.luminance(light_luminance(part.light));
+        parts.clear();
     }
 
 private:
@@ -218,6 +227,8 @@ struct Task {
     std::uint64_t first_key;  ///< of its places
     MeterReading reading;
     std::vector<std::array<Sums, batch_count>> sums;  ///< of each place
+    /// Of each half of the batches: sums of each place and column.
+    std::array<std::vector<double>, 2> by_column = {};
     double scale = 1;                                 ///< factor on results
     double road = 0;                                  ///< mean luminance for a threshold increment
     std::uint32_t of_batch = 0;
@@ -255,6 +266,22 @@ struct Task {
         reading.samples = std::uint64_t{batch_count} * of_batch;
     }
 
+    /// Makes the halves of the reading.
+    void divide() {
+        constexpr std::size_t half = batch_count / 2;
+        const double share = scale / (static_cast<double>(half) * of_batch);
+        for (std::size_t h = 0; h < 2; ++h) {
+            MeterHalf& made = reading.halves[h];
+            for (const auto& batches : sums) {
+                double sum = 0;
+                for (std::size_t b = 0; b < half; ++b) sum += batches[h * half + b][0];
+                made.values.push_back(share * sum);
+            }
+            made.by_column = by_column[h];
+            for (double& each : made.by_column) each *= share;
+        }
+    }
+
     bool reaches(double until) const {
         return std::ranges::all_of(reading.values, [&](const MeterValue& each) {
             return each.error <= until * std::abs(each.value);
@@ -267,7 +294,7 @@ public:
     Measuring(const Shot& shot, std::span<const Meter> meters, const MeasureSettings& settings)
         : settings_(settings),
           sent_{photons_of(shot, settings.seed, settings.threads), nullptr},
-          fresh_(shot, sent_) {
+          fresh_(shot, sent_, settings.lamps.count > 0) {
         const World& world = *shot.world;
         const double metres = world.rules.settings.light_units().metres;
         std::uint64_t key = 0;
@@ -277,6 +304,8 @@ public:
             task.reading.area = length(cross(meter.along, meter.across)) * metres * metres;
             task.sums.resize(task.reading.places.size());
             task.scale = scale_of(meter, world);
+            for (auto& each : task.by_column)
+                each.resize(task.sums.size() * settings.lamps.count);
             key += task.sums.size();
             tasks_.push_back(std::move(task));
         }
@@ -296,7 +325,10 @@ public:
             if (level >= wanted || ends || std::ranges::all_of(tasks_, &Task::done)) break;
         }
         std::vector<MeterReading> readings;
-        for (Task& task : tasks_) readings.push_back(std::move(task.reading));
+        for (Task& task : tasks_) {
+            if (settings_.lamps.count > 0) task.divide();
+            readings.push_back(std::move(task.reading));
+        }
         return readings;
     }
 
@@ -312,8 +344,9 @@ private:
     void go_on(Task& task, std::uint32_t level) {
         const std::size_t count = task.sums.size();
         const std::size_t parts = (count + points_of_job - 1) / points_of_job;
-        // Photons of a batch are shared by all places, and not kept for long.
-        const std::size_t at_once = sent_.photons ? 1 : batch_count;
+        // Photons of a batch are shared by all places, and not kept for long. Batches of a half
+        // share the sums of lamps.
+        const std::size_t at_once = sent_.photons || settings_.lamps.count > 0 ? 1 : batch_count;
         for (std::size_t batch = 0; batch < batch_count; batch += at_once)
             run_parallel(parts * at_once, settings_.threads, [&](std::size_t job) {
                 const std::size_t first = job % parts * points_of_job;
@@ -333,6 +366,10 @@ private:
             for (std::uint32_t n = task.of_batch; n < level; ++n) {
                 key.sample = static_cast<std::uint32_t>(batch) * samples_apart + n;
                 prober.add(task.meter, task.reading.places[i], key, task.sums[i][batch]);
+                if (settings_.lamps.count == 0) continue;
+                std::vector<double>& sums = task.by_column[batch * 2 / batch_count];
+                prober.add_lamps(settings_.lamps, {sums.data() + i * settings_.lamps.count,
+                                                   settings_.lamps.count});
             }
         }
     }

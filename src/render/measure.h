@@ -6,8 +6,11 @@
 #include "meter/goal.h"
 #include "meter/interval.h"
 #include "meter/places.h"
+#include "world/lamp.h"
 #include "world/shot.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -15,14 +18,28 @@
 
 namespace candelabra {
 
+/// Columns by which the light of lamps is told apart.
+struct LampColumns {
+    std::size_t count = 0;                      ///< 0: it is not told apart
+    std::function<std::size_t(Lamp)> of = {};  ///< the column of a lamp; from `count` on: none
+};
+
 struct MeasureSettings {
     int seed = 0;
     int threads = 0;  ///< 0: one per core
     int samples = 0;  ///< of each point, rounded up to equal batches; 0: as many as the goal needs
     /// The error of all values of a meter at which it is done.
     MeterGoal goal;
+    /// Only for meters whose unit is lux.
+    LampColumns lamps = {};
     /// True: stop after the round of samples under way.
     std::function<bool()> ended = {};
+};
+
+/// What one half of the batches has found, where lamps are told apart; in the unit of the quantity.
+struct MeterHalf {
+    std::vector<double> values;     ///< of each place, by all light
+    std::vector<double> by_column;  ///< of each place and column; all columns of a place together
 };
 
 /// What one meter has found.
@@ -33,6 +50,7 @@ struct MeterReading {
     double area = 0;        ///< of its grid in square metres; 0: it has none
     std::uint64_t samples;  ///< of each place
     bool reached = false;   ///< whether all values are as good as they were to be
+    std::array<MeterHalf, 2> halves = {};
 };
 
 /// The reading of each meter, in their order. `shot` is that of any camera. Threshold increments

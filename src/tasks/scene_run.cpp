@@ -38,9 +38,7 @@ constexpr auto scene_tasks = std::to_array<SceneTask>({
     {Task::balance, balance_light},
 });
 
-int run_steps(SceneSteps& steps) {
-    const int opened = steps.open();
-    if (opened != exit_status::done) return opened;
+int run_task_of_options(SceneSteps& steps) {
     if (steps.console().preview) return show_preview(steps);
     const auto row = std::ranges::find(scene_tasks, steps.options().task, &SceneTask::task);
     return row == scene_tasks.end() ? exit_status::usage : row->run(steps);
@@ -49,10 +47,16 @@ int run_steps(SceneSteps& steps) {
 }  // namespace
 
 int run_scene(const Options& options, const Console& console, Diagnostics& diagnostics) {
+    return run_over_scene(options, console, diagnostics, run_task_of_options);
+}
+
+int run_over_scene(const Options& options, const Console& console, Diagnostics& diagnostics,
+                   const std::function<int(SceneSteps&)>& work) {
     int status = exit_status::scene;
     on_deep_stack(options.limits.stack_bytes, [&](std::size_t) {
         SceneSteps steps(options, console, diagnostics);
-        status = run_steps(steps);
+        status = steps.open();
+        if (status == exit_status::done) status = work(steps);
     });
     return status;
 }

@@ -6,9 +6,18 @@
 #include "console/console.h"
 #include "options/options.h"
 
+#include <functional>
+
 namespace candelabra {
+
+class SceneSteps;
 
 /// Runs the scene. Reports errors and returns the exit status.
 int run_scene(const Options&, const Console&, Diagnostics&);
+
+/// Does other work over the scene, once its text has been read. Reports errors and returns the exit
+/// status.
+int run_over_scene(const Options&, const Console&, Diagnostics&,
+                   const std::function<int(SceneSteps&)>& work);
 
 }  // namespace candelabra

@@ -131,6 +131,7 @@ TEST_CASE("a library is included only where its use is stated", "[house]") {
         {"CGAL/", {"cgal"}},
         {"assimp/", {"imports"}},
         {"OpenImageIO/", {"oiio"}},
+        {"glpk", {"solver"}},
         {"glm/", {"base"}},
         {"iostream", {"app", "tasks"}},
         {"seccomp", {"app"}},
@@ -347,7 +348,7 @@ TEST_CASE("no function of the C library whose last bits depend on the machine is
                 if (std::regex_match(line, symbol) && !std::regex_match(line, harmless))
                     FAIL_CHECK(file << ": " << line);
         }
-    CHECK(loaded == 3);
+    CHECK(loaded == 4);
 }
 
 TEST_CASE("each line of the threat model names tests that there are", "[house]") {

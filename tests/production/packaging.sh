@@ -114,8 +114,8 @@ refused() { ! INSTALL=no PATH="$folder/bin" /usr/bin/bash "$root/tests/install_p
 mkdir -p "$folder/bin"
 ln -s /usr/bin/grep /usr/bin/id "$folder/bin/"
 with bash "what is missing is said, and not installed" refused
-for page in candelabra.1 candelabra-fmt.1 candelabra-lsp.1 candelabra-merge.1 candelabra-relight.1 candelabra-python.3 candelabra-scene.5 candelabra-lights.7 \
-    candelabra-povray.7 candelabra-stdlib.7 candelabra-tutorial.7; do
+for page in candelabra.1 candelabra-fmt.1 candelabra-lsp.1 candelabra-merge.1 candelabra-relight.1 candelabra-solve.1 candelabra-python.3 candelabra-scene.5 \
+    candelabra-lights.7 candelabra-povray.7 candelabra-stdlib.7 candelabra-tutorial.7; do
     made=$(dirname "$program")/man/$page
     [ -e "$made" ] || { echo "left out: $page (not made yet)"; continue; }
     manual() { [ -z "$(man --warnings -E UTF-8 -l -Tutf8 -Z "$made" 2>&1 > /dev/null)" ]; }

@@ -30,7 +30,7 @@ TEST_CASE("lamps are chosen by name, number and range", "[relight]") {
     }
     Diagnostics diagnostics;
     names.chosen("Kay", diagnostics);
-    CHECK(diagnostics.all()[0].message == "there is no lamp `Kay` in the file");
+    CHECK(diagnostics.all()[0].message == "there is no lamp `Kay`");
     names.chosen("Row[4]", diagnostics);
     CHECK(diagnostics.all()[1].message == "there is no lamp `Row[4]`");
 }

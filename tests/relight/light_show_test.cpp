@@ -58,7 +58,7 @@ TEST_CASE("cues fade from what lamps do", "[relight]") {
 TEST_CASE("what is wrong with a table is said with its line", "[relight]") {
     CHECK(shown("") == "`a.csv` has no rows");
     CHECK(shown("Key\n") == "`a.csv` has a header and no row");
-    CHECK(shown("Kay\n1\n") == "there is no lamp `Kay` in the file");
+    CHECK(shown("Kay\n1\n") == "there is no lamp `Kay`");
     CHECK(shown("Key\n\n1,2\n") == "`a.csv`, line 3: 2 cells, and the header has 1");
     CHECK(shown("Key\n-1\n") == "`a.csv`, line 2: `-1` is no value of a lamp");
     CHECK(shown("cue,fade\n") == "`a.csv`, line 1: a cue list has the columns cue, time and fade");

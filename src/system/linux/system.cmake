@@ -12,6 +12,8 @@ find_library(MPFR mpfr REQUIRED)
 # Debian's CMake files of Assimp name a static library of zlib that is not installed with it.
 find_path(ASSIMP_HEADERS assimp/Importer.hpp REQUIRED)
 find_library(ASSIMP assimp REQUIRED)
+find_path(GLPK_HEADERS glpk.h REQUIRED)
+find_library(GLPK glpk REQUIRED)
 find_library(SECCOMP seccomp REQUIRED)
 find_package(nlohmann_json REQUIRED)
 

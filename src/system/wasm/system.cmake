@@ -6,6 +6,7 @@ add_library(TBB::tbb INTERFACE IMPORTED)  # one thread
 set(OPENIMAGEIO "")
 set(OPENIMAGEIO_UTIL "")
 set(ASSIMP "")
+set(GLPK "")
 set(GMP "")
 set(MPFR "")
 set(SECCOMP "")
