@@ -28,6 +28,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <chrono>
@@ -38,6 +39,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -136,8 +138,13 @@ py::dict arrays_of(const LayeredPicture& picture) {
         found->planes.push_back(&plane);
     }
     py::dict made;
-    for (const Layer& layer : layers)
+    for (Layer& layer : layers) {
+        // Files have their planes in the order of the alphabet: B, G, R.
+        std::ranges::stable_sort(layer.planes, {}, [](const ChannelPlane* plane) {
+            return std::string_view("RGBXYZ").find(plane->name.back());
+        });
         made[py::str(layer.name)] = layer.array(picture.width, picture.height);
+    }
     return made;
 }
 

@@ -103,8 +103,8 @@ void judge(const PowerProblem& problem, const std::vector<BoundedValue>& values,
     for (std::size_t i = 0; i < values.size(); ++i) {
         const LightDemand& demand = problem.demands[values[i].demand];
         const double solved = values[i].at(made.powers), judged = others[i].at(made.powers);
-        if (solved > 0) made.gap = std::max(made.gap, std::abs(judged - solved) / solved);
         const auto add = [&](bool upper, double bound) {
+            if (bound > 0) made.gap = std::max(made.gap, std::abs(judged - solved) / bound);
             const double over = (upper ? solved - bound : bound - solved) / std::max(bound, 1e-9);
             const bool missed = over > close_to, tight = !missed && over > -close_to;
             made.met = made.met && !missed;

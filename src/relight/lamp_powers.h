@@ -49,7 +49,7 @@ struct SolvedPowers {
     std::vector<double> powers;  ///< in terms of those that were rendered; empty after an error
     double cost = 0;             ///< in terms of that of the rendered powers
     std::vector<SolvedBound> bounds;
-    double gap = 0;   ///< greatest difference of a value between the halves, in terms of the value
+    double gap = 0;   ///< greatest difference of a value between the halves, in terms of a bound
     bool met = true;  ///< whether all is met by the half that was solved
 };
 

@@ -185,8 +185,8 @@ public:
         }
         if (tight > most_named) made += message("tight: ", tight - most_named, " more\n");
         made += message("gap: readings differ by up to ", percent(found_.gap),
-                        " between the halves of the samples; by the other half, ", missed, " of ",
-                        found_.bounds.size(),
+                        " of a bound between the halves of the samples; by the other half, ",
+                        missed, " of ", found_.bounds.size(),
                         found_.bounds.size() == 1 ? " bound is" : " bounds are", " missed");
         if (missed > 0) made += message(", by up to ", percent(by));
         return made + "\n";

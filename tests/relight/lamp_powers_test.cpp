@@ -21,6 +21,17 @@ PowerProblem two_lamps(double low, double high) {
 
 }  // namespace
 
+TEST_CASE("the gap between the halves is in terms of the bounds") {
+    PowerProblem problem = two_lamps(25, 100);
+    problem.demands = {{0, 1, 25, LinearProgramme::unbounded}, {1, 1, 0, 1000}};
+    Diagnostics diagnostics;
+    const SolvedPowers found = solved(problem, diagnostics);
+    // The first lamp alone has to be 2.4: the second point reads 5.8 and 6.28, far below its bound.
+    REQUIRE(found.powers.size() == 2);
+    CHECK(found.powers[0] == Approx(2.4));
+    CHECK(found.gap == Approx(2.4 / 25));
+}
+
 TEST_CASE("powers are the least that meet all bounds, and the other half judges them") {
     Diagnostics diagnostics;
     const SolvedPowers found = solved(two_lamps(25, 100), diagnostics);

@@ -25,8 +25,9 @@ Evaluated evaluate_text(const std::string& name, const std::string& text,
                         const Declares& declares) {
     SourceStore sources;
     Diagnostics diagnostics;
-    Loader loader(disk_reader(), message(root, "/", directory_of(name)),
-                  {root, root + "/stdlib", root + "/tests/conformance/pictures"});
+    Loader loader(
+        disk_reader(), message(root, "/", directory_of(name)),
+        {root, root + "/stdlib", root + "/stdlib/models", root + "/tests/conformance/pictures"});
     loader.set_standard_library(root + "/stdlib");
     Evaluated result;
     EvaluateOptions options;
