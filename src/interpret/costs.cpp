@@ -102,13 +102,11 @@ bool Costs::too_many_steps(const Tree& tree, NodeId place) {
 
 void Costs::count_object(Span span) {
     if (++objects_ <= limits.objects || context_.stopped()) return;
-    Diagnostic problem = error(
-        Fault::loop_limit, span,
-        message("this scene makes more than ", limits.objects, " objects, which is the limit"));
-    context_.report(point_at_loop(problem).with_help(
+    exceeded(
+        span,
+        message("this scene makes more than ", limits.objects, " objects, which is the limit"),
         "something in a loop must make its condition false, or #break; --limit-objects raises the "
-        "limit"));
-    context_.stop();
+        "limit");
 }
 
 void Costs::count_placed(std::uint64_t parts, Span span) {

@@ -272,7 +272,7 @@ void Statements::run(SourceId main) {
     const std::function<bool()> too_much = [&] {
         context_.costs.work +=
             each_step * (asking->counted() - std::exchange(counted, asking->counted()));
-        return context_.costs.work > context_.costs.limits.work;
+        return context_.costs.spent();
     };
     const WorkWatch watch(too_much);
     asking = &watch;
