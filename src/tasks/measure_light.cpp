@@ -20,14 +20,8 @@ int measure_light(SceneSteps& steps) {
     const LightUnits units = world->rules.settings.light_units();
     review_meters(*world, meters, steps.diagnostics());
     if (steps.say_diagnostics()) return exit_status::scene;
-    const RenderSettings& render = steps.options().render;
-    MeasureSettings settings;
-    settings.seed = render.seed;
-    settings.threads = render.threads;
-    settings.samples = render.samples;
-    settings.goal = steps.options().meter_goal;
     bool stopped = false;
-    settings.ended = ends_measuring(steps, stopped);
+    const MeasureSettings settings = measure_settings(steps, stopped);
     const std::vector<MeterReading> readings = measure(shot, meters, settings);
     const MeasuredScene measured{meters, readings, units, settings.seed};
     const bool json = measures_as_json(steps.options());

@@ -17,6 +17,17 @@ std::function<bool()> ends_measuring(const SceneSteps& steps, bool& stopped) {
     };
 }
 
+MeasureSettings measure_settings(const SceneSteps& steps, bool& stopped) {
+    const RenderSettings& render = steps.options().render;
+    MeasureSettings settings;
+    settings.seed = render.seed;
+    settings.threads = render.threads;
+    settings.samples = render.samples;
+    settings.goal = steps.options().meter_goal;
+    settings.ended = ends_measuring(steps, stopped);
+    return settings;
+}
+
 void check_measuring(const Options& options, Diagnostics& diagnostics) {
     const std::string name = options.task == Task::balance ? "--light-balance" : "--measure";
     if (!reading_format(options.readings_file))

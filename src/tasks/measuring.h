@@ -2,6 +2,7 @@
 // What tasks that measure light have in common: their end, and their table.
 #pragma once
 
+#include "render/measure.h"
 #include "tasks/scene_steps.h"
 
 #include <functional>
@@ -12,6 +13,9 @@ namespace candelabra {
 /// Returns whether measuring is to end: the time is over, or a signal has come, which sets
 /// `stopped`. Both must outlive the function.
 std::function<bool()> ends_measuring(const SceneSteps&, bool& stopped);
+
+/// The settings of meters by the options. They end as ends_measuring() says.
+MeasureSettings measure_settings(const SceneSteps&, bool& stopped);
 
 /// Reports what does not go together with measuring, which includes balances of light.
 void check_measuring(const Options&, Diagnostics&);

@@ -289,16 +289,10 @@ int solve_powers(SceneSteps& steps, const SolveRequest& request) {
         steps.say_diagnostics();
         return exit_status::scene;
     }
-    const RenderSettings& render = steps.options().render;
-    MeasureSettings settings;
-    settings.seed = render.seed;
-    settings.threads = render.threads;
-    settings.samples = render.samples;
-    settings.goal = steps.options().meter_goal;
+    bool stopped = false;
+    MeasureSettings settings = measure_settings(steps, stopped);
     settings.lamps = {columns->names.size(),
                       [&](Lamp lamp) { return columns->of_place[lamps.place_of(lamp)]; }};
-    bool stopped = false;
-    settings.ended = ends_measuring(steps, stopped);
     const std::vector<MeterReading> readings = measure(shot, meters, settings);
     const PowerProblem problem = problem_of(request, readings, which, *columns);
     const SolvedPowers found = solved(problem, steps.diagnostics());
