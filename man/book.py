@@ -24,6 +24,7 @@ PAGES = [("candelabra-tutorial.7", "Tutorial"), ("candelabra-lights.7", "Light")
          ("candelabra-povray.7", "From POV-Ray"), ("candelabra-scene.5", "The language"),
          ("candelabra.1", "The program"), ("candelabra-develop.1", "candelabra develop"),
          ("candelabra-relight.1", "candelabra relight"), ("candelabra-solve.1", "candelabra solve"),
+         ("candelabra-povray.1", "candelabra-povray"),
          ("candelabra-merge.1", "candelabra merge"),
          ("candelabra-fmt.1", "candelabra fmt"), ("candelabra-lsp.1", "candelabra lsp"),
          ("candelabra-python.3", "Python")]

@@ -154,9 +154,13 @@ private:
     void announce(std::size_t i, bool there) const {
         if (!talks(options_)) return;
         const AnimationFrame& frame = animation_.frames[i];
+        const std::size_t count = animation_.frames.size();
+        if (progress_style(options_.progress) == ProgressStyle::povray)
+            return say(console_, Stream::render,
+                       message("Rendering frame ", i + 1, " of ", count, " (#", frame.number,
+                               there ? ") is there\n" : ")\n"));
         say(console_, Stream::render,
-            message("frame ", frame.number, " (", i + 1, " of ", animation_.frames.size(),
-                    "), clock ", frame.clock, there ? ": is there\n" : "\n"));
+            message("frame ", frame.number, " (", i + 1, " of ", count, "), clock ", frame.clock, there ? ": is there\n" : "\n"));
     }
 
     /// Returns the diagnostics for a frame. Problems with the command line are reported only once.

@@ -10,6 +10,7 @@
 #include "app/lsp.h"
 #include "app/merge.h"
 #include "app/new_scene.h"
+#include "app/povray_command.h"
 #include "app/preview.h"
 #include "app/relight_command.h"
 #include "app/sandbox.h"
@@ -173,6 +174,11 @@ constexpr auto commands = std::to_array<Command>({
      "usage: candelabra light [--json] [--set n] [-o diagram.svg] file.ies|file.ldt ...\n"
      "Describes the photometry of a luminaire: flux, maximum, efficacy, symmetry, opening, what "
      "was\nrepaired in the file, and its polar diagram.\n"},
+    {"povray",
+     run_povray,
+     "usage: candelabra-povray [option ...] [file.ini] [scene.pov]\n"
+     "Renders a scene as POV-Ray's program does with the same options, for programs that call "
+     "povray;\ncandelabra-povray(1) says more.\n"},
     {"fmt",
      [](std::span<const std::string_view> arguments, const Console& console) {
          bound_memory();

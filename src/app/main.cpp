@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program's entry point.
 #include "app/commands.h"
+#include "app/povray_command.h"
 #include "tasks/library.h"
 #include "app/sandbox.h"
 #include "console/signals.h"
@@ -39,7 +40,9 @@ void fill_standard_streams() {
 int main(int count, char** arguments) {
     fill_standard_streams();
     Signals signals;
-    const std::vector<std::string_view> words(arguments + (count > 0 ? 1 : 0), arguments + count);
+    std::vector<std::string_view> words(arguments + (count > 0 ? 1 : 0), arguments + count);
+    const std::string_view command = command_named(count > 0 ? arguments[0] : "");
+    if (!command.empty()) words.insert(words.begin(), command);
     Console console;
     int wrong = 0;  // first error of standard output
     console.out = [&wrong](std::string_view text) {

@@ -21,12 +21,14 @@ std::string two_digits(long number) { return message(number < 10 ? "0" : "", num
 
 }  // namespace
 
-Progress::Progress(Style style, Seconds clock, Output output, Share share, Heard heard)
+Progress::Progress(Style style, Seconds clock, Output output, Share share, Heard heard,
+                   double pixels)
     : style_(style),
       clock_(std::move(clock)),
       output_(std::move(output)),
       share_(share),
       heard_(std::move(heard)),
+      pixels_(pixels),
       start_(clock_()),
       shown_at_(start_) {}
 
@@ -52,8 +54,10 @@ void Progress::show(double now) {
     shown_at_ = now;
     shown_ = fraction_;
     if (for_programs()) {
-        const double part = share_.last - share_.first;
-        return output_(progress_line(style_, share_.first + part * fraction_, now - start_));
+        const Share share = style_ == Style::povray ? Share() : share_;  // the picture alone
+        const double part = share.last - share.first;
+        return output_(
+            progress_line(style_, share.first + part * fraction_, now - start_, pixels_));
     }
     std::string text = progress_text(fraction_, now - start_);
     if (style_ == Style::lines) return output_(text + "\n");
@@ -71,11 +75,14 @@ void Progress::finish() {
     if (for_programs() && fraction_ > shown_) show(clock_());
 }
 
-std::string progress_line(Progress::Style style, double fraction, double elapsed) {
+std::string progress_line(Progress::Style style, double fraction, double elapsed, double pixels) {
     const double percent = std::floor(fraction * 1000) / 10;
     if (style == Progress::Style::alf)
         return message("ALF_PROGRESS ", std::lround(std::floor(percent)), "%\n");
     if (style == Progress::Style::openjd) return message("openjd_progress: ", percent, "\n");
+    if (style == Progress::Style::povray)
+        return message("Rendered ", std::lround(std::floor(fraction * pixels)), " of ",
+                       std::lround(pixels), " pixels (", std::lround(std::floor(percent)), "%)\n");
     return message("{\"progress\":", std::floor(fraction * 1000) / 1000,
                    ",\"seconds\":", std::floor(elapsed * 1000) / 1000, "}\n");
 }

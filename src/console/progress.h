@@ -23,7 +23,9 @@ public:
     using Heard = std::function<void(double fraction)>;
 
     /// `heard`: receives each fraction, whatever the style; several threads call it. May be empty.
-    Progress(Style style, Seconds clock, Output output, Share share = {0, 1}, Heard heard = {});
+    /// `pixels`: those of the picture, of which the style povray speaks.
+    Progress(Style style, Seconds clock, Output output, Share share = {0, 1}, Heard heard = {},
+             double pixels = 0);
 
     /// Reports that `fraction` of the work is done. An update that arrives late from another
     /// thread, with a smaller fraction, is ignored.
@@ -42,6 +44,7 @@ private:
     Output output_;
     Share share_;
     Heard heard_;
+    double pixels_;
     std::mutex mutex_;
     double start_;
     double shown_at_;
@@ -50,8 +53,8 @@ private:
     std::size_t width_ = 0;  ///< of the line on the terminal
 };
 
-/// Returns a line for programs, with its newline.
-std::string progress_line(Progress::Style, double fraction, double elapsed);
+/// Returns a line for programs, with its newline. `pixels`: those of the picture, for povray.
+std::string progress_line(Progress::Style, double fraction, double elapsed, double pixels = 0);
 
 /// "42.0 %, 12 s so far, about 17 s left"
 std::string progress_text(double fraction, double elapsed);

@@ -25,12 +25,6 @@ std::string_view without_comment(std::string_view line) {
     return line;
 }
 
-std::string_view unquoted(std::string_view value) {
-    const bool quoted = value.size() >= 2 && (value.front() == '"' || value.front() == '\'') &&
-                        value.back() == value.front();
-    return quoted ? value.substr(1, value.size() - 2) : value;
-}
-
 /// Removes blanks around the first `=` and quotes around the value.
 std::string as_argument(std::string_view line) {
     const std::size_t equals = line.find('=');
@@ -67,6 +61,12 @@ bool is_switch(std::string_view line) {
 }
 
 }  // namespace
+
+std::string_view unquoted(std::string_view value) {
+    const bool quoted = value.size() >= 2 && (value.front() == '"' || value.front() == '\'') &&
+                        value.back() == value.front();
+    return quoted ? value.substr(1, value.size() - 2) : value;
+}
 
 std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string_view section) {
     std::vector<IniLine> lines;

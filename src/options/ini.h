@@ -16,6 +16,9 @@ struct IniLine {
     std::string option;
 };
 
+/// Returns the text without the quotes around the whole of it, if there are any.
+std::string_view unquoted(std::string_view);
+
 /// Returns the lines before the first `[Section]`, then those of the named section; "" means none.
 /// Names of sections ignore case. `;` begins a comment. Quotes around a value are removed. Returns
 /// nothing if there is no such section.

@@ -24,8 +24,8 @@ constexpr double megabyte = 1 << 20, million = 1e6;
 constexpr std::array<std::string_view, 3> parts_of_work = {"samples", "tiles", "frames"};
 constexpr std::array<std::string_view, 2> off_or_on = {"off", "on"};
 constexpr std::array<std::string_view, 2> diagnostic_forms = {"text", "json"};
-constexpr std::array<std::string_view, 6> progress_forms = {"auto", "plain",  "json",
-                                                            "alf",  "openjd", "none"};
+constexpr std::array<std::string_view, 7> progress_forms = {"auto",   "plain",  "json", "alf",
+                                                            "openjd", "povray", "none"};
 
 void room_for_depth(Options& options) { options.limits.make_room(); }
 
@@ -413,7 +413,8 @@ constexpr auto listed = std::to_array<OptionRow>({
            "error stream"),
     option(none, "", "", "progress", value, "form", one_of<&Options::progress>(progress_forms),
            "format of the progress; for programs: json on the error stream, alf (RenderMan's "
-           "queues) or openjd (Open Job Description) on standard output"),
+           "queues) or openjd (Open Job Description) on standard output, povray (POV-Ray's lines) on "
+           "the error stream"),
     that(Touches::writes,
          option(none, "", "", "stats", value, "file", kept<&Options::stats_file>(Type::text),
                 "writes statistics of the run as JSON; - writes to standard output; each frame of "

@@ -110,8 +110,11 @@ constexpr int draft_samples = 4;
 class OptionReader {
 public:
     OptionReader(std::span<const std::string_view> arguments, Diagnostics& diagnostics,
-                 const Reader& read)
-        : arguments_(arguments), diagnostics_(diagnostics), read_(read) {}
+                 const Reader& read, Options usual)
+        : arguments_(arguments),
+          diagnostics_(diagnostics),
+          read_(read),
+          options_(std::move(usual)) {}
 
     Options read(const std::string& settings) {
         if (!settings.empty()) {
@@ -294,11 +297,12 @@ private:
         if (find_named(&OptionRow::word, text) || !row)
             return fail(argument, "there is no such option", help_for(argument));
         std::optional<std::string> value;
-        if (text.size() > row->letters.size()) value = text.substr(row->letters.size());
+        if (text.size() > row->letters.size())
+            value = unquoted(text.substr(row->letters.size()));
         if (row->takes == Takes::sign && value)
             return fail(argument, "there is no such option", help_for(argument));
         if (row->takes == Takes::value && !value && next_is_value()) value = arguments_[next_++];
-        if (row->takes == Takes::value && !value)
+        if (row->takes == Takes::value && (!value || value->empty()))
             return fail(argument, message("needs a value: `", argument, row->parameter, "`"));
         accept(*row, {argument, argument[0] == '+' || row->takes == Takes::value, value, where_});
     }
@@ -328,7 +332,7 @@ private:
                 argument, "there is no such keyword",
                 near.empty() ? message("if it is a file: `./", printable(argument), "`") : near);
         }
-        const std::string text(argument.substr(equals + 1));
+        const std::string text(unquoted(argument.substr(equals + 1)));
         if (row->takes == Takes::value) {
             if (text.empty() && !may_be_empty(*row)) return without_value(argument);
             if (row->store == store::include_ini) return read_included(argument, text);
@@ -431,8 +435,8 @@ private:
 }  // namespace
 
 Options read_options(std::span<const std::string_view> arguments, Diagnostics& diagnostics,
-                     const Reader& read, const std::string& settings) {
-    return OptionReader(arguments, diagnostics, read).read(settings);
+                     const Reader& read, const std::string& settings, Options usual) {
+    return OptionReader(arguments, diagnostics, read, std::move(usual)).read(settings);
 }
 
 }  // namespace candelabra

@@ -135,9 +135,9 @@ inline bool talks(const Options& options) {
 
 /// Parses the program's arguments, without its name. All errors are in the diagnostics. `read`
 /// reads the INI files that they name. `settings`: the INI file of the user or of all users, read
-/// first, with any extension; empty: none.
+/// first, with any extension; empty: none. `usual`: what holds where neither says otherwise.
 Options read_options(std::span<const std::string_view> arguments, Diagnostics&, const Reader& = {},
-                     const std::string& settings = {});
+                     const std::string& settings = {}, Options usual = {});
 
 /// Whether the task makes a table of light, and no picture.
 inline bool measures_light(const Options& options) {

@@ -10,7 +10,8 @@ std::optional<ProgressStyle> progress_style(std::string_view name) {
     using enum ProgressStyle;
     static constexpr auto styles =
         std::array{std::pair{"none", silent}, std::pair{"plain", lines}, std::pair{"json", json},
-                   std::pair{"alf", alf}, std::pair{"openjd", openjd}};
+                   std::pair{"alf", alf}, std::pair{"openjd", openjd},
+                   std::pair{"povray", povray}};
     for (const auto& [known, style] : styles)
         if (name == known) return style;
     return std::nullopt;

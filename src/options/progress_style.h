@@ -7,9 +7,9 @@
 
 namespace candelabra {
 
-/// The last three are for programs: a JSON object per line, and the formats of RenderMan's queues
-/// and of Open Job Description.
-enum class ProgressStyle { silent, lines, terminal, json, alf, openjd };
+/// The last four are for programs: a JSON object per line, the formats of RenderMan's queues and of
+/// Open Job Description, and the lines of POV-Ray, which speak of one picture and its pixels.
+enum class ProgressStyle { silent, lines, terminal, json, alf, openjd, povray };
 
 /// The part of a whole job that some work is. Only programs are told.
 struct ProgressShare {

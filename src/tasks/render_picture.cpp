@@ -32,7 +32,8 @@ Progress progress(const Options& options, const Console& console) {
     // Farm managers read standard output, unless the picture goes there.
     const bool out = (style == alf || style == openjd) && options.output != "-";
     return Progress(style, seconds_now, out ? console.out : console.err, options.share,
-                    console.progressed);
+                    console.progressed,
+                    1.0 * options.render.width * options.render.height);
 }
 
 /// Waits until rendering may begin, and excludes the waiting time from the statistics.

@@ -119,6 +119,7 @@ TEST_CASE("programs read how far it is") {
     CHECK(progress_line(json, 0.4237, 12.5) == "{\"progress\":0.423,\"seconds\":12.5}\n");
     CHECK(progress_line(alf, 0.4299, 1) == "ALF_PROGRESS 42%\n");
     CHECK(progress_line(openjd, 1, 1) == "openjd_progress: 100\n");
+    CHECK(progress_line(povray, 0.4299, 1, 4800) == "Rendered 2063 of 4800 pixels (42%)\n");
     double now = 0;
     std::string heard;
     Progress progress(

@@ -141,7 +141,7 @@ TEST_CASE("a field tells its type, its range and its default") {
     CHECK(values(field_of("limit-written")) == "whole number from 1 on, default 1024");
     CHECK(values(field_of("checkpoint")) ==
           "time: seconds, or a number with s, m or h, default 60s");
-    CHECK(values(field_of("progress")) == "auto, plain, json, alf, openjd or none, default auto");
+    CHECK(values(field_of("progress")) == "auto, plain, json, alf, openjd, povray or none, default auto");
     CHECK(values(field_of("shard-by")) == "samples, tiles or frames");
     CHECK(values(field_of("keep-state")).empty());
     CHECK(values(field_of("movie")).empty());

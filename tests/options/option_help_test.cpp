@@ -97,7 +97,7 @@ TEST_CASE("programs get type, range, default and effect of each option") {
     CHECK(option("antialias")["default"] == true);
     CHECK(option("frame-rate")["above"] == 0);
     CHECK(option("frame-rate")["default"] == 25);
-    CHECK(option("progress")["values"].size() == 6);
+    CHECK(option("progress")["values"].size() == 7);
     CHECK(option("progress")["default"] == "auto");
     CHECK(option("limit-text")["default"] == 64);
     CHECK(option("threads")["changes"] == "nothing");

@@ -42,6 +42,29 @@ TEST_CASE("sizes, in every form and either case of letters") {
     CHECK(options_of({"+W100", "+W200"}).render.width == 200);
 }
 
+TEST_CASE("quotes around a whole value are not part of it, as in POV-Ray") {
+    const Options quoted = options_of({"+I\"a b.pov\"", "+O'c.png'", "Width=\"80\"", "+L\"lib\""});
+    CHECK(quoted.scene == "a b.pov");
+    CHECK(quoted.output == "c.png");
+    CHECK(quoted.render.width == 80);
+    CHECK(quoted.library_paths == std::vector<std::string>{"lib"});
+    CHECK(options_of({"+Ia\"b\".pov"}).scene == "a\"b\".pov");
+    // The quotes of a declared string say that it is one.
+    const Options declared = options_of({"Declare=Name=\"a\""});
+    CHECK(declared.declares == std::vector<Declaration>{{"Name", "a"}});
+}
+
+TEST_CASE("a program may have usual settings of its own") {
+    Options usual;
+    usual.render.width = 800;
+    usual.render.height = 600;
+    Diagnostics diagnostics;
+    const Words words = {"+W80"};
+    const Options options = read_options(words, diagnostics, {}, {}, usual);
+    CHECK(options.render.width == 80);
+    CHECK(options.render.height == 600);
+}
+
 TEST_CASE("without options there are defaults") {
     const Options options = options_of({});
     CHECK(options.task == Task::render);

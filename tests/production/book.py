@@ -12,7 +12,7 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 PAGES = ("candelabra.1 candelabra-develop.1 candelabra-merge.1 candelabra-fmt.1 candelabra-lsp.1 candelabra-relight.1 "
-         "candelabra-solve.1 candelabra-python.3 candelabra-scene.5 candelabra-lights.7 candelabra-povray.7 candelabra-stdlib.7 candelabra-tutorial.7").split()
+         "candelabra-solve.1 candelabra-povray.1 candelabra-python.3 candelabra-scene.5 candelabra-lights.7 candelabra-povray.7 candelabra-stdlib.7 candelabra-tutorial.7").split()
 
 
 def make(program, folder):
