@@ -5,7 +5,6 @@
 #include "app/frame_commands.h"
 #include "app/frame_run.h"
 #include "app/movie.h"
-#include "tasks/scene_run.h"
 #include "app/shell_commands.h"
 #include "options/memory_limit.h"
 #include "options/output.h"
@@ -13,6 +12,7 @@
 #include "picture/file.h"
 #include "picture/flaw.h"
 #include "production/checkpoint.h"
+#include "tasks/scene_run.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -160,7 +160,8 @@ private:
                        message("Rendering frame ", i + 1, " of ", count, " (#", frame.number,
                                there ? ") is there\n" : ")\n"));
         say(console_, Stream::render,
-            message("frame ", frame.number, " (", i + 1, " of ", count, "), clock ", frame.clock, there ? ": is there\n" : "\n"));
+            message("frame ", frame.number, " (", i + 1, " of ", count, "), clock ", frame.clock,
+                    there ? ": is there\n" : "\n"));
     }
 
     /// Returns the diagnostics for a frame. Problems with the command line are reported only once.

@@ -3,6 +3,7 @@
 
 #include "app/commands.h"
 #include "options/options.h"
+#include "picture/file.h"
 #include "production/version.h"
 #include "text/ascii.h"
 #include "text/loader.h"
@@ -43,6 +44,26 @@ std::vector<std::string_view> without_window(std::span<const std::string_view> a
     return rest;
 }
 
+/// Leaves out what files of the format cannot hold, as POV-Ray does, but says so.
+void fit_format(Options& options, Diagnostics& diagnostics) {
+    if (!options.to_file) return;
+    const PictureTypeInfo& type =
+        info(options.type.value_or(type_of_name(options.output).value_or(PictureType::png)));
+    const auto left_out = [&](std::string_view what) {
+        diagnostics.add(warning(
+            Fault::option, {},
+            message(what, " left out: files of format ", type.extension, " cannot have it")));
+    };
+    if (std::exchange(options.alpha, options.alpha && type.alpha) && !type.alpha)
+        left_out("the alpha channel is");
+    if (std::exchange(options.grey, options.grey && type.grey) && !type.grey)
+        left_out("grey alone is");
+    if (options.bits == 16 && !type.wide) {
+        options.bits.reset();
+        left_out("16 bits a channel are");
+    }
+}
+
 /// Whether the version is asked for, in any of POV-Ray's spellings.
 bool asks_version(std::span<const std::string_view> arguments) {
     return std::ranges::any_of(
@@ -65,6 +86,7 @@ int run_povray(std::span<const std::string_view> arguments, const Console& conso
     Diagnostics diagnostics;
     Options options = read_options(without_window(arguments), diagnostics, disk_reader(),
                                    console.settings, povray_defaults());
+    fit_format(options, diagnostics);
     const bool shown = talks(options) && options.streams[Stream::render].shown;
     if (options.progress == "auto" && !console.terminal && shown) options.progress = "povray";
     Console same = console;

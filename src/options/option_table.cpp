@@ -413,8 +413,8 @@ constexpr auto listed = std::to_array<OptionRow>({
            "error stream"),
     option(none, "", "", "progress", value, "form", one_of<&Options::progress>(progress_forms),
            "format of the progress; for programs: json on the error stream, alf (RenderMan's "
-           "queues) or openjd (Open Job Description) on standard output, povray (POV-Ray's lines) on "
-           "the error stream"),
+           "queues) or openjd (Open Job Description) on standard output, povray (POV-Ray's lines) "
+           "on the error stream"),
     that(Touches::writes,
          option(none, "", "", "stats", value, "file", kept<&Options::stats_file>(Type::text),
                 "writes statistics of the run as JSON; - writes to standard output; each frame of "

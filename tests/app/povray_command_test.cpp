@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tests/programs has scenes of programs that call POV-Ray.
+// tests/conformance/programs has scenes of programs that call POV-Ray.
 #include "app/povray_command.h"
 
 #include "app/sandbox.h"
@@ -130,6 +130,22 @@ TEST_CASE("antialiasing is off unless it is asked for") {
     };
     CHECK(colours({}) == 2);
     CHECK(colours({"+A0.1"}) > 5);
+}
+
+TEST_CASE("what a format cannot hold is left out with a word, as POV-Ray leaves it out silently") {
+    Calling shell;
+    const std::string scene = shell.path("drawn.pov"), made = shell.path("plain");
+    for (const auto& [options, said] :
+         std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"+FP", "+UA"}, "the alpha channel is left out: files of format ppm"},
+             {{"+FJ", "+UA"}, "the alpha channel is left out: files of format jpg"},
+             {{"+FJ", "Bits_Per_Color=16"}, "16 bits a channel are left out"},
+             {{"+FB", "Grayscale_Output=on"}, "grey alone is left out"}}) {
+        std::vector<std::string> words = {scene, "+W8", "+H6", "+O" + made};
+        words.insert(words.end(), options.begin(), options.end());
+        CHECK(shell.call(words) == exit_status::done);
+        CHECK(has(shell.err, said));
+    }
 }
 
 TEST_CASE("programs read the progress in POV-Ray's words") {
