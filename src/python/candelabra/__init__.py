@@ -445,8 +445,8 @@ def _diagnostics(reports: Sequence[tuple[str, bytes]]) -> list[Diagnostic]:
     for report, text in reports:
         told = json.loads(report)
         place = told["place"] or {}
-        places = [place.get(key) for key in ("file", "line", "column", "end_line", "end_column")]
-        made.append(Diagnostic(told["severity"], told["name"], told["message"], *places, told["label"],
+        made.append(Diagnostic(told["severity"], told["name"], told["message"], place.get("file"), place.get("line"),
+                               place.get("column"), place.get("end_line"), place.get("end_column"), told["label"],
                                tuple(told["notes"]), told["help"], text.decode(errors="replace").rstrip()))
     return made
 
