@@ -9,6 +9,7 @@
 #include "options/option_store.h"
 #include "options/option_table.h"
 #include "options/output.h"
+#include "options/subcommands.h"
 #include "output/layers.h"
 #include "output/light_file.h"
 #include "output/light_weights.h"
@@ -21,6 +22,7 @@
 #include <array>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace candelabra {
 
@@ -93,39 +95,26 @@ void read_false_colour(std::string_view option, std::string_view value, DevelopR
 DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
                                     Diagnostics& diagnostics) {
     DevelopRequest request;
-    std::vector<std::string> kept;  // owns texts of `others`
-    kept.reserve(arguments.size());
-    std::vector<std::string_view> others;
     bool isolines = false;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        const bool has_next = i + 1 < arguments.size();
-        if ((argument == "-o" || argument == "--output") && has_next)
-            others.push_back(kept.emplace_back(message("+O", arguments[++i])));
-        else if (argument == "--layer" && has_next)
-            request.layer = arguments[++i];
-        else if (argument.starts_with("--layer="))
-            request.layer = argument.substr(argument.find('=') + 1);
-        else if (argument == "--light" && has_next)
-            request.weights.add(arguments[++i], diagnostics);
-        else if (argument.starts_with("--light="))
-            request.weights.add(argument.substr(argument.find('=') + 1), diagnostics);
-        else if (argument == "--lights" && has_next)
-            request.weights_file = arguments[++i];
-        else if (argument.starts_with("--lights="))
-            request.weights_file = argument.substr(argument.find('=') + 1);
-        else if ((argument == "--false-colour" || argument == "--scale") && has_next)
-            read_false_colour(argument, arguments[++i], request, diagnostics);
-        else if (argument.starts_with("--false-colour=") || argument.starts_with("--scale="))
-            read_false_colour(argument.substr(0, argument.find('=')),
-                              argument.substr(argument.find('=') + 1), request, diagnostics);
-        else if (argument == "--isolines")
+    const auto take = [&](std::string_view name, std::string value) {
+        if (name == "--layer")
+            request.layer = std::move(value);
+        else if (name == "--light")
+            request.weights.add(value, diagnostics);
+        else if (name == "--lights")
+            request.weights_file = std::move(value);
+        else if (name == "--isolines")
             isolines = true;
-        else if (names_exr(argument))
-            request.files.emplace_back(argument);
         else
-            others.push_back(argument);
-    }
+            read_false_colour(name, value, request, diagnostics);
+    };
+    const std::vector<std::string> words = take_options("develop", arguments, take, diagnostics);
+    std::vector<std::string_view> others;
+    for (const std::string& word : words)
+        if (names_exr(word))
+            request.files.push_back(word);
+        else
+            others.push_back(word);
     if (request.false_colours) request.false_colours->isolines = isolines;
     if (!diagnostics.failed() && (isolines || request.false_colours) &&
         (!request.false_colours || request.false_colours->unit.empty()))

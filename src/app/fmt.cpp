@@ -2,6 +2,7 @@
 #include "app/fmt.h"
 
 #include "editor/layout.h"
+#include "options/subcommands.h"
 #include "picture/file.h"
 #include "syntax/parser.h"
 #include "text/excerpt.h"
@@ -13,6 +14,9 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace candelabra {
@@ -83,16 +87,16 @@ private:
 int fmt(std::span<const std::string_view> arguments, const Console& console) {
     std::vector<std::string> files;
     bool checks = false, only_files = false;
-    for (const std::string_view argument : arguments) {
-        if (only_files || !argument.starts_with('-') || argument == "-") {
-            files.emplace_back(argument);
-        } else if (argument == "--") {
+    Diagnostics none;  // no option has a value
+    const auto take = [&](std::string_view, const std::string&) { checks = true; };
+    for (std::string& word : take_options("fmt", arguments, take, none)) {
+        if (only_files || !word.starts_with('-') || word == "-") {
+            files.push_back(std::move(word));
+        } else if (word == "--") {
             only_files = true;
-        } else if (argument == "--check") {
-            checks = true;
         } else {
             console.err(format(
-                error(Fault::option, {}, message("fmt has no option `", printable(argument), "`"))
+                error(Fault::option, {}, message("fmt has no option `", printable(word), "`"))
                     .with_help("candelabra fmt [--check] [file ...]"),
                 SourceStore(), console.coloured));
             return exit_status::usage;

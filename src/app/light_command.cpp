@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/light_command.h"
 
+#include "options/subcommands.h"
 #include "photometry/polar_diagram.h"
 #include "picture/file.h"
 #include "text/excerpt.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace candelabra {
@@ -50,24 +52,22 @@ std::optional<LightRequest> asked_by(std::span<const std::string_view> arguments
         diagnostics.add(error(Fault::option, {}, text).with_help(std::string(usage_of_light)));
         return std::nullopt;
     };
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        const bool has_next = i + 1 < arguments.size();
-        if (argument == "--json") {
+    const auto take = [&](std::string_view name, std::string value) {
+        if (name == "--json")
             request.json = true;
-        } else if (argument == "-o" || argument == "--output") {
-            if (!has_next) return fail("`-o` needs a file behind it");
-            request.diagram = arguments[++i];
-        } else if (argument == "--set") {
-            const auto number = has_next ? set_number(arguments[++i]) : std::nullopt;
-            if (!number) return fail("`--set` needs the number of a lamp set, from 1");
+        else if (name == "--output")
+            request.diagram = std::move(value);
+        else if (const auto number = set_number(value))
             request.choice.set = *number;
-        } else if (argument.starts_with('-') && argument != "-") {
-            return fail(message("light has no option `", printable(argument), "`"));
-        } else {
-            request.files.emplace_back(argument);
-        }
-    }
+        else
+            fail("`--set` needs the number of a lamp set, from 1");
+    };
+    for (std::string& word : take_options("light", arguments, take, diagnostics))
+        if (word.starts_with('-') && word != "-")
+            return fail(message("light has no option `", printable(word), "`"));
+        else
+            request.files.push_back(std::move(word));
+    if (diagnostics.failed()) return std::nullopt;
     if (request.files.empty()) return fail("light needs a file");
     if (!request.diagram.empty() && request.files.size() > 1)
         return fail("`-o` is for the diagram of one file");

@@ -4,6 +4,7 @@
 #include "app/sandbox.h"
 #include "options/option_store.h"
 #include "options/output.h"
+#include "options/subcommands.h"
 #include "output/layers.h"
 #include "picture/file.h"
 #include "production/checkpoint.h"
@@ -14,6 +15,10 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -201,18 +206,16 @@ bool matters(std::string_view given) {
 
 Request read_request(std::span<const std::string_view> arguments, Diagnostics& diagnostics) {
     Request request;
+    const auto take = [&](std::string_view name, const std::string&) {
+        (name == "--partial" ? request.partial : request.status) = true;
+    };
+    const std::vector<std::string> words = take_options("merge", arguments, take, diagnostics);
     std::vector<std::string_view> others;
-    for (const std::string_view argument : arguments) {
-        const bool file = argument.ends_with(state_ending) && !argument.starts_with('+');
-        if (argument == "--partial")
-            request.partial = true;
-        else if (argument == "--status")
-            request.status = true;
-        else if (file)
-            request.files.emplace_back(argument);
+    for (const std::string& word : words)
+        if (word.ends_with(state_ending) && !word.starts_with('+'))
+            request.files.push_back(word);
         else
-            others.push_back(argument);
-    }
+            others.push_back(word);
     request.options = read_options(others, diagnostics);
     for (const auto& [row, given] : request.options.given)
         if (!matters(given))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/new_scene.h"
 
+#include "options/subcommands.h"
 #include "picture/file.h"
 #include "text/excerpt.h"
 #include "text/loader.h"
@@ -10,7 +11,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -36,27 +41,20 @@ struct NewScene {
 
 std::optional<NewScene> wanted_by(std::span<const std::string_view> arguments,
                                   Diagnostics& diagnostics) {
-    constexpr std::string_view option = "--template";
     NewScene wanted;
     const auto fail = [&](const std::string& text) {
         diagnostics.add(error(Fault::option, {}, text).with_help(std::string(usage)));
         return std::nullopt;
     };
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        if (argument == option) {
-            if (++i == arguments.size()) return fail("`--template` needs a name behind it");
-            wanted.name = arguments[i];
-        } else if (argument.starts_with(message(option, "="))) {
-            wanted.name = argument.substr(option.size() + 1);
-        } else if (argument.starts_with('-')) {
-            return fail(message("new has no option `", printable(argument), "`"));
-        } else if (!wanted.path.empty()) {
+    const auto take = [&](std::string_view, std::string name) { wanted.name = std::move(name); };
+    for (const std::string& word : take_options("new", arguments, take, diagnostics))
+        if (word.starts_with('-'))
+            return fail(message("new has no option `", printable(word), "`"));
+        else if (!wanted.path.empty())
             return fail("only one scene is made at a time");
-        } else {
-            wanted.path = argument;
-        }
-    }
+        else
+            wanted.path = word;
+    if (diagnostics.failed()) return std::nullopt;
     if (wanted.path.empty()) return fail("new needs the name of the scene's file");
     if (fs::path(wanted.path).extension().empty()) wanted.path += ".pov";
     return wanted;

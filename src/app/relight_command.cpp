@@ -10,6 +10,7 @@
 #include "options/command_line.h"
 #include "options/option_store.h"
 #include "options/output.h"
+#include "options/subcommands.h"
 #include "output/layers.h"
 #include "output/light_file.h"
 #include "picture/file.h"
@@ -42,34 +43,21 @@ struct RelightRequest {
 RelightRequest read_relight_request(std::span<const std::string_view> arguments,
                                     Diagnostics& diagnostics) {
     RelightRequest request;
-    std::vector<std::string> kept;  // owns texts of `others`
-    kept.reserve(arguments.size());
-    std::vector<std::string_view> others;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        const std::size_t equals = argument.find('=');
-        const std::string_view name = argument.substr(0, equals);
-        // The value of an option behind `=`, or the next argument.
-        const auto value = [&] {
-            if (equals != argument.npos) return std::string(argument.substr(equals + 1));
-            if (i + 1 < arguments.size()) return std::string(arguments[++i]);
-            diagnostics.add(error(Fault::option, {}, message("`", name, "` needs a value")));
-            return std::string();
-        };
-        if (name == "-o" || name == "--output")
-            others.push_back(kept.emplace_back(message("+O", value())));
-        else if (name == "--set")
-            request.settings.push_back(value());
-        else if (std::string* const file = show_file(name, request.show))
-            *file = value();
-        else if (name == "--smooth")
-            request.smooth = value();
-        else if (argument == "--lamps")
-            request.lists = true;
-        else
-            others.push_back(argument);
-    }
-    request.options = read_options(others, diagnostics);
+    const std::vector<std::string> others = take_options(
+        "relight", arguments,
+        [&](std::string_view name, std::string value) {
+            if (name == "--set")
+                request.settings.push_back(std::move(value));
+            else if (std::string* const file = show_file(name, request.show))
+                *file = std::move(value);
+            else if (name == "--smooth")
+                request.smooth = std::move(value);
+            else if (name == "--lamps")
+                request.lists = true;
+        },
+        diagnostics);
+    request.options =
+        read_options(std::vector<std::string_view>(others.begin(), others.end()), diagnostics);
     Options& options = request.options;
     // The file stands where a run has its scene.
     const std::size_t files = std::erase_if(options.given, [](const GivenOption& each) {

@@ -6,6 +6,7 @@
 #include "app/sandbox.h"
 #include "film/develop.h"
 #include "film/glare.h"
+#include "options/subcommands.h"
 #include "output/layers.h"
 #include "output/light_file.h"
 #include "picture/file.h"
@@ -20,6 +21,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -45,21 +47,13 @@ ShareRequest read_share_request(std::span<const std::string_view> arguments,
     ShareRequest request;
     std::vector<std::string_view> others;
     std::vector<std::string> files;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const std::string_view argument = arguments[i];
-        const bool named = argument == "-o" || argument == "--output";
-        if (named && i + 1 < arguments.size())
-            request.page = arguments[++i];
-        else if (argument.starts_with("--output="))
-            request.page = argument.substr(argument.find('=') + 1);
-        else if (argument.starts_with("+O"))
-            request.page = argument.substr(2);
-        else if (!argument.starts_with('-') && !argument.starts_with('+') &&
-                 ends_as(argument, ".exr"))
-            files.emplace_back(argument);
+    const auto take = [&](std::string_view, std::string value) { request.page = std::move(value); };
+    const std::vector<std::string> words = take_options("share", arguments, take, diagnostics);
+    for (const std::string& word : words)
+        if (!word.starts_with('-') && !word.starts_with('+') && ends_as(word, ".exr"))
+            files.push_back(word);
         else
-            others.push_back(argument);
-    }
+            others.push_back(word);
     if (!files.empty()) request.light = files.front();
     request.options = files.empty() ? read_options(others, diagnostics, disk_reader(), settings)
                                     : read_options(others, diagnostics);

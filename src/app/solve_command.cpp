@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/solve_command.h"
 
-#include "app/sandbox.h"
-#include "options/memory_limit.h"
+#include "app/frame_commands.h"
+#include "app/surroundings.h"
 #include "options/options.h"
+#include "options/subcommands.h"
 #include "tasks/scene_run.h"
 #include "tasks/solve_powers.h"
 #include "text/decimal.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,14 +30,15 @@ struct SolveWords {
 
 class SolveReader {
 public:
-    SolveReader(std::span<const std::string_view> arguments, Diagnostics& diagnostics)
-        : arguments_(arguments), diagnostics_(diagnostics) {}
+    explicit SolveReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
 
-    SolveWords read(const std::string& settings) {
-        std::vector<std::string_view> others;
-        for (; at_ < arguments_.size(); ++at_)
-            if (!take(arguments_[at_])) others.push_back(arguments_[at_]);
-        made_.options = read_options(others, diagnostics_, disk_reader(), settings);
+    SolveWords read(std::span<const std::string_view> arguments, const std::string& settings) {
+        const std::vector<std::string> others = take_options(
+            "solve", arguments,
+            [&](std::string_view name, std::string value) { take(name, std::move(value)); },
+            diagnostics_);
+        made_.options = read_options(std::vector<std::string_view>(others.begin(), others.end()),
+                                     diagnostics_, disk_reader(), settings);
         if (!diagnostics_.failed()) check();
         made_.options.task = Task::measure;
         made_.options.readings_file = output_;
@@ -45,33 +46,19 @@ public:
     }
 
 private:
-    /// Takes an option of solve. Returns false for others.
-    bool take(std::string_view argument) {
-        const std::size_t equals = argument.find('=');
-        const std::string_view name = argument.substr(0, equals);
-        const auto value = [&] {
-            if (equals != argument.npos) return std::string(argument.substr(equals + 1));
-            if (at_ + 1 < arguments_.size()) return std::string(arguments_[++at_]);
-            fail(message("`", name, "` needs a value"), "");
-            return std::string();
-        };
-        if (argument.starts_with("+O"))
-            output_ = argument.substr(2);
-        else if (name == "-o" || name == "--output")
-            output_ = value();
+    void take(std::string_view name, std::string value) {
+        if (name == "--output")
+            output_ = std::move(value);
         else if (name == "--on")
-            name_meter(value());
+            name_meter(std::move(value));
         else if (name == "--lux" || name == "--mean-lux")
-            add_demand(name, value(), name == "--mean-lux");
+            add_demand(name, value, name == "--mean-lux");
         else if (name == "--lamps")
-            made_.solve.lamps.push_back(value());
-        else if (argument == "--together")
+            made_.solve.lamps.push_back(std::move(value));
+        else if (name == "--together")
             made_.solve.together = true;
-        else if (name == "--max-power")
-            read_most(value());
         else
-            return false;
-        return true;
+            read_most(value);
     }
 
     void name_meter(std::string name) {
@@ -140,10 +127,8 @@ private:
         diagnostics_.add(error(Fault::option, {}, std::move(text)).with_help(std::move(help)));
     }
 
-    std::span<const std::string_view> arguments_;
     Diagnostics& diagnostics_;
     SolveWords made_;
-    std::size_t at_ = 0;
     std::string output_;
     std::optional<std::string> meter_;  ///< of --on
     bool bounded_ = false;              ///< whether something is asked of the last one
@@ -153,23 +138,24 @@ private:
 
 int run_solve(std::span<const std::string_view> arguments, const Console& console) {
     Diagnostics diagnostics;
-    SolveWords words = SolveReader(arguments, diagnostics).read(console.settings);
-    Options& options = words.options;
-    if (!options.memory_bytes) options.memory_bytes = usual_memory_limit();
-    options.libraries.insert(options.libraries.end(), console.first_libraries.begin(),
-                             console.first_libraries.end());
-    options.commands = {};
-    const bool ready =
-        !diagnostics.failed() &&
-        confined(options, sandbox_rules(options, console.library), console, diagnostics);
-    if (!ready) {
-        say_errors(console, options, diagnostics);
+    SolveWords words = SolveReader(diagnostics).read(arguments, console.settings);
+    if (diagnostics.failed()) {
+        say_errors(console, words.options, diagnostics);
         return exit_status::usage;
     }
-    Console own = console;
-    own.made_files = std::make_shared<MadeFiles>(*options.scene);
-    return run_over_scene(options, own, diagnostics,
-                          [&](SceneSteps& steps) { return solve_powers(steps, words.solve); });
+    return run_with_surroundings(
+        std::move(words.options), console, diagnostics,
+        [&](const Options& options, const Console& own) {
+            const auto solve = [&] {
+                return run_over_scene(options, own, diagnostics, [&](SceneSteps& steps) {
+                    return solve_powers(steps, words.solve);
+                });
+            };
+            return with_commands(options.commands, Moment::pre_scene, Moment::post_scene,
+                                 command_facts(options),
+                                 [&]() -> Outcome { return with_frame_commands(options, solve); })
+                .status;
+        });
 }
 
 }  // namespace candelabra

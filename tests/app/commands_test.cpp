@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
+#include "options/subcommands.h"
 #include "picture/read.h"
 #include "support/shell.h"
 
@@ -324,6 +325,16 @@ TEST_CASE("every picture says what made it, as far as its format has room") {
             for (const char* part : {" seed=7;", " samples=2;"}) CHECK(has(bytes, part));
         Diagnostics diagnostics;
         CHECK(read_picture(shell.path(name), diagnostics));  // the text does no harm
+    }
+}
+
+TEST_CASE("each subcommand of the table has its help", "[app]") {
+    Shell shell;
+    for (const Subcommand& command : subcommands()) {
+        const std::string name(command.name);
+        INFO(name);
+        CHECK(shell({name, "--help"}) == exit_status::done);
+        CHECK(has(shell.out, "usage: candelabra " + name));
     }
 }
 
