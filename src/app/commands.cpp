@@ -190,7 +190,7 @@ int run_with(Options options, const Console& console, Diagnostics diagnostics) {
                                       printable(options.mesh_file), "` is not by its ending"))
                             .with_help("--export-mesh mesh.ply, or mesh.obj"));
     if (measures_light(options)) check_measuring(options, diagnostics);
-    if (options.task != Task::measure && is_given(options, "until"))
+    if (options.task != Task::measure && options.kept_lights.empty() && is_given(options, "until"))
         diagnostics.add(warning(Fault::no_effect, {},
                                 "--until is the error at which --measure ends, and nothing is "
                                 "measured at meters")

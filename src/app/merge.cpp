@@ -8,12 +8,15 @@
 #include "output/layers.h"
 #include "picture/file.h"
 #include "production/checkpoint.h"
+#include "relight/light_recorder.h"
+#include "tasks/kept_lights.h"
 #include "text/message.h"
 #include "text/printable.h"
 #include "transport/aovs.h"
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -46,7 +49,11 @@ public:
         if (!state.finished)
             missing(message("`", printable(name), "` is not finished"), Gaps::around);
         if (!diagnostics_.failed()) sum_up(state);
+        if (!diagnostics_.failed()) join_lamps(name, state);
     }
+
+    /// What the states have kept of the light of lamps; null if one of them has kept none.
+    const LightRecorder* lamps() const { return lamps_.get(); }
 
     /// Describes the states, one a line. Precondition: at least one state was added.
     std::string report() const {
@@ -82,6 +89,7 @@ public:
         sum_.state.shard.first_sample = parts_.front().shard.first_sample;
         sum_.state.shard.first_tile = 0;
         sum_.state.shard.tile_step = 1;
+        if (lamps_) sum_.lamps = lamps_->state(0);
         return std::move(sum_);
     }
 
@@ -151,6 +159,17 @@ private:
         sum_.finished &= one.finished;
     }
 
+    /// Joins what the states have kept of the light of lamps, if all have.
+    void join_lamps(const std::string& name, const Checkpoint& one) {
+        if (parts_.size() > 1 && !lamps_) return;
+        auto part = one.lamps.empty() ? nullptr : LightRecorder::of_state(one.lamps);
+        if (!part || parts_.size() == 1)
+            lamps_ = std::move(part);
+        else if (!lamps_->adopt(std::move(*part), one.state.shard))
+            refuse(message("`", printable(name), "` has kept light in another way than `",
+                           printable(parts_.front().name), "`"));
+    }
+
     void check_tiles() {
         const int count = shard().tile_step;
         std::set<int> found;
@@ -186,6 +205,7 @@ private:
     Diagnostics& diagnostics_;
     std::vector<Part> parts_;
     Checkpoint sum_;
+    std::unique_ptr<LightRecorder> lamps_;
 };
 
 struct Request {
@@ -200,7 +220,7 @@ bool matters(std::string_view given) {
     static constexpr auto all = std::to_array<std::string_view>(
         {"Output_File_Name=", "Output_File_Type=", "+F",
          "Bits_Per_Color=", "Grayscale_Output=", "Verbose=", "--diagnostics=", "--warn=",
-         "Warning_Level=", "Input_File_Name=", "--sandbox="});
+         "Warning_Level=", "Input_File_Name=", "--sandbox=", "--keep-lights=", "Work_Threads="});
     return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
 }
 
@@ -248,8 +268,14 @@ std::string usual_output(std::string file) {
 
 bool makes_state(const Request& request) { return request.options.output.ends_with(state_ending); }
 
-bool write_result(const Request& request, const Checkpoint& result, Diagnostics& diagnostics) {
+bool write_result(const Request& request, const Checkpoint& result, const LightRecorder* lamps,
+                  Diagnostics& diagnostics) {
     Options options = request.options;
+    if (!lamps && !options.kept_lights.empty()) {
+        diagnostics.add(error(Fault::option, {}, "not all of the states have kept light of lamps")
+                            .with_help("render all shards with --keep-lights FILE"));
+        return false;
+    }
     if (makes_state(request)) {
         const auto bytes = encode(result, diagnostics);
         return bytes && write_file(options.output, *bytes, diagnostics);
@@ -273,7 +299,10 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
         description(result.identity, static_cast<int>(result.samples), output.format);
     files.path = output.path;
     files.format = output.format;
-    return write_film(result.state.film, files, diagnostics);
+    files.threads = options.render.threads;
+    if (!options.kept_lights.empty())
+        write_kept_lights(*lamps, result.state.film, files, options.kept_lights, diagnostics);
+    return write_film(result.state.film, files, diagnostics) && !diagnostics.failed();
 }
 
 }  // namespace
@@ -303,7 +332,8 @@ int merge(std::span<const std::string_view> arguments, const Console& console) {
     if (request.status) console.out(joiner.report());
     if (!result) return end(exit_status::usage);
     if (request.status) return end(exit_status::done);
-    return end(write_result(request, *result, diagnostics) ? exit_status::done : exit_status::file);
+    return end(write_result(request, *result, joiner.lamps(), diagnostics) ? exit_status::done
+                                                                           : exit_status::file);
 }
 
 }  // namespace candelabra

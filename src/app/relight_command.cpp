@@ -15,6 +15,7 @@
 #include "output/light_file.h"
 #include "picture/file.h"
 #include "relight/light_show.h"
+#include "relight/meter_table.h"
 #include "relight/record_file.h"
 #include "relight/relighting.h"
 #include "text/message.h"
@@ -43,6 +44,7 @@ struct RelightRequest {
 RelightRequest read_relight_request(std::span<const std::string_view> arguments,
                                     Diagnostics& diagnostics) {
     RelightRequest request;
+    std::string readings;
     const std::vector<std::string> others = take_options(
         "relight", arguments,
         [&](std::string_view name, std::string value) {
@@ -52,6 +54,8 @@ RelightRequest read_relight_request(std::span<const std::string_view> arguments,
                 *file = std::move(value);
             else if (name == "--smooth")
                 request.smooth = std::move(value);
+            else if (name == "--meters")
+                readings = std::move(value);
             else if (name == "--lamps")
                 request.lists = true;
         },
@@ -59,6 +63,7 @@ RelightRequest read_relight_request(std::span<const std::string_view> arguments,
     request.options =
         read_options(std::vector<std::string_view>(others.begin(), others.end()), diagnostics);
     Options& options = request.options;
+    options.readings_file = readings;
     // The file stands where a run has its scene.
     const std::size_t files = std::erase_if(options.given, [](const GivenOption& each) {
         return each.line.starts_with("Input_File_Name=");
@@ -126,6 +131,25 @@ public:
         return !diagnostics_.failed();
     }
 
+    /// Writes the readings of the meters in all frames. Returns false after an error has been
+    /// reported.
+    bool measure(const Console& console) {
+        if (records_.meters.meters.empty())
+            return fail(message("`", printable(*options_.scene),
+                                "` keeps no readings: its scene had no meter of lux or cd/m2"),
+                        "meter { \"Street\" corner <0, 0, 0> along 30*x across 7*z }");
+        std::string table = show_.frames() > 0 ? "frame," : "";
+        table += relit_readings_head;
+        for (std::size_t i = 0; i < std::max<std::size_t>(show_.frames(), 1); ++i) {
+            const std::string begin = show_.frames() > 0 ? message(i + 1, ",") : std::string();
+            table += relit_readings(records_, show_.factors(i), begin);
+        }
+        if (options_.readings_file != "-")
+            return write_file(options_.readings_file, table, diagnostics_);
+        console.out(table);
+        return true;
+    }
+
     /// Makes all pictures, and joins them to a movie if one is wanted.
     bool make() {
         const std::size_t frames = show_.frames();
@@ -150,6 +174,11 @@ public:
     }
 
 private:
+    bool fail(std::string text, std::string help) {
+        diagnostics_.add(error(Fault::option, {}, std::move(text)).with_help(std::move(help)));
+        return false;
+    }
+
     bool write(std::size_t frame, FilmFiles& files) {
         Negative negative;
         negative.light = relighting_->picture(show_.factors(frame));
@@ -197,7 +226,12 @@ int relight_as_asked(const RelightRequest& request, const Console& console,
     if (!relighter.prepare(request)) return exit_status::usage;
     check_movie(request.options, diagnostics);
     if (diagnostics.failed()) return exit_status::usage;
-    return relighter.make() ? exit_status::done : exit_status::file;
+    const Options& options = request.options;
+    if (!options.readings_file.empty() && !relighter.measure(console)) return exit_status::file;
+    // Who asks for a table alone gets no picture.
+    const bool pictures =
+        options.readings_file.empty() || !options.output.empty() || !options.movie.empty();
+    return !pictures || relighter.make() ? exit_status::done : exit_status::file;
 }
 
 }  // namespace

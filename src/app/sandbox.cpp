@@ -122,6 +122,8 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library,
     } else {
         for (const std::string& file : files) rules.writable.push_back(folder_around(file));
     }
+    for (const std::string& file : {options.readings_file, options.kept_lights})
+        if (!file.empty() && file != "-") rules.writable.push_back(folder_around(file));
     return rules;
 }
 

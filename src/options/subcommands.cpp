@@ -38,6 +38,7 @@ constexpr auto of_relight = std::to_array<Option>({
     {"--patch", "which lamps hang on which channels", "file"},
     {"--curve", "light that a channel gives: linear, square or an exponent", "curve"},
     {"--smooth", "pixels over which noise of crowds is averaged", "number"},
+    {"--meters", "table of the meters' readings in each frame", "file"},
     {"--lamps", "prints the names of the lamps"},
 });
 constexpr auto of_solve = std::to_array<Option>({

@@ -34,29 +34,41 @@ std::optional<std::string> encode(const LayeredPicture& picture, Diagnostics& di
     return std::nullopt;
 }
 
-std::optional<LayeredPicture> read_layers(const std::string& path,
+std::optional<std::string> bytes_of_layers(const std::string& path, Diagnostics& diagnostics) {
+    auto bytes = content_of_file(path);
+    if (!bytes)
+        diagnostics.add(error(Fault::io, {},
+                              message("cannot read `", printable(path),
+                                      "`: it cannot be opened, or is no regular file")));
+    return bytes;
+}
+
+std::optional<LayeredPicture> read_layers(std::string_view bytes, const std::string& path,
                                           std::span<const std::string_view> texts,
                                           Diagnostics& diagnostics) {
-    const auto fail = [&](std::string_view problem) {
-        diagnostics.add(error(
-            Fault::io, {}, message("cannot read `", printable(path), "`: ", printable(problem))));
-        return std::nullopt;
-    };
-    // Read everything through one handle, without looking up the name again.
-    const auto bytes = content_of_file(path);
-    if (!bytes) return fail("it cannot be opened, or is no regular file");
     LayeredPicture picture;
     for (const std::string_view name : texts) picture.texts.emplace_back(name, "");
     std::string problem;
-    if (reads_exr(*bytes)) {
-        problem = read_exr(*bytes, max_pixels, picture);
+    if (reads_exr(bytes)) {
+        problem = read_exr(bytes, max_pixels, picture);
     } else {
         const Formats* formats = picture_formats(diagnostics);
         if (!formats) return std::nullopt;
-        problem = formats->read_layers(*bytes, max_pixels, picture);
+        problem = formats->read_layers(bytes, max_pixels, picture);
     }
     if (problem.empty() && !is_whole(picture)) problem = "it is damaged: pixels of it are missing";
-    return problem.empty() ? std::optional(std::move(picture)) : fail(problem);
+    if (problem.empty()) return picture;
+    diagnostics.add(
+        error(Fault::io, {}, message("cannot read `", printable(path), "`: ", printable(problem))));
+    return std::nullopt;
+}
+
+std::optional<LayeredPicture> read_layers(const std::string& path,
+                                          std::span<const std::string_view> texts,
+                                          Diagnostics& diagnostics) {
+    // Read everything through one handle, without looking up the name again.
+    const auto bytes = bytes_of_layers(path, diagnostics);
+    return bytes ? read_layers(*bytes, path, texts, diagnostics) : std::nullopt;
 }
 
 }  // namespace candelabra

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace candelabra {
 
@@ -19,5 +20,10 @@ std::optional<std::string> encode(const LayeredPicture&, Diagnostics&);
 /// nothing, with a diagnostic, if the file is not an OpenEXR file or is damaged.
 std::optional<LayeredPicture> read_layers(const std::string& path,
                                           std::span<const std::string_view> texts, Diagnostics&);
+/// The same for the bytes of a file, whose path is for messages.
+std::optional<LayeredPicture> read_layers(std::string_view bytes, const std::string& path,
+                                          std::span<const std::string_view> texts, Diagnostics&);
+/// Returns the bytes of a file; nothing, with a diagnostic, if it cannot be read.
+std::optional<std::string> bytes_of_layers(const std::string& path, Diagnostics&);
 
 }  // namespace candelabra

@@ -6,6 +6,7 @@
 #include "picture/write.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "text/sha256.h"
 
 #include <algorithm>
 #include <array>
@@ -164,6 +165,39 @@ bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint
     return first && second && !checkpoint.identity.empty() && tiles && samples && region && counts;
 }
 
+/// Behind the picture of a state stand the bytes of the light of lamps, their digest, their number
+/// (the lowest byte first) and these letters.
+constexpr std::string_view lamps_mark = "CANDLAMP";
+constexpr std::size_t digest_bytes = 64, number_bytes = 8;
+
+void append_lamps(std::string& bytes, const std::string& lamps) {
+    if (lamps.empty()) return;
+    bytes += lamps;
+    bytes += sha256(lamps);
+    for (std::size_t i = 0; i < number_bytes; ++i)
+        bytes += static_cast<char>(std::uint64_t{lamps.size()} >> (8 * i) & 0xFFU);
+    bytes += lamps_mark;
+}
+
+/// Takes the light of lamps from the end of the bytes, if it is there. Returns false if it is
+/// damaged.
+bool take_lamps(std::string_view& bytes, std::string& lamps) {
+    if (!bytes.ends_with(lamps_mark)) return true;
+    constexpr std::size_t end = digest_bytes + number_bytes + lamps_mark.size();
+    if (bytes.size() < end) return false;
+    std::uint64_t size = 0;
+    for (std::size_t i = 0; i < number_bytes; ++i)
+        size |= std::uint64_t{static_cast<unsigned char>(
+                    bytes[bytes.size() - lamps_mark.size() - number_bytes + i])}
+                << (8 * i);
+    if (size > bytes.size() - end) return false;
+    const std::size_t first = bytes.size() - end - static_cast<std::size_t>(size);
+    lamps = bytes.substr(first, static_cast<std::size_t>(size));
+    const bool whole = sha256(lamps) == bytes.substr(first + lamps.size(), digest_bytes);
+    bytes = bytes.substr(0, first);
+    return whole;
+}
+
 }  // namespace
 
 std::uint64_t bytes_to_encode(int width, int height, std::size_t aovs) {
@@ -195,17 +229,24 @@ std::optional<std::string> encode(const Checkpoint& checkpoint, Diagnostics& dia
         {std::string(texts[1]), share_text(checkpoint)},
         {std::string(texts[2]), message(checkpoint.state.rounds, ' ', checkpoint.finished ? 1 : 0,
                                         ' ', *checksum(picture))}};
-    return encode(picture, diagnostics);
+    auto bytes = encode(picture, diagnostics);
+    if (bytes) append_lamps(*bytes, checkpoint.lamps);
+    return bytes;
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics& diagnostics) {
-    const auto picture = read_layers(path, texts, diagnostics);
+    const auto bytes = bytes_of_layers(path, diagnostics);
+    if (!bytes) return std::nullopt;
+    Checkpoint checkpoint;
+    std::string_view before_lamps = *bytes;
+    const bool has_whole_lamps = take_lamps(before_lamps, checkpoint.lamps);
+    const auto picture = read_layers(before_lamps, path, texts, diagnostics);
     if (!picture) return std::nullopt;
     const auto fail = [&](std::string_view why) {
         diagnostics.add(error(Fault::io, {}, message("`", printable(path), "` ", why)));
         return std::nullopt;
     };
-    Checkpoint checkpoint;
+    if (!has_whole_lamps) return fail("is damaged: the light of its lamps is not what it was");
     std::uint64_t sum = 0;
     if (!read_texts(*picture, checkpoint, sum)) return fail("is no state of a picture");
     if (checksum(*picture) != sum) return fail("is damaged: its sums are not those that it had");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The state of an unfinished picture in a file. The file is an OpenEXR picture that any viewer
 // shows; further planes hold the exact sums of each pixel, and the header identifies the picture.
+// The light of lamps follows behind the picture.
 // States are written at intervals, read to continue, and merged from many machines.
 #pragma once
 
@@ -24,6 +25,7 @@ struct Checkpoint {
     std::uint32_t samples = 0;      ///< per pixel of this share, if uniform
     std::uint32_t all_samples = 0;  ///< per pixel of the whole picture, if uniform
     bool finished = false;
+    std::string lamps;  ///< what keeps the light of lamps has kept, as its bytes; empty: nothing
 
     friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
 };

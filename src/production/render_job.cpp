@@ -153,9 +153,12 @@ bool RenderJob::can_keep_lamps(const Checkpoint* old) {
     if (rendering_.shot.moments() > 1)
         return refuse("--keep-lights is for lamps that stand still, and the shutter is open",
                       "a camera without a shutter, or --layers lights");
-    if (old && max_samples(old->state) > 0)
-        return refuse("--keep-lights begins with the picture, and its state has samples already",
-                      "without +C it is begun anew, and without --keep-lights it goes on");
+    if (old && max_samples(old->state) > 0 && !plan_.lamps.go_on(old->lamps))
+        return refuse(old->lamps.empty()
+                          ? "the state has samples whose light was not kept by --keep-lights"
+                          : "the state keeps light in another way than this run would",
+                      "the same --keep-lights-size goes on; without +C it is begun anew, and "
+                      "without --keep-lights it goes on");
     return true;
 }
 
@@ -201,7 +204,8 @@ bool RenderJob::has_room_for_state(std::uint64_t held, std::uint64_t limit) {
     if (!can_keep()) return true;
     const RenderSettings& settings = plan_.options.render;
     const std::uint64_t need = held + bytes_to_encode(settings.width, settings.height,
-                                                      extras_.count(*rendering_.shot.world));
+                                                      extras_.count(*rendering_.shot.world)) +
+                               plan_.lamps.memory;
     if (need <= limit) return true;
     state_fits_ = false;
     const bool wanted = plan_.shard || plan_.options.keep_state;
@@ -262,7 +266,9 @@ bool RenderJob::prepare() {
 
 bool RenderJob::save(Diagnostics& diagnostics) {
     try {
+        if (plan_.lamps.sink) checkpoint_.lamps = plan_.lamps.state();
         const auto bytes = encode(checkpoint_, diagnostics);
+        checkpoint_.lamps.clear();
         return bytes && write_file(state_path(plan_), *bytes, diagnostics);
     } catch (const std::bad_alloc&) {  // the scene has taken more memory since prepare()
         diagnostics.add(error(Fault::io, {}, "there is not enough memory for a state")

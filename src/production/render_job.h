@@ -16,6 +16,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace candelabra {
@@ -40,6 +41,9 @@ struct JobPlan {
     struct Lamps {
         LampSink* sink = nullptr;  ///< see RenderHooks
         std::uint64_t memory = 0;  ///< in bytes
+        /// Its bytes for a state of the picture, and what goes on from these; false: it cannot.
+        std::function<std::string()> state = {};
+        std::function<bool(std::string_view)> go_on = {};
     };
     Lamps lamps = {};
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "film/film.h"
+#include "film/picture_shard.h"
 #include "relight/light_records.h"
 #include "relight/tile_light.h"
 #include "relight/world_lamps.h"
@@ -10,8 +11,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace candelabra {
@@ -39,15 +43,33 @@ public:
     /// Most bytes of memory that it takes.
     std::uint64_t most_memory() const;
 
-    /// Returns the records when all samples have been made; the recorder is empty then.
-    LightRecords finish(const Film&, int threads);
+    const LampList& lamps() const { return made_.lamps; }
+    std::uint32_t place_of(Lamp lamp) const { return lamps_.place_of(lamp); }
+    void keep(KeptMeters meters) { made_.meters = std::move(meters); }
+
+    /// Returns the records when all samples have been made.
+    LightRecords finish(const Film&, int threads) const;
+
+    /// Returns the bytes of all that has been kept so far.
+    std::string state(int threads) const;
+    /// Goes on from a state, and keeps its own meters. Returns false, and changes nothing, if it is
+    /// of other lamps or another size, or damaged.
+    bool go_on(std::string_view state);
+    /// Returns what a state has kept; null if it is damaged. It takes no more light.
+    static std::unique_ptr<LightRecorder> of_state(std::string_view);
+    /// Takes the blocks that a part of the picture has made, and its meters, if it has some. Returns
+    /// false if the part is of another picture or size.
+    bool adopt(LightRecorder&& part, const PictureShard&);
 
 private:
+    LightRecorder() = default;
+
+    bool is_like(const LightRecorder&) const;
     std::uint64_t seed_of(std::size_t tile) const;
 
-    WorldLamps lamps_;
-    LightRecords made_;
-    std::size_t room_;  ///< bytes of a tile
+    WorldLamps lamps_;      ///< without their list
+    LightRecords made_;     ///< without tiles
+    std::size_t room_ = 0;  ///< bytes of a tile
     std::vector<TileLight> tiles_;
 };
 

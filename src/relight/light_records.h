@@ -2,6 +2,7 @@
 // The light of each lamp in a whole picture, of which pictures under other powers are made.
 #pragma once
 
+#include "relight/kept_meters.h"
 #include "relight/lamp_list.h"
 #include "relight/tile_records.h"
 
@@ -13,8 +14,9 @@ namespace candelabra {
 struct LightRecords {
     int width = 0, height = 0;
     LampList lamps;
-    std::string origin;              ///< program, scene with its digest, options: see description()
-    std::string film;                ///< see to_text(const FilmSettings&); empty: none
+    std::string origin;  ///< program, scene with its digest, options: see description()
+    std::string film;    ///< see to_text(const FilmSettings&); empty: none
+    KeptMeters meters;
     std::vector<float> alpha;        ///< of each pixel, 0 to 1; empty: none
     std::vector<TileRecords> tiles;  ///< row by row
 

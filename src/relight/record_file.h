@@ -2,7 +2,8 @@
 // The file that keeps the light of each lamp. It is its own format:
 //     "CANDLAMP", version (u32), size of the rest (u64), the rest, SHA-256 of all before it (text).
 // The rest is blocks, each its size (u64), its packed size (u64) and its bytes by zlib: a head with
-// the size of the picture and the lamps, one for the alpha channel, and one for each row of tiles.
+// the size of the picture and the lamps, one for the meters, one for the alpha channel, and one for
+// each row of tiles.
 // Numbers have their lowest byte first.
 #pragma once
 

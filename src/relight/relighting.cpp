@@ -2,6 +2,7 @@
 #include "relight/relighting.h"
 
 #include "base/parallel.h"
+#include "relight/factor_means.h"
 #include "relight/half.h"
 #include "relight/plane_blur.h"
 
@@ -10,33 +11,6 @@
 namespace candelabra {
 
 namespace {
-
-/// Means of the factors over ranges of lamps, by the powers of the lamps.
-class FactorMeans {
-public:
-    FactorMeans(const LampList& lamps, std::span<const Vec3> factors) : sums_(1) {
-        sums_.reserve(factors.size() + 1);
-        for (std::size_t i = 0; i < factors.size(); ++i) {
-            const double power = lamps.powers()[i];
-            Sum next = sums_.back();
-            next.power += power;
-            next.light += power * factors[i];
-            sums_.push_back(next);
-        }
-    }
-
-    Vec3 operator()(const LampRange& range) const {
-        const Sum &first = sums_[range.first], &last = sums_[range.last];
-        return (last.light - first.light) / (last.power - first.power);
-    }
-
-private:
-    struct Sum {
-        double power = 0;
-        Vec3 light = Vec3(0);
-    };
-    std::vector<Sum> sums_;
-};
 
 /// One tile under some factors: light that is exact for each lamp, and that of crowds.
 class RelitTile {

@@ -3,6 +3,7 @@
 
 #include "base/order.h"
 #include "base/random.h"
+#include "relight/byte_stream.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,68 @@ void append_entries_of(const LampRange& range, const TilePlanes& planes,
     }
 }
 
+void append_entries_to(std::string& bytes, const std::vector<LampEntry>& entries) {
+    append_short(bytes, entries.size());
+    for (const LampEntry& entry : entries) {
+        append_number(bytes, entry.lamp);
+        append_number(bytes, entry.pixel);
+        append_number(bytes, static_cast<std::uint8_t>(entry.seen ? 1 : 0));
+        for (const float channel : entry.light) append_float(bytes, channel);
+    }
+}
+
+bool take_entries_of(ByteReader& reader, std::uint32_t lamps, std::vector<LampEntry>& entries) {
+    constexpr std::size_t own_bytes = 18;
+    const std::uint64_t count = reader.short_number();
+    if (!reader.has(count, own_bytes)) return false;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        LampEntry& entry = entries.emplace_back();
+        entry.lamp = reader.number<std::uint32_t>();
+        entry.pixel = reader.number<std::uint8_t>();
+        entry.seen = reader.number<std::uint8_t>() != 0;
+        for (float& channel : entry.light) channel = reader.real();
+        if (entry.lamp >= lamps || entry.pixel >= tile_pixels || !std::isfinite(entry.size()))
+            return false;
+    }
+    return reader.good();
+}
+
 }  // namespace
+
+void TileLight::append_to(std::string& bytes) const {
+    append_short(bytes, nodes_.size());
+    for (const Node& node : nodes_) {
+        append_number(bytes, node.range.first);
+        append_number(bytes, node.range.last);
+        for (const float value : node.light) append_float(bytes, value);
+    }
+    for (const auto* entries : {&own_, &residual_, &fresh_}) append_entries_to(bytes, *entries);
+}
+
+std::optional<TileLight> TileLight::take(std::string_view& bytes, std::uint32_t lamps) {
+    ByteReader reader(bytes);
+    TileLight tile;
+    const std::uint64_t nodes = reader.short_number();
+    if (!reader.has(nodes, 2 * sizeof(std::uint32_t) + sizeof(TilePlanes))) return std::nullopt;
+    for (std::uint64_t i = 0; i < nodes; ++i) {
+        Node node;
+        node.range.first = reader.number<std::uint32_t>();
+        node.range.last = reader.number<std::uint32_t>();
+        const std::uint32_t before = tile.nodes_.empty() ? 0 : tile.nodes_.back().range.last;
+        if (node.range.first < before || node.range.last <= node.range.first ||
+            node.range.last > lamps)
+            return std::nullopt;
+        for (float& value : node.light) {
+            value = reader.real();
+            if (!std::isfinite(value)) return std::nullopt;
+        }
+        tile.nodes_.push_back(node);
+    }
+    for (auto* entries : {&tile.own_, &tile.residual_, &tile.fresh_})
+        if (!take_entries_of(reader, lamps, *entries)) return std::nullopt;
+    bytes = reader.left();
+    return tile;
+}
 
 void TileLight::add(std::uint32_t lamp, std::size_t pixel, const Vec3& light, bool seen) {
     const double size = std::abs(light.x) + std::abs(light.y) + std::abs(light.z);

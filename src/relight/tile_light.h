@@ -9,7 +9,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace candelabra {
@@ -34,6 +37,12 @@ public:
     /// Returns the records of a tile that has all its samples, within so many bytes. Nothing is
     /// left of the tile.
     TileRecords finished(const LampList&, const TilePixels&, std::size_t bytes, std::uint64_t seed);
+
+    /// Appends the bytes of all that it holds, from which another run goes on.
+    void append_to(std::string& bytes) const;
+    /// Takes it from the front of the bytes. Returns nothing if they are not those of a tile with
+    /// this number of lamps.
+    static std::optional<TileLight> take(std::string_view& bytes, std::uint32_t lamps);
 
 private:
     static constexpr std::size_t most_fresh = std::size_t{1} << 16;

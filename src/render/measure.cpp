@@ -79,12 +79,24 @@ public:
         }
     }
 
-    /// Adds what lamps contributed to the last sample, which was of an illuminance.
-    void add_lamps(const LampColumns& columns, std::span<double> by_column) {
+    /// Adds what lamps contributed to the last sample, which was of an illuminance or a luminance.
+    void add_lamps(const Meter& meter, const LampColumns& columns, std::span<double> by_column) {
+        const double factor = meter.measures() == Quantity::luminance ? 1 : pi;
         std::vector<LampPart>& parts = integrator_.ledger().parts;
-        for (const LampPart& part : parts)
-            if (const std::size_t column = columns.of(part.lamp); column < columns.count)
-                by_column[column] += pi * units_.luminance(light_luminance(part.light));
+        for (const LampPart& part : parts) {
+            const std::size_t column = columns.of(part.lamp);
+            if (column >= columns.count) continue;
+            const auto add = [&](std::size_t to, const Vec3& light) {
+                by_column[to] += factor * units_.luminance(light_luminance(light));
+            };
+            if (columns.in_colours) {
+                add(column, {part.light.x, 0, 0});
+                add(column + 1, {0, part.light.y, 0});
+                add(column + 2, {0, 0, part.light.z});
+            } else {
+                add(column, part.light);
+            }
+        }
         parts.clear();
     }
 
@@ -229,8 +241,8 @@ struct Task {
     std::vector<std::array<Sums, batch_count>> sums;  ///< of each place
     /// Of each half of the batches: sums of each place and column.
     std::array<std::vector<double>, 2> by_column = {};
-    double scale = 1;                                 ///< factor on results
-    double road = 0;                                  ///< mean luminance for a threshold increment
+    double scale = 1;  ///< factor on results
+    double road = 0;   ///< mean luminance for a threshold increment
     std::uint32_t of_batch = 0;
     bool done = false;
 
@@ -304,8 +316,7 @@ public:
             task.reading.area = length(cross(meter.along, meter.across)) * metres * metres;
             task.sums.resize(task.reading.places.size());
             task.scale = scale_of(meter, world);
-            for (auto& each : task.by_column)
-                each.resize(task.sums.size() * settings.lamps.count);
+            for (auto& each : task.by_column) each.resize(task.sums.size() * settings.lamps.count);
             key += task.sums.size();
             tasks_.push_back(std::move(task));
         }
@@ -368,8 +379,8 @@ private:
                 prober.add(task.meter, task.reading.places[i], key, task.sums[i][batch]);
                 if (settings_.lamps.count == 0) continue;
                 std::vector<double>& sums = task.by_column[batch * 2 / batch_count];
-                prober.add_lamps(settings_.lamps, {sums.data() + i * settings_.lamps.count,
-                                                   settings_.lamps.count});
+                prober.add_lamps(task.meter, settings_.lamps,
+                                 {sums.data() + i * settings_.lamps.count, settings_.lamps.count});
             }
         }
     }

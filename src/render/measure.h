@@ -22,6 +22,8 @@ namespace candelabra {
 struct LampColumns {
     std::size_t count = 0;                      ///< 0: it is not told apart
     std::function<std::size_t(Lamp)> of = {};  ///< the column of a lamp; from `count` on: none
+    /// Red, green and blue light have three columns, from that of the lamp on.
+    bool in_colours = false;
 };
 
 struct MeasureSettings {
@@ -30,7 +32,7 @@ struct MeasureSettings {
     int samples = 0;  ///< of each point, rounded up to equal batches; 0: as many as the goal needs
     /// The error of all values of a meter at which it is done.
     MeterGoal goal;
-    /// Only for meters whose unit is lux.
+    /// Only for meters of illuminance and luminance.
     LampColumns lamps = {};
     /// True: stop after the round of samples under way.
     std::function<bool()> ended = {};

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/kept_lights.h"
 
+#include "meter/places.h"
 #include "options/output.h"
 #include "output/film_images.h"
 #include "output/layers.h"
 #include "picture/file.h"
 #include "relight/light_recorder.h"
 #include "relight/record_file.h"
+#include "render/measure.h"
+#include "tasks/measuring.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -14,6 +17,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -34,12 +38,12 @@ void check_kept_lights(const Options& options, Diagnostics& diagnostics) {
                                 .with_help("--keep-lights FILE"));
         return;
     }
-    const bool part = !options.shard.empty() && options.shard_by != ShardBy::frames;
+    const bool part = !options.shard.empty() && options.shard_by == ShardBy::samples;
     if (options.task != Task::render || options.preview_port)
         refuse("--keep-lights is for pictures that are rendered to the end", "", diagnostics);
     else if (part)
-        refuse("--keep-lights needs the whole picture, and a shard is a part of it",
-               "--layers lights goes with shards", diagnostics);
+        refuse("--keep-lights needs all samples of a pixel, and a shard by samples has some",
+               "--shard-by tiles", diagnostics);
     else if (options.draft)
         refuse("--keep-lights keeps light as it is, and --draft averages it",
                "--denoise averages it in a picture beside the exact one", diagnostics);
@@ -72,15 +76,42 @@ std::unique_ptr<LightRecorder> light_recorder(const World& world, const SourceSt
     return std::make_unique<LightRecorder>(std::move(lamps), plan);
 }
 
-void write_kept_lights(LightRecorder& recorder, const Film& film, const FilmFiles& files,
-                       const Options& options, Diagnostics& diagnostics) {
+bool keep_meters(LightRecorder& recorder, SceneSteps& steps, const Shot& shot,
+                 std::span<const Meter> all) {
+    // One shard measures for all.
+    if (steps.shard() && steps.shard()->number > 1) return true;
+    const double metres = shot.world->rules.settings.light_units().metres;
+    std::vector<Meter> meters;
+    std::size_t points = 0;
+    for (const Meter& meter : all) {
+        const std::size_t own = is_sum_of_lamps(meter) ? places_of(meter, metres).size() : 0;
+        if (own > 0) meters.push_back(meter);
+        points += own;
+    }
+    if (meters.empty()) return true;
+    std::vector<LampRange> nodes = nodes_for_points(recorder.lamps(), points);
+    std::vector<std::size_t> columns(recorder.lamps().size());
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+        for (std::uint32_t lamp = nodes[n].first; lamp < nodes[n].last; ++lamp)
+            columns[lamp] = 3 * n;
+    bool stopped = false;
+    MeasureSettings settings = measure_settings(steps, stopped);
+    settings.lamps = {3 * nodes.size(), [&](Lamp lamp) { return columns[recorder.place_of(lamp)]; },
+                      true};
+    const std::vector<MeterReading> readings = measure(shot, meters, settings);
+    recorder.keep(kept_meters(meters, readings, std::move(nodes)));
+    return !stopped;
+}
+
+void write_kept_lights(const LightRecorder& recorder, const Film& film, const FilmFiles& files,
+                       const std::string& path, Diagnostics& diagnostics) {
     LightRecords records = recorder.finish(film, files.threads);
     records.origin = files.format.description;
     if (files.film.on) records.film = to_text(files.film);
-    if (options.alpha)
+    if (files.alpha)
         for (const double alpha : alpha_of(film))
             records.alpha.push_back(std::clamp(static_cast<float>(alpha), 0.0F, 1.0F));
-    write_file(options.kept_lights, encode(records, files.threads), diagnostics);
+    write_file(path, encode(records, files.threads), diagnostics);
 }
 
 }  // namespace candelabra

@@ -6,13 +6,18 @@
 #include "text/diagnostic.h"
 
 #include <memory>
+#include <span>
+#include <string>
 
 namespace candelabra {
 
 class Film;
 struct FilmFiles;
 class LightRecorder;
+struct Meter;
 struct PictureFormat;
+class SceneSteps;
+struct Shot;
 class SourceStore;
 class World;
 
@@ -24,7 +29,12 @@ void check_kept_lights(const Options&, Diagnostics&);
 std::unique_ptr<LightRecorder> light_recorder(const World&, const SourceStore&,
                                               const PictureFormat&, const Options&, Diagnostics&);
 
+/// Measures the light of each lamp at the meters whose readings are sums, as --measure would with
+/// these options, and has it kept with that of the picture. Returns false if a signal came.
+bool keep_meters(LightRecorder&, SceneSteps&, const Shot&, std::span<const Meter>);
+
 /// Writes the light of a film that is complete. Reports failure.
-void write_kept_lights(LightRecorder&, const Film&, const FilmFiles&, const Options&, Diagnostics&);
+void write_kept_lights(const LightRecorder&, const Film&, const FilmFiles&, const std::string& path,
+                       Diagnostics&);
 
 }  // namespace candelabra

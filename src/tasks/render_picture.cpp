@@ -12,9 +12,11 @@
 #include "text/printable.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace candelabra {
 
@@ -80,7 +82,7 @@ void say_made(SceneSteps& steps, const std::string& made) {
     if (options.draft) say(steps.console(), Stream::statistics, draft_words);
 }
 
-int render_shot(SceneSteps& steps, const Shot& shot) {
+int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> meters) {
     const Options& options = steps.options();
     const World& world = *shot.world;
     Diagnostics& diagnostics = steps.diagnostics();
@@ -103,7 +105,11 @@ int render_shot(SceneSteps& steps, const Shot& shot) {
     const auto recorder =
         light_recorder(world, steps.sources(), steps.output().format, options, diagnostics);
     if (steps.say_diagnostics()) return exit_status::usage;
-    if (recorder) plan.lamps = {recorder.get(), recorder->most_memory()};
+    const int threads = options.render.threads;
+    if (recorder)
+        plan.lamps = {recorder.get(), recorder->most_memory(),
+                      [&] { return recorder->state(threads); },
+                      [&](std::string_view state) { return recorder->go_on(state); }};
     RenderJob job(plan, shot, steps.console().interrupts, diagnostics);
     const bool locks = job.can_keep();
     const FileLock lock(locks ? state_path(plan) : std::string());
@@ -114,6 +120,7 @@ int render_shot(SceneSteps& steps, const Shot& shot) {
         job.prepare();
     if (steps.say_diagnostics()) return exit_status::file;
     if (!take_turn(steps)) return exit_status::stopped;
+    if (recorder && !keep_meters(*recorder, steps, shot, meters)) return exit_status::stopped;
     const JobEnd end = work(steps, job);
     if (end == JobEnd::stopped) return say_stopped(steps, plan, job);
     files.format.description = description(identity, job.samples(), files.format);
@@ -123,7 +130,8 @@ int render_shot(SceneSteps& steps, const Shot& shot) {
         finished({job.film(), files, world, job.rays(), steps.sources()});
     if (options.to_file && whole && end == JobEnd::finished)
         write_film(job.film(), files, diagnostics);
-    if (recorder) write_kept_lights(*recorder, job.film(), files, options, diagnostics);
+    if (recorder && whole)
+        write_kept_lights(*recorder, job.film(), files, options.kept_lights, diagnostics);
     const bool lost = diagnostics.failed();
     job.leave_state(!whole || options.keep_state || lost);
     if (options.light_report) steps.console().err(light_report(world, job.rays(), steps.sources()));
@@ -139,10 +147,11 @@ int render_shot(SceneSteps& steps, const Shot& shot) {
 int render_picture(SceneSteps& steps) {
     std::optional<Scene> scene = steps.reviewed_scene();
     if (!scene) return exit_status::scene;
+    const std::vector<Meter> meters = scene->meters;
     const SharedWorld world = steps.compiled(std::move(*scene), Session::Shutter::all_samples);
     if (!world) return exit_status::scene;
     const Shot shot = steps.shot(world);
-    return render_shot(steps, shot);
+    return render_shot(steps, shot, meters);
 }
 
 }  // namespace candelabra
