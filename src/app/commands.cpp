@@ -114,9 +114,11 @@ constexpr auto commands = std::to_array<Command>({
      "Finds the least powers of lamps with which meters of a scene read what they are to;\n"
      "candelabra-solve(1) says more.\n"},
     {"share", run_share,
-     "usage: candelabra share [-o page.html] [option ...] scene.pov|picture.exr\n"
-     "Makes a page to share: a picture whose lamps can be dimmed and coloured in any browser. "
-     "Options\nare those of a picture; see section PAGES TO SHARE of candelabra(1).\n"},
+     "usage: candelabra share [-o page.html] [option ...] "
+     "scene.pov|picture.exr|scene.lights\n"
+     "Makes a page to share: a picture whose lamps can be dimmed and coloured in any browser, or "
+     "that\nplays a show. Options are those of a picture; see section PAGES TO SHARE of "
+     "candelabra(1).\n"},
     {"light",
      [](std::span<const std::string_view> arguments, const Console& console) {
          bound_memory();

@@ -62,7 +62,10 @@ std::optional<LightRequest> asked_by(std::span<const std::string_view> arguments
         else
             fail("`--set` needs the number of a lamp set, from 1");
     };
-    for (std::string& word : take_options("light", arguments, take, diagnostics))
+    Diagnostics given;
+    std::vector<std::string> words = take_options("light", arguments, take, given);
+    if (given.failed()) return fail(given.all().front().message);
+    for (std::string& word : words)
         if (word.starts_with('-') && word != "-")
             return fail(message("light has no option `", printable(word), "`"));
         else

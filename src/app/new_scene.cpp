@@ -47,14 +47,16 @@ std::optional<NewScene> wanted_by(std::span<const std::string_view> arguments,
         return std::nullopt;
     };
     const auto take = [&](std::string_view, std::string name) { wanted.name = std::move(name); };
-    for (const std::string& word : take_options("new", arguments, take, diagnostics))
+    Diagnostics given;
+    const std::vector<std::string> words = take_options("new", arguments, take, given);
+    if (given.failed()) return fail(given.all().front().message);
+    for (const std::string& word : words)
         if (word.starts_with('-'))
             return fail(message("new has no option `", printable(word), "`"));
         else if (!wanted.path.empty())
             return fail("only one scene is made at a time");
         else
             wanted.path = word;
-    if (diagnostics.failed()) return std::nullopt;
     if (wanted.path.empty()) return fail("new needs the name of the scene's file");
     if (fs::path(wanted.path).extension().empty()) wanted.path += ".pov";
     return wanted;

@@ -35,7 +35,6 @@ namespace {
 
 struct RelightRequest {
     Options options;
-    std::vector<std::string> settings;  ///< of --set
     ShowFiles show;
     std::string smooth;  ///< of --smooth; empty: not
     bool lists = false;  ///< names the lamps, and nothing else
@@ -48,16 +47,14 @@ RelightRequest read_relight_request(std::span<const std::string_view> arguments,
     const std::vector<std::string> others = take_options(
         "relight", arguments,
         [&](std::string_view name, std::string value) {
-            if (name == "--set")
-                request.settings.push_back(std::move(value));
-            else if (std::string* const file = show_file(name, request.show))
-                *file = std::move(value);
-            else if (name == "--smooth")
+            if (name == "--smooth")
                 request.smooth = std::move(value);
             else if (name == "--meters")
                 readings = std::move(value);
             else if (name == "--lamps")
                 request.lists = true;
+            else
+                take_show_option(name, std::move(value), request.show);
         },
         diagnostics);
     request.options =
@@ -102,8 +99,6 @@ public:
     /// Reads what the lamps do, and where the pictures go. Returns false after an error has been
     /// reported.
     bool prepare(const RelightRequest& request) {
-        for (const std::string& setting : request.settings)
-            if (!show_.set(setting, diagnostics_)) return false;
         if (!read_show(request.show, show_, options_, diagnostics_)) return false;
         constexpr double most = 100;
         const auto smooth = request.smooth.empty() ? std::optional(0.0) : number(request.smooth);
@@ -241,9 +236,7 @@ int run_relight(std::span<const std::string_view> arguments, const Console& cons
     const RelightRequest request = read_relight_request(arguments, diagnostics);
     const std::string files[] = {request.options.scene.value_or("")};
     SandboxRules rules = sandbox_rules(request.options, console.library, files);
-    for (const std::string& file :
-         {request.show.table, request.show.fseq, request.show.raw, request.show.patch})
-        if (!file.empty()) rules.readable.push_back(file);
+    for (const std::string& file : request.show.paths()) rules.readable.push_back(file);
     if (!diagnostics.failed()) confined(request.options, rules, console, diagnostics);
     const int status =
         diagnostics.failed() ? exit_status::usage : relight_as_asked(request, console, diagnostics);

@@ -4,6 +4,8 @@
 #include "app/commands.h"
 #include "app/develop_command.h"
 #include "app/sandbox.h"
+#include "app/share_show.h"
+#include "app/show_files.h"
 #include "film/develop.h"
 #include "film/glare.h"
 #include "options/subcommands.h"
@@ -35,22 +37,32 @@ namespace fs = std::filesystem;
 struct ShareRequest {
     Options options;
     std::string page;   ///< as given; empty: named after the scene or the file
-    std::string light;  ///< the OpenEXR file; empty: a scene is rendered
+    std::string light;  ///< the file that has the light; empty: a scene is rendered
+    ShowFiles show;     ///< of a file that keeps the light of lamps
 };
 
 bool ends_as(std::string_view path, std::string_view ending) {
     return lower_case(fs::path(path).extension().string()) == ending;
 }
 
+/// Whether a file keeps the light of lamps, by its name.
+bool keeps_lamps(std::string_view path) { return ends_as(path, ".lights"); }
+
 ShareRequest read_share_request(std::span<const std::string_view> arguments,
                                 Diagnostics& diagnostics, const std::string& settings) {
     ShareRequest request;
     std::vector<std::string_view> others;
     std::vector<std::string> files;
-    const auto take = [&](std::string_view, std::string value) { request.page = std::move(value); };
+    const auto take = [&](std::string_view name, std::string value) {
+        if (name == "--output")
+            request.page = std::move(value);
+        else
+            take_show_option(name, std::move(value), request.show);
+    };
     const std::vector<std::string> words = take_options("share", arguments, take, diagnostics);
     for (const std::string& word : words)
-        if (!word.starts_with('-') && !word.starts_with('+') && ends_as(word, ".exr"))
+        if (!word.starts_with('-') && !word.starts_with('+') &&
+            (ends_as(word, ".exr") || keeps_lamps(word)))
             files.push_back(word);
         else
             others.push_back(word);
@@ -61,11 +73,15 @@ ShareRequest read_share_request(std::span<const std::string_view> arguments,
         diagnostics.add(error(Fault::option, {}, std::move(text)).with_help(std::move(help)));
     };
     const Options& options = request.options;
+    const bool has_show = !request.show.paths().empty() || !request.show.settings.empty();
     if (files.size() + (options.scene ? 1 : 0) > 1)
-        fail("a page has one picture, of a scene or of an OpenEXR file");
+        fail("a page has one picture, of a scene or of a file with light");
     else if (files.empty() && !options.scene)
-        fail("share needs a scene, or an OpenEXR file with layers of light",
+        fail("share needs a scene, an OpenEXR file with layers of light, or kept lights",
              "candelabra share scene.pov -o page.html");
+    else if (has_show && !keeps_lamps(request.light))
+        fail("a show needs the light that --keep-lights has kept",
+             "candelabra share scene.lights --csv frames.csv -o page.html");
     else if (options.task != Task::render || options.preview_port)
         fail("share makes a page and nothing else");
     else if (options.animation.final_frame || options.animation.initial_frame)
@@ -104,7 +120,7 @@ public:
         : file_(file), options_(options), diagnostics_(diagnostics) {}
 
     /// Returns nothing after an error has been reported.
-    std::optional<SharedPicture> picture(const std::string& page) {
+    std::optional<SharedPicture> picture(const std::string& name) {
         const auto film = film_of(file_, options_, diagnostics_);
         if (!film) return std::nullopt;
         made_.film = *film;
@@ -115,14 +131,10 @@ public:
         if (!take_lamps(denoised ? quiet + ".light." : "light.", *whole)) return std::nullopt;
         made_.width = whole->width;
         made_.height = whole->height;
-        made_.title = made_.name = fs::path(page).stem().string();
+        made_.title = made_.name = name;
         made_.exposure = exposure_of({*whole, {}, {}}, made_.film);
         for (Image& light : lights_) light = on_film(std::move(light));
-        constexpr double usual_pixels = 1280.0 * 720;
-        const double size =
-            std::max(1.0, static_cast<double>(whole->width) * whole->height / usual_pixels);
-        const std::size_t room = room_for_light(
-            made_, static_cast<std::size_t>(size * static_cast<double>(most_page_bytes)));
+        const std::size_t room = room_for_light(made_, most_bytes_of_page(*whole));
         made_.light = light_code_within(lights_, room, options_.render.threads);
         return std::move(made_);
     }
@@ -183,12 +195,20 @@ private:
     std::vector<Image> lights_;
 };
 
-/// Makes the page. Returns false after an error has been reported.
-bool make_page(const std::string& light, const std::string& page, const Options& options,
-               const Console& console, Diagnostics& diagnostics) {
+std::optional<SharedPicture> picture_of(const std::string& light, const ShowFiles& show,
+                                        const std::string& page, const Options& options,
+                                        Diagnostics& diagnostics) {
+    const std::string name = fs::path(page).stem().string();
+    if (keeps_lamps(light)) return shared_show(light, show, name, options, diagnostics);
     const auto file = LightFile::read(light, diagnostics);
-    if (!file) return false;
-    const auto picture = PageMaker(*file, options, diagnostics).picture(page);
+    if (!file) return std::nullopt;
+    return PageMaker(*file, options, diagnostics).picture(name);
+}
+
+/// Makes the page. Returns false after an error has been reported.
+bool make_page(const std::string& light, const ShowFiles& show, const std::string& page,
+               const Options& options, const Console& console, Diagnostics& diagnostics) {
+    const auto picture = picture_of(light, show, page, options, diagnostics);
     if (!picture) return false;
     const std::string text = share_page(*picture);
     if (!write_file(page, text, diagnostics)) return false;
@@ -205,11 +225,13 @@ int share_file(const ShareRequest& request, const std::string& page, const Conso
                Diagnostics& diagnostics) {
     Options options = request.options;
     options.output = page;
-    const std::string files[] = {request.light};
+    std::vector<std::string> files = request.show.paths();
+    files.push_back(request.light);
     const SandboxRules rules = sandbox_rules(options, console.library, files);
     if (!confined(options, rules, console, diagnostics)) return exit_status::usage;
-    return make_page(request.light, page, options, console, diagnostics) ? exit_status::done
-                                                                         : exit_status::file;
+    return make_page(request.light, request.show, page, options, console, diagnostics)
+               ? exit_status::done
+               : exit_status::file;
 }
 
 /// Renders the scene with the light of its lamps, and makes the page of it.
@@ -226,7 +248,7 @@ int share_scene(const ShareRequest& request, const std::string& page, const Cons
         options.layers.push_back(PictureLayer::lights);
     const int status = run_with(options, console, diagnostics.fresh());
     if (status != exit_status::done) return status;
-    const bool made = make_page(options.output, page, request.options, console, diagnostics);
+    const bool made = make_page(options.output, {}, page, request.options, console, diagnostics);
     if (!made) {
         console.err(message("the light of the scene is kept in `", printable(options.output),
                             "`, from which share makes a page as well\n"));

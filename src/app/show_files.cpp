@@ -110,7 +110,18 @@ private:
 
 }  // namespace
 
-std::string* show_file(std::string_view option, ShowFiles& files) {
+std::vector<std::string> ShowFiles::paths() const {
+    std::vector<std::string> made;
+    for (const std::string& file : {table, fseq, raw, patch})
+        if (!file.empty()) made.push_back(file);
+    return made;
+}
+
+bool take_show_option(std::string_view option, std::string value, ShowFiles& files) {
+    if (option == "--set") {
+        files.settings.push_back(std::move(value));
+        return true;
+    }
     const std::array<std::pair<std::string_view, std::string*>, 6> all = {{
         {"--csv", &files.table},
         {"--fseq", &files.fseq},
@@ -121,7 +132,9 @@ std::string* show_file(std::string_view option, ShowFiles& files) {
     }};
     const auto found =
         std::ranges::find(all, option, &std::pair<std::string_view, std::string*>::first);
-    return found == all.end() ? nullptr : found->second;
+    if (found == all.end()) return false;
+    *found->second = std::move(value);
+    return true;
 }
 
 bool read_show(const ShowFiles& files, LightShow& show, Options& options,
@@ -130,6 +143,8 @@ bool read_show(const ShowFiles& files, LightShow& show, Options& options,
         diagnostics.add(error(Fault::option, {}, text).with_help(help));
         return false;
     };
+    for (const std::string& setting : files.settings)
+        if (!show.set(setting, diagnostics)) return false;
     const int shows =
         (files.table.empty() ? 0 : 1) + (files.fseq.empty() ? 0 : 1) + (files.raw.empty() ? 0 : 1);
     if (shows > 1) return fail("a show comes from one file", "--csv, --fseq or --raw");

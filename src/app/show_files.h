@@ -8,6 +8,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace candelabra {
 
@@ -19,13 +20,17 @@ struct ShowFiles {
     std::string channels;  ///< of --channels: of a frame in the bytes
     std::string patch;     ///< of --patch
     std::string curve;     ///< of --curve
+    std::vector<std::string> settings = {};  ///< of each --set
+
+    /// The files that are read.
+    std::vector<std::string> paths() const;
 };
 
-/// Returns where the value of an option such as `--fseq` belongs; null for other options.
-std::string* show_file(std::string_view option, ShowFiles&);
+/// Takes an option that says what lamps do, such as `--fseq`. Returns false for other options.
+bool take_show_option(std::string_view option, std::string value, ShowFiles&);
 
-/// Reads the files into a show. A file that says how many frames a second it has sets the rate,
-/// unless the options do. Returns false after an error has been reported.
+/// Reads the files and the settings into a show. A file that says how many frames a second it has
+/// sets the rate, unless the options do. Returns false after an error has been reported.
 bool read_show(const ShowFiles&, LightShow&, Options&, Diagnostics&);
 
 }  // namespace candelabra

@@ -51,7 +51,7 @@ std::vector<Spelling> spellings() {
 /// The options of a subcommand as they are written, each before its value.
 std::vector<Spelling> spellings_of(const Subcommand& command) {
     std::vector<Spelling> all;
-    for (const SubcommandOption& option : command.options) {
+    for (const SubcommandOption& option : options_of(command)) {
         const bool valued = !option.parameter.empty(), path = option.parameter == "file";
         all.push_back({std::string(option.name), std::string(option.help), valued, valued, path});
         if (option.name == "--output")

@@ -29,7 +29,8 @@ constexpr auto of_develop = std::to_array<Option>({
     {"--scale", "end of the scale of false colours", "number"},
     {"--isolines", "draws lines of equal value"},
 });
-constexpr auto of_relight = std::to_array<Option>({
+/// What lamps do in a show.
+constexpr auto of_shows = std::to_array<Option>({
     {"--set", "power and colour of lamps in all pictures: Lamp=0.2,#ff8800", "lamp"},
     {"--csv", "table of frames or of cues", "file"},
     {"--fseq", "show of channels, as xLights saves it", "file"},
@@ -37,6 +38,8 @@ constexpr auto of_relight = std::to_array<Option>({
     {"--channels", "channels in a frame of bare bytes", "number"},
     {"--patch", "which lamps hang on which channels", "file"},
     {"--curve", "light that a channel gives: linear, square or an exponent", "curve"},
+});
+constexpr auto of_relight = std::to_array<Option>({
     {"--smooth", "pixels over which noise of crowds is averaged", "number"},
     {"--meters", "table of the meters' readings in each frame", "file"},
     {"--lamps", "prints the names of the lamps"},
@@ -64,10 +67,10 @@ constexpr auto every_subcommand = std::to_array<Subcommand>({
     {"merge", "joins the states of shards", "exr", true, of_merge},
     {"develop", "develops light in OpenEXR files", "exr", true, of_develop},
     {"relight", "lights a rendered scene with other powers of its lamps", "lights", true,
-     of_relight},
+     of_relight, of_shows},
     {"solve", "finds powers of lamps with which meters read what they are to", "pov|ini", true,
      of_solve},
-    {"share", "makes a page to share", "pov|exr", true, of_share},
+    {"share", "makes a page to share", "pov|exr|lights", true, of_share, of_shows},
     {"light", "describes the photometry of a luminaire", "ies|ldt", false, of_light},
     {"fmt", "lays out scene files", "pov|inc", false, of_fmt},
     {"describe", "lists what the language, the options and the library have", ""},
@@ -75,6 +78,12 @@ constexpr auto every_subcommand = std::to_array<Subcommand>({
 });
 
 }  // namespace
+
+std::vector<Option> options_of(const Subcommand& command) {
+    std::vector<Option> options(command.options.begin(), command.options.end());
+    options.insert(options.end(), command.shared.begin(), command.shared.end());
+    return options;
+}
 
 std::span<const Subcommand> subcommands() { return every_subcommand; }
 
@@ -84,10 +93,11 @@ std::vector<std::string> take_options(
     Diagnostics& diagnostics) {
     const Subcommand& command =
         *std::ranges::find(every_subcommand, subcommand, &Subcommand::name);
+    const std::vector<Option> options = options_of(command);
     const auto find = [&](std::string_view name) {
-        return std::ranges::find(command.options, name, &Option::name);
+        return std::ranges::find(options, name, &Option::name);
     };
-    const auto none = command.options.end();
+    const auto none = options.end();
     const bool has_output = find("--output") != none;
     std::vector<std::string> others;
     for (std::size_t i = 0; i < arguments.size(); ++i) {

@@ -13,7 +13,7 @@
 
 namespace candelabra {
 
-/// An option of a subcommand, written `--name VALUE` or `--name=VALUE`, or `--name` without a value.
+/// An option of a subcommand, written `--name VALUE`, `--name=VALUE`, or `--name` alone.
 struct SubcommandOption {
     std::string_view name;  ///< with its dashes; `--output` is `-o` and `+O`, too
     std::string_view help;
@@ -26,7 +26,11 @@ struct Subcommand {
     std::string_view endings;  ///< of the files that it reads, divided by `|`; empty: none
     bool takes_run = false;    ///< whether it takes options of a run as well
     std::span<const SubcommandOption> options = {};
+    std::span<const SubcommandOption> shared = {};  ///< that other subcommands have as well
 };
+
+/// All options of a subcommand.
+std::vector<SubcommandOption> options_of(const Subcommand&);
 
 /// In the order in which help names them.
 std::span<const Subcommand> subcommands();

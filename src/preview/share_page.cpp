@@ -95,11 +95,19 @@ PageJson facts_json(const SharedPicture& picture) {
     PageJson shown = PageJson::array();
     for (const std::string& lamp : picture.lamps)
         shown.push_back(lamp == "rest" ? "Other light" : lamp);
-    return {{"name", picture.name},       {"width", picture.width},
-            {"height", picture.height},   {"lamps", shown},
-            {"names", picture.lamps},     {"levels", picture.light.levels},
-            {"step", picture.light.step}, {"gain", light_code_gain},
-            {"film", film_json(picture)}};
+    PageJson json = {{"name", picture.name},       {"width", picture.width},
+                     {"height", picture.height},   {"lamps", shown},
+                     {"names", picture.lamps},     {"levels", picture.light.levels},
+                     {"step", picture.light.step}, {"gain", light_code_gain},
+                     {"film", film_json(picture)}};
+    if (picture.show) {
+        const SharedShow& show = *picture.show;
+        json["show"] = {{"columns", show.columns}, {"rows", show.rows},     {"cell", show.cell},
+                        {"groups", show.groups},   {"strong", show.strong}, {"frames", show.frames},
+                        {"rate", show.rate},       {"scale", show.scale},   {"grey", show.grey},
+                        {"sizes", show.sizes}};
+    }
+    return json;
 }
 
 }  // namespace
@@ -111,6 +119,7 @@ std::string share_page(const SharedPicture& picture) {
         {"STYLE-OF-THE-PAGE", std::string(share_style)},
         {"DATA-OF-THE-PAGE", within_script(facts_json(picture))},
         {"LIGHT-OF-THE-PAGE", base64(picture.light.bytes)},
+        {"SHOW-OF-THE-PAGE", base64(picture.show ? picture.show->bytes : std::string())},
         {"SCRIPT-OF-THE-PAGE", std::string(share_script)}};
     // Places are searched in the frame alone, so that no title can name one.
     std::string page;

@@ -7,6 +7,10 @@
 #include "camera/film_settings.h"
 #include "picture/light_code.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +18,21 @@
 namespace candelabra {
 
 extern const std::string_view share_frame, share_style, share_script;
+
+/// A show that the page plays, for which the layers of light are that of crowds of lamps, that of
+/// none, and those of some lamps; see relight/page_records.h.
+struct SharedShow {
+    int columns = 0, rows = 0;          ///< cells
+    int cell = 0;                       ///< pixels along the sides of a cell
+    std::vector<std::uint32_t> groups;  ///< numbers of lamps, in the order of the list
+    std::vector<std::uint32_t> strong;  ///< places of lamps that have layers of light
+    std::size_t frames = 1;
+    double rate = 0;                        ///< frames a second
+    double scale = 1;                       ///< the greatest factor of a lamp
+    bool grey = true;                       ///< frames have a byte of each lamp, otherwise three
+    std::array<std::size_t, 4> sizes = {};  ///< of cells, dots, powers and frames, unpacked
+    std::string bytes;                      ///< these, packed by zlib
+};
 
 struct SharedPicture {
     std::string title;               ///< any text; the page shows it as it is
@@ -23,6 +42,8 @@ struct SharedPicture {
     LightCode light;                 ///< with glare and vignette
     FilmSettings film;
     double exposure = 0;  ///< in stops, including automatic exposure
+    /// Its groups are the first lamps, and behind those that have one comes `rest`.
+    std::optional<SharedShow> show = {};
 };
 
 /// Returns the page. The name `rest` is shown as light without a lamp.

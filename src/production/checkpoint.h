@@ -25,7 +25,7 @@ struct Checkpoint {
     std::uint32_t samples = 0;      ///< per pixel of this share, if uniform
     std::uint32_t all_samples = 0;  ///< per pixel of the whole picture, if uniform
     bool finished = false;
-    std::string lamps;  ///< what keeps the light of lamps has kept, as its bytes; empty: nothing
+    std::string lamps = {};  ///< the light of lamps that has been kept, as bytes; empty: none
 
     friend bool operator==(const Checkpoint&, const Checkpoint&) = default;
 };

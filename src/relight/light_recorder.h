@@ -57,8 +57,8 @@ public:
     bool go_on(std::string_view state);
     /// Returns what a state has kept; null if it is damaged. It takes no more light.
     static std::unique_ptr<LightRecorder> of_state(std::string_view);
-    /// Takes the blocks that a part of the picture has made, and its meters, if it has some. Returns
-    /// false if the part is of another picture or size.
+    /// Takes the blocks that a part of the picture has made, and its meters, if it has some.
+    /// Returns false if the part is of another picture or size.
     bool adopt(LightRecorder&& part, const PictureShard&);
 
 private:

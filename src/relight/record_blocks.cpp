@@ -77,13 +77,18 @@ std::uint64_t most_unpacked(std::size_t file_bytes) {
     return small_file + factor * file_bytes;
 }
 
-std::string block_of(const std::string& raw) {
-    constexpr int fast = 1;
+std::string packed_by_zlib(const std::string& raw, int effort) {
     uLongf size = compressBound(static_cast<uLong>(raw.size()));
     std::string packed(size, '\0');
     compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-              reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()), fast);
+              reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()), effort);
     packed.resize(size);
+    return packed;
+}
+
+std::string block_of(const std::string& raw) {
+    constexpr int fast = 1;
+    const std::string packed = packed_by_zlib(raw, fast);
     std::string block;
     append_number(block, static_cast<std::uint64_t>(raw.size()));
     append_number(block, static_cast<std::uint64_t>(packed.size()));

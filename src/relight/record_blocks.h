@@ -13,6 +13,9 @@
 
 namespace candelabra {
 
+/// Returns the bytes packed by zlib; effort: 1 to 9.
+std::string packed_by_zlib(const std::string& raw, int effort);
+
 /// Returns a block with the bytes.
 std::string block_of(const std::string& raw);
 

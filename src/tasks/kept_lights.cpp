@@ -38,7 +38,8 @@ void check_kept_lights(const Options& options, Diagnostics& diagnostics) {
                                 .with_help("--keep-lights FILE"));
         return;
     }
-    const bool part = !options.shard.empty() && options.shard_by == ShardBy::samples;
+    const bool part = !options.shard.empty() && options.shard_by != ShardBy::frames &&
+                      options.shard_by != ShardBy::tiles;
     if (options.task != Task::render || options.preview_port)
         refuse("--keep-lights is for pictures that are rendered to the end", "", diagnostics);
     else if (part)

@@ -130,4 +130,39 @@ TEST_CASE("options that mean nothing to merge are not passed over in silence") {
     CHECK(farm.err.empty());
 }
 
+TEST_CASE("light that shards by tiles keep is merged to the bytes of the single run", "[relight]") {
+    Farm farm;
+    farm.write("lit.pov", std::string(lit_scene) +
+                              "#for (I, 0, 99) sphere { <I/10 - 5, 1, 0>, 0.01 pigment { rgb 1 } "
+                              "finish { ambient 0 diffuse 0 emission 30 } } #end\n"
+                              "meter { \"M\" points { 2, <0, -0.9, 0>, <1, -0.9, 0> } }");
+    const std::vector<std::string> way = {"--samples", "16", "--keep-lights-size", "80K"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.end(), way.begin(), way.end());
+        return more;
+    };
+    farm.alone(with({"--keep-lights", farm.path("whole.lights"), "+WT1"}));
+    const std::string whole = farm.content("whole.lights");
+    REQUIRE(whole != "");
+    for (const char* shard : {"1/3", "2/3", "3/3"})
+        REQUIRE(farm.share(shard, with({"--keep-lights", farm.path("part.lights"), "--shard-by",
+                                        "tiles", "+WT2"})) == 0);
+    CHECK_FALSE(fs::exists(farm.path("part.lights")));
+    const std::vector<std::string> all = {"3of3", "1of3", "2of3"};
+    REQUIRE(farm.merge(all, {"--keep-lights", farm.path("merged.lights")}) == 0);
+    CHECK(farm.err == "");
+    CHECK(farm.content("a.png") == farm.content("b.png"));
+    CHECK(farm.content("merged.lights") == whole);
+    // A state that they make has it, too.
+    REQUIRE(farm.merge({"1of3", "2of3", "3of3"}, {"+O" + farm.path("c.state.exr")}) == 0);
+    REQUIRE(farm({"merge", farm.path("c.state.exr"), "+O" + farm.path("c.png"), "--keep-lights",
+                  farm.path("again.lights")}) == 0);
+    CHECK(farm.content("again.lights") == whole);
+    // Without the option there is the picture alone, and without light there is none to merge.
+    REQUIRE(farm.merge(all) == 0);
+    REQUIRE(farm.share("2/3", {"--samples", "16", "--shard-by", "tiles"}) == 0);
+    CHECK(farm.merge(all, {"--keep-lights", farm.path("none.lights")}) != 0);
+    CHECK(has(farm.err, "not all of the states have kept light"));
+}
+
 }  // namespace candelabra

@@ -3,12 +3,14 @@
 
 #include "output/light_file.h"
 #include "support/shell.h"
+#include "text/message.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 namespace candelabra {
 
@@ -185,6 +187,78 @@ TEST_CASE("a film develops what is relit", "[app][relight]") {
         different += std::abs(static_cast<unsigned char>(right[right.size() - i]) -
                               static_cast<unsigned char>(relit[relit.size() - i])) > 1;
     CHECK(different == 0);
+}
+
+TEST_CASE("meters are read under other powers, frame by frame", "[app][relight]") {
+    Relit run;
+    run.write("room.pov",
+              with(with(room_of_lamps, "EXTRA", "photometry { unit 1 } integrator { path_traced }"),
+                   "MORE",
+                   "meter { \"floor\" points { 2, <0, 0.01, 0.5>, <1, 0.01, -1> } direction y }\n"
+                   "meter { \"glare\" ugr points { 1, <0, 1, -3> } direction z }\n"
+                   "meter { \"seen\" luminance eye <0, 2, -6> points { 1, <0, 0.01, 0> } }"));
+    run.rendered("1024", {"--keep-lights", run.path("room.lights")});
+    run.write("show.csv", "KeyLamp,SignLamp\n1,1\n0,#00ff00\n");
+    REQUIRE(run({"relight", run.path("room.lights"), "--csv", run.path("show.csv"), "--meters",
+                 "-"}) == 0);
+    CHECK(run.err == "");
+    CHECK(run.out.starts_with("frame,meter,quantity,unit,point,x,y,z,value\n"));
+    CHECK(has(run.out, "\n2,seen,luminance,cd/m2,1,0,0.01,0,"));
+    CHECK_FALSE(has(run.out, "glare"));
+    CHECK(run.content("room1.png") == "");
+    const auto values_in = [](const std::string& table, std::string_view meter, int cell) {
+        std::vector<double> values;
+        std::istringstream lines(table);
+        for (std::string line; std::getline(lines, line);) {
+            if (line.find(meter) == line.npos) continue;
+            std::size_t at = 0;
+            for (int i = 0; i < cell; ++i) at = line.find(',', at) + 1;
+            values.push_back(std::stod(line.substr(at)));
+        }
+        return values;
+    };
+    const std::string relit = run.out;
+    REQUIRE(run({run.path("room.pov"), "-V", "--measure", "-", "--samples", "4096", "Declare=Key=0",
+                 "--declare", "Sign=<0,1,0>"}) == 0);
+    for (const char* meter : {"floor", "seen"}) {
+        const auto made = values_in(relit, message("2,", meter, ","), 8),
+                   right = values_in(run.out, meter, 7), low = values_in(run.out, meter, 8);
+        REQUIRE(made.size() == right.size());
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            INFO(meter << " " << made[i] << " " << right[i]);
+            CHECK(std::abs(made[i] - right[i]) < 4 * (right[i] - low[i]) + 0.02 * right[i]);
+        }
+    }
+    run.write("room.pov", with(with(room_of_lamps, "EXTRA", ""), "MORE", ""));
+    run.rendered("1", {"--keep-lights", run.path("room.lights")});
+    CHECK(run({"relight", run.path("room.lights"), "--meters", "-"}) != 0);
+    CHECK(has(run.err, "its scene had no meter"));
+}
+
+TEST_CASE("a picture whose light is kept goes on from its state to the same bytes",
+          "[app][relight]") {
+    Relit run;
+    run.write("room.pov", with(with(room_of_lamps, "EXTRA", ""), "MORE", ""));
+    const std::vector<std::string> words = {
+        run.path("room.pov"), "-V", "+W64", "+H64", "--samples", "16", "+O" + run.path("room.png"),
+        "--keep-lights", run.path("room.lights"), "+WT1"};
+    REQUIRE(run(words) == 0);
+    const std::string picture = run.content("room.png"), lights = run.content("room.lights");
+    std::filesystem::remove(run.path("room.png"));
+    std::filesystem::remove(run.path("room.lights"));
+    for (const int stop : {40, 400}) {
+        int asked = 0;
+        run.interrupts.take = [&] { return ++asked == stop ? Interrupt::stop : Interrupt::none; };
+        CHECK(run(words) == exit_status::stopped);
+        CHECK(run.content("room.lights") == "");
+        run.interrupts.take = {};
+        std::vector<std::string> more = words;
+        more.push_back("+C");
+        REQUIRE(run(more) == 0);
+        CHECK(run.content("room.png") == picture);
+        CHECK(run.content("room.lights") == lights);
+        std::filesystem::remove(run.path("room.lights"));
+    }
 }
 
 }  // namespace candelabra

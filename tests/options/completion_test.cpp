@@ -16,14 +16,14 @@ TEST_CASE("shells get every option that is offered, and nothing else") {
     };
     const Case cases[] = {
         {"bash",
-         {" --samples ", " --width ", " +W ", " Width= ", " +C ", " -C ",
-          "complete -F _candelabra", "relight) words='--set "}},
+         {" --samples ", " --width ", " +W ", " Width= ", " +C ", " -C ", "complete -F _candelabra",
+          "relight) words='--smooth "}},
         {"zsh",
-         {"#compdef candelabra", "'--samples=[", "'--width=[", "'+W-[", "'+C[", ":file:_files'", "'relight:", "'--set=[",
-          "'--lux=["}},
+         {"#compdef candelabra", "'--samples=[", "'--width=[", "'+W-[", "'+C[", ":file:_files'",
+          "'relight:", "'--set=[", "'--lux=["}},
         {"fish",
-         {"-l samples -x -d '", "-l start-row -x -d '", "-a '+W' -d", "-l stats -rF",
-          "-l help -d", "-n '__fish_seen_subcommand_from relight' -l set -x -d '",
+         {"-l samples -x -d '", "-l start-row -x -d '", "-a '+W' -d", "-l stats -rF", "-l help -d",
+          "-n '__fish_seen_subcommand_from relight' -l set -x -d '",
           "-n '__fish_seen_subcommand_from solve' -l lux -x -d '"}},
     };
     for (const Case& each : cases) {
@@ -49,14 +49,16 @@ TEST_CASE("bash completes options, scenes and folders") {
     const std::string command =
         "cd " + folder.string() +
         " && bash -c '. ./b.sh; t() { COMP_WORDS=(candelabra \"$@\"); COMP_CWORD=$#; "
-        "_candelabra 2>/dev/null; echo \"${COMPREPLY[*]}\"; }; t --samp; t s; t Wid; t me; t re; t relight --cs; t relight x; t solve --lu; t solve s; t solve --samp; t relight --csv scene.t' > out";
+        "_candelabra 2>/dev/null; echo \"${COMPREPLY[*]}\"; }; t --samp; t s; t Wid; t me; t re; t "
+        "relight --cs; t relight x; t solve --lu; t solve s; t solve --samp; t relight --csv "
+        "scene.t' > out";
     REQUIRE(std::system(command.c_str()) == 0);
     std::ifstream out(folder / "out");
     std::string line;
     for (const char* expected :
          {"--sampling-method --samples", "scene.pov sub/ solve share", "Width=", "merge", "relight",
-          "--csv", "x.lights", "--lux --luminaires", "scene.pov sub/", "--sampling-method --samples",
-          "scene.txt"}) {
+          "--csv", "x.lights", "--lux --luminaires", "scene.pov sub/",
+          "--sampling-method --samples", "scene.txt"}) {
         std::getline(out, line);
         CHECK(line == expected);
     }

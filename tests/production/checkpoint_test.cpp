@@ -107,4 +107,31 @@ TEST_CASE("a state whose sums cannot be is refused, though its checksum is right
     std::filesystem::remove(path);
 }
 
+TEST_CASE("light of lamps comes back behind a state, and any damage to it is found") {
+    const std::string path = std::filesystem::temp_directory_path() / "candelabra_lamps.state.exr";
+    Diagnostics diagnostics;
+    Checkpoint made = example();
+    const auto plain = encode(made, diagnostics);
+    made.lamps = std::string("\0light of lamps", 15);
+    const auto bytes = encode(made, diagnostics);
+    REQUIRE(bytes);
+    CHECK(bytes->starts_with(*plain));
+    const auto read = [&](const std::string& text) {
+        std::ofstream(path, std::ios::binary) << text;
+        Diagnostics problems;
+        auto state = read_checkpoint(path, problems);
+        CHECK(problems.failed() == !state);
+        return state;
+    };
+    CHECK(read(*bytes) == made);
+    for (std::size_t i = plain->size(); i < bytes->size(); ++i) {
+        std::string damaged = *bytes;
+        damaged[i] = static_cast<char>(damaged[i] ^ 1);
+        const auto state = read(damaged);
+        // Without the mark at the end there is a state without lamps.
+        REQUIRE((!state || state->lamps.empty()));
+    }
+    std::filesystem::remove(path);
+}
+
 }  // namespace candelabra

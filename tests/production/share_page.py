@@ -123,6 +123,81 @@ def look(shared, shots):
     browser.errors = [each for each in browser.errors if "localhost:1" not in str(each)]
 
 
+SHOW = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 2, -6> look_at <0, 1.2, 0> film { exposure 0.7 response filmic glare { veil 0.1 } vignette 0.2 } }
+plane { y, 0 pigment { checker rgb 0.7, rgb 0.3 } finish { ambient 0 diffuse 0.8 } }
+box { <-3, 0, 0>, <3, 3, 1> pigment { rgb 0.3 } finish { ambient 0 diffuse 0.7 } }
+sphere { <0.5, 0.6, -1.5>, 0.6 pigment { rgb <0.9, 0.6, 0.4> } finish { ambient 0 diffuse 0.8 } }
+union {
+  #for (I, 0, 399)
+    sphere { <-2.85 + 0.3*mod(I, 20), 0.6 + 0.11*int(I/20), -0.05>, 0.035
+      pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 6 } }
+  #end
+  light_name "Front"
+}
+union { sphere { <-2, 0.4, -2>, 0.2 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission <5, 3, 1> } } light_name "</script>Lantern" }
+"""
+FRAMES = """cue,time,fade
+dark,0,0,Front=0
+left,0.2,0.2,"Front[0..199]=#ff4020"
+all,0.6,0.4,"Front=0.7,#80c0ff"
+"""
+
+
+def look_show(shared, shots):
+    """A page that plays a show of hundreds of lamps: frames of it beside those of relight."""
+    browser, run = shared.browser, shared.browser.run
+    (shared.folder / "show.pov").write_text(SHOW)
+    (shared.folder / "show.csv").write_text(FRAMES)
+    shared.run("show.pov", f"+W{WIDTH}", f"+H{HEIGHT}", "--samples", "32", "-V", "--keep-lights", "show.lights", "+Oshow.png")
+    shared.run("share", "show.lights", "--csv", "show.csv", "--frame-rate", "10", "-o", "show")
+    shared.run("relight", "show.lights", "--csv", "show.csv", "--frame-rate", "10", "--smooth", "6", "-o", "show.ppm")
+    print(f"page of a show: {(shared.folder / 'show.html').stat().st_size / 1e6:.2f} MB")
+    shared.open("show.html")
+    check("cards of the names", run("facts.names") == ["Front", "</script>Lantern", "rest"])
+    frames = run("show.frames")
+    pictures = sorted(shared.folder.glob("show[0-9]*.ppm"))
+    check(f"{frames} frames, and {len(pictures)} of relight", frames == len(pictures) > 5)
+
+    def compare(what, path, most):
+        ours, theirs = shared.shown(), path.read_bytes()[-WIDTH * HEIGHT * 3:]
+        off = [abs(a - b) for a, b in zip(ours, theirs)]
+        mean, bright = sum(off) / len(off), sum(theirs) / len(theirs)
+        print(f"{what}: mean difference {mean:.2f} of 255, mean {bright:.1f}")
+        check(f"{what}: as relit", mean < most)
+        return bright
+
+    brightness = [compare(f"frame {i + 1}", pictures[i], 2) for i in range(0, frames, 2) if not run(f"goTo({i}, 1)")]
+    check("the show changes the picture", max(brightness) > 2 * min(brightness))
+    # Sliders count in all frames.
+    run("goTo(show.frames - 1, 1)")
+    run("cards[0].put(0.25)")
+    shared.run("relight", "show.lights", "--set", "Front=0.175,#80c0ff", "--smooth", "6", "-o", "dim.ppm")
+    compare("dimmed", shared.folder / "dim.ppm", 2)
+    run("cards[0].put(1)")
+    run("goTo(0, 1)")
+    browser.key(" ")
+    browser.until("frame > 2")
+    browser.key(" ")
+    check("it stops", run("playing") == 0)
+    took = run("(() => { const t = performance.now(); for (let i = 0; i < 5; ++i) goTo(i % show.frames, 1);"
+               " return (performance.now() - t) / 5; })()")
+    print(f"a frame of {WIDTH}x{HEIGHT} takes {took:.1f} ms")
+    run(f"goTo({frames - 4}, 1)")
+    for width, height, phone in ((1280, 800, False), (768, 1024, False), (390, 844, True)):
+        browser.size(width, height, phone)
+        for theme in ("dark", "light"):
+            run(f"useTheme('{theme}')")
+            time.sleep(0.3)
+            check(f"nothing overlaps at {width}", run(OVERLAP) == "")
+            check(f"no scrolling at {width}", run("document.documentElement.scrollWidth <= innerWidth"))
+            if shots:
+                browser.shot(f"{shots}/show_{width}_{theme}.png")
+    check("nothing is requested", run("performance.getEntriesByType('resource').length") == 0)
+    browser.size(1280, 800, False)
+
+
 def main():
     if not shutil.which("chromium"):
         print("skipped: chromium is not installed")
@@ -133,7 +208,9 @@ def main():
         (folder / "scene.pov").write_text(SCENE)
         browser = Chromium(name + "/profile")
         try:
-            look(Shared(str(Path(sys.argv[1]).resolve()), folder, browser), shots)
+            shared = Shared(str(Path(sys.argv[1]).resolve()), folder, browser)
+            look_show(shared, shots)
+            look(shared, shots)
             check(f"no errors of the page: {browser.errors}", not browser.errors)
         finally:
             browser.end()

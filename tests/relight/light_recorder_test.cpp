@@ -129,4 +129,42 @@ TEST_CASE("a small file has the mean light of a large one", "[relight]") {
     for (int c = 0; c < 3; ++c) CHECK(made[c] == Approx(right[c]).epsilon(0.03));
 }
 
+TEST_CASE("a recorder goes on from its bytes as if it had never stopped", "[relight]") {
+    const RenderSettings settings = of_samples(8);
+    const Shot shot = shot_of(three_lamps);
+    RecordPlan plan{settings.width, settings.height, 0, 0};
+    const auto lamps = [&] { return world_lamps(*shot.world, names_for(*shot.world)); };
+    plan.bytes = least_record_bytes(plan, lamps().list) + 100;
+    const RenderPlan rendering = plan_of(shot, settings);
+    const auto made = [&](int pause) {
+        auto recorder = std::make_unique<LightRecorder>(lamps(), plan);
+        RenderState state = begin_picture(settings);
+        RenderHooks hooks;
+        LightLedger rays;
+        int asked = 0;
+        if (pause > 0) hooks.cancelled = [&] { return ++asked % pause == 0; };
+        hooks.lamps = recorder.get();
+        while (!advance(rendering, state, rays, hooks)) {
+            auto next = std::make_unique<LightRecorder>(lamps(), plan);
+            REQUIRE(next->go_on(recorder->state(2)));
+            recorder = std::move(next);
+            hooks.lamps = recorder.get();
+        }
+        return recorder->finish(state.film, 1);
+    };
+    const LightRecords whole = made(0);
+    CHECK(made(5) == whole);
+    CHECK(made(23) == whole);
+    LightRecorder recorder(lamps(), plan);
+    const std::string bytes = recorder.state(1);
+    CHECK(recorder.go_on(bytes));
+    CHECK_FALSE(recorder.go_on(bytes + "x"));
+    CHECK_FALSE(recorder.go_on(""));
+    for (std::size_t size = 0; size < bytes.size(); size += 7)
+        REQUIRE_FALSE(LightRecorder::of_state(bytes.substr(0, size)));
+    RecordPlan other = plan;
+    other.bytes += 10000;
+    CHECK_FALSE(LightRecorder(lamps(), other).go_on(bytes));
+}
+
 }  // namespace candelabra

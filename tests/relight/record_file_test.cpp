@@ -20,6 +20,9 @@ LightRecords file_records() {
     records.origin = "a scene";
     records.film = "film on";
     records.alpha.assign(17 * 9, 0.25F);
+    records.meters.nodes = {{0, 2}, {2, 3}};
+    records.meters.meters = {
+        {"M", "illuminance", "lx", {{1, 2, 3}}, {0.5F}, {1, 2, 3, 4, 5, 6}}};
     records.tiles.resize(6);
     std::vector<TilePlanes> light(1);
     light[0].fill(2);
@@ -60,8 +63,8 @@ TEST_CASE("files that keep no light are refused", "[relight]") {
     CHECK(problem_of(bytes.substr(0, bytes.size() - 1)) == "is not whole");
     CHECK(problem_of(bytes + "a") == "is not whole");
     std::string later = bytes;
-    later[8] = 2;
-    CHECK(problem_of(later).find("is of version 2") == 0);
+    later[8] = 3;
+    CHECK(problem_of(later).find("is of version 3") == 0);
     std::string altered = bytes;
     altered[bytes.size() / 2] ^= 1;
     CHECK(problem_of(altered).find("is damaged") == 0);

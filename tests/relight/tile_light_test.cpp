@@ -148,4 +148,25 @@ TEST_CASE("light that is no number is left out", "[relight]") {
     CHECK(tile.finished(lamps_in_a_row(), pixels, 9000, 1) == TileRecords());
 }
 
+TEST_CASE("a tile comes back from its bytes, and others are refused", "[relight]") {
+    const LampList lamps = lamps_in_a_row();
+    constexpr std::size_t room = 4000;
+    RandomLight made(3, 3000, 2, room);
+    std::string bytes;
+    made.tile.append_to(bytes);
+    std::string_view rest = bytes;
+    auto read = TileLight::take(rest, many_lamps);
+    REQUIRE(read);
+    CHECK(rest.empty());
+    CHECK(read->finished(lamps, made.pixels, room, 1) ==
+          made.tile.finished(lamps, made.pixels, room, 1));
+    for (std::size_t size = 0; size < bytes.size(); size += 11) {
+        std::string_view part = std::string_view(bytes).substr(0, size);
+        const auto some = TileLight::take(part, many_lamps);
+        REQUIRE_FALSE(some);
+    }
+    rest = bytes;
+    CHECK_FALSE(TileLight::take(rest, 77));
+}
+
 }  // namespace candelabra

@@ -3,7 +3,9 @@
 // adds it up, and develops the sum as the film does (src/film/develop.h).
 const facts = JSON.parse(element("data").textContent);
 const { width, height, levels, film } = facts;
-const count = width * height, layers = facts.lamps.length;
+// With a show there is the light of crowds of lamps, that of none, and that of some lamps.
+const count = width * height;
+const layers = facts.show ? 2 + facts.show.strong.length : facts.lamps.length;
 
 // Unfolding.
 const lifting = [-1.586134342059924, -0.052980118572961, 0.882911075530934, 0.443506852043971];
@@ -97,9 +99,9 @@ function layerOf(reader) {
   return codes;
 }
 
-async function bytesOfLight() {
-  const text = atob(element("light").textContent.trim());
-  element("light").remove();
+async function bytesOf(id) {
+  const text = atob(element(id).textContent.trim());
+  element(id).remove();
   const packed = Uint8Array.from(text, c => c.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
@@ -158,17 +160,25 @@ const asRendered = () =>
   ({ exposure: 0, lamps: facts.lamps.map(() => ({ strength: 1, colour: [1, 1, 1] })) });
 const lights = { a: asRendered(), b: asRendered() };
 let active = "a", codesOfLayers = [];
+let show = null, frame = 0;  // of the show
 
 // The picture of a light, of each `stride`-th pixel.
 function imageOf(light, stride) {
   const columns = Math.ceil(width / stride), rows = Math.ceil(height / stride);
   const image = new ImageData(columns, rows), shown = image.data, c = new Float64Array(3);
   const gain = 2 ** (film.exposure + light.exposure), respond = responses[film.response];
-  const factors = light.lamps.map(lamp => lamp.colour.map(v => v * lamp.strength * gain));
+  const mixed = show?.mixed(frame, light.lamps.slice(0, -1));
+  const own = lamp => lamp.colour.map(v => v * lamp.strength * gain);
+  const factors = show ? [null, own(light.lamps.at(-1)), ...show.strong.map(lamp =>
+    [0, 1, 2].map(c => gain * mixed.factors[3 * lamp + c]))] : light.lamps.map(own);
   const row = new Float32Array(3 * columns), balance = film.balance;
   for (let y = 0, at = 0; y < rows; ++y) {
     row.fill(0);
     for (let k = 0; k < layers; ++k) {
+      if (show && k === 0) {
+        show.addRow(row, y * stride, stride, mixed, codesOfLayers[0], lightOfCode, gain);
+        continue;
+      }
       const [red, green, blue] = factors[k], codes = codesOfLayers[k];
       if (red + green + blue === 0) continue;
       for (let x = 0, i = 3 * y * stride * width; x < 3 * columns; x += 3, i += 3 * stride) {
@@ -307,8 +317,47 @@ divider.addEventListener("pointermove", event => {
   place();
   draw();
 });
+// Playing.
+let playing = 0;
+function goTo(number, stride) {
+  frame = number;
+  element("frame").value = frame;
+  element("moment").value = (frame / show.rate).toFixed(1) + " s";
+  wanted.a = wanted.b = true;
+  refresh(stride);
+}
+function play(on) {
+  cancelAnimationFrame(playing);
+  playing = 0;
+  element("play-shape").setAttribute("d", on ? "M5 3h3.5v14H5Zm6.5 0H15v14h-3.5Z" : "M6 3v14l11-7Z");
+  if (!on) return goTo(frame, 1);
+  const begun = performance.now() - 1000 * frame / show.rate;
+  const step = now => {
+    const next = Math.floor(Math.max(0, now - begun) / 1000 * show.rate) % show.frames;
+    if (next !== frame) {
+      goTo(next, coarse);
+      const took = performance.now() - now;
+      if (took > 60 && coarse < 4) coarse *= 2;
+      if (took < 12 && coarse > 1) coarse /= 2;
+    }
+    playing = requestAnimationFrame(step);
+  };
+  playing = requestAnimationFrame(step);
+}
+element("play").addEventListener("click", () => play(!playing));
+element("frame").addEventListener("input", event => {
+  if (playing) play(false);
+  goTo(Number(event.target.value), coarse);
+  clearTimeout(finer);
+  finer = setTimeout(() => refresh(1), 200);
+});
+
 addEventListener("keydown", event => {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input")) return;
+  if (event.key === " " && show?.frames > 1 && !event.target.closest("button")) {
+    event.preventDefault();
+    return play(!playing);
+  }
   const key = event.key.toLowerCase();
   if (key === "a" || key === "b") choose(key);
   if (key === "s") element("split").click();
@@ -324,7 +373,13 @@ element("save-lamps").addEventListener("click", () =>
 
 const breath = () => new Promise(resolve => setTimeout(resolve, 0));
 async function unfold() {
-  const reader = new Reader(await bytesOfLight());
+  const reader = new Reader(await bytesOf("light"));
+  if (facts.show) {
+    show = new Show(facts.show, await bytesOf("show-data"), width, height);
+    element("frame").max = show.frames - 1;
+    element("transport").hidden = show.frames < 2;
+    element("save-lamps").hidden = true;
+  }
   for (let k = 0; k < layers; ++k) {
     element("wait").textContent = `Unfolding the light … ${k + 1} of ${layers}`;
     await breath();
@@ -335,10 +390,11 @@ async function unfold() {
     for (let i = 0; i < codes.length; i += 7) sum += lightOfCode[codes[i]];
     return sum;
   });
-  const most = Math.max(...sums);
+  const most = show ? 0 : Math.max(...sums);
   shares = sums.map(sum => most > 0 ? sum / most : 0);
   element("wait").hidden = true;
   showLight();
+  if (show) goTo(0, 1);
   refresh(1);
   document.body.dataset.ready = "yes";
 }
