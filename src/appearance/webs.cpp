@@ -33,6 +33,17 @@ void warn_of_repairs(OpenBlock& block, std::string_view name, const PhotometricF
 
 }  // namespace
 
+Handle<PhotometricWeb> read_web(OpenBlock& block, std::string_view name, std::string_view bytes,
+                                int lamp_set, std::string& wrong) {
+    PhotometricFile file;
+    PhotometricChoice choice;
+    choice.set = static_cast<std::size_t>(lamp_set - 1);
+    wrong = read_photometric(bytes, choice, file);
+    if (!wrong.empty()) return nullptr;
+    warn_of_repairs(block, name, file);
+    return make_handle<PhotometricWeb>(std::move(file.web));
+}
+
 void load_web(OpenBlock& block, WebPlace& place) {
     if (place.file().empty()) return;
     Evaluator& evaluator = block.binder.evaluator;
@@ -45,17 +56,13 @@ void load_web(OpenBlock& block, WebPlace& place) {
             block.broken = true;
             return;
         }
-        PhotometricFile file;
-        PhotometricChoice choice;
-        choice.set = static_cast<std::size_t>(place.lamp_set - 1);
-        const std::string wrong = read_photometric(*bytes, choice, file);
-        if (!wrong.empty()) {
+        std::string wrong;
+        known = read_web(block, name, *bytes, place.lamp_set, wrong);
+        if (!known) {
             block.report(error(Fault::syntax, block.file_place(), message("`", name, "`: ", wrong))
                              .with_help(message("candelabra light ", name, " reads it alone")));
             return;
         }
-        warn_of_repairs(block, name, file);
-        known = make_handle<PhotometricWeb>(std::move(file.web));
     }
     place.web = known;
     if (!has_axes(place))

@@ -9,6 +9,11 @@
 
 namespace candelabra {
 
+/// The web of a photometric file, of which `name` is told; null if it cannot be read, and `wrong`
+/// says why. Warns of what has been repaired. `lamp_set`: of EULUMDAT, from 1.
+Handle<PhotometricWeb> read_web(OpenBlock&, std::string_view name, std::string_view bytes,
+                                int lamp_set, std::string& wrong);
+
 /// Loads the file of a lamp if it names one: a file is read once, and its lamps share its table.
 /// Reports what is wrong, and warns once of what has been repaired.
 void load_web(OpenBlock&, WebPlace&);

@@ -13,8 +13,9 @@
 
 namespace candelabra {
 
-/// A picture that a material shows: a file beside the model, or the bytes of one in the model.
-struct ImportedPicture {
+/// A picture that a material shows, or what a light has been measured as: a file beside the model,
+/// or the bytes of one in the model.
+struct ImportedFile {
     std::string file;   ///< as the model spells it; empty: embedded
     std::string bytes;  ///< empty: not embedded
 };
@@ -31,6 +32,7 @@ struct ImportedMaterial {
     double metallic = 0, roughness = 1;
     double specular = 0, shininess = 0;  ///< of Blinn's highlight
     bool uses_alpha = true;              ///< the alpha of the picture counts
+    double cutoff = -1;                  ///< alpha is 0 below it and 1 above; below 0: it stays
     int picture = -1;                    ///< of the colour; below 0: none
     int emission_picture = -1;
     int facet_picture = -1;  ///< green is a factor of roughness, blue one of metallic
@@ -46,11 +48,13 @@ struct ImportedMesh {
     bool coloured = false;  ///< points have colours
 };
 
-/// A light source of KHR_lights_punctual. It shines along -z of its node.
+/// A light source of KHR_lights_punctual or EXT_lights_ies. It shines along -z of its node.
 struct ImportedLight {
-    enum Kind : int { point, spot, sun };
+    enum Kind : int { point, spot, sun, measured };
     int kind = point;
-    std::array<double, 3> colour{0, 0, 0};  ///< candela, or lux of a sun; with its strength
+    /// In candela, or lux of a sun, with its strength. Of a measured light: a factor.
+    std::array<double, 3> colour{0, 0, 0};
+    int profile = -1;                       ///< of a measured light
     double inner = 0, outer = 0;            ///< of a spot: angles to its axis, in radians
 };
 
@@ -67,8 +71,9 @@ struct ImportedModel {
     std::vector<ImportedNode> nodes;
     std::vector<ImportedMesh> meshes;
     std::vector<ImportedMaterial> materials;
-    std::vector<ImportedPicture> pictures;
+    std::vector<ImportedFile> pictures;
     std::vector<ImportedLight> lights;
+    std::vector<ImportedFile> profiles;  ///< what lights have been measured as
     int lights_left_out = 0;  ///< lights in a format that states no units
     bool animated = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "imports/importer.h"
 
-#include "imports/gltf_strength.h"
+#include "imports/gltf_extensions.h"
 #include "imports/guarded_files.h"
 #include "imports/material.h"
 
@@ -56,8 +56,8 @@ bool is_default(const ImportedMaterial& material) {
     const ImportedMaterial usual;
     return material.name == AI_DEFAULT_MATERIAL_NAME ||
            (material.name.empty() && material.facets && material.metallic == 1 &&
-            material.roughness == 1 && material.colour == usual.colour &&
-            material.emission == usual.emission && material.picture < 0 &&
+            material.roughness == 1 && material.colour == usual.colour && material.opacity == 1 &&
+            material.cutoff < 0 && material.emission == usual.emission && material.picture < 0 &&
             material.facet_picture < 0 && material.emission_picture < 0);
 }
 
@@ -99,11 +99,12 @@ bool has_z_up(const aiScene& scene) {
 /// Converts a scene that Assimp has read.
 class Converter {
 public:
-    Converter(const aiScene& scene, ImportedModel& model) : scene_(scene), model_(model) {}
+    Converter(const aiScene& scene, const GltfExtensions& extensions, ImportedModel& model)
+        : scene_(scene), extensions_(extensions), model_(model) {}
 
     void take_materials() {
         for (unsigned i = 0; i < scene_.mNumMaterials; ++i)
-            model_.materials.push_back(imported_material(scene_, *scene_.mMaterials[i], model_));
+            take_material(imported_material(scene_, *scene_.mMaterials[i], model_));
     }
 
     void take_meshes() {
@@ -114,8 +115,12 @@ public:
                 has_material ? scene_.mMaterials[from.mMaterialIndex] : nullptr;
             ImportedMesh& made =
                 model_.meshes.emplace_back(imported_mesh(from, material ? uv_set(*material) : 0));
-            if (material && !is_default(model_.materials[from.mMaterialIndex]))
+            if (!material) continue;
+            if (!is_default(model_.materials[from.mMaterialIndex]))
                 made.material = static_cast<int>(from.mMaterialIndex);
+            const auto move = extensions_.moves.find(numbers_[from.mMaterialIndex]);
+            if (move == extensions_.moves.end()) continue;
+            for (auto& uv : made.uvs) uv = move->second.moved(uv);
         }
     }
 
@@ -156,6 +161,7 @@ public:
             open.pop_back();
             const auto number = static_cast<int>(model_.nodes.size());
             model_.nodes.push_back(imported_node(*from, parent));
+            add_measured(take_number(model_.nodes.back().name), number);
             for (unsigned i = from->mNumChildren; i > 0; --i)
                 open.push_back({from->mChildren[i - 1], number});
         }
@@ -168,6 +174,22 @@ public:
     }
 
 private:
+    void take_material(ImportedMaterial material) {
+        numbers_.push_back(take_number(material.name));
+        model_.materials.push_back(std::move(material));
+    }
+
+    /// Adds the measured light of a node of the file, if it has one, as a node in it.
+    void add_measured(int number_in_file, int parent) {
+        const auto found = extensions_.lights.find(number_in_file);
+        if (found == extensions_.lights.end()) return;
+        ImportedNode& made = model_.nodes.emplace_back();
+        made.parent = parent;
+        made.transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+        made.light = static_cast<int>(model_.lights.size());
+        model_.lights.push_back(found->second);
+    }
+
     ImportedNode imported_node(const aiNode& from, int parent) {
         ImportedNode made;
         made.name = from.mName.C_Str();
@@ -182,7 +204,9 @@ private:
     }
 
     const aiScene& scene_;
+    const GltfExtensions& extensions_;
     ImportedModel& model_;
+    std::vector<int> numbers_;                        ///< of materials in the file
     std::map<std::string, int, std::less<>> lights_;  ///< by the name of their node
 };
 
@@ -195,8 +219,9 @@ std::string import_model(std::string_view name, std::string_view bytes, const Be
     Assimp::Importer importer;
     keep_readers(importer, extension);
     const std::string own_name(name.substr(name.rfind('/') + 1));
-    const auto changed = gltf ? with_strengths(bytes) : std::nullopt;
-    if (changed) bytes = *changed;
+    GltfExtensions extensions;
+    if (gltf) extensions = read_extensions(bytes, beside);
+    if (extensions.file) bytes = *extensions.file;
     auto* const files = new GuardedFiles(own_name, bytes, beside);
     importer.SetIOHandler(files);  // which owns it from now on
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
@@ -209,7 +234,7 @@ std::string import_model(std::string_view name, std::string_view bytes, const Be
         const std::string problem = importer.GetErrorString();
         return problem.empty() ? "it is damaged" : problem;
     }
-    Converter converter(*scene, model);
+    Converter converter(*scene, extensions, model);
     converter.take_materials();
     converter.take_meshes();
     converter.take_lights(gltf);
@@ -217,6 +242,7 @@ std::string import_model(std::string_view name, std::string_view bytes, const Be
     // Materials of OBJ files are in files of their own.
     if (extension == "obj" && files->misses())
         for (ImportedMaterial& material : model.materials) material.stated = false;
+    model.profiles = std::move(extensions.profiles);
     model.animated = scene->mNumAnimations > 0;
     return {};
 }

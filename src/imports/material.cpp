@@ -31,8 +31,8 @@ std::optional<aiColor4D> colour(const aiMaterial& material, const char* key, uns
 std::array<double, 3> rgb(const aiColor4D& colour) { return {colour.r, colour.g, colour.b}; }
 
 /// Adds a picture to the model unless it has it already. Returns its number.
-int add(ImportedPicture picture, ImportedModel& model) {
-    const auto same = [&](const ImportedPicture& other) {
+int add(ImportedFile picture, ImportedModel& model) {
+    const auto same = [&](const ImportedFile& other) {
         return other.file == picture.file && other.bytes == picture.bytes;
     };
     const auto found = std::ranges::find_if(model.pictures, same);
@@ -98,10 +98,13 @@ ImportedMaterial imported_material(const aiScene& scene, const aiMaterial& mater
     made.opacity = number(material, AI_MATKEY_OPACITY).value_or(1);
     if (base) made.opacity = base->a;
     aiString mode;
-    if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS &&
-        std::strcmp(mode.C_Str(), "OPAQUE") == 0) {
-        made.opacity = 1;
-        made.uses_alpha = false;
+    if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS) {
+        made.uses_alpha = std::strcmp(mode.C_Str(), "OPAQUE") != 0;
+        if (!made.uses_alpha) made.opacity = 1;
+        constexpr double usual_cutoff = 0.5;
+        if (std::strcmp(mode.C_Str(), "MASK") == 0)
+            made.cutoff = std::max(
+                number(material, AI_MATKEY_GLTF_ALPHACUTOFF).value_or(usual_cutoff), 0.0);
     }
     if (const auto light = colour(material, AI_MATKEY_COLOR_EMISSIVE)) made.emission = rgb(*light);
     const double strength = number(material, AI_MATKEY_EMISSIVE_INTENSITY).value_or(1);

@@ -14,13 +14,13 @@ namespace {
 
 /// The fields of each part of a model, for both directions.
 template <class Way>
-void pass(Way& way, ImportedPicture& p) {
+void pass(Way& way, ImportedFile& p) {
     way(p.file, p.bytes);
 }
 template <class Way>
 void pass(Way& way, ImportedMaterial& m) {
     way(m.name, m.stated, m.colour, m.emission, m.opacity, m.transmission, m.ior, m.facets,
-        m.metallic, m.roughness, m.specular, m.shininess, m.uses_alpha, m.picture,
+        m.metallic, m.roughness, m.specular, m.shininess, m.uses_alpha, m.cutoff, m.picture,
         m.emission_picture, m.facet_picture, m.bumpy);
 }
 template <class Way>
@@ -29,7 +29,7 @@ void pass(Way& way, ImportedMesh& m) {
 }
 template <class Way>
 void pass(Way& way, ImportedLight& l) {
-    way(l.kind, l.colour, l.inner, l.outer);
+    way(l.kind, l.colour, l.profile, l.inner, l.outer);
 }
 template <class Way>
 void pass(Way& way, ImportedNode& n) {
@@ -37,7 +37,8 @@ void pass(Way& way, ImportedNode& n) {
 }
 template <class Way>
 void pass(Way& way, ImportedModel& m) {
-    way(m.nodes, m.meshes, m.materials, m.pictures, m.lights, m.lights_left_out, m.animated);
+    way(m.nodes, m.meshes, m.materials, m.pictures, m.lights, m.profiles, m.lights_left_out,
+        m.animated);
 }
 
 /// Lists of these are copied at once.
@@ -155,8 +156,8 @@ bool is_whole(const ImportedMesh& mesh, const ImportedModel& model) {
 }
 
 bool is_whole(const ImportedMaterial& m, const ImportedModel& model) {
-    const auto numbers = {m.opacity,   m.transmission, m.ior,      m.metallic,
-                          m.roughness, m.specular,     m.shininess};
+    const auto numbers = {m.opacity,   m.transmission, m.ior,       m.metallic,
+                          m.roughness, m.specular,     m.shininess, m.cutoff};
     return is_finite(m.colour) && is_finite(m.emission) &&
            std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }) &&
            std::ranges::all_of(std::array{m.picture, m.emission_picture, m.facet_picture},
@@ -170,8 +171,10 @@ bool is_whole(const ImportedNode& node, int number, const ImportedModel& model) 
            });
 }
 
-bool is_whole(const ImportedLight& light) {
-    return is_finite(light.colour) && std::isfinite(light.inner) && std::isfinite(light.outer);
+bool is_whole(const ImportedLight& light, const ImportedModel& model) {
+    return is_place(light.profile, model.profiles) &&
+           (light.kind != ImportedLight::measured || light.profile >= 0) &&
+           is_finite(light.colour) && std::isfinite(light.inner) && std::isfinite(light.outer);
 }
 
 std::string problem_of(const ImportedModel& model) {
@@ -182,8 +185,7 @@ std::string problem_of(const ImportedModel& model) {
     for (std::size_t i = 0; i < model.nodes.size(); ++i)
         if (!is_whole(model.nodes[i], static_cast<int>(i), model))
             return "the place of a part in it is wrong";
-    if (!std::ranges::all_of(model.lights, [](const ImportedLight& l) { return is_whole(l); }))
-        return "a number of a light is wrong";
+    if (!std::ranges::all_of(model.lights, whole)) return "a number of a light is wrong";
     return {};
 }
 

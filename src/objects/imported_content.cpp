@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "objects/imported_content.h"
 
+#include "appearance/webs.h"
 #include "base/degrees.h"
 #include "base/long_work.h"
 #include "meshing/library.h"
@@ -78,6 +79,32 @@ void report_left_out(OpenBlock& block, const ImportedModel& model, const LeftOut
 
 using Content = std::shared_ptr<ImportedContent>;
 
+/// The name of a profile of the model, for messages and for the text of the scene.
+std::string profile_name(const ImportedModel& model, std::size_t number) {
+    const std::string& file = model.profiles[number].file;
+    return file.empty() ? message("light profile ", number, " of the model") : name_beside(file);
+}
+
+/// Reads a profile of lights; null, with a warning, if that cannot be done.
+Handle<PhotometricWeb> read_profile(OpenBlock& block, const ImportedModel& model,
+                                    std::size_t number, const std::string& folder) {
+    const ImportedFile& file = model.profiles[number];
+    const std::string name = profile_name(model, number);
+    std::string bytes = file.bytes, wrong = "it is not beside the model";
+    bool is_there = file.file.empty();
+    if (!is_there && !name.empty()) {
+        auto found = block.binder.evaluator.loader().load(name, folder, FileKind::data);
+        is_there = found.has_value();
+        if (found) bytes = std::move(found->text);
+    }
+    auto web = is_there ? read_web(block, printable(name), bytes, 1, wrong) : nullptr;
+    if (!web)
+        block.report(warning(Fault::io, block.file_place(),
+                             message("lights of the model are left out, whose measured file `",
+                                     printable(name), "` cannot be read: ", wrong)));
+    return web;
+}
+
 /// Reads a file of parts and materials.
 Content read_parts(OpenBlock& block, const Found& file) {
     Evaluator& evaluator = block.binder.evaluator;
@@ -101,6 +128,8 @@ Content read_parts(OpenBlock& block, const Found& file) {
     ImportedLooks looks(block, made->model, folder);
     for (const ImportedMaterial& material : made->model.materials)
         made->looks.push_back(looks.look(material));
+    for (std::size_t i = 0; i < made->model.profiles.size(); ++i)
+        made->webs.push_back(read_profile(block, made->model, i, folder));
     report_left_out(block, made->model, looks.left_out());
     for (ImportedMesh& each : made->model.meshes) {
         made->meshes.push_back(mirrored(each));
@@ -126,10 +155,34 @@ Content read_mesh(OpenBlock& block, const Found& file) {
     return made;
 }
 
-PlacedLight placed_light(const ImportedLight& from, const LightUnits& units, Span span) {
+/// A light with the intensities of a file. Gamma 0 is along -z of its node, and C270 along x, which
+/// leaves y for C0.
+void aim_measured(PointLight& light, const std::string& name, const Handle<PhotometricWeb>& web,
+                  const LightUnits& units) {
+    const double factor = light_luminance(light.colour);
+    if (!web || !(factor > 0)) {
+        light.colour = Vec3(0);
+        return;
+    }
+    light.ies = name;
+    light.web = web;
+    light.aim = {0, 0, 1};
+    light.c0 = {0, 1, 0};
+    light.per_candela = units.intensity(1);
+    if (factor != 1) light.intensity = units.intensity(web->greatest() * factor);
+    if (!measure(light).empty()) light.colour = Vec3(0);
+}
+
+PlacedLight placed_light(const ImportedLight& from, const ImportedContent& content,
+                         const LightUnits& units, Span span) {
     PlacedLight placed{PointLight(), span};
     PointLight& light = placed.light;
     light.colour = {from.colour[0], from.colour[1], from.colour[2]};
+    if (from.kind == ImportedLight::measured) {
+        const auto profile = static_cast<std::size_t>(from.profile);
+        aim_measured(light, profile_name(content.model, profile), content.webs[profile], units);
+        return placed;
+    }
     if (from.kind == ImportedLight::sun) {
         // Its rays come from beyond whatever they light.
         constexpr double far = 1e6;
@@ -233,7 +286,7 @@ private:
     }
 
     PlacedLight light(int number) {
-        return placed_light(content_.model.lights[static_cast<std::size_t>(number)],
+        return placed_light(content_.model.lights[static_cast<std::size_t>(number)], content_,
                             block_.binder.evaluator.use_light_units(), block_.span);
     }
 

@@ -17,15 +17,25 @@ namespace {
 /// Colours are not below this where a surface shines: its light is the colour times the emission.
 constexpr double least_colour = 1e-4;
 
-/// The texels with all colours multiplied, and without alpha unless it counts.
-Handle<Texels> changed(Handle<Texels> texels, const Vec3& factor, bool keeps_alpha) {
-    const bool drops = !keeps_alpha && texels->transparent();
-    if (factor == Vec3(1) && !drops) return texels;
+/// Whether what has this opacity is there, where a material is cut out by its alpha.
+bool is_there(double opacity, const ImportedMaterial& material) {
+    return opacity * std::clamp(material.opacity, 0.0, 1.0) >= material.cutoff;
+}
+
+/// The texels with all colours multiplied, and without alpha unless it counts, or with alpha that
+/// is 0 or 1 where the material is cut out.
+Handle<Texels> changed(Handle<Texels> texels, const Vec3& factor,
+                       const ImportedMaterial& material) {
+    const bool drops = !material.uses_alpha && texels->transparent(), cuts = material.cutoff >= 0;
+    if (factor == Vec3(1) && !drops && !cuts) return texels;
     Texels& made = texels.edit();
     if (drops) made.alpha.clear();
+    if (cuts)
+        for (float& alpha : made.alpha) alpha = is_there(alpha, material) ? 1.0F : 0.0F;
     for (Colour& colour : made.table) {
         colour.rgb *= factor;
         if (drops) colour.transmit = 0;
+        if (cuts) colour.transmit = is_there(1 - colour.transmit, material) ? 0 : 1;
     }
     const bool grey = factor.x == factor.y && factor.y == factor.z;
     if (made.channels == 1 && !grey) {
@@ -62,7 +72,7 @@ Vec3 ImportedLooks::in_scene(const std::array<double, 3>& linear) const {
             from_linear(linear[2], gamma)};
 }
 
-std::optional<Found> ImportedLooks::find(const ImportedPicture& picture, int number) {
+std::optional<Found> ImportedLooks::find(const ImportedFile& picture, int number) {
     if (picture.file.empty())
         return Found{message("picture ", number, " of the model"), picture.bytes};
     const Evaluator& evaluator = block_.binder.evaluator;
@@ -114,7 +124,7 @@ Pigment ImportedLooks::pigment(int picture, const Vec3& factor, const ImportedMa
     image.file = known.file;
     constexpr int bilinear = 2;
     image.interpolate = bilinear;
-    image.texels = changed(known.texels, factor, material.uses_alpha);
+    image.texels = changed(known.texels, factor, material);
     if (transmit > 0) image.adjustments.push_back({false, -1, transmit});
     image.adjust();
     const Pattern pattern(std::move(image));
@@ -169,7 +179,10 @@ void ImportedLooks::glow(const ImportedMaterial& material, Texture& texture) {
 
 ImportedLook ImportedLooks::look(const ImportedMaterial& material) {
     if (!material.stated) return {};
-    const double opacity = std::clamp(material.opacity, 0.0, 1.0);
+    const bool cut_picture = material.cutoff >= 0 && material.picture >= 0;
+    const double opacity = cut_picture            ? 1  // each texel is cut by itself
+                           : material.cutoff >= 0 ? (is_there(1, material) ? 1.0 : 0.0)
+                                                  : std::clamp(material.opacity, 0.0, 1.0);
     const double through = std::clamp(material.transmission, 0.0, 1.0);
     Texture texture;
     Vec3 colour = glm::max(in_scene(material.colour), Vec3(0));

@@ -41,7 +41,7 @@ private:
     };
     /// A picture of the model, coded for colours or as stored; null after a diagnostic.
     const Shown& shown(int picture, TexelCoding::Decode);
-    std::optional<Found> find(const ImportedPicture&, int number);
+    std::optional<Found> find(const ImportedFile&, int number);
     Pigment pigment(int picture, const Vec3& factor, const ImportedMaterial&, double transmit);
     Finish finish(const ImportedMaterial&);
     void glow(const ImportedMaterial&, Texture&);

@@ -42,6 +42,17 @@ TEST_CASE("opaque materials of glTF do not use alpha", "[imports]") {
     CHECK_FALSE(done.model.materials.at(0).uses_alpha);
 }
 
+TEST_CASE("materials of glTF that are cut out have a limit of alpha", "[imports]") {
+    const auto cutoff = [](const std::string& words) {
+        const Imported done = imported("a.gltf", gltf("{\"materials\": [{" + words + "}]}"));
+        return done.model.materials.at(0).cutoff;
+    };
+    CHECK(cutoff(R"("alphaMode": "MASK")") == 0.5);
+    CHECK(cutoff(R"("alphaMode": "MASK", "alphaCutoff": 0.25)") == 0.25);
+    CHECK(cutoff(R"("alphaMode": "BLEND")") < 0);
+    CHECK(cutoff("") < 0);
+}
+
 TEST_CASE("meshes without a material have none", "[imports]") {
     const Imported done = imported("a.gltf", gltf(R"({"materials": null, "meshes": [
         {"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}]})"));

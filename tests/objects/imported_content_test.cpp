@@ -128,6 +128,62 @@ TEST_CASE("lights of a model are light sources in units of the scene", "[objects
     }
 }
 
+TEST_CASE("measured lights of a model are those of the same file in the scene", "[objects]") {
+    // Brightest towards C90.
+    const std::string web =
+        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 5 1 2 0 0 0\n1 1 10\n0 45 90\n"
+        "0 90 180 270 360\n100 50 10\n100 200 20\n100 50 10\n100 30 5\n100 50 10\n";
+    const std::string file = gltf(R"({"extensionsUsed": ["EXT_lights_ies"], "nodes": [
+        {"name": "Root", "children": [1, 2]},
+        {"translation": [1, 2, 3], "extensions": {"EXT_lights_ies": {"light": 0}}},
+        {"extensions": {"EXT_lights_ies": {"light": 0, "multiplier": 3}}}],
+        "extensions": {"EXT_lights_ies": {"lights": [{"uri": "lamp.ies"}]}}})");
+    const std::string units = "#version 3.7; global_settings { photometry { unit 1 white 100 } }\n";
+    const Script done =
+        run(units + "model { file \"a.gltf\" }", {{"a.gltf", file}, {"lamp.ies", web}});
+    INFO(done.text);
+    // In the file, C0 is along y and C90 along -x of a light that shines along -z.
+    const Script own =
+        run(units +
+                "light_source { <1, 2, -3>, 1 ies \"lamp.ies\" aim z c0 y }\n"
+                "light_source { 0, 1 ies \"lamp.ies\" aim z c0 y intensity candela(600) }",
+            {{"lamp.ies", web}});
+    INFO(own.text);
+    REQUIRE(done.scene.lights.size() == 2);
+    REQUIRE(own.scene.lights.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const PointLight& a = done.scene.lights[i].light;
+        const PointLight& b = own.scene.lights[i].light;
+        for (const Vec3 point :
+             {Vec3(-1, 2.1, -2), Vec3(2, 2, -2), Vec3(1, 3, -2), Vec3(1, 1, -2)}) {
+            const Incidence one = incidence(a, a.location, point),
+                            two = incidence(b, b.location, point);
+            CHECK(length(one.colour - two.colour) <= 1e-9 * length(two.colour));
+        }
+    }
+    const PointLight& first = done.scene.lights[0].light;
+    const auto at = [&](const Vec3& offset) {
+        return incidence(first, first.location, first.location + offset).colour.x;
+    };
+    CHECK(at({-1, 0, 1}) > 3 * at({1, 0, 1}));  // C90 and C270
+    CHECK(at({-1, 0, 1}) > 3 * at({0, 1, 1}));
+    CHECK(done.text.empty());
+}
+
+TEST_CASE("measured lights that cannot be read are left out with a warning", "[objects]") {
+    const auto said = [](const std::string& profile) {
+        return run("#version 3.7; model { file \"a.gltf\" }",
+                   {{"a.gltf", gltf(R"({"extensionsUsed": ["EXT_lights_ies"], "nodes": [
+                        {"name": "Root", "mesh": 0, "extensions": {"EXT_lights_ies": {"light": 0}}}],
+                        "extensions": {"EXT_lights_ies": {"lights": [)" +
+                                    profile + "]}}}")}})
+            .text;
+    };
+    CHECK(said(R"({"uri": "none.ies"})").find("`none.ies` cannot be read: it is not beside") !=
+          std::string::npos);
+    CHECK(said(R"({"uri": "data:,"})").find("light profile 0 of the model") != std::string::npos);
+}
+
 TEST_CASE("files of one mesh are turned as models are", "[objects]") {
     const Script done = run("#version 3.7; model { file \"a.off\" }",
                             {{"a.off", "OFF\n3 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n"}});

@@ -6,12 +6,24 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
 namespace candelabra {
 
 namespace {
 
 /// A picture of 2 by 1 pixels: linear 1, 0, 0 and 0, 0, 1.
 const std::string red_and_blue = "P6 2 1 255\n" + std::string("\xff\0\0\0\0\xff", 6);
+
+/// A picture of the tests; alpha.png has 8 by 1 pixels.
+std::string content_of(const std::string& name) {
+    std::ifstream file(CANDELABRA_SOURCE_DIR "/tests/conformance/pictures/" + name,
+                       std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
 /// The look of the triangle of a model with this material.
 struct Looked {
@@ -23,7 +35,8 @@ struct Looked {
 Looked look_of(const std::string& material, const std::string& more = "") {
     Looked made{run("#version 3.7; global_settings { assumed_gamma 1 } model { file \"a.gltf\" }",
                     {{"a.gltf", gltf("{\"materials\": [" + material + "]" + more + "}")},
-                     {"a.ppm", red_and_blue}}),
+                     {"a.ppm", red_and_blue},
+                     {"alpha.png", content_of("alpha.png")}}),
                 {},
                 {}};
     INFO(made.done.text);
@@ -91,6 +104,38 @@ TEST_CASE("pictures beside a model are multiplied with its colours", "[objects]"
     const Vec3 right = evaluate(painted.texture.pigment, Vec3(0), place).rgb;
     CHECK(left.x > right.x);
     CHECK(left.z < right.z);
+}
+
+TEST_CASE("materials that are cut out are there or not", "[objects]") {
+    const auto transmit = [](const std::string& alpha) {
+        return look_of(
+                   "{\"alphaMode\": \"MASK\", \"alphaCutoff\": 0.4, \"pbrMetallicRoughness\": "
+                   "{\"baseColorFactor\": [1, 1, 1, " +
+                   alpha + "]}}")
+            .texture.pigment.colour.transmit;
+    };
+    CHECK(transmit("0.39") == 1);
+    CHECK(transmit("0.41") == 0);
+}
+
+TEST_CASE("pictures of materials that are cut out are there or not at each texel", "[objects]") {
+    const auto transmits = [](const std::string& mode) {
+        const Looked cut =
+            look_of("{" + mode + R"("pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})",
+                    R"(, "textures": [{"source": 0}], "images": [{"uri": "alpha.png"}])");
+        std::vector<double> found;
+        PatternScene place;
+        for (int x = 0; x < 8; ++x) {
+            place.uv = {(x + 0.5) / 8, 0.5};
+            found.push_back(evaluate(cut.texture.pigment, Vec3(0), place).transmit);
+        }
+        return found;
+    };
+    const auto blended = transmits(R"("alphaMode": "BLEND",)");
+    const auto cut = transmits(R"("alphaMode": "MASK",)");
+    CHECK(std::ranges::count_if(blended, [](double x) { return x > 0.01 && x < 0.99; }) > 0);
+    for (std::size_t i = 0; i < cut.size(); ++i)
+        CHECK(cut[i] == Approx(blended[i] > 0.5 ? 1 : 0).margin(1e-9));
 }
 
 TEST_CASE("pictures of light glow", "[objects]") {
