@@ -42,19 +42,6 @@ consteval auto schema(std::string_view name, ItemText text, F... fields) {
 
 namespace schema_detail {
 
-template <class M>
-struct MemberValue;
-template <class T, class V>
-struct MemberValue<V T::*> {
-    using type = V;
-};
-template <>
-struct MemberValue<NoMember> {
-    using type = NoMember;
-};
-template <class M>
-using ValueOf = typename MemberValue<M>::type;
-
 template <class V>
 constexpr FieldType type_of(bool colour) {
     if constexpr (std::is_same_v<V, double> || std::is_same_v<V, std::optional<double>>)
@@ -94,23 +81,19 @@ constexpr bool is_optional =
     std::is_same_v<V, std::optional<int>> || std::is_same_v<V, std::optional<double>> ||
     std::is_same_v<V, std::optional<Vec2>> || std::is_same_v<V, std::optional<Vec3>>;
 
-template <class T>
+/// A field whose member has the type V.
+template <class V, class T>
 constexpr FieldInfo describe(const Field<T>& field) {
-    return std::visit(
-        [&](auto member) {
-            using V = ValueOf<decltype(member)>;
-            return FieldInfo{field.name,
-                             field.help,
-                             field.place,
-                             type_of<V>(field.colour),
-                             field.range,
-                             field.may_be_left_out || is_optional<V>,
-                             reserved_word(field.name),
-                             field.chosen,
-                             field.entries,
-                             field.parts};
-        },
-        field.member);
+    return {field.name,
+            field.help,
+            field.place,
+            type_of<V>(field.colour),
+            field.range,
+            field.may_be_left_out || is_optional<V>,
+            reserved_word(field.name),
+            field.chosen,
+            field.entries,
+            field.parts};
 }
 
 template <class V>
@@ -144,15 +127,12 @@ FieldValue load(const V& from) {
 template <class T, class Make>
 struct Access {
     static constexpr auto typed = Make()();
-    static constexpr auto fields = [] {
-        std::array<FieldInfo, typed.fields.size()> result{};
-        for (std::size_t i = 0; i < result.size(); ++i) result[i] = describe(typed.fields[i]);
-        return result;
-    }();
-    /// One pair of functions for each field: no code is generated for types that T lacks, and no
-    /// branch could read them.
     template <std::size_t I>
-    static constexpr auto member = std::get<typed.fields[I].member.index()>(typed.fields[I].member);
+    using Value = std::tuple_element_t<typed.fields[I].member.type(), MemberTypes>;
+    static constexpr auto fields = []<std::size_t... I>(std::index_sequence<I...>) {
+        return std::array<FieldInfo, sizeof...(I)>{describe<Value<I>>(typed.fields[I])...};
+    }
+    (std::make_index_sequence<typed.fields.size()>());
     using Setter = void (*)(T&, const FieldValue&);
     using Getter = FieldValue (*)(const T&);
     template <std::size_t... I>
@@ -163,18 +143,19 @@ struct Access {
     static constexpr std::array<Getter, sizeof...(I)> make_getters(std::index_sequence<I...>) {
         return {[](const T& item) { return load_from<I>(item); }...};
     }
-    template <std::size_t I>
-    static constexpr bool kept_elsewhere = std::holds_alternative<NoMember>(typed.fields[I].member);
+    /// One pair of functions for each field: no code is generated for types that T lacks, and no
+    /// branch could read them.
     template <std::size_t I>
     static void store_in(T& item, const FieldValue& value) {
-        if constexpr (!kept_elsewhere<I>) store(item.*member<I>, value);
+        if constexpr (!std::is_same_v<Value<I>, NoMember>)
+            store(item.*typed.fields[I].member.template pointer<Value<I>>(), value);
     }
     template <std::size_t I>
     static FieldValue load_from(const T& item) {
-        if constexpr (kept_elsewhere<I>)
+        if constexpr (std::is_same_v<Value<I>, NoMember>)
             return {};
         else
-            return load(item.*member<I>);
+            return load(item.*typed.fields[I].member.template pointer<Value<I>>());
     }
     static void set(void* item, std::size_t field, const FieldValue& value) {
         static constexpr auto setters =
