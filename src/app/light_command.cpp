@@ -124,7 +124,9 @@ std::string opening_text(const LuminousOpening& opening) {
 
 std::string tilt_text(const LampTilt& tilt) {
     return message("factors for ", tilt.angles.size(), " tilts, lamp geometry ", tilt.geometry,
-                   "; not applied here");
+                   "; not applied here",
+                   tilt.follows_aim() ? ", and in a scene by the angle of `aim` to the vertical"
+                                      : ", nor in a scene");
 }
 
 /// Describes one file. Returns the exit status.

@@ -16,10 +16,9 @@ constexpr std::size_t most_named_repairs = 3;
 /// Warns of what has been read otherwise than it is written.
 void warn_of_repairs(OpenBlock& block, std::string_view name, const PhotometricFile& file) {
     std::vector<std::string> notes = file.notes;
-    if (file.tilt)
+    if (file.tilt && !file.tilt->follows_aim())
         notes.emplace_back(
-            "its intensities change with the tilt of the lamp, which is not "
-            "followed");
+            "its intensities change with the position of a horizontal lamp, which is not followed");
     if (notes.empty()) return;
     std::string all;
     for (std::size_t i = 0; i < notes.size() && i < most_named_repairs; ++i)
@@ -33,15 +32,17 @@ void warn_of_repairs(OpenBlock& block, std::string_view name, const PhotometricF
 
 }  // namespace
 
-Handle<PhotometricWeb> read_web(OpenBlock& block, std::string_view name, std::string_view bytes,
-                                int lamp_set, std::string& wrong) {
+LoadedWeb read_web(OpenBlock& block, std::string_view name, std::string_view bytes, int lamp_set,
+                   std::string& wrong) {
     PhotometricFile file;
     PhotometricChoice choice;
     choice.set = static_cast<std::size_t>(lamp_set - 1);
     wrong = read_photometric(bytes, choice, file);
-    if (!wrong.empty()) return nullptr;
+    if (!wrong.empty()) return {};
     warn_of_repairs(block, name, file);
-    return make_handle<PhotometricWeb>(std::move(file.web));
+    LoadedWeb made{make_handle<PhotometricWeb>(std::move(file.web))};
+    if (file.tilt) made.tilt = make_handle<LampTilt>(std::move(*file.tilt));
+    return made;
 }
 
 void load_web(OpenBlock& block, WebPlace& place) {
@@ -50,7 +51,7 @@ void load_web(OpenBlock& block, WebPlace& place) {
     const std::string name = printable(place.file());
     place.per_candela = evaluator.use_light_units().intensity(1);
     auto& known = block.binder.webs[{place.file(), place.lamp_set}];
-    if (!known) {
+    if (!known.web) {
         const auto bytes = evaluator.load_data(place.file(), block.file_place());
         if (!bytes) {
             block.broken = true;
@@ -58,13 +59,13 @@ void load_web(OpenBlock& block, WebPlace& place) {
         }
         std::string wrong;
         known = read_web(block, name, *bytes, place.lamp_set, wrong);
-        if (!known) {
+        if (!known.web) {
             block.report(error(Fault::syntax, block.file_place(), message("`", name, "`: ", wrong))
                              .with_help(message("candelabra light ", name, " reads it alone")));
             return;
         }
     }
-    place.web = known;
+    static_cast<LoadedWeb&>(place) = known;
     if (!has_axes(place))
         block.report(error(Fault::degenerate, block.span,
                            "`aim` and `c0` of a photometric file must be two directions")

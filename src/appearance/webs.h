@@ -9,10 +9,10 @@
 
 namespace candelabra {
 
-/// The web of a photometric file, of which `name` is told; null if it cannot be read, and `wrong`
-/// says why. Warns of what has been repaired. `lamp_set`: of EULUMDAT, from 1.
-Handle<PhotometricWeb> read_web(OpenBlock&, std::string_view name, std::string_view bytes,
-                                int lamp_set, std::string& wrong);
+/// Reads a photometric file, which messages call by `name`. Its web is null if that fails, for the
+/// reason in `wrong`. Warns of repairs. `lamp_set`: of EULUMDAT, from 1.
+LoadedWeb read_web(OpenBlock&, std::string_view name, std::string_view bytes, int lamp_set,
+                   std::string& wrong);
 
 /// Loads the file of a lamp if it names one: a file is read once, and its lamps share its table.
 /// Reports what is wrong, and warns once of what has been repaired.

@@ -204,7 +204,9 @@ Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.locat
 
 void settle(PointLight& light) {
     light.shape = cone_shape(light);
-    if (light.web) light.aimed = make_handle<AimedWeb>(light);
+    if (!light.web) return;
+    light.aimed = make_handle<AimedWeb>(light);
+    if (!light.intensity && !light.flux) light.colour *= tilt_factor(light);
 }
 
 Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point) {

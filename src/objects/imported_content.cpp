@@ -85,9 +85,9 @@ std::string profile_name(const ImportedModel& model, std::size_t number) {
     return file.empty() ? message("light profile ", number, " of the model") : name_beside(file);
 }
 
-/// Reads a profile of lights; null, with a warning, if that cannot be done.
-Handle<PhotometricWeb> read_profile(OpenBlock& block, const ImportedModel& model,
-                                    std::size_t number, const std::string& folder) {
+/// Reads a profile of lights. Its web is null, with a warning, if that cannot be done.
+LoadedWeb read_profile(OpenBlock& block, const ImportedModel& model, std::size_t number,
+                       const std::string& folder) {
     const ImportedFile& file = model.profiles[number];
     const std::string name = profile_name(model, number);
     std::string bytes = file.bytes, wrong = "it is not beside the model";
@@ -97,12 +97,13 @@ Handle<PhotometricWeb> read_profile(OpenBlock& block, const ImportedModel& model
         is_there = found.has_value();
         if (found) bytes = std::move(found->text);
     }
-    auto web = is_there ? read_web(block, printable(name), bytes, 1, wrong) : nullptr;
-    if (!web)
+    LoadedWeb loaded;
+    if (is_there) loaded = read_web(block, printable(name), bytes, 1, wrong);
+    if (!loaded.web)
         block.report(warning(Fault::io, block.file_place(),
                              message("lights of the model are left out, whose measured file `",
                                      printable(name), "` cannot be read: ", wrong)));
-    return web;
+    return loaded;
 }
 
 /// Reads a file of parts and materials.
@@ -157,19 +158,19 @@ Content read_mesh(OpenBlock& block, const Found& file) {
 
 /// A light with the intensities of a file. Gamma 0 is along -z of its node, and C270 along x, which
 /// leaves y for C0.
-void aim_measured(PointLight& light, const std::string& name, const Handle<PhotometricWeb>& web,
+void aim_measured(PointLight& light, const std::string& name, const LoadedWeb& loaded,
                   const LightUnits& units) {
     const double factor = light_luminance(light.colour);
-    if (!web || !(factor > 0)) {
+    if (!loaded.web || !(factor > 0)) {
         light.colour = Vec3(0);
         return;
     }
     light.ies = name;
-    light.web = web;
+    static_cast<LoadedWeb&>(light) = loaded;
     light.aim = {0, 0, 1};
     light.c0 = {0, 1, 0};
     light.per_candela = units.intensity(1);
-    if (factor != 1) light.intensity = units.intensity(web->greatest() * factor);
+    if (factor != 1) light.intensity = units.intensity(light.web->greatest() * factor);
     if (!measure(light).empty()) light.colour = Vec3(0);
 }
 

@@ -18,8 +18,7 @@ struct ImportedContent {
     ImportedModel model;               ///< without the lists of its meshes and pictures
     std::vector<Handle<Mesh>> meshes;  ///< null: it has no faces
     std::vector<ImportedLook> looks;   ///< of each material
-    /// What each profile of its lights says; null: it cannot be read.
-    std::vector<Handle<PhotometricWeb>> webs;
+    std::vector<LoadedWeb> webs;       ///< of each profile of its lights; null: it cannot be read
     /// What has been made of it without other looks, by the name of the part; "": the whole.
     std::map<std::string, ObjectHandle, std::less<>> objects;
 };

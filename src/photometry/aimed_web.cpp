@@ -51,6 +51,12 @@ void turn(WebPlace& place, const Transform& transform) {
     if (transform.determinant() < 0) place.mirrored = !place.mirrored;
 }
 
+double tilt_factor(const WebPlace& place) {
+    if (!place.tilt || !place.tilt->follows_aim()) return 1;
+    const double down = std::clamp(-unit(place.aim).y, -1.0, 1.0);
+    return factor_of_tilt(*place.tilt, math::acos(down) * (180 / std::numbers::pi));
+}
+
 bool has_axes(const WebPlace& place) {
     return place.aim != Vec3(0) && place.c0 != Vec3(0) && length(across(place)) > least_across;
 }

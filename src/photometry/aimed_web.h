@@ -4,21 +4,29 @@
 
 #include "base/handle.h"
 #include "base/transform.h"
+#include "photometry/lamp_tilt.h"
 #include "photometry/photometric_web.h"
 
 #include <string>
 
 namespace candelabra {
 
+/// The content of a photometric file, which all lamps of the file share.
+struct LoadedWeb {
+    Handle<PhotometricWeb> web = {};  ///< null: there is no file
+    Handle<LampTilt> tilt = {};       ///< null: its light is the same in any position
+
+    friend bool operator==(const LoadedWeb&, const LoadedWeb&) = default;
+};
+
 /// Fields of lamps in the language by which they name and turn a web.
-struct WebPlace {
+struct WebPlace : LoadedWeb {
     std::string ies = {}, ldt = {};  ///< name of the file, in one of them
     int lamp_set = 1;                ///< of EULUMDAT, from 1
     Vec3 aim = Vec3(0, -1, 0);       ///< where the web's straight down (gamma 0) leads
     Vec3 c0 = Vec3(1, 0, 0);         ///< where the plane C0 lies; its part along `aim` is left out
     bool mirrored = false;           ///< the planes C90 and C270 are exchanged
 
-    Handle<PhotometricWeb> web = {};  ///< of the file; null: there is none
     /// Candela in the scene's numbers: see LightUnits::intensity().
     double per_candela = 1;
 
@@ -29,6 +37,10 @@ struct WebPlace {
 /// Turns the axes with a lamp. A transformation that stretches the lamp only turns its web, and one
 /// that mirrors the lamp mirrors its web.
 void turn(WebPlace&, const Transform&);
+
+/// Factor on the intensities of the file as the luminaire is tilted: by the angle between `aim` and
+/// -y, if the file has factors that follow it. Precondition: has_axes().
+double tilt_factor(const WebPlace&);
 
 /// Whether `aim` and `c0` are two directions.
 bool has_axes(const WebPlace&);

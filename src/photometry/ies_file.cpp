@@ -205,6 +205,9 @@ void read_tilt(const std::string& tilt, Numbers& numbers, PhotometricFile& file)
     const int count = numbers.whole("the number of tilts", 1, most);
     made.angles = numbers.rising("tilt", count, 0, 180);
     made.factors = numbers.list("factor of tilt", count);
+    if (std::ranges::any_of(made.factors, [](double factor) { return factor < 0; }))
+        file.notes.emplace_back("a factor of tilt below 0 counts as 0");
+    for (double& factor : made.factors) factor = std::fmax(factor, 0);
     file.tilt = std::move(made);
 }
 

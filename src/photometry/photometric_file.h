@@ -4,6 +4,7 @@
 // than it is written.
 #pragma once
 
+#include "photometry/lamp_tilt.h"
 #include "photometry/photometric_web.h"
 
 #include <optional>
@@ -21,13 +22,6 @@ struct LampSet {
     double flux = 0;  ///< lumens of all lamps of the set
     std::string colour_temperature = {}, colour_rendering = {};
     double watts = 0;  ///< with what drives the lamps
-};
-
-/// How the light of a lamp changes as the luminaire is tilted from the position in which it was
-/// measured.
-struct LampTilt {
-    int geometry = 1;  ///< 1: the lamp is vertical; 2: horizontal, and stays so; 3: tilts with it
-    std::vector<double> angles, factors;  ///< degrees, and factors on all intensities
 };
 
 /// The luminous opening. Lengths in metres.

@@ -61,7 +61,7 @@ struct Binder {
     /// Pictures that have been read, by file and coding.
     std::map<std::pair<std::string, TexelCoding>, Handle<Texels>> pictures = {};
     /// Webs of photometric files, by file and set of lamps.
-    std::map<std::pair<std::string, int>, Handle<PhotometricWeb>> webs = {};
+    std::map<std::pair<std::string, int>, LoadedWeb> webs = {};
     /// Models that have been read, by folder and name.
     std::map<std::pair<std::string, std::string>, std::shared_ptr<ImportedContent>> models = {};
     /// Contents of font files, by folder and name.

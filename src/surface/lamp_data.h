@@ -19,7 +19,9 @@ struct LampData : WebPlace {
     /// Whether its radiance follows from its flux.
     bool has_flux() const { return flux || web; }
     /// In units of LightUnits. Precondition: has_flux().
-    double total_flux() const { return flux ? *flux : web->flux() * per_candela; }
+    double total_flux() const {
+        return flux ? *flux : web->flux() * per_candela * tilt_factor(*this);
+    }
     friend bool operator==(const LampData&, const LampData&) = default;
 };
 

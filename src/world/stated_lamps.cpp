@@ -150,10 +150,10 @@ void StatedLamps::settle(World& world, Diagnostics& diagnostics) const {
                     .with_help("emission is multiplied by the pigment, which is black where none "
                                "is given: pigment { rgb 1 }"));
         } else if (lamp.data->web) {
-            WebPlace place = *lamp.data;
+            LampData place = *lamp.data;
             if (lamp.place) turn(place, *lamp.place);
             // Over the mean luminance, and by the web's own flux, which is that of its candela.
-            const double scale = std::numbers::pi * lamp.data->total_flux() * emitted.area /
+            const double scale = std::numbers::pi * place.total_flux() * emitted.area /
                                  (emitted.light * place.web->flux());
             make(webs, std::pair(lamp.data.get(), web_key(place, scale, emitted)), scale,
                  [&] { return make_handle<BodyWeb>(AimedWeb(place), emitted.facets); });

@@ -17,6 +17,14 @@ const std::string even =
     "IESNA:LM-63-2002\r\n[TEST] 1\r\n[TESTLAB] a\r\n[ISSUEDATE] b\r\n[MANUFAC] c\r\n"
     "TILT=NONE\r\n1 -1 1 2 1 1 2 0 0 0\r\n1 1 10\r\n0 90\r\n0\r\n100 100\r\n";
 
+/// The same with factors for a tilt, of a lamp of that geometry.
+std::string tilted(const std::string& geometry) {
+    std::string result = even;
+    const std::string none = "TILT=NONE\r\n";
+    return result.replace(result.find(none), none.size(),
+                          "TILT=INCLUDE\r\n" + geometry + "\r\n2\r\n0 90\r\n1 0.8\r\n");
+}
+
 Script with_web(const std::string& text, const std::string& file = even) {
     return run("#version 3.7; global_settings { photometry { unit 1 white 1 } } " + text,
                {{"a.ies", file}});
@@ -85,6 +93,18 @@ TEST_CASE("what is wrong with a file is said where the scene names it", "[appear
         const Script done = with_web(row.text, row.file);
         CHECK(done.text.find(row.expected) != std::string::npos);
     }
+}
+
+TEST_CASE("a tilt is followed for vertical lamps, and reported for others", "[appearance]") {
+    const std::string lamp = "light_source { 0, 1 ies \"a.ies\" aim x c0 y }";
+    const Script vertical = with_web(lamp, tilted("1"));
+    CHECK(vertical.text.empty());
+    REQUIRE(vertical.scene.lights.at(0).light.tilt);
+    CHECK(tilt_factor(vertical.scene.lights.at(0).light) == Approx(0.8));
+    const Script lying = with_web(lamp, tilted("2"));
+    CHECK(lying.text.find("position of a horizontal lamp, which is not followed") !=
+          std::string::npos);
+    CHECK(tilt_factor(lying.scene.lights.at(0).light) == 1);
 }
 
 TEST_CASE("a scene with lamps in numbers is written as it is read", "[appearance]") {
