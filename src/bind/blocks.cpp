@@ -9,6 +9,7 @@
 #include "appearance/textures.h"
 #include "bind/backdrops.h"
 #include "bind/cameras.h"
+#include "bind/meters.h"
 #include "bind/scene_content.h"
 #include "bind/settings.h"
 #include "objects/lights.h"
@@ -187,7 +188,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
      part<Rainbow, read_rainbow>},
     {"media", "interior", BlockForm::block, scene_part<Media, &Scene::media, read_media>,
      part<Media, read_media>},
-    {"meter", "", BlockForm::block, scene_part<Meter, &Scene::meters, read_item<Meter>>},
+    {"meter", "", BlockForm::block, scene_part<Meter, &Scene::meters, read_meter>},
     {"global_settings", "", BlockForm::block, settings_in_scene},
     {"light_sampler", "global_settings"},
     {"integrator", "global_settings"},

@@ -106,7 +106,10 @@ const ItemInfo Meter::vocabulary = described<Meter>([] {
           "degrees around the line of sight over which luminance is averaged", between(0, 90)},
         F{"maintenance", &Meter::maintenance, item, "factor on all results", above(0)},
         F{"road", &Meter::road, item,
-          "name of the meter of luminance whose mean threshold_increment compares with"});
+          "name of the meter of luminance whose mean threshold_increment compares with"},
+        F{"road_table", &Meter::road_table, item,
+          "CSV file with the reflection of the road, 10000 r by tan gamma and beta: luminance is "
+          "that of the direct light of lamps by it, as in EN 13201"});
 });
 
 std::string problem(const Meter& meter) {
@@ -129,6 +132,8 @@ std::string problem(const Meter& meter) {
         return "`" + std::string(name_of(quantity)) + "` of `meter` needs `direction`";
     if (quantity == Quantity::luminance && !meter.direction && !meter.eye)
         return "`luminance` of `meter` needs `eye` or `direction`";
+    if (!meter.road_table.empty() && quantity != Quantity::luminance)
+        return "`road_table` of `meter` is for `luminance`";
     if (quantity == Quantity::threshold_increment && meter.road.empty())
         return "`threshold_increment` of `meter` needs `road`, the name of a meter of luminance";
     if (looks && cross(*meter.direction, meter.up) == Vec3(0))

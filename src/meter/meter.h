@@ -3,6 +3,8 @@
 // no picture.
 #pragma once
 
+#include "base/handle.h"
+#include "meter/road_table.h"
 #include "vocabulary/item_info.h"
 
 #include <cstdint>
@@ -44,6 +46,8 @@ struct Meter {
     double cone = 0;         ///< half of the angle that an observer averages, in degrees
     double maintenance = 1;  ///< factor on all results
     std::string road;        ///< meter whose mean luminance is that of the road
+    std::string road_table;  ///< file with the road's reflection, for luminance
+    Handle<RoadTable> surface = {};  ///< of that file; null: the road's own material is seen
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Meter&, const Meter&) = default;

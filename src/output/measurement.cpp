@@ -131,6 +131,7 @@ std::string readings_as_json(const MeasuredScene& scene) {
                   {"max", place_json(reading, summary.greatest)},
                   {"uo", value_json(summary.uo)},
                   {"ud", value_json(summary.ud)}};
+        if (!meter.road_table.empty()) json["road_table"] = meter.road_table;
         if (const auto flux = flux_of(meter, reading)) {
             json["flux_lm"] = value_json(*flux);
             json["area_m2"] = reading.area;
@@ -154,7 +155,9 @@ std::string readings_as_text(const MeasuredScene& scene) {
         const std::string_view unit = unit_of(meter.measures());
         const std::size_t count = reading.values.size();
         text += message(printable(label(scene, i)), ": ", name_of(meter.measures()), " at ", count,
-                        count == 1 ? " point" : " points", unit.empty() ? "" : ", ", unit, '\n');
+                        count == 1 ? " point" : " points", unit.empty() ? "" : ", ", unit,
+                        meter.road_table.empty() ? "" : ", by the road of ",
+                        printable(meter.road_table), '\n');
         if (count == 1) {
             text += message("  ", shown(reading.values[0]), '\n');
         } else {

@@ -61,8 +61,9 @@ public:
         const Sightline sight{place.direction, unit(meter.up)};
         switch (meter.measures()) {
             case Quantity::luminance:
-                sums[0] += luminance(meter.eye.value_or(place.position),
-                                     looked(meter.cone, place.direction, key), key);
+                sums[0] += meter.surface ? road_luminance(*meter.surface, place, sight.up, key)
+                                         : luminance(meter.eye.value_or(place.position),
+                                                     looked(meter.cone, place.direction, key), key);
                 return;
             case Quantity::ugr: {
                 const WhiteElement eye(place.position, place.direction);
@@ -211,13 +212,36 @@ private:
         for_lamps(from, sight, key, [&](const Vec3& direction, double bright, double angle) {
             sum += veil_factor(sight, direction) * bright * angle * dot(direction, sight.ahead);
         });
+        return sum + from_sources({from, sight.ahead}, key, [&](const Vec3& direction) {
+                   return veil_factor(sight, direction);
+               });
+    }
+
+    /// Luminance of a road by the direct light of lamps and its table of reflection.
+    double road_luminance(const RoadTable& road, const MeterPlace& place, const Vec3& up,
+                          const Key& key) {
+        const Vec3& from = place.position;
+        double sum = 0;
+        for_lamps(from, {up, up}, key, [&](const Vec3& direction, double bright, double angle) {
+            sum += road.coefficient(up, place.direction, direction) * bright * angle *
+                   dot(direction, up);
+        });
+        return sum + from_sources({from, up}, key, [&](const Vec3& direction) {
+                   return road.coefficient(up, place.direction, direction);
+               });
+    }
+
+    /// The illuminance of an element by light sources, each times a factor on its direction.
+    template <class Factor>
+    double from_sources(const WhiteElement& element, const Key& key, const Factor& factor) {
         const auto& sources = world_.lights.sources;
-        const WhiteElement eye(from, sight.ahead);
+        double sum = 0;
         for (std::uint32_t i = 0; i < sources.size(); ++i) {
-            const Incidence there = incidence(sources[i], sources[i].location, from);
-            const double factor = veil_factor(sight, there.direction);
-            if (factor > 0)
-                sum += factor * on_element(eye, [&](const LitLayer& layer) {
+            const Incidence there =
+                incidence(sources[i], sources[i].location, element.ray().origin);
+            const double counts = factor(there.direction);
+            if (counts > 0)
+                sum += counts * on_element(element, [&](const LitLayer& layer) {
                            return direct_.from_source(i, 1, layer, key, ledger_);
                        });
         }

@@ -323,6 +323,39 @@ TEST_CASE("lamps of the library send out the flux that is said of them", "[rende
     }
 }
 
+TEST_CASE("a table of a road's reflection has the luminance of EN 13201", "[render]") {
+    const auto road = [](const std::string& table, const std::string& point) {
+        return "meter { \"road\" luminance eye <-60, 1.5, 0> road_table "
+               "\"tests/meter/files/" +
+               table + "\" points { 1, " + point + " } } ";
+    };
+    // A lamp 8 metres above the road with 1500 cd in all directions: I r / H^2.
+    const std::string source = "light_source { <0, 8, 0>, 1 intensity candela(1500) } ";
+    const std::string ball =
+        "sphere { <0, 8, 0>, 0.01 pigment { rgb 1 } luminaire { flux lumen(4*pi*1500) } } ";
+    const std::string plane = "plane { y, 0 pigment { rgb 0.5 } } ";
+    for (const std::string& lamp : {source, ball}) {
+        CAPTURE(lamp);
+        // Light from behind the observer, which falls on <10, 0, 3> beyond the lamp.
+        CHECK(read_one(lamp + road("even_road.csv", "<10, 0, 3>"), 0.005).value ==
+              Approx(0.28125).epsilon(0.01));
+        CHECK(read_one(plane + lamp + road("even_road.csv", "<10, 0, 3>"), 0.005).value ==
+              Approx(0.28125).epsilon(0.01));
+        // From ahead it is as the way from 0 to 12 of the tangent, which is 1.
+        CHECK(read_one(lamp + road("even_road.csv", "<-8, 0, 0>"), 0.005).value ==
+              Approx(0.28125 * (1 + 1.0 / 12)).epsilon(0.01));
+        // A Lambertian road of q = 0.07 has 0.07 of the illuminance; its tangent is 2 here.
+        CHECK(read_one(lamp + road("lambertian_road.csv", "<0, 0, 16>"), 0.005).value ==
+              Approx(0.07 * 1500 / 64 * std::pow(5, -1.5)).epsilon(0.01));
+        // Beyond the table, and behind a wall, there is no light.
+        CHECK(read_one(lamp + road("even_road.csv", "<0, 0, 97>"), 0.005).value == 0);
+        CHECK(
+            read_one(lamp + "box { <-1, 0, 4>, <1, 9, 5> } " + road("even_road.csv", "<0, 0, 16>"),
+                     0.005)
+                .value == 0);
+    }
+}
+
 TEST_CASE("a grid tells its flux, and how long it was measured", "[render]") {
     // All light of a lamp goes through the sides of a box around it.
     const std::string lamp = "sphere { 0, 0.1 pigment { rgb 1 } luminaire { flux lumen(1000) } } ";

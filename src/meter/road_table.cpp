@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meter/road_table.h"
+
+#include "base/elementary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+/// A place between two entries of a rising list.
+struct Between {
+    std::size_t low, high;
+    double share;  ///< of the way from the lower one
+};
+
+/// Values beyond the ends are at the ends.
+Between between_entries(const std::vector<double>& list, double value) {
+    const auto above = std::ranges::upper_bound(list, value);
+    if (above == list.begin()) return {0, 0, 0};
+    const auto high = static_cast<std::size_t>(above - list.begin());
+    if (high == list.size()) return {high - 1, high - 1, 0};
+    return {high - 1, high, (value - list[high - 1]) / (list[high] - list[high - 1])};
+}
+
+bool rises(const std::vector<double>& list, double most) {
+    return !list.empty() && list.front() >= 0 && list.back() <= most &&
+           std::ranges::adjacent_find(list, std::greater_equal()) == list.end();
+}
+
+}  // namespace
+
+double RoadTable::coefficient(const Vec3& up, const Vec3& sight, const Vec3& light) const {
+    const double cosine = dot(light, up);
+    if (!(cosine > 0)) return 0;
+    const Vec3 ahead = sight - dot(sight, up) * up, incoming = light - cosine * up;
+    const double tangent = length(incoming) / cosine;
+    if (!(tangent <= tangents.back())) return 0;
+    const double lengths = length(ahead) * length(incoming);
+    const double beta =
+        lengths > 0 ? math::acos(std::clamp(dot(ahead, incoming) / lengths, -1.0, 1.0)) : 0;
+    const Between row = between_entries(tangents, tangent),
+                  column = between_entries(angles, beta * (180 / std::numbers::pi));
+    const auto in_row = [&](std::size_t number) {
+        const double* const first = entries.data() + number * angles.size();
+        return first[column.low] + column.share * (first[column.high] - first[column.low]);
+    };
+    const double entry = in_row(row.low) + row.share * (in_row(row.high) - in_row(row.low));
+    return 1e-4 * entry / (cosine * cosine * cosine);
+}
+
+std::string problem(const RoadTable& table) {
+    constexpr double most_tangent = 1000, most_entry = 1e6;
+    if (!rises(table.angles, 180))
+        return "the first row has the angles beta, which rise strictly from 0 to 180 degrees";
+    if (!rises(table.tangents, most_tangent))
+        return "the first column has tangents of angles of incidence, which rise strictly from 0";
+    const auto wrong = [](double entry) { return !(entry >= 0 && entry <= most_entry); };
+    if (std::ranges::any_of(table.entries, wrong))
+        return "entries are numbers from 0 to 1000000, 10000 times r";
+    return {};
+}
+
+}  // namespace candelabra
