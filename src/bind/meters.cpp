@@ -7,7 +7,10 @@
 #include "text/message.h"
 #include "text/printable.h"
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
 #include <string_view>
 
 namespace candelabra {

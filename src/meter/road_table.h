@@ -21,8 +21,7 @@ struct RoadTable {
 
     /// The luminance coefficient, in 1/sr: the luminance that an observer sees per illuminance of
     /// the road. Bilinear in the table; 0 for light that is more grazing than the last tangent, or
-    /// from below. `up`: unit, of the road; `sight`: unit, from the observer; `light`: unit, towards
-    /// the lamp.
+    /// from below. Unit vectors: `up` of the road, `sight` from the observer, `light` to the lamp.
     double coefficient(const Vec3& up, const Vec3& sight, const Vec3& light) const;
     friend bool operator==(const RoadTable&, const RoadTable&) = default;
 };

@@ -135,7 +135,8 @@ constexpr auto listed = std::to_array<OptionRow>({
            "index that finds the surfaces along a ray, in place of the scene's: kd_tree or "
            "bounding_boxes; it does not change pictures"),
     option(none, "", "", "light-report", nothing, "", kept<&Options::light_report>(Type::toggle),
-           "prints a table of the light and the cost of each statement that makes lights"),
+           "prints a table of the light and the cost of each statement that makes lights; with "
+           "--layers lights also those that could be off unseen"),
 
     begin(OptionGroup::film),
     option(picture, "", "", "film", value, "on|off", store::film<"film">,

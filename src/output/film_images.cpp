@@ -42,6 +42,13 @@ Image smooth_image(const Film& film, const FilmFiles& files) {
     return image;
 }
 
+Image light_image(const Film& film, const FilmFiles& files, std::size_t statement) {
+    const std::size_t first = files.aovs().first_light() + 3 * statement;
+    Image image(film.width(), film.height());
+    film.each([&](std::size_t i) { image.pixels[i] = mean_of(film, i, first); });
+    return image;
+}
+
 QuietFilm denoised_film(const Film& film, const FilmFiles& files) {
     const Aovs aovs = files.aovs();
     NoisyPicture noisy;

@@ -4,6 +4,7 @@
 
 #include "film/develop.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace candelabra {
 
 class Film;
 struct FilmFiles;
+
+/// Returns the light of a statement, by its number. The film must have layers of light.
+Image light_image(const Film&, const FilmFiles&, std::size_t statement);
 
 /// Returns the image of compressed samples, which the film must have.
 Image smooth_image(const Film&, const FilmFiles&);

@@ -2,6 +2,7 @@
 #include "photometry/lamp_tilt.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace candelabra {
 

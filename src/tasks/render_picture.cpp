@@ -2,6 +2,7 @@
 #include "tasks/render_picture.h"
 
 #include "console/progress.h"
+#include "output/idle_lights.h"
 #include "output/light_report.h"
 #include "production/file_lock.h"
 #include "production/render_job.h"
@@ -134,7 +135,12 @@ int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> mete
         write_kept_lights(*recorder, job.film(), files, options.kept_lights, diagnostics);
     const bool lost = diagnostics.failed();
     job.leave_state(!whole || options.keep_state || lost);
-    if (options.light_report) steps.console().err(light_report(world, job.rays(), steps.sources()));
+    if (options.light_report) {
+        steps.console().err(light_report(world, job.rays(), steps.sources()));
+        if (whole && end == JobEnd::finished && files.aovs().lights)
+            steps.console().err(
+                idle_lights_report(world, changes_without(job.film(), files), steps.sources()));
+    }
     if (steps.say_diagnostics()) return exit_status::file;
     const std::string made = whole ? path : state_path(plan);
     const int status = steps.finish(shot, made);
