@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/film.h"
 
+#include "base/size_product.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -65,8 +67,8 @@ static_assert(std::is_trivially_copyable_v<PixelSum> && std::is_trivially_copyab
 static_assert(sizeof(PixelSum) % alignof(ExactSum) == 0);
 
 std::size_t Film::bytes_of(int width, int height, std::size_t aovs) {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-           (sizeof(PixelSum) + aovs * sizeof(ExactSum));
+    return size_product(static_cast<std::size_t>(width), static_cast<std::size_t>(height),
+                        sizeof(PixelSum) + aovs * sizeof(ExactSum));
 }
 
 Film::Film(int width, int height, std::size_t aovs)

@@ -89,6 +89,7 @@ NodeId Statements::take_power(const Tree& tree, NodeId id, const Sink& take) {
 }
 
 Flow Statements::walk_one(const Tree& tree, NodeId id, const Sink& take) {
+    if (!context_.room(tree, id)) return Flow::stopped;  // what it is given to may walk its body
     const NodeContent& content = tree[id].content;
     const auto body_element = [&](Element::Kind kind, NodeId body) {
         Element element;

@@ -97,7 +97,7 @@ std::string polyhedra::read_stl(std::string_view file, Polyhedron& made) {
     if (file.size() < stl_head) return read_written(file, made);
     const std::size_t count = word_at(file, stl_head - 4);
     const std::size_t room = (file.size() - stl_head) / stl_triangle;
-    const bool exact = stl_head + count * stl_triangle == file.size();
+    const bool exact = count == room && (file.size() - stl_head) % stl_triangle == 0;
     // Some writers begin binary files with the first word of text files, and some append to them.
     if (exact || (count <= room && !file.starts_with("solid")))
         return read_binary(file, count, made);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/tga.h"
 
+#include "base/size_product.h"
+
 #include <cstddef>
 
 namespace candelabra {
@@ -52,7 +54,7 @@ private:
 std::vector<std::size_t> places(const Head& file, std::size_t count, std::size_t end) {
     std::vector<std::size_t> result;
     constexpr std::size_t max_in_packet = 128;
-    const std::size_t fitting = file.packed() ? max_in_packet * end : end;
+    const std::size_t fitting = file.packed() ? size_product(max_in_packet, end) : end;
     if (count > fitting) return result;
     const std::size_t step = file.numbered() ? 1 : 2;
     std::size_t at = file.pixels_at();

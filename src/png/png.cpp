@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "png/png.h"
 
+#include "base/size_product.h"
+
 #include <cmath>
 #include <csetjmp>
 #include <cstddef>
@@ -128,7 +130,8 @@ std::string read(PngWork& work, std::int64_t max_pixels, StoredPicture& picture)
                " pixels";
     // Deflate expands two bits to at most 258 bytes.
     constexpr std::size_t max_growth = 1032;
-    if (work.file_row * static_cast<std::size_t>(height) > max_growth * file_bytes)
+    if (size_product(work.file_row, static_cast<std::size_t>(height)) >
+        size_product(max_growth, file_bytes))
         return "its header is for a larger picture than its " + std::to_string(file_bytes) +
                " bytes can hold";
     const std::size_t stored = png_get_channels(work.png, work.info);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raster/exr_reader.h"
 
+#include "base/size_product.h"
 #include "raster/bytes.h"
 #include "raster/exr_blocks.h"
 
@@ -68,7 +69,7 @@ struct ExrFile {
     std::size_t row_bytes() const {
         std::size_t bytes = 0;
         for (const ExrPlane& plane : planes) bytes += plane.bytes();
-        return bytes * static_cast<std::size_t>(width);
+        return size_product(bytes, static_cast<std::size_t>(width));
     }
 };
 
@@ -215,8 +216,8 @@ std::string read_exr(std::string_view bytes, std::int64_t max_pixels, LayeredPic
             return ends_early;
         const auto y = static_cast<std::size_t>(first);
         const std::size_t count = std::min(rows, height - y);
-        const auto raw = unpacked(bytes.substr(at + chunk_head, size), count * file->row_bytes(),
-                                  file->compression);
+        const auto raw = unpacked(bytes.substr(at + chunk_head, size),
+                                  size_product(count, file->row_bytes()), file->compression);
         if (!raw || filled[y / rows]) return ends_early;
         filled[y / rows] = true;
         spread(*raw, *file, y, count, made.planes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raster/jpeg.h"
 
+#include "base/size_product.h"
 #include "raster/bytes.h"
 
 #ifdef CANDELABRA_JPEG
@@ -65,7 +66,7 @@ std::optional<StoredPicture> read_with(JpegWork& work, std::string_view bytes,
     if ((components != 1 && components != 3) || !has_size(width, height, max_pixels))
         return std::nullopt;
     const auto count = static_cast<std::size_t>(width * height * components);
-    if (count > growth * bytes.size()) return std::nullopt;
+    if (count > size_product(growth, bytes.size())) return std::nullopt;
     std::vector<unsigned char> pixels(count);
     if (!decode_jpeg(work, pixels.data())) return std::nullopt;
     StoredPicture picture;

@@ -32,6 +32,26 @@ TEST_CASE("names can be declared from outside", "[bind]") {
     CHECK(printed == "a");
 }
 
+TEST_CASE("blocks that nest too deeply for the stack are an error at their place", "[bind]") {
+    EvaluateOptions options;
+    options.limits.stack_bytes = std::size_t{1} << 23;
+    const auto nested = [](std::string_view open, std::string_view inner) {
+        std::string text = "#version 3.7; sphere { 0, 1 ";
+        for (int i = 0; i < 20000; ++i) text += open;
+        text += inner;
+        for (int i = 0; i < 20000; ++i)
+            for (const char c : open) text += c == '{' ? "}" : "";
+        return text + "}";
+    };
+    for (const auto& [open, inner] :
+         {std::pair{"texture { checker ", "pigment { rgb 1 }"}, {"pigment { checker ", "rgb 1"},
+          {"normal { checker ", "bumps"}}) {
+        CAPTURE(open);
+        const Script done = run(nested(open, inner), {}, options);
+        CHECK(done.text.starts_with("error: this is nested too deeply\n --> "));
+    }
+}
+
 TEST_CASE("the version decides about gamma", "[bind]") {
     CHECK(run("#version 3.7; sphere { 0, 1 }").scene.gamma_handling);
     CHECK(run("#version 3.7;").scene.language_version == 3.7);
