@@ -225,12 +225,12 @@ bool is_second_task(const Options& options, const Given& given, Diagnostics& dia
     }
     static constexpr auto exclusive =
         std::array{check,      check_syntax, dump_tokens, dump_tree, dump_scene,
-                   dump_world, dump_index,   export_mesh, measure,   balance};
+                   dump_world, dump_index,   export_mesh, measure,   balance,   pick};
     if (std::ranges::find(exclusive, options.task) == exclusive.end() ||
         std::ranges::find(same, options.task) != same.end())
         return false;
     refuse(given, diagnostics,
-           "a run checks, dumps, exports, measures or balances a scene, one of them only");
+           "a run checks, dumps, picks, exports, measures or balances a scene, one of them only");
     return true;
 }
 
@@ -259,6 +259,22 @@ void store::dump(Options& options, const Given& given, Diagnostics& diagnostics)
         }
     refuse(given, diagnostics, message("there is no stage `", printable(*given.value), "`"),
            "tokens, tree, scene, world or index");
+}
+
+void store::pick(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (is_second_task(options, given, diagnostics, {Task::pick})) return;
+    options.task = Task::pick;
+    std::string_view rest = *given.value;
+    const auto column = number(take_until(rest, ",")), row = number(rest);
+    constexpr double most = 65534;
+    const auto usable = [](const std::optional<double>& each) {
+        return each && *each >= 0 && *each <= most && *each == std::floor(*each);
+    };
+    if (!usable(column) || !usable(row))
+        return refuse(given, diagnostics,
+                      "needs the column and the row of a pixel, counted from 0 at the upper left",
+                      "--pick 120,80");
+    options.picked = {static_cast<int>(*column), static_cast<int>(*row)};
 }
 
 void store::export_mesh(Options& options, const Given& given, Diagnostics& diagnostics) {

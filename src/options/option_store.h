@@ -37,8 +37,8 @@ void refuse(const Given&, Diagnostics&, const std::string& rule, const std::stri
 
 /// The rule of the preview beside tasks.
 inline constexpr const char* shown_only =
-    "a run shows the preview, or checks, dumps, exports, measures or balances the scene, one of "
-    "them only";
+    "a run shows the preview, or checks, dumps, picks, exports, measures or balances the scene, "
+    "one of them only";
 
 /// A setting of the rendering or of the animation that has an option.
 struct Setting {
@@ -71,6 +71,7 @@ void preset(Options&, const Given&, Diagnostics&);
 void clock(Options&, const Given&, Diagnostics&);
 void check(Options&, const Given&, Diagnostics&);
 void dump(Options&, const Given&, Diagnostics&);
+void pick(Options&, const Given&, Diagnostics&);
 void help(Options&, const Given&, Diagnostics&);
 void version(Options&, const Given&, Diagnostics&);
 void completion(Options&, const Given&, Diagnostics&);

@@ -333,6 +333,8 @@ constexpr auto listed = std::to_array<OptionRow>({
     option(none, "", "", "dump", value, "stage", store::dump,
            "prints one stage of the scene: tokens, tree, scene, world, or index (an SVG drawing of "
            "a slice through its cells)"),
+    option(none, "", "", "pick", value, "x,y", store::pick,
+           "prints what is at a pixel, counted from 0 at the upper left, and which lamps light it"),
     that(Touches::writes,
          option(none, "", "", "export-mesh", value, "file", store::export_mesh,
                 "writes the scene's surfaces as a triangle mesh, PLY or OBJ by the file's ending, "

@@ -45,7 +45,8 @@ enum class Task {
     completion,
     export_mesh,
     measure,
-    balance
+    balance,
+    pick
 };
 
 /// A name that is declared for the scene, and its value.
@@ -82,6 +83,7 @@ struct Options {
     std::vector<Declaration> declares;
     AnimationSettings animation;
     RunFacts facts;                       ///< other facts for the scene; the size is that of render
+    std::pair<int, int> picked;           ///< of --pick: column and row, from 0
     std::string mesh_file;                ///< of --export-mesh
     std::string mesh_object;              ///< the declared object to export; empty: the whole scene
     /// Of --measure: what the meters say; of --light-balance: where light ends.

@@ -3,6 +3,8 @@
 
 #include "base/parallel.h"
 #include "console/progress.h"
+#include "output/layers.h"
+#include "output/light_report.h"
 #include "text/message.h"
 #include "world/shot.h"
 
@@ -10,6 +12,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <sys/resource.h>
 #include <time.h>
@@ -45,7 +49,8 @@ std::size_t peak_memory_bytes() {
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-void complete(RunStatistics& run, const Shot& shot, const RenderSettings& settings) {
+void complete(RunStatistics& run, const Shot& shot, const RenderSettings& settings,
+              const SourceStore& sources) {
     const World& world = *shot.world;
     run.objects = world.provenance.object_count;
     run.primitives = world.appearance.material_of.size();
@@ -65,7 +70,30 @@ void complete(RunStatistics& run, const Shot& shot, const RenderSettings& settin
     run.height = settings.height;
     run.samples = settings.samples;
     run.shadow_rays = settings.shadow_rays;
+    if (run.rays.lights.empty()) return;
+    const std::vector<std::string> names = light_names(world, sources);
+    run.lights.resize(names.size());
+    for (const LightRow& row : light_shares(world, run.rays).rows)
+        run.lights[row.statement] = {
+            names[row.statement],
+            statement_text(world.provenance.light_statements[row.statement], sources), row.light,
+            row.rays, row.lights};
 }
+
+namespace {
+
+OrderedJson lights_as_json(const RunStatistics& run) {
+    OrderedJson rows = OrderedJson::array();
+    for (const LightStatistics& each : run.lights)
+        rows.push_back({{"name", each.name},
+                        {"statement", each.statement},
+                        {"light", each.light},
+                        {"rays", each.rays},
+                        {"lights", each.lights}});
+    return rows;
+}
+
+}  // namespace
 
 std::string to_json(const RunStatistics& run) {
     const double pixels = static_cast<double>(run.width) * run.height;
@@ -89,6 +117,7 @@ std::string to_json(const RunStatistics& run) {
          {{"camera", run.rays.camera},
           {"shadow", run.rays.shadow},
           {"scattered", run.rays.scattered}}},
+        {"lights", lights_as_json(run)},
         {"index", run.index},
         {run.index == KdTree::vocabulary.name ? "kdtree" : "bounding_boxes",
          {{"bytes", run.tree.bytes},

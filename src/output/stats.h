@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace candelabra {
 
@@ -32,6 +33,16 @@ std::size_t peak_memory_bytes();
 
 struct RenderSettings;
 struct Shot;
+class SourceStore;
+
+/// The lights that one statement makes.
+struct LightStatistics {
+    std::string name;        ///< as layers and weights call them
+    std::string statement;   ///< its place and its beginning
+    double light = 0;        ///< share of all light that reached hits from lights
+    double rays = 0;         ///< share of the shadow rays
+    std::size_t lights = 0;  ///< their number
+};
 
 struct RunStatistics {
     Phase parse;    ///< reading and evaluating the scene
@@ -43,6 +54,7 @@ struct RunStatistics {
     std::size_t luminaires = 0;
     std::size_t light_sources = 0;
     LightLedger rays;
+    std::vector<LightStatistics> lights;  ///< in the order of layers; empty: not counted apart
     std::string index;  ///< its name
     TreeStatistics tree;
     std::size_t light_octree_bytes = 0;   ///< 0: another sampler was used
@@ -59,7 +71,7 @@ struct RunStatistics {
 };
 
 /// Fills in the entries that come from the world and the settings.
-void complete(RunStatistics&, const Shot&, const RenderSettings&);
+void complete(RunStatistics&, const Shot&, const RenderSettings&, const SourceStore&);
 
 /// Returns a JSON object with one entry per line and a final newline.
 std::string to_json(const RunStatistics&);

@@ -7,6 +7,7 @@
 #include "tasks/dump_stage.h"
 #include "tasks/export_mesh.h"
 #include "tasks/measure_light.h"
+#include "tasks/pick_pixel.h"
 #include "tasks/render_picture.h"
 #include "tasks/show_preview.h"
 
@@ -36,6 +37,7 @@ constexpr auto scene_tasks = std::to_array<SceneTask>({
     {Task::export_mesh, export_mesh},
     {Task::measure, measure_light},
     {Task::balance, balance_light},
+    {Task::pick, pick_pixel},
 });
 
 int run_task_of_options(SceneSteps& steps) {

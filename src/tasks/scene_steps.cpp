@@ -92,7 +92,7 @@ int SceneSteps::print(const std::string& text) {
 int SceneSteps::finish(const Shot& shot, const std::string& made) {
     statistics_.total = time_now() - start_;
     statistics_.prepared_ahead = options_.prepared_ahead;
-    complete(statistics_, shot, options_.render);
+    complete(statistics_, shot, options_.render, sources());
     if (!options_.depfile.empty() && !made.empty()) write_depfile(made);
     if (options_.stats_file == "-")
         console_.out(to_json(statistics_));
@@ -189,7 +189,8 @@ SessionSettings SceneSteps::session_settings() {
     settings.shows_picture = !measures_light(options_);
     settings.follows_lamps = options_.task == Task::balance;
     settings.remembers_objects =
-        console_.preview || settings.follows_lamps || aovs_for(options_.layers, false).surface;
+        console_.preview || settings.follows_lamps || options_.task == Task::pick ||
+        aovs_for(options_.layers, false).surface;
     return settings;
 }
 

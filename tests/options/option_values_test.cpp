@@ -133,6 +133,7 @@ const std::map<std::string, GivenWords>& examples() {
         {"diagnostics", {"--diagnostics", "json"}},
         {"check", {no_picture}},
         {"dump", {no_picture}},
+        {"pick", {no_picture}},
         {"export-mesh", {no_picture}},
         {"export-object", {"--export-object", "Ball"}},
         {"measure", {no_picture}},

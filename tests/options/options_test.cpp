@@ -282,12 +282,14 @@ TEST_CASE("every wrong argument has one message") {
         {{"--frobnicate", "x", "a.pov"}, "`--frobnicate`: there is no such option"},
         {{"--output-alpha=perhaps"}, "`--output-alpha=perhaps`: the value must be on or off"},
         {{"--check", "--export-mesh", "m.ply"},
-         "`--export-mesh`: a run checks, dumps, exports, measures or balances a scene, one of them "
-         "only"},
+         "`--export-mesh`: a run checks, dumps, picks, exports, measures or balances a scene, one of "
+         "them only"},
         {{"--export-mesh", "m.ply", "--dump", "scene"},
-         "`--dump`: a run checks, dumps, exports, measures or balances a scene, one of them only"},
+         "`--dump`: a run checks, dumps, picks, exports, measures or balances a scene, one of them "
+         "only"},
         {{"--dump", "scene", "--check"},
-         "`--check`: a run checks, dumps, exports, measures or balances a scene, one of them only"},
+         "`--check`: a run checks, dumps, picks, exports, measures or balances a scene, one of them "
+         "only"},
         {{"--frames", "1,"},
          "`--frames`: needs numbers of frames, and ranges of them | "
          "3,7,12-20,9-5"},

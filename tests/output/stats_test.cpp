@@ -14,6 +14,7 @@ TEST_CASE("the statistics hold everything under its name") {
     run.objects = 7;
     run.luminaires = 5;
     run.rays = {200, 300, 400};
+    run.lights = {{"Lamp", "a.pov:3: object { Lamp }", 0.75, 0.5, 4}};
     run.index = "kd_tree";
     run.tree.bytes = 1000;
     run.tree.leaves = 30;
@@ -37,6 +38,11 @@ TEST_CASE("the statistics hold everything under its name") {
     CHECK(json["objects"] == 7);
     CHECK(json["luminaires"] == 5);
     CHECK(json["rays"] == nlohmann::json({{"camera", 200}, {"shadow", 300}, {"scattered", 400}}));
+    CHECK(json["lights"] == nlohmann::json({{{"name", "Lamp"},
+                                             {"statement", "a.pov:3: object { Lamp }"},
+                                             {"light", 0.75},
+                                             {"rays", 0.5},
+                                             {"lights", 4}}}));
     CHECK(json["index"] == "kd_tree");
     CHECK(json["kdtree"]["bytes"] == 1000);
     CHECK(json["kdtree"]["cells"] == 30);

@@ -94,6 +94,7 @@ TEST_CASE("each task over a scene has its row, and needs the scene's text") {
                                                          {"--dump=scene"},
                                                          {"--dump=world"},
                                                          {"--dump=index"},
+                                                         {"--pick=1,2"},
                                                          {"--export-mesh", shell.path("a.ply")},
                                                          {"--measure", shell.path("a.csv")},
                                                          {"--light-balance", shell.path("b.csv")}};
