@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The packages of a release, made and tried: the tarball renders from any folder with nothing in its environment, also
-# through a link to the program, and the .deb has what a package needs. Ends with 77 where Debian's tools are missing.
+# The downloads of src/packaging/release.sh, made and tried: the tarball renders from any folder with nothing in its
+# environment, also through a link to the program, and in a system that has no library at all; the .deb has what a package
+# needs; what cannot be made is left out with the reason. Ends with 77 where Debian's tools are missing.
 #   release.sh BUILD-FOLDER
 set -euo pipefail
 
@@ -13,11 +14,24 @@ root=$(realpath "$(dirname "$0")/../..")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-(cd "$build" && cpack > "$folder/cpack.log") || { cat "$folder/cpack.log"; exit 1; }
+release=$(realpath "$(dirname "$0")/../../src/packaging/release.sh")
 version=$("$build/candelabra" --version | cut -d ' ' -f 2)
+wasm=(npm)
+[ -z "$(command -v em++)" ] || wasm=()  # it would be built
+"$release" --build "$build" \
+    --wasm "$folder/no wasm" --only "deb,tarball,wheel${wasm[*]:+,npm}" "$folder/made" > "$folder/said" 2>&1 < /dev/null ||
+    { cat "$folder/said"; exit 1; }
+for line in ${wasm[*]:+'left out: the npm package; there is no WebAssembly'} 'of the C library GLIBC [0-9.]* or newer' \
+    'it has a C library of its own'; do
+    grep -q "$line" "$folder/said" || { echo "FAILED: release.sh does not say: $line"; cat "$folder/said"; exit 1; }
+done
+(cd "$folder/made" && sha256sum --quiet -c SHA256SUMS)
+[ "$(wc -l < "$folder/made/SHA256SUMS")" -eq "$(find "$folder/made" -name 'candelabra*' | wc -l)" ]
+! "$release" --only nonsense "$folder/made" 2> /dev/null
+echo "ok: what release.sh makes, says and leaves out"
 
 mkdir "$folder/some where" "$folder/scenes"
-tar xf "$build"/candelabra-"$version"-linux-*.tar.gz -C "$folder/some where" --strip-components=1
+tar xf "$folder/made/candelabra-$version-any-linux-"*.tar.gz -C "$folder/some where" --strip-components=1
 program="$folder/some where/bin/candelabra"
 cat > "$folder/scenes/a.pov" << 'SCENE'
 #include "colors.inc"
@@ -40,14 +54,30 @@ echo 'camera { location -5*z look_at 0 } mesh { difference { box { -1, 1 } box {
       light_source { <5, 5, -5>, rgb 1 }' > b.pov
 env -i "$program" b.pov +W40 +H30
 echo "ok: the tarball from another folder"
-for part in share/man/man1/candelabra.1 share/man/man1/candelabra-povray.1 share/man/man7/candelabra-tutorial.7 share/candelabra/vscode/package.json \
+# A system with nothing in it but the tarball and a scene.
+if unshare --user --map-root-user --mount --pid --fork true 2> /dev/null; then
+    mkdir -p "$folder/empty/proc" "$folder/empty/tmp"
+    cp -r "$folder/some where" "$folder/empty/candelabra"
+    cp a.pov "$folder/empty/tmp"
+    env -i unshare --user --map-root-user --mount --pid --fork /bin/sh -c '/bin/mount -t proc proc "$0/proc" &&
+        exec /usr/sbin/chroot "$0" /candelabra/libexec/loader --library-path /candelabra/lib/candelabra \
+            /candelabra/libexec/candelabra /tmp/a.pov +W80 +H60 +O/tmp/a.png' "$folder/empty" 2> "$folder/said" ||
+        { cat "$folder/said"; exit 1; }
+    cmp "$folder/empty/tmp/a.png" build.png
+    echo "ok: the tarball in an empty system"
+else
+    echo "left out: the tarball in an empty system (it cannot be made here)"
+fi
+for part in share/man/man1/candelabra.1 share/man/man1/candelabra-povray.1 share/man/man7/candelabra-tutorial.7 \
+    share/candelabra/vscode/package.json \
     share/candelabra/candelabra-"$version".vsix share/candelabra/stdlib/colors.inc share/candelabra/examples/paper/fig6.pov \
-    share/metainfo/candelabra.metainfo.xml share/applications/candelabra.desktop share/doc/candelabra/copyright; do
+    share/metainfo/candelabra.metainfo.xml share/applications/candelabra.desktop share/doc/candelabra/copyright \
+    share/doc/candelabra/libraries/README share/doc/candelabra/libraries/libc6; do
     [ -s "$folder/some where/$part" ] || { echo "FAILED: no $part in the tarball"; exit 1; }
 done
 echo "ok: what the tarball has"
 
-deb=$(echo "$build"/candelabra_"$version"_*.deb)
+deb=$(echo "$folder/made/candelabra_${version}"_*.deb)
 for field in Package=candelabra Version="$version" Section=graphics; do
     [ "$(dpkg-deb --field "$deb" "${field%%=*}")" = "${field#*=}" ] || { echo "FAILED: $field"; exit 1; }
 done
@@ -68,22 +98,20 @@ candelabra.render("a.pov", width=80, height=60).save("python.tga")'
     cmp python.png build.png
     echo "ok: the module of Python in the .deb"
 fi
-# A wheel that carries its libraries needs none of the system but those of C and C++.
-if command -v patchelf > /dev/null && /usr/bin/python3 -c 'import numpy' 2> /dev/null && [ -d "$build/python" ]; then
-    mkdir "$folder/wheel" "$folder/carried"
-    PYTHONPATH=$root/src/packaging /usr/bin/python3 -c 'import python_wheel, sys
-python_wheel.build_wheel(sys.argv[1], {"build-dir": sys.argv[2], "carry-libraries": "on"})' "$folder/wheel" "$build" \
-        > "$folder/wheel.log"
-    /usr/bin/python3 -m zipfile -e "$folder"/wheel/*.whl "$folder/carried"
-    for file in "$folder"/carried/candelabra/*.so*; do env -i ldd "$file"; done |
-        grep '=> /' | grep -vE "=> $folder/|/(lib(c|m|stdc\+\+|gcc_s)|ld-linux[^ ]*)\.so" && { echo "FAILED: a library is not carried"; exit 1; }
-    [ -s "$(find "$folder/carried/candelabra/licences" -name 'libtbb*')" ]
-    env -i PYTHONPATH="$folder/carried" /usr/bin/python3 -c 'import candelabra
-candelabra.render("a.pov", width=80, height=60).save("carried.png")'
-    cmp carried.png build.png
-    echo "ok: a wheel that carries its libraries"
-    ls -l "$folder"/wheel/*.whl | awk '{ print $5, $NF }'
-else
-    echo "left out: the wheel with its libraries (patchelf or numpy is not installed)"
+wheel=$(echo "$folder/made/candelabra-$version"-*.whl)
+if [ -e "$wheel" ] && /usr/bin/python3 -c 'import numpy' 2> /dev/null; then
+    mkdir "$folder/wheel"
+    /usr/bin/python3 -m zipfile -e "$wheel" "$folder/wheel"
+    env -i PYTHONPATH="$folder/wheel" /usr/bin/python3 -c 'import candelabra
+candelabra.render("a.pov", width=80, height=60).save("wheel.png")'
+    cmp wheel.png build.png
+    echo "ok: the wheel"
+    # One that carries its libraries needs none of the system but those of C and C++.
+    if command -v patchelf > /dev/null; then
+        for file in "$folder"/wheel/candelabra/*.so*; do env -i ldd "$file"; done |
+            grep '=> /' | grep -vE "=> $folder/|/(lib(c|m|stdc\+\+|gcc_s)|ld-linux[^ ]*)\.so" && { echo "FAILED: a library is not carried"; exit 1; }
+        [ -s "$(find "$folder/wheel/candelabra/licences" -name 'libtbb*')" ]
+        echo "ok: it carries its libraries"
+    fi
 fi
-ls -l "$deb" "$build"/candelabra-"$version"-linux-*.tar.gz | awk '{ print $5, $NF }'
+ls -l "$folder"/made/candelabra* | awk '{ print $5, $NF }'

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds the program as WebAssembly: BUILD/candelabra.mjs and BUILD/candelabra.wasm (default of BUILD: build-wasm).
 #   build.sh [--chroot FOLDER] [BUILD]
+#   build.sh --packages        prints the packages of Debian 13 that it needs
 # It takes the emscripten of Debian 13, and the sources of zlib, libpng, libjpeg-turbo, FreeType and Nettle from Debian's
 # source packages. On another system it works in a Debian 13 in FOLDER (default: BUILD/debian), which debootstrap makes when
 # it is not there; for that it has to be root. NICE=10 before the command leaves more of the machine to others.
@@ -14,7 +15,8 @@ chroot=
 while [ $# -gt 0 ]; do
     case $1 in
         --chroot) chroot=${2:?--chroot needs a folder}; shift 2 ;;
-        -*) sed -n '3,8s/^# //p' "$0"; exit 2 ;;
+        --packages) echo "${packages[*]}"; exit ;;
+        -*) sed -n '3,9s/^# //p' "$0"; exit 2 ;;
         *) break ;;
     esac
 done
