@@ -71,6 +71,8 @@ export class Editor {
     this.#follow();
   }
 
+  goToLine(line) { this.go(this.text.split("\n").slice(0, line - 1).join("\n").length + (line > 1 ? 1 : 0)); }
+
   // Shows a place, from 0 in the text.
   go(first) {
     this.area.focus();

@@ -61,9 +61,8 @@ export function needsWhole(png) {
   return /\bglare=on\b|\bauto_exposure|exposure=auto/.test(Object.values(textsOf(png)).join(" "));
 }
 
-// `count` bands of rows, each [first, last] from 1.
-export function bandsOf(height, count) {
-  return Array.from({ length: count }, (_, i) => [Math.floor(height * i / count) + 1,
-                                                  Math.floor(height * (i + 1) / count)])
-    .filter(([first, last]) => first <= last);
+// `count` bands of rows, each [first, last] from 1. They end at multiples of `step`.
+export function bandsOf(height, count, step = 1) {
+  const end = i => i === count ? height : Math.floor(height * i / count / step) * step;
+  return Array.from({ length: count }, (_, i) => [end(i) + 1, end(i + 1)]).filter(([first, last]) => first <= last);
 }

@@ -15,7 +15,11 @@ from pathlib import Path
 
 own = Path(__file__).resolve().parent
 root = own.parents[1]
-modules = ["assets", "engine", "language", "editor", "playground"]  # each behind those that it imports
+modules = ["assets", "engine", "language", "editor", "exr", "desk", "playground"]  # each behind those that it imports
+
+
+shared = root / "src/preview/page"  # with the preview
+scripts = ["widgets", "asking", "lamp_panel", "film_panel", "scene_panel", "pixel_panel"]
 
 
 def grammar(build):
@@ -76,7 +80,8 @@ def one_file(folder):
                    for name in ("candelabra.wasm", "parts.json", "worker.js"))
     page = page.replace("icon.svg", icon)
     page = re.sub(r'<link rel="stylesheet" href="common.css">\n<link rel="stylesheet" href="style.css">\n', lambda _: style, page)
-    page = page.replace('<script src="widgets.js"></script>', f"<script>\n{(folder / 'widgets.js').read_text()}</script>")
+    for name in scripts:
+        page = page.replace(f'<script src="{name}.js"></script>', f"<script>\n{(folder / f'{name}.js').read_text()}</script>")
     return page.replace('<script type="module" src="playground.mjs"></script>\n',
                         f'{data}<script type="module">\n{script}</script>\n')
 
@@ -88,9 +93,11 @@ def main():
     folder = build / "playground"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
-    for path in [own / "index.html", own / "style.css", root / "src/preview/page/common.css",
-                 root / "src/preview/page/widgets.js", root / "src/preview/page/icon.svg", build / "candelabra.wasm", *(own / f"{name}.mjs" for name in modules)]:
+    for path in [own / "style.css", shared / "common.css", shared / "icon.svg", *(shared / f"{name}.js" for name in scripts),
+                 build / "candelabra.wasm", *(own / f"{name}.mjs" for name in modules)]:
         shutil.copy(path, folder)
+    page = (own / "index.html").read_text().replace("PANELS-OF-THE-PAGE", (shared / "panels.html").read_text())
+    (folder / "index.html").write_text(page)
     (folder / "parts.json").write_text(parts(build))
     (folder / "worker.js").write_text(worker(build))
     single = build / "playground.html"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page: the text of a scene, and its picture, which becomes finer. Nothing leaves the page. Sliders
-// and the like are those of the preview (src/preview/page/widgets.js).
+// The page: the text of a scene, and its picture, which becomes finer. Nothing leaves the page. The panels
+// are those of the preview (src/preview/page/*_panel.js); a Desk answers them.
 import { loadAssets } from "./assets.mjs";
+import { Desk } from "./desk.mjs";
 import { Editor } from "./editor.mjs";
-import { bandsOf, Engine, needsWhole } from "./engine.mjs";
+import { bandsOf, Engine, needsWhole, textsOf } from "./engine.mjs";
 import { colourer, Language } from "./language.mjs";
 
 const canvas = element("picture"), context = canvas.getContext("2d");
@@ -15,12 +16,23 @@ const finest = Number(asked().get("samples")) || 256;
 // The first pass is small; each later one has the whole size.
 const passes = [{ shrink: 4, samples: 1 }, ...[1, 4, 16, 64, 256].filter(samples => samples <= finest)
   .map(samples => ({ shrink: 1, samples }))];
+// From here on the light of each lamp is kept, which the panels mix.
+const leastOfLight = 16;
 
 const assets = await loadAssets();
 const engine = new Engine(assets), language = new Language(engine), files = {};
-let generation = 0, soon = 0, wholePicture = null;
+let generation = 0, soon = 0, drawn = 0, wholePicture = null;
 const editor = new Editor({ colour: colourer(assets.grammar), language, files: () => files,
                             changed: () => later(400) });
+const desk = new Desk({ engine, workers, size: sizeOfPicture, files: () => ({ ...files, "scene.pov": editor.text }),
+                        relit: png => draw([png], ...sizeOfPicture()), changed: () => later(player.plays ? 0 : 150) });
+Object.assign(globalThis, {
+  ask: path => desk.ask(path),
+  post: (path, form) => desk.post(path, form),
+  sceneName: () => "scene",
+  linkTo: (file, line) => file !== "scene.pov" ? null
+    : { href: "#", onclick: event => { event.preventDefault(); editor.goToLine(Number(line)); } },
+});
 
 function tell(status, samples = "", time = "") {
   element("status").textContent = status;
@@ -66,47 +78,12 @@ function showMessages(messages) {
   editor.mark(marks);
 }
 
-// ---- the scene's own widgets
-
-let shownKnobs = "[]", knobValues = {};
-
-// The value of a knob for --preset, of what its widget sends.
-function valueOf(knob, sent) {
-  if (knob.kind === "colour") return { rgb: sent.split(",").map(Number) };
-  if (knob.kind === "vector") return sent.split(",").map(Number);
-  return knob.kind === "list" && typeof knob.value === "number" ? Number(sent) : sent;
-}
-
-async function showKnobs() {
-  const knobs = await language.ask("candelabra/knobs", editor.text, files, 0, 0) ?? [];
-  const form = JSON.stringify(knobs);
-  if (form === shownKnobs) return;
-  shownKnobs = form;
-  knobValues = {};
-  const rows = knobs.map(knob => knobRow(knob, sent => {
-    knobValues[knob.name] = valueOf(knob, sent);
-    later(150);
-  }));
-  rows.forEach((row, i) => row.set(knobs[i].value));
-  element("knobs").replaceChildren(...withSections(knobs, rows));
-}
-
 // ---- pictures
 
 function sizeOfPicture() { return element("size").value.split("x").map(Number); }
 
-function settings() {
-  const words = [], exposure = Number(element("exposure").value), clock = Number(element("clock").value);
-  if (exposure !== 0) words.push("--exposure", String(exposure));
-  if (clock !== 0) words.push("+K" + clock);
-  if (element("response").value) words.push("--response", element("response").value);
-  if (Object.keys(knobValues).length > 0) words.push("--preset", "set.json");
-  return words;
-}
-
-async function draw(results, width, height, bands) {
-  const pictures = await Promise.all(results.map(({ made }) => createImageBitmap(new Blob([made["out.png"]]),
-                                                                             { colorSpaceConversion: "none" })));
+async function draw(files, width, height, bands = [[1, height]]) {
+  const pictures = await Promise.all(files.map(png => createImageBitmap(new Blob([png]), { colorSpaceConversion: "none" })));
   const [wide, high] = sizeOfPicture();
   if (canvas.width !== wide || canvas.height !== high) Object.assign(canvas, { width: wide, height: high });
   context.imageSmoothingEnabled = width !== wide;
@@ -114,33 +91,63 @@ async function draw(results, width, height, bands) {
     const [first, last] = bands[i], rows = last - first + 1, scale = high / height;
     context.drawImage(picture, 0, first - 1, width, rows, 0, (first - 1) * scale, wide, rows * scale);
   });
-  wholePicture = results.length === 1 && width === wide ? results[0].made["out.png"] : null;
+  wholePicture = files.length === 1 && width === wide ? files[0] : null;
+  document.body.dataset.drawn = String(++drawn);
 }
 
-// One pass; returns whether the next one may follow.
-async function renderPass({ shrink, samples }, mine, whole) {
-  const [width, height] = sizeOfPicture().map(each => Math.ceil(each / shrink));
+// What a pass has made: the runs of the program, of which `bad` has failed, files of PNG for bands, and the
+// light if it is kept.
+async function pictureOf(width, height, samples, whole, told) {
   const bands = whole ? [[1, height]] : bandsOf(height, workers);
   const common = ["scene.pov", `+W${width}`, `+H${height}`, "--samples", String(samples), "--progress", "none",
-                  "--diagnostics=json", "-o", "out.png", ...settings()];
-  let done = 0;
-  const results = await Promise.all(bands.map(async ([first, last]) => {
+                  "--diagnostics=json", "-o", "out.png", ...desk.sceneWords(), ...desk.filmWords()];
+  const runs = await Promise.all(bands.map(async ([first, last]) => {
     const rows = bands.length > 1 ? [`+SR${first}`, `+ER${last}`] : [];
-    const result = await engine.run({ words: [...common, ...rows], files: { ...files, "scene.pov": editor.text, "set.json": JSON.stringify(knobValues) },
-                                      wants: ["out.png"] }, "picture");
-    element("bar").style.width = 100 * ++done / bands.length + "%";
-    return result;
+    const run = await engine.run({ words: [...common, ...rows], files: desk.sceneFiles(), wants: ["out.png"] }, "picture");
+    told(bands.length);
+    return run;
   }));
-  if (mine !== generation) return null;
-  element("bar").style.width = "0";
-  const bad = results.find(({ status, made }) => status !== 0 || !made["out.png"]), good = !bad;
-  if (shrink > 1 || bad) showMessages(messagesOf((bad ?? results[0]).err));
-  if (good) await draw(results, width, height, bands);
-  return good && mine === generation ? results[0].made["out.png"] : null;
+  return { bands, bad: runs.find(({ status, made }) => status !== 0 || !made["out.png"]), said: runs[0].err,
+           pictures: runs.map(({ made }) => made["out.png"]) };
 }
+async function lightOf(width, height, samples, told) {
+  const { bad, said, light, stats } = await desk.renderLight(width, height, samples, told);
+  if (bad) return { bad };
+  const run = await desk.developed(light);
+  return { bad: run.made["out.png"] ? null : run, light, stats, said, pictures: [run.made["out.png"]] };
+}
+
+// One pass; returns a file of it if the next one may follow.
+async function renderPass({ shrink, samples }, mine, whole) {
+  const [width, height] = sizeOfPicture().map(each => Math.ceil(each / shrink));
+  let done = 0;
+  const told = count => { element("bar").style.width = 100 * ++done / count + "%"; };
+  const apart = !desk.crowded && (desk.dims || (shrink === 1 && samples >= leastOfLight));
+  let made = apart ? await lightOf(width, height, samples, told) : null;
+  if (mine !== generation) return null;
+  if (!made || made.bad) {
+    done = 0;
+    made = await pictureOf(width, height, samples, whole, told);
+    if (mine !== generation) return null;
+    if (apart && !made.bad) {  // the light of each lamp needs too much memory
+      desk.crowded = true;
+      desk.show();
+    }
+  }
+  element("bar").style.width = "0";
+  if (shrink > 1 || made.bad) showMessages(messagesOf(made.bad?.err ?? made.said));
+  if (made.bad) return null;
+  if (made.light && shrink === 1) desk.takeLight(made.light, made.stats);
+  await draw(made.pictures, width, height, made.bands);
+  return mine === generation ? made.pictures[0] : null;
+}
+
+// The film that a picture was developed by, as its head says it.
+function filmIn(png) { return /developed=([^;]*)/.exec(Object.values(textsOf(png)).join(" "))?.[1]; }
 
 async function render() {
   stop();
+  desk.forget();
   const mine = ++generation, begun = performance.now();
   let count = 0;
   document.body.dataset.passes = "0";
@@ -151,19 +158,28 @@ async function render() {
     tell("rendering", pass.shrink > 1 ? "draft" : inWords(pass.samples));
     const picture = await renderPass(pass, mine, whole);
     if (mine !== generation) return;
-    if (pass.shrink > 1) showKnobs();
+    if (pass.shrink > 1) askKnobs();
     if (!picture) {
       tell("mistake in the scene");
       element("stop").disabled = true;
       return;
     }
     whole = needsWhole(picture);
+    if (desk.filmWords().length === 0) desk.takeFilm(filmIn(picture));
     document.body.dataset.passes = String(++count);
     element("time").textContent = ((performance.now() - begun) / 1000).toFixed(1) + " s";
+    if (pass.shrink > 1) continue;
+    playOn({ knobs: desk.shownKnobs(), generation: mine, columns: 1, width: 1 });
+    if (player.plays) return;
   }
   document.body.dataset.passes = "all";
   tell("finished", inWords(passes.at(-1).samples), ((performance.now() - begun) / 1000).toFixed(1) + " s");
   element("stop").disabled = true;
+}
+
+// The scene's own widgets are those that its comments ask for.
+async function askKnobs() {
+  desk.takeKnobs(await language.ask("candelabra/knobs", editor.text, files, 0, 0) ?? []);
 }
 
 function stop() {
@@ -223,14 +239,16 @@ element("files").onchange = event => open(event.target.files);
 element("run").onclick = render;
 element("stop").onclick = stop;
 element("size").onchange = render;
-for (const id of ["exposure", "clock"])
-  element(id).oninput = event => { element(id + "-value").textContent = event.target.value; later(150); };
-element("response").onchange = render;
 element("save-scene").onclick = () => saveFile(editor.text, "scene.pov");
 element("save-picture").onclick = () => {
   if (wholePicture) saveFile(wholePicture, "scene.png");
   else canvas.toBlob(blob => saveFile(blob, "scene.png"));
 };
+element("save-light").onclick = () => saveFile(desk.light, "scene.exr");
+canvas.addEventListener("click", event => {
+  const box = canvas.getBoundingClientRect(), [width, height] = sizeOfPicture();
+  pick(Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height));
+});
 element("share").onclick = async () => {
   history.replaceState(null, "", "#scene=" + await packed(editor.text));
   try {
@@ -272,5 +290,9 @@ async function beginWithAddress() {
   }
 }
 window.addEventListener("hashchange", beginWithAddress);
+desk.show();
+playOn({ knobs: desk.shownKnobs(), generation: 0, columns: 0, width: 1 });
+// One panel is open at a time.
+for (const panel of document.querySelectorAll("#panels details")) Object.assign(panel, { name: "panels", open: panel.id === "panel-lamps" });
 await beginWithAddress();
 document.body.dataset.ready = "yes";

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The playground in a browser without a window, as a folder behind a server and as one file: it shows the samples that the
-native program makes, byte for byte; mistakes are shown where they are; completion and help come; an address holds a scene;
-nothing overlaps at three widths; nothing is requested but its own files.
+native program makes, byte for byte, and saves the same OpenEXR file; mistakes are shown where they are; completion and help
+come; lamps, film, a pixel and frames; an address holds a scene; nothing overlaps at three widths; nothing is requested but
+its own files.
   playground.py BUILD PROGRAM [FOLDER]    BUILD: that of src/packaging/wasm/build.sh, with the playground made;
                                           FOLDER: gets pictures of the page"""
 import functools
@@ -22,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = dict(line.rsplit(": ", 1) for line in (ROOT / "src/playground/examples.txt").read_text().splitlines())
 SIZE = (96, 72)
 OVERLAP = """(() => {
-  const boxes = ["header", "#writing", "#stage", "#panel", "footer"].map(each => document.querySelector(each))
+  const boxes = ["header", "#writing", "#stage", "#panels", "footer"].map(each => document.querySelector(each))
     .map(each => [each.id || each.tagName, each.getBoundingClientRect()]);
   const crossing = boxes.flatMap(([a, p], i) => boxes.slice(i + 1).filter(([, q]) =>
     p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1).map(([b]) => a + b));
@@ -131,6 +132,89 @@ def turns(page):
     check("a larger ball is seen", sum(page.samples()) > 4 * before)
 
 
+class Panels:
+    """The panels over a scene, and what the native program makes of the same."""
+
+    def __init__(self, page, program, folder, scene):
+        self.page, self.browser, self.program, self.folder = page, page.browser, program, folder
+        (folder / "scene.pov").write_text(scene)
+        page.open(size="96x72", samples="16")
+        page.type(scene)
+        self.browser.until("document.body.dataset.passes !== 'all'")
+        page.finished()
+        self.run("scene.pov", "+W96", "+H72", "--samples", "16", "--layers", "lights", "-o", "light.exr")
+
+    def run(self, *words):
+        done = subprocess.run([self.program, *words], cwd=self.folder, check=True, capture_output=True, text=True)
+        return done.stdout
+
+    def redrawn(self, script):
+        before = self.browser.run("document.body.dataset.drawn")
+        self.browser.run(script)
+        self.browser.until(f"document.body.dataset.drawn !== '{before}'")
+
+    def same_as(self, what, *words):
+        self.run("develop", "light.exr", "-o", "made.ppm", *words)
+        check(what, (self.folder / "made.ppm").read_bytes()[-3 * 96 * 72:] == self.page.samples())
+
+
+LAMPS = """#version 3.8; camera { location <0, 1, -6> look_at 0 film { response filmic } }
+#declare Lamp = sphere { 0, 0.2 pigment { rgb 1 } finish { emission 15 } }
+object { Lamp translate <-1.5 + clock, 1, 0> }
+#declare Blue = sphere { 0, 0.2 pigment { rgb <0.2, 0.4, 1> } finish { emission 20 } }
+object { Blue translate <1.5, 1, -1> }
+plane { y, 0 pigment { rgb 0.7 } }
+"""
+
+
+def panels(page, program, folder, shots):
+    """Lamps, film, EXR and a pixel, each as the native program makes it."""
+    browser, on = page.browser, Panels(page, program, folder, LAMPS)
+    names = browser.run("[...document.querySelectorAll('#lamps .name')].map(each => each.textContent).join()")
+    check(f"the lamps are named ({names})", names == "Lamp,Blue")
+    check("and where they stand", "scene.pov:3" in page.text_of("#lamps .from"))
+    on.same_as("the picture is the developed light")
+    browser.run("saveFile = content => { window.saved = content; }; document.getElementById('save-light').click()")
+    saved = bytes.fromhex(browser.run("[...saved].map(byte => byte.toString(16).padStart(2, '0')).join('')"))
+    check("the OpenEXR file is the native program's", saved == (folder / "light.exr").read_bytes())
+    on.redrawn("document.querySelector('#lamps .lamp input[type=checkbox]').click()")
+    on.same_as("without one lamp", "--light", "Lamp=0")
+    if shots:
+        browser.shot(str(shots / "playground-lamps.png"))
+    browser.run("document.getElementById('panel-film').open = true")
+    on.redrawn("(() => { const input = document.querySelector('#film input'); input.value = 1;"
+               "input.dispatchEvent(new Event('input')); })()")
+    on.same_as("and a stop brighter", "--light", "Lamp=0", "--exposure=1")
+    check("the scene's own film is shown", browser.run("document.querySelector('#film select').value") == "filmic")
+    if shots:
+        browser.shot(str(shots / "playground-film.png"))
+    on.redrawn("document.getElementById('film-reset').click()")
+    on.redrawn("document.getElementById('lamps-reset').click()")
+    on.same_as("as in the scene again")
+    box = browser.run("(() => { const b = document.getElementById('picture').getBoundingClientRect();"
+                      "return [b.x, b.y, b.width, b.height]; })()")
+    browser.click(box[0] + 48.5 / 96 * box[2], box[1] + 60.5 / 72 * box[3])
+    browser.until("document.getElementById('picked').textContent.includes('plane')")
+    check("a pixel is what the native program says of it", page.text_of("#picked") ==
+          on.run("scene.pov", "+W96", "+H72", "--pick", "48,60"))
+    browser.run("document.querySelector('#picked a').click()")
+    check("its link leads to the line", browser.run("(() => { const a = document.getElementById('text');"
+                                                    "return a.value.slice(a.selectionStart).split('\\n')[0]; })()").startswith("plane"))
+    if shots:
+        browser.shot(str(shots / "playground-pixel.png"))
+
+
+def plays(page):
+    """Frames, one after the other."""
+    browser = page.browser
+    browser.run("document.getElementById('panel-knobs').open = true; window.clocks = new Set();"
+                "window.before = document.body.dataset.drawn;"
+                "[...document.querySelectorAll('#knobs button')].find(each => each.textContent === 'Play').click()")
+    browser.until("clocks.add([...document.querySelectorAll('#knobs output')].pop().value) && clocks.size >= 4", 120)
+    browser.run("[...document.querySelectorAll('#knobs button')].find(each => each.textContent === 'Stop').click()")
+    check("frames were seen", browser.run("Number(document.body.dataset.drawn) - Number(before)") >= 6)
+
+
 def code_of_book(scene):
     """The scene as the book puts it into its links."""
     about = importlib.util.spec_from_file_location("manual_book", ROOT / "man/book.py")
@@ -170,6 +254,11 @@ def looks(page, shots):
         check(f"at {width} pixels nothing overlaps ({crossing})", crossing == "")
         if shots:
             browser.shot(str(shots / f"playground-{width}.png"))
+        browser.run("document.getElementById('panel-film').open = true")
+        crossing = browser.run(OVERLAP)
+        check(f"nor with the film's panel ({crossing})", crossing == "")
+        if shots:
+            browser.shot(str(shots / f"playground-film-{width}.png"))
     browser.run("document.getElementById('theme').click()")
     if shots:
         browser.shot(str(shots / "playground-theme.png"))
@@ -191,6 +280,8 @@ def main():
             same_bytes(page, program, folder, list(EXAMPLES)[:10])
             writes_and_reads(page, shots)
             turns(page)
+            panels(page, program, folder, shots)
+            plays(page)
             shares(page, program, folder)
             looks(page, shots)
             own = {path.name for path in (build / "playground").iterdir()}

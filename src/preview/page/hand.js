@@ -1,32 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What hands do: mouse, fingers and keys on the stage, for the picture or for the scene's camera.
-const token = document.querySelector("meta[name=token]").content;
-
-async function post(path, form) {
-  const answer = await fetch(path, { method: "POST", headers: { "X-Token": token },
-                                     body: new URLSearchParams(form) });
-  if (answer.status === 403) location.reload();  // the program has been started again
-  return answer;
-}
-
-// Sends one message at a time: what comes meanwhile is joined to the one that waits.
-function sender(path, join = (older, newer) => newer) {
-  let waiting = null, busy = false;
-  return async form => {
-    waiting = waiting ? join(waiting, form) : form;
-    if (busy) return;
-    busy = true;
-    try {
-      while (waiting) {
-        const next = waiting;
-        waiting = null;
-        await post(path, next);
-      }
-    } catch { /* the status says that the program has ended */ }
-    busy = false;
-  };
-}
-
 const addMoves = (a, b) => ({ ...a, right: a.right + b.right, up: a.up + b.up });
 const orbiting = {
   turn: sender("/orbit", addMoves),
@@ -125,7 +98,7 @@ function lift(event) {
   stage.classList.remove("dragging");
   if (!click || event.type === "pointercancel") return;
   const here = at(event), place = placeUnder(here.x, here.y);
-  pick(Math.floor(place.x * now.width), Math.floor(place.y * now.height));
+  pickPixel(Math.floor(place.x * now.width), Math.floor(place.y * now.height));
 }
 stage.addEventListener("pointerup", lift);
 stage.addEventListener("pointercancel", lift);

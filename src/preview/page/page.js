@@ -73,7 +73,7 @@ function apply(status) {
   first = false;
 }
 
-async function ask() {
+async function follow() {
   try {
     const status = await (await fetch("/status?since=" + version)).json();
     apply(status);
@@ -86,17 +86,17 @@ async function ask() {
       }
     }
     if (wanted && status.progress === 1) {
-      pick(...wanted);
+      pickPixel(...wanted);
       wanted = null;
     }
     if (status.progress === 1) report();
-    setTimeout(ask, 0);
+    setTimeout(follow, 0);
   } catch {
     version = -1;
     element("status").textContent = "the program has ended";
-    setTimeout(ask, 1000);
+    setTimeout(follow, 1000);
   }
 }
 element("pause").addEventListener("click", () => post("/pause", { on: paused ? "no" : "yes" }));
 place();
-ask();
+follow();

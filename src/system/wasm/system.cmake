@@ -12,7 +12,14 @@ set(MPFR "")
 set(SECCOMP "")
 set(CANDELABRA_LOADS OFF)
 
+# Code that rays and loops do not run is compiled for its size, which is most of a download.
+set(cold text vocabulary syntax models png raster picture photometry font scene csg meshing reading appearance objects
+         bind editor options console output session production preview tasks app relight web)
+
 function(link_for_system program)
+  foreach(module ${cold})
+    target_compile_options(${module} PRIVATE -Os)
+  endforeach()
   set(shell ${CMAKE_SOURCE_DIR}/src/system/wasm)
   set_target_properties(${program} PROPERTIES SUFFIX .mjs LINK_DEPENDS "${shell}/library.js")
   target_link_options(${program} PRIVATE
