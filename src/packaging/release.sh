@@ -110,11 +110,11 @@ make_wheel() {
         return
     fi
     local carry=on
-    [ -z "$(missing patchelf)" ] || carry=off
+    [ -z "$(missing patchelf)" ] || carry=
     quietly env PYTHONPATH="$own" /usr/bin/python3 -c 'import sys, python_wheel
 python_wheel.build_wheel(sys.argv[1], {"build-dir": sys.argv[2], "carry-libraries": sys.argv[3]})' "$output" "$build" "$carry"
     note "$output/candelabra-$version-"*.whl
-    [ $carry = on ] || echo "it needs the libraries of this system, as patchelf is not installed"
+    [ -n "$carry" ] || echo "it needs the libraries of this system, as patchelf is not installed"
 }
 # Builds WebAssembly, or takes what was built before; says what is left out if neither can be.
 build_wasm() {  # WHAT
