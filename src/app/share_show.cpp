@@ -23,9 +23,9 @@ namespace {
 
 /// Frames before they are packed.
 constexpr std::size_t most_frame_bytes = std::size_t{1} << 28;
-/// Shares of a page: what its show may take, and a dot about.
+/// Shares of a page: what its show may take, and its dots; and what a dot takes, packed.
 constexpr double show_share = 0.75, dots_share = 0.3;
-constexpr double bytes_of_dot = 8;
+constexpr double bytes_of_dot = 3;
 
 }  // namespace
 

@@ -261,4 +261,49 @@ TEST_CASE("a picture whose light is kept goes on from its state to the same byte
     }
 }
 
+TEST_CASE("four cues of a stage are as renders of them", "[app][relight]") {
+    constexpr auto stage = R"(#version 3.7;
+global_settings { assumed_gamma 1 integrator { path_traced } }
+#ifndef (Key) #declare Key = rgb 1; #end
+#ifndef (Back) #declare Back = rgb 1; #end
+#ifndef (Foot) #declare Foot = rgb 1; #end
+camera { location <0, 2, -7> look_at <0, 1.3, 0> right x up y }
+box { <-4, -0.1, -3>, <4, 0, 3> pigment { rgb <0.5, 0.4, 0.3> } finish { ambient 0 diffuse 0.8 } }
+box { <-4, 0, 3>, <4, 4, 3.1> pigment { rgb <0.6, 0.2, 0.2> } finish { ambient 0 diffuse 0.8 } }
+cylinder { 0, 1.7*y, 0.3 pigment { rgb 0.7 } finish { ambient 0 diffuse 0.8 } }
+#macro Glow(Light) pigment { rgb 1 } finish { ambient 0 diffuse 0 emission Light } #end
+union { #for (I, -2, 2) sphere { <I, 4, -3>, 0.15 Glow(20*Key) } #end light_name "Key" }
+union { #for (I, -2, 2) sphere { <I, 3.8, 2>, 0.15 Glow(12*Back) } #end light_name "Back" }
+union { #for (I, -9, 9) sphere { <0.4*I, 0.1, -2.9>, 0.05 Glow(9*Foot) } #end light_name "Foot" }
+)";
+    Relit run;
+    run.write("room.pov", stage);
+    run.rendered("128", {"--keep-lights", run.path("room.lights")});
+    run.write("cues.csv",
+              "cue,time,fade\n"
+              "house,0,0,Key=0,Back=0,Foot=0.3\n"
+              "dawn,1,0,\"Back=1.5,#ff8040\"\n"
+              "noon,2,0,Key=1,Back=0.2,Foot=0\n"
+              "night,3,0,Key=0,\"Back=1,#2040ff\",Foot=0.05\n");
+    REQUIRE(run({"relight", run.path("room.lights"), "--csv", run.path("cues.csv"), "--frame-rate",
+                 "1", "-o", run.path("cue.exr")}) == 0);
+    const std::vector<std::vector<std::string>> looks = {
+        {"Key=<0,0,0>", "Back=<0,0,0>", "Foot=<0.3,0.3,0.3>"},
+        {"Key=<0,0,0>", "Back=<1.5,0.3238,0.0769>", "Foot=<0.3,0.3,0.3>"},
+        {"Key=<1,1,1>", "Back=<0.2,0.2,0.2>", "Foot=<0,0,0>"},
+        {"Key=<0,0,0>", "Back=<0.0144,0.0513,1>", "Foot=<0.05,0.05,0.05>"}};
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        INFO("cue " << i + 1);
+        const Image made = run.light(message("cue", i + 1, ".exr"));
+        const auto fresh = [&](const char* seed) {
+            std::vector<std::string> more = {"--seed", seed};
+            for (const std::string& look : looks[i]) more.insert(more.end(), {"--declare", look});
+            return run.rendered("128", more);
+        };
+        const Image right = fresh("7"), other = fresh("8");
+        INFO(error_of(made, right) << " " << error_of(other, right));
+        CHECK(error_of(made, right) < 2 * error_of(other, right) + 0.01);
+    }
+}
+
 }  // namespace candelabra
