@@ -15,7 +15,7 @@ from pathlib import Path
 
 own = Path(__file__).resolve().parent
 root = own.parents[1]
-modules = ["assets", "engine", "language", "editor", "exr", "desk", "playground"]  # each behind those that it imports
+modules = ["assets", "engine", "language", "editor", "exr", "back_end", "playground"]  # each behind those that it imports
 
 
 shared = root / "src/preview/page"  # with the preview

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: the text of a scene, and its picture, which becomes finer. Nothing leaves the page. The panels
-// are those of the preview (src/preview/page/*_panel.js); a Desk answers them.
+// are those of the preview (src/preview/page/*_panel.js); a back end answers them.
 import { loadAssets } from "./assets.mjs";
-import { Desk } from "./desk.mjs";
+import { BackEnd } from "./back_end.mjs";
 import { Editor } from "./editor.mjs";
 import { bandsOf, Engine, needsWhole, textsOf } from "./engine.mjs";
 import { colourer, Language } from "./language.mjs";
@@ -24,11 +24,11 @@ const engine = new Engine(assets), language = new Language(engine), files = {};
 let generation = 0, soon = 0, drawn = 0, wholePicture = null;
 const editor = new Editor({ colour: colourer(assets.grammar), language, files: () => files,
                             changed: () => later(400) });
-const desk = new Desk({ engine, workers, size: sizeOfPicture, files: () => ({ ...files, "scene.pov": editor.text }),
+const backEnd = new BackEnd({ engine, workers, size: sizeOfPicture, files: () => ({ ...files, "scene.pov": editor.text }),
                         relit: png => draw([png], ...sizeOfPicture()), changed: () => later(player.plays ? 0 : 150) });
 Object.assign(globalThis, {
-  ask: path => desk.ask(path),
-  post: (path, form) => desk.post(path, form),
+  ask: path => backEnd.ask(path),
+  post: (path, form) => backEnd.post(path, form),
   sceneName: () => "scene",
   linkTo: (file, line) => file !== "scene.pov" ? null
     : { href: "#", onclick: event => { event.preventDefault(); editor.goToLine(Number(line)); } },
@@ -100,10 +100,10 @@ async function draw(files, width, height, bands = [[1, height]]) {
 async function pictureOf(width, height, samples, whole, told) {
   const bands = whole ? [[1, height]] : bandsOf(height, workers);
   const common = ["scene.pov", `+W${width}`, `+H${height}`, "--samples", String(samples), "--progress", "none",
-                  "--diagnostics=json", "-o", "out.png", ...desk.sceneWords(), ...desk.filmWords()];
+                  "--diagnostics=json", "-o", "out.png", ...backEnd.sceneWords(), ...backEnd.filmWords()];
   const runs = await Promise.all(bands.map(async ([first, last]) => {
     const rows = bands.length > 1 ? [`+SR${first}`, `+ER${last}`] : [];
-    const run = await engine.run({ words: [...common, ...rows], files: desk.sceneFiles(), wants: ["out.png"] }, "picture");
+    const run = await engine.run({ words: [...common, ...rows], files: backEnd.sceneFiles(), wants: ["out.png"] }, "picture");
     told(bands.length);
     return run;
   }));
@@ -111,9 +111,9 @@ async function pictureOf(width, height, samples, whole, told) {
            pictures: runs.map(({ made }) => made["out.png"]) };
 }
 async function lightOf(width, height, samples, told) {
-  const { bad, said, light, stats } = await desk.renderLight(width, height, samples, told);
+  const { bad, said, light, stats } = await backEnd.renderLight(width, height, samples, told);
   if (bad) return { bad };
-  const run = await desk.developed(light);
+  const run = await backEnd.developed(light);
   return { bad: run.made["out.png"] ? null : run, light, stats, said, pictures: [run.made["out.png"]] };
 }
 
@@ -122,7 +122,7 @@ async function renderPass({ shrink, samples }, mine, whole) {
   const [width, height] = sizeOfPicture().map(each => Math.ceil(each / shrink));
   let done = 0;
   const told = count => { element("bar").style.width = 100 * ++done / count + "%"; };
-  const apart = !desk.crowded && (desk.dims || (shrink === 1 && samples >= leastOfLight));
+  const apart = !backEnd.crowded && (backEnd.dims || (shrink === 1 && samples >= leastOfLight));
   let made = apart ? await lightOf(width, height, samples, told) : null;
   if (mine !== generation) return null;
   if (!made || made.bad) {
@@ -130,14 +130,14 @@ async function renderPass({ shrink, samples }, mine, whole) {
     made = await pictureOf(width, height, samples, whole, told);
     if (mine !== generation) return null;
     if (apart && !made.bad) {  // the light of each lamp needs too much memory
-      desk.crowded = true;
-      desk.show();
+      backEnd.crowded = true;
+      backEnd.show();
     }
   }
   element("bar").style.width = "0";
   if (shrink > 1 || made.bad) showMessages(messagesOf(made.bad?.err ?? made.said));
   if (made.bad) return null;
-  if (made.light && shrink === 1) desk.takeLight(made.light, made.stats);
+  if (made.light && shrink === 1) backEnd.takeLight(made.light, made.stats);
   await draw(made.pictures, width, height, made.bands);
   return mine === generation ? made.pictures[0] : null;
 }
@@ -147,7 +147,7 @@ function filmIn(png) { return /developed=([^;]*)/.exec(Object.values(textsOf(png
 
 async function render() {
   stop();
-  desk.forget();
+  backEnd.forget();
   const mine = ++generation, begun = performance.now();
   let count = 0;
   document.body.dataset.passes = "0";
@@ -165,11 +165,11 @@ async function render() {
       return;
     }
     whole = needsWhole(picture);
-    if (desk.filmWords().length === 0) desk.takeFilm(filmIn(picture));
+    if (backEnd.filmWords().length === 0) backEnd.takeFilm(filmIn(picture));
     document.body.dataset.passes = String(++count);
     element("time").textContent = ((performance.now() - begun) / 1000).toFixed(1) + " s";
     if (pass.shrink > 1) continue;
-    playOn({ knobs: desk.shownKnobs(), generation: mine, columns: 1, width: 1 });
+    playOn({ knobs: backEnd.shownKnobs(), generation: mine, columns: 1, width: 1 });
     if (player.plays) return;
   }
   document.body.dataset.passes = "all";
@@ -179,7 +179,7 @@ async function render() {
 
 // The scene's own widgets are those that its comments ask for.
 async function askKnobs() {
-  desk.takeKnobs(await language.ask("candelabra/knobs", editor.text, files, 0, 0) ?? []);
+  backEnd.takeKnobs(await language.ask("candelabra/knobs", editor.text, files, 0, 0) ?? []);
 }
 
 function stop() {
@@ -244,7 +244,7 @@ element("save-picture").onclick = () => {
   if (wholePicture) saveFile(wholePicture, "scene.png");
   else canvas.toBlob(blob => saveFile(blob, "scene.png"));
 };
-element("save-light").onclick = () => saveFile(desk.light, "scene.exr");
+element("save-light").onclick = () => saveFile(backEnd.light, "scene.exr");
 canvas.addEventListener("click", event => {
   const box = canvas.getBoundingClientRect(), [width, height] = sizeOfPicture();
   pick(Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height));
@@ -290,8 +290,8 @@ async function beginWithAddress() {
   }
 }
 window.addEventListener("hashchange", beginWithAddress);
-desk.show();
-playOn({ knobs: desk.shownKnobs(), generation: 0, columns: 0, width: 1 });
+backEnd.show();
+playOn({ knobs: backEnd.shownKnobs(), generation: 0, columns: 0, width: 1 });
 // One panel is open at a time.
 for (const panel of document.querySelectorAll("#panels details")) Object.assign(panel, { name: "panels", open: panel.id === "panel-lamps" });
 await beginWithAddress();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How panels reach the program: ask(path) is the text of an answer, post(path, form) changes something.
-// The preview has both by HTTP (http.js), the playground by its workers (src/playground/desk.mjs).
+// The preview has both by HTTP (http.js), the playground by its workers (src/playground/back_end.mjs).
 
 // Sends one message at a time: what comes meanwhile is joined to the one that waits.
 function sender(path, join = (older, newer) => newer) {

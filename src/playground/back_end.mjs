@@ -30,7 +30,7 @@ function valueOf(knob, sent) {
 }
 const shownValue = value => value?.rgb ?? value;
 
-export class Desk {
+export class BackEnd {
   // `files()`: those of the scene, with its text; `size()`: of the picture in pixels. `relit(png)` shows a picture
   // that has been developed anew; `changed()`: the picture has to be rendered anew.
   constructor({ engine, workers, files, size, relit, changed }) {
@@ -152,7 +152,7 @@ export class Desk {
   // ---- the panels' questions
 
   async ask(path) {
-    const { pathname, searchParams } = new URL(path, "http://desk");
+    const { pathname, searchParams } = new URL(path, "http://backEnd");
     if (pathname === "/film") return this.#filmText();
     const [width, height] = this.size(), place = `${searchParams.get("x")},${searchParams.get("y")}`;
     const { out, err } = await this.engine.run({ words: ["scene.pov", `+W${width}`, `+H${height}`, "--pick", place,
