@@ -23,7 +23,7 @@ light_source { <-3, 0, -9>, 0.0001 }
 
 struct Made {
     Shot shot;
-    Rendering rendering;
+    RenderState state;
     FilmFiles files;
 };
 
@@ -36,7 +36,9 @@ Made made_of(const std::string& scene, const FilmSettings& film = {}) {
     settings.width = settings.height = 16;
     RenderHooks hooks;
     hooks.aovs = made.files.aovs();
-    made.rendering = render(made.shot, settings, hooks);
+    made.state = begin_picture(settings, hooks.aovs.count(*made.shot.world));
+    LightLedger rays;
+    advance(plan_of(made.shot, settings), made.state, rays, hooks);
     return made;
 }
 
@@ -44,7 +46,7 @@ Made made_of(const std::string& scene, const FilmSettings& film = {}) {
 
 TEST_CASE("the change of the picture without a lamp is that of what a display shows", "[output]") {
     const Made made = made_of(four_lights);
-    const std::vector<double> changes = changes_without(made.rendering.film, made.files);
+    const std::vector<double> changes = changes_without(made.state.film, made.files);
     REQUIRE(changes.size() == 4);
     CHECK(changes[0] > 0.5);
     CHECK(changes[1] > 1.0 / 255);
@@ -67,15 +69,15 @@ TEST_CASE("a film shows the change of a lamp as it shows its light", "[output]")
     film.on = true;
     film.exposure = 8;
     const Made bright = made_of(four_lights, film);
-    CHECK(changes_without(bright.rendering.film, bright.files)[3] == 0);  // all is white
+    CHECK(changes_without(bright.state.film, bright.files)[3] == 0);  // all is white
     film.exposure = -6;
     const Made dark = made_of(four_lights, film);
-    CHECK(changes_without(dark.rendering.film, dark.files)[1] < 1.0 / 255);
+    CHECK(changes_without(dark.state.film, dark.files)[1] < 1.0 / 255);
     // An automatic exposure stays that of the whole picture when the brightest lamp is off.
     film.exposure = 0;
     film.auto_exposure = true;
     const Made steady = made_of(four_lights, film);
-    const auto changes = changes_without(steady.rendering.film, steady.files);
+    const auto changes = changes_without(steady.state.film, steady.files);
     CHECK(changes[0] > 0.2);
     CHECK(changes[2] == 0);
 }
