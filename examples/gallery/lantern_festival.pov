@@ -51,9 +51,9 @@ light_source { <20, 90, -60>, rgb <0.02, 0.026, 0.05> parallel point_at 0 }
     }
     finish { ambient 0 diffuse 0 emission 1 }
 }
-object { Light_Scatter(Lantern, 560, <-30, 3, 6>, <30, 24, 60>, 1.6, 3) }
-object { Light_Scatter(Lantern, 240, <-14, 1.2, 8>, <14, 9, 40>, 1.1, 14) }
-object { Light_Scatter(Lantern, 36, <-7, 2.6, -4>, <7, 7, 4>, 1.3, 9) }
+object { Light_Box(Lantern, 560, <-30, 3, 6>, <30, 24, 60>, 1.6, 3) }
+object { Light_Box(Lantern, 240, <-14, 1.2, 8>, <14, 9, 40>, 1.1, 14) }
+object { Light_Box(Lantern, 36, <-7, 2.6, -4>, <7, 7, 4>, 1.3, 9) }
 object { Lantern rotate 4*z translate <-2.2, 2.35, -8.3> }
 
 // The lake with its ripples, and hills beyond it
@@ -81,7 +81,7 @@ plane {
     pigment { rgb <1, 0.45, 0.12> }
     finish { ambient 0 diffuse 0 emission 8 }
 }
-object { Light_Scatter(Window, 150, <-75, 0.3, 86>, <75, 2.4, 94>, 1, 31) }
+object { Light_Box(Window, 150, <-75, 0.3, 86>, <75, 2.4, 94>, 1, 31) }
 
 // Two boats with people who hold a lantern
 #declare Raised = <0.15, 1.74, -0.3>;

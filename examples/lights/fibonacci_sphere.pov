@@ -14,7 +14,7 @@ camera {
 }
 
 #declare Lamp = cylinder {
-    <0, -0.02, 0>, <0, 0.02, 0>, 0.036
+    <-0.02, 0, 0>, <0.02, 0, 0>, 0.036
     pigment { rgb <1, 0.56, 0.2> }
     finish { ambient 0 diffuse 0 emission 5 }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: CC0-1.0
-// Light_Scatter: 700 glow-worms over a meadow, no two closer than 0.14, and the stalks they light.
+// Light_Box: 700 glow-worms over a meadow, no two closer than 0.14, and the stalks they light.
 #version 3.7;
 #include "light_arrays.inc"
 global_settings { assumed_gamma 1.0 }
@@ -25,15 +25,15 @@ camera {
     finish { Matt }
 }
 
-object { Light_Scatter(Worm, 700, <-4.5, 0.1, -4>, <4.5, 1.1, 5>, 0.14, 4) }
+object { Light_Box(Worm, 700, <-4.5, 0.1, -4>, <4.5, 1.1, 5>, 0.14, 4) }
 
 // The meadow is scattered too: any object will do.
 #declare From = <-5, 0, -4.5>;
 #declare To = <5, 0, 5>;
-object { Light_Scatter(object { Stalk rotate 12*z }, 1500, From, To, 0.1, 11) }
-object { Light_Scatter(object { Stalk scale <1, 1.3, 1> rotate -9*x }, 1200, From, To, 0.1, 12) }
+object { Light_Box(object { Stalk rotate 12*z }, 1500, From, To, 0.1, 11) }
+object { Light_Box(object { Stalk scale <1, 1.3, 1> rotate -9*x }, 1200, From, To, 0.1, 12) }
 object {
-    Light_Scatter(sphere { <0, 0.1, 0>, 0.26 }, 14, <-4, 0, -2.5>, <4, 0, 4>, 1, 5)
+    Light_Box(sphere { <0, 0.1, 0>, 0.26 }, 14, <-4, 0, -2.5>, <4, 0, 4>, 1, 5)
     pigment { rgb <0.5, 0.48, 0.45> }
     finish { Matt }
 }

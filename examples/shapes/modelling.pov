@@ -77,12 +77,12 @@ mesh {
     cylinder { 0, 1.5*y, 0.7, 0.9 }
 }
 #declare Lamp = sphere {
-    0.03*y, 0.035
+    0.03*x, 0.035
     pigment { rgb <0.75, 0.85, 1> }
     finish { emission 22 diffuse 0 }
 }
 union {
     object { Body pigment { rgb 0.5 } }
-    Light_Cover(Lamp, Body, 0.24, 1)
+    Light_Scatter(Lamp, Body, 0.24, 1)
     translate <-0.3, 0.65, 1.6>
 }

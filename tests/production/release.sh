@@ -44,10 +44,13 @@ SCENE
 cd "$folder/scenes"
 env -i "$program" a.pov +W80 +H60 +Otar.png
 ln -s "$program" link
-env -i ./link a.pov +W80 +H60 +Olink.tga
+env -i ./link a.pov +W80 +H60 +Olink.exr
+# OpenImageIO with all that it needs is twenty times as large as the rest.
+! env -i ./link a.pov +W80 +H60 +Olink.tga 2> tga.said
+grep -q 'the library of picture formats cannot be opened' tga.said || { cat tga.said; exit 1; }
 "$build/candelabra" a.pov +W80 +H60 +Obuild.png
 cmp tar.png build.png
-[ -s link.tga ]
+[ -s link.exr ] && [ ! -e link.tga ]
 env -i "$folder/some where/bin/candelabra-povray" a.pov +W80 +H60 +Opovray.png
 [ -s povray.png ]
 echo 'camera { location -5*z look_at 0 } mesh { difference { box { -1, 1 } box { 0, 2 } } pigment { rgb 1 } }

@@ -75,7 +75,7 @@ TEST_CASE("light arrays place as many lamps as they are asked for", "[stdlib]") 
         {"Light_Sphere(L, 50, 4)", 50},
         {"Light_String(L, 9, P, 0.1)", 9},
         {"Light_Spline_String(L, 11, P, 0.1)", 11},
-        {"Light_Scatter(L, 20, <-9, 0, -9>, <9, 0, 9>, 0.5, 1)", 20},
+        {"Light_Box(L, 20, <-9, 0, -9>, <9, 0, 9>, 0.5, 1)", 20},
         {"Light_Facade(L, L, <4, 3>, <1, 1>, 0.5, 1)", 12},
         {"Light_Street(L, 6, 5, 8)", 12},
         {"Light_Positions(L, P)", 3},
@@ -248,12 +248,36 @@ std::string kinds_of_lamps(const Object& object) {
 
 }  // namespace
 
+TEST_CASE("all arrays around a thing turn the lamp's x outwards and its y upwards", "[stdlib]") {
+    const auto centres = [](const std::string& array, const std::string& offset) {
+        const SharedWorld world =
+            world_of("#version 3.7; #include \"light_arrays.inc\" #declare L = sphere { " + offset +
+                     ", 0.01 pigment { rgb 1 } finish { emission 1 } } object { " + array + " }");
+        std::vector<Vec3> made;
+        for (const Luminaire& each : world->lights.luminaires)
+            made.push_back(std::get<SphereEmitter>(each.emitter).centre);
+        return made;
+    };
+    for (const char* const array : {"Light_Ring(L, 12, 4)", "Light_Sphere(L, 50, 4)",
+                                    "Light_Scatter(L, sphere { 0, 4 }, 1, 1)"}) {
+        INFO(array);
+        const std::vector<Vec3> places = centres(array, "0"), out = centres(array, "0.5*x"),
+                                up = centres(array, "0.5*y");
+        REQUIRE(places.size() >= 12);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            CHECK(length(out[i] - 1.125 * places[i]) < 0.01);
+            CHECK(up[i].y >= places[i].y - 1e-6);
+            CHECK(std::abs(dot(up[i] - places[i], unit(places[i]))) < 0.01);
+        }
+    }
+}
+
 TEST_CASE("lamps of an array are taken in turn by every light array", "[stdlib]") {
     const auto call =
         GENERATE("Light_Positions(L, P)", "Light_Grid(L, <2, 2, 1>, 3)", "Light_Line(L, 4, x, y)",
                  "Light_Ring(L, 4, 3)", "Light_Helix(L, 4, 3, 1, 1)", "Light_Sphere(L, 4, 3)",
                  "Light_String(L, 4, P, 0.1)", "Light_Spline_String(L, 4, P, 0.1)",
-                 "Light_Scatter(L, 4, 0, 20, 1, 1)", "Light_Facade(L, L, 2, 1, 1, 1)",
+                 "Light_Box(L, 4, 0, 20, 1, 1)", "Light_Facade(L, L, 2, 1, 1, 1)",
                  "Light_Street(L, 2, 3, 4)");
     INFO(call);
     const Scene scene =
