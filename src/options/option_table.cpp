@@ -136,7 +136,7 @@ constexpr auto listed = std::to_array<OptionRow>({
            "bounding_boxes; it does not change pictures"),
     option(none, "", "", "light-report", nothing, "", kept<&Options::light_report>(Type::toggle),
            "prints a table of the light and the cost of each statement that makes lights; with "
-           "--layers lights also those that could be off unseen"),
+           "--layers lights it also names statements that could be off unseen"),
 
     begin(OptionGroup::film),
     option(picture, "", "", "film", value, "on|off", store::film<"film">,

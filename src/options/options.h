@@ -114,7 +114,7 @@ struct Options {
     double file_gamma = -1;            ///< of pictures with integer values; below 0: sRGB
     std::string depfile;               ///< rule for make; empty: none
     ProgressShare share;               ///< of the run's work on all pictures
-    std::string progress = "auto";     ///< or plain, json, alf, openjd, none
+    std::string progress = "auto";     ///< or plain, json, alf, openjd, povray, none
     std::optional<int> preview_port;   ///< nothing: no preview
     std::string preview_host;          ///< address on which it listens; empty: this machine's own
     bool go_on = false;                ///< continues from the state of an earlier run

@@ -59,7 +59,8 @@ const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
     if (!library.address) {
         diagnostics.add(
             error(Fault::io, asked_at,
-                  message("the library of picture formats cannot be opened: ", library.problem)));
+                  message("the library of picture formats cannot be opened: ", library.problem))
+                .with_help("files of PNG, OpenEXR, Radiance HDR and PPM are written without it"));
         return nullptr;
     }
     static const Formats* const formats = reinterpret_cast<const Formats* (*)()>(library.address)();

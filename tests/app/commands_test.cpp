@@ -289,7 +289,7 @@ TEST_CASE("each form of progress says it to those who listen") {
     }
     Shell shell;
     CHECK(shell.render({"-F", "--progress", "dots"}) == exit_status::usage);
-    CHECK(has(shell.err, "auto, plain, json, alf, openjd or none"));
+    CHECK(has(shell.err, "auto, plain, json, alf, openjd, povray or none"));
 }
 
 TEST_CASE("exit statuses are as the manual has them") {
