@@ -247,7 +247,9 @@ element("save-picture").onclick = () => {
 element("save-light").onclick = () => saveFile(backEnd.light, "scene.exr");
 canvas.addEventListener("click", event => {
   const box = canvas.getBoundingClientRect(), [width, height] = sizeOfPicture();
-  pick(Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height));
+  const pixelAt = (place, begin, length, count) =>
+    Math.min(Math.max(Math.floor((place + 0.5 - begin) / length * count), 0), count - 1);
+  pick(pixelAt(event.clientX, box.left, box.width, width), pixelAt(event.clientY, box.top, box.height, height));
 });
 element("share").onclick = async () => {
   history.replaceState(null, "", "#scene=" + await packed(editor.text));
