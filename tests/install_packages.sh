@@ -8,7 +8,8 @@ set -euo pipefail
 packages=(g++ cmake ninja-build bison re2c libglm-dev libtbb-dev libopenimageio-dev libpng-dev zlib1g-dev libjpeg-dev nettle-dev libseccomp-dev libfreetype-dev
           libcgal-dev libboost-dev libassimp-dev libglpk-dev fonts-povray nlohmann-json3-dev catch2 binutils python3-dev pybind11-dev python3-numpy)
 [ "${1:-}" != --all ] || packages+=(chromium slurmctld slurmd slurm-client munge parallel ffmpeg mandoc python3 python3-yaml povray
-                                    povray-examples povray-includes desktop-file-utils dpkg-dev file)
+                                    povray-examples povray-includes desktop-file-utils dpkg-dev file mypy
+                                    python3-nbclient python3-ipykernel patchelf)
 
 missing=()
 for package in "${packages[@]}"; do
