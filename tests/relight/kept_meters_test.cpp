@@ -67,6 +67,9 @@ TEST_CASE("ratings and shares are no sums of lamps", "[relight]") {
         meter.quantity = static_cast<int>(quantity);
         CHECK(is_sum_of_lamps(meter) == sum);
     }
+    meter.quantity = static_cast<int>(Quantity::luminance);
+    meter.road_table = "r3.csv";
+    CHECK_FALSE(is_sum_of_lamps(meter));
 }
 
 }  // namespace candelabra
