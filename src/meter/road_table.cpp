@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meter/road_table.h"
 
+#include "base/between.h"
 #include "base/elementary.h"
 
 #include <algorithm>
@@ -8,25 +9,11 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
+#include <span>
 
 namespace candelabra {
 
 namespace {
-
-/// A place between two entries of a rising list.
-struct Between {
-    std::size_t low, high;
-    double share;  ///< of the way from the lower one
-};
-
-/// Values beyond the ends are at the ends.
-Between between_entries(const std::vector<double>& list, double value) {
-    const auto above = std::ranges::upper_bound(list, value);
-    if (above == list.begin()) return {0, 0, 0};
-    const auto high = static_cast<std::size_t>(above - list.begin());
-    if (high == list.size()) return {high - 1, high - 1, 0};
-    return {high - 1, high, (value - list[high - 1]) / (list[high] - list[high - 1])};
-}
 
 bool rises(const std::vector<double>& list, double most) {
     return !list.empty() && list.front() >= 0 && list.back() <= most &&
@@ -44,13 +31,12 @@ double RoadTable::coefficient(const Vec3& up, const Vec3& sight, const Vec3& lig
     const double lengths = length(ahead) * length(incoming);
     const double beta =
         lengths > 0 ? math::acos(std::clamp(dot(ahead, incoming) / lengths, -1.0, 1.0)) : 0;
-    const Between row = between_entries(tangents, tangent),
-                  column = between_entries(angles, beta * (180 / std::numbers::pi));
+    const Between row = place_between(tangents, tangent),
+                  column = place_between(angles, beta * (180 / std::numbers::pi));
     const auto in_row = [&](std::size_t number) {
-        const double* const first = entries.data() + number * angles.size();
-        return first[column.low] + column.share * (first[column.high] - first[column.low]);
+        return column.of(std::span(entries).subspan(number * angles.size(), angles.size()));
     };
-    const double entry = in_row(row.low) + row.share * (in_row(row.high) - in_row(row.low));
+    const double entry = (1 - row.fraction) * in_row(row.low) + row.fraction * in_row(row.high);
     return 1e-4 * entry / (cosine * cosine * cosine);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "photometry/photometric_web.h"
 
+#include "base/between.h"
 #include "base/degrees.h"
 #include "base/elementary.h"
 
@@ -15,21 +16,12 @@ namespace {
 
 constexpr double whole_turn = 360;
 
-/// A place between two entries of a list of angles: entry + fraction.
-struct BetweenAngles {
-    std::size_t entry;
-    double fraction;
-};
-
 /// Returns the place of an angle; nothing outside the list, beyond what rounding explains.
-std::optional<BetweenAngles> place_in(const std::vector<double>& angles, double angle) {
+std::optional<Between> place_in(const std::vector<double>& angles, double angle) {
     constexpr double rounding = 1e-9;
     if (!(angle >= angles.front() - rounding && angle <= angles.back() + rounding))
         return std::nullopt;
-    const auto next = std::upper_bound(angles.begin() + 1, angles.end() - 1, angle);
-    const auto entry = static_cast<std::size_t>(next - angles.begin()) - 1;
-    const double fraction = (angle - angles[entry]) / (angles[entry + 1] - angles[entry]);
-    return BetweenAngles{entry, std::clamp(fraction, 0.0, 1.0)};
+    return place_between(angles, angle);
 }
 
 /// Integral of a linear function from `low` at a to `high` at b, times the sine of the angle.
@@ -69,10 +61,10 @@ double PhotometricWeb::intensity(const WebAngles& angles) const {
     const auto plane = place_in(horizontal_, around);
     if (!row || !plane) return 0;
     const auto in_plane = [&](std::size_t p) {
-        const double low = at(p, row->entry), high = at(p, row->entry + 1);
+        const double low = at(p, row->low), high = at(p, row->high);
         return low + row->fraction * (high - low);
     };
-    const double before = in_plane(plane->entry), after = in_plane(plane->entry + 1);
+    const double before = in_plane(plane->low), after = in_plane(plane->high);
     return before + plane->fraction * (after - before);
 }
 
