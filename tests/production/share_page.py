@@ -72,6 +72,18 @@ class Shared:
         print(f"{what}: mean difference {mean:.2f} of 255, more than 6: {100 * many:.2f} %")
         check(f"{what}: as developed", mean < 1.2 and many < 0.02)
 
+    def fits(self, name, shots):
+        """Nothing of the page lies over another thing or beside the window, at three widths, in both themes."""
+        for width, height, phone in ((1280, 800, False), (768, 1024, False), (390, 844, True)):
+            self.browser.size(width, height, phone)
+            for theme in ("dark", "light"):
+                self.browser.run(f"useTheme('{theme}')")
+                time.sleep(0.3)
+                check(f"nothing overlaps at {width}", self.browser.run(OVERLAP) == "")
+                check(f"no scrolling at {width}", self.browser.run("document.documentElement.scrollWidth <= innerWidth"))
+                if shots:
+                    self.browser.shot(f"{shots}/{name}_{width}_{theme}.png")
+
 
 def look(shared, shots):
     browser, run = shared.browser, shared.browser.run
@@ -109,15 +121,7 @@ def look(shared, shots):
     box = run("(({left, top}) => [left + 6, top + 60])(divider.getBoundingClientRect())")
     browser.drag([tuple(box), (box[0] + 40, box[1]), (box[0] + 80, box[1])])
     check("the line is dragged", run("split") > 0.52)
-    for width, height, phone in ((1280, 800, False), (768, 1024, False), (390, 844, True)):
-        browser.size(width, height, phone)
-        for theme in ("dark", "light"):
-            run(f"useTheme('{theme}')")
-            time.sleep(0.3)
-            check(f"nothing overlaps at {width}", run(OVERLAP) == "")
-            check(f"no scrolling at {width}", run("document.documentElement.scrollWidth <= innerWidth"))
-            if shots:
-                browser.shot(f"{shots}/share_{width}_{theme}.png")
+    shared.fits("share", shots)
     check("nothing is requested", run("performance.getEntriesByType('resource').length") == 0)
     check("nothing could be", run("fetch('http://localhost:1/').then(() => 'sent', () => 'refused')") == "refused")
     browser.errors = [each for each in browser.errors if "localhost:1" not in str(each)]
@@ -185,15 +189,7 @@ def look_show(shared, shots):
                " return (performance.now() - t) / 5; })()")
     print(f"a frame of {WIDTH}x{HEIGHT} takes {took:.1f} ms")
     run(f"goTo({frames - 4}, 1)")
-    for width, height, phone in ((1280, 800, False), (768, 1024, False), (390, 844, True)):
-        browser.size(width, height, phone)
-        for theme in ("dark", "light"):
-            run(f"useTheme('{theme}')")
-            time.sleep(0.3)
-            check(f"nothing overlaps at {width}", run(OVERLAP) == "")
-            check(f"no scrolling at {width}", run("document.documentElement.scrollWidth <= innerWidth"))
-            if shots:
-                browser.shot(f"{shots}/show_{width}_{theme}.png")
+    shared.fits("show", shots)
     check("nothing is requested", run("performance.getEntriesByType('resource').length") == 0)
     browser.size(1280, 800, False)
 
