@@ -2,7 +2,7 @@
 // A house whose front is a screen of 10,000 LEDs, row by row from below: Front[0..99] is the lowest
 // row. The light of each is kept while the picture is rendered, and a show is played with it:
 //   candelabra media_facade.pov +W640 +H360 --samples 64 --keep-lights front.lights
-//   candelabra relight front.lights --csv media_facade.csv --smooth 6 --movie front.mp4
+//   candelabra relight front.lights --csv media_facade.csv --movie front.mp4
 //   candelabra share front.lights --csv media_facade.csv -o front.html
 #version 3.7;
 global_settings { assumed_gamma 1 }

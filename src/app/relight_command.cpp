@@ -36,8 +36,8 @@ namespace {
 struct RelightRequest {
     Options options;
     ShowFiles show;
-    std::string smooth;  ///< of --smooth; empty: not
-    bool lists = false;  ///< names the lamps, and nothing else
+    std::string smooth = "4";  ///< of --smooth
+    bool lists = false;        ///< names the lamps, and nothing else
 };
 
 RelightRequest read_relight_request(std::span<const std::string_view> arguments,
@@ -101,12 +101,12 @@ public:
     bool prepare(const RelightRequest& request) {
         if (!read_show(request.show, show_, options_, diagnostics_)) return false;
         constexpr double most = 100;
-        const auto smooth = request.smooth.empty() ? std::optional(0.0) : number(request.smooth);
+        const auto smooth = number(request.smooth);
         if (!smooth || *smooth < 0 || *smooth > most || *smooth != std::floor(*smooth)) {
             diagnostics_.add(error(Fault::option, {},
                                    message("`--smooth ", printable(request.smooth),
                                            "` is no number of pixels from 0 to ", most))
-                                 .with_help("--smooth 6"));
+                                 .with_help("--smooth 4"));
             return false;
         }
         relighting_.emplace(records_, static_cast<int>(*smooth), options_.render.threads);

@@ -40,7 +40,7 @@ constexpr auto of_shows = std::to_array<Option>({
     {"--curve", "light that a channel gives: linear, square or an exponent", "curve"},
 });
 constexpr auto of_relight = std::to_array<Option>({
-    {"--smooth", "pixels over which noise of crowds is averaged", "number"},
+    {"--smooth", "pixels around each to which light of crowds is fitted (4)", "number"},
     {"--meters", "table of the meters' readings in each frame", "file"},
     {"--lamps", "prints the names of the lamps"},
 });

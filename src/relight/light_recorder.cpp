@@ -79,7 +79,7 @@ std::uint64_t LightRecorder::most_memory() const {
     // Light has twice the bytes that it has in the file, which is made beside it, and tiles in work
     // have it as it comes.
     constexpr std::uint64_t in_memory = 3, in_work = std::uint64_t{64} << 20;
-    return in_memory * room_ * tiles_.size() + in_work;
+    return in_memory * room_ * tiles_.size() + made_.normals.size() + in_work;
 }
 
 LightRecords LightRecorder::finish(const Film& film, int threads) const {
@@ -113,7 +113,8 @@ std::string LightRecorder::state(int threads) const {
     });
     std::string bytes;
     append_number(bytes, static_cast<std::uint64_t>(room_));
-    bytes += block_of(head_of(made_)) + block_of(meters_of(made_.meters));
+    bytes += block_of(head_of(made_)) + block_of(meters_of(made_.meters)) +
+             block_of(normals_of(made_.normals));
     for (const std::string& block : blocks) bytes += block;
     return bytes;
 }
@@ -124,9 +125,11 @@ std::unique_ptr<LightRecorder> LightRecorder::of_state(std::string_view bytes) {
     LightRecords& made = read->made_;
     read->room_ = static_cast<std::size_t>(reader.number<std::uint64_t>());
     std::uint64_t left = most_unpacked(bytes.size());
-    const auto head = take_block(reader, left), meters = take_block(reader, left);
+    const auto head = take_block(reader, left), meters = take_block(reader, left),
+               normals = take_block(reader, left);
     if (!head || !take_head(*head, made) || !meters ||
-        !take_meters(*meters, made.lamps.size(), made.meters))
+        !take_meters(*meters, made.lamps.size(), made.meters) || !normals ||
+        !take_normals(*normals, made))
         return nullptr;
     for (int row = 0; row < made.tiles_down(); ++row) {
         const auto raw = take_block(reader, left);

@@ -46,6 +46,8 @@ public:
     const LampList& lamps() const { return made_.lamps; }
     std::uint32_t place_of(Lamp lamp) const { return lamps_.place_of(lamp); }
     void keep(KeptMeters meters) { made_.meters = std::move(meters); }
+    /// See LightRecords::normals.
+    void keep(std::vector<std::int8_t> normals) { made_.normals = std::move(normals); }
 
     /// Returns the records when all samples have been made.
     LightRecords finish(const Film&, int threads) const;

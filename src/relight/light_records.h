@@ -6,6 +6,7 @@
 #include "relight/lamp_list.h"
 #include "relight/tile_records.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct LightRecords {
     std::string film;    ///< see to_text(const FilmSettings&); empty: none
     KeptMeters meters;
     std::vector<float> alpha;        ///< of each pixel, 0 to 1; empty: none
+    /// Of the surfaces that the camera sees first: x, y, z of the mean normal in each pixel, in
+    /// 1/127; 0 without a surface. Empty: not known.
+    std::vector<std::int8_t> normals;
     std::vector<TileRecords> tiles;  ///< row by row
 
     int tiles_across() const { return (width + light_tile - 1) / light_tile; }

@@ -138,6 +138,18 @@ bool take_head(const std::string& raw, LightRecords& records) {
     return take_lamps(reader, records.lamps) && reader.left().empty();
 }
 
+std::string normals_of(const std::vector<std::int8_t>& normals) {
+    return {normals.begin(), normals.end()};
+}
+
+bool take_normals(const std::string& raw, LightRecords& records) {
+    const std::size_t numbers =
+        3 * static_cast<std::size_t>(records.width) * static_cast<std::size_t>(records.height);
+    if (!raw.empty() && raw.size() != numbers) return false;
+    records.normals.assign(raw.begin(), raw.end());
+    return true;
+}
+
 std::string meters_of(const KeptMeters& kept) {
     std::string bytes;
     append_number(bytes, static_cast<std::uint32_t>(kept.nodes.size()));

@@ -31,6 +31,11 @@ std::uint64_t most_unpacked(std::size_t file_bytes);
 std::string head_of(const LightRecords&);
 bool take_head(const std::string& raw, LightRecords&);
 
+/// See LightRecords::normals.
+std::string normals_of(const std::vector<std::int8_t>&);
+/// Returns false if there are not as many as the picture has pixels, or none.
+bool take_normals(const std::string& raw, LightRecords&);
+
 std::string meters_of(const KeptMeters&);
 /// Returns false if the bytes are not those of meters with this number of lamps.
 bool take_meters(const std::string& raw, std::uint32_t lamps, KeptMeters&);

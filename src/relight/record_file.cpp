@@ -20,7 +20,7 @@ namespace candelabra {
 namespace {
 
 constexpr std::string_view magic = "CANDLAMP";
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 constexpr std::size_t digest_bytes = 64;  // hexadecimal
 bool take_alpha(const std::string& raw, LightRecords& records) {
     if (raw.empty()) return true;
@@ -50,10 +50,11 @@ bool take_row(const std::string& raw, LightRecords& records) {
 
 std::uint64_t record_overhead(int width, int height, bool alpha) {
     // The origin and the film are texts; zlib adds a little to what it cannot pack.
-    constexpr std::uint64_t texts = 16384, of_row = 64, of_alpha = sizeof(float) + 1;
+    constexpr std::uint64_t texts = 16384, of_row = 64, of_alpha = sizeof(float) + 1,
+                            of_normal = 3 + 1;
     const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     return texts + of_row * static_cast<std::uint64_t>(height / light_tile + 1) +
-           (alpha ? of_alpha * pixels : 0);
+           (of_normal + (alpha ? of_alpha : 0)) * pixels;
 }
 
 std::string encode(const LightRecords& records, int threads) {
@@ -69,7 +70,7 @@ std::string encode(const LightRecords& records, int threads) {
         blocks[row] = block_of(raw);
     });
     blocks.insert(blocks.begin(), {block_of(head_of(records)), block_of(meters_of(records.meters)),
-                                   block_of(alpha)});
+                                   block_of(alpha), block_of(normals_of(records.normals))});
     std::uint64_t size = 0;
     for (const std::string& block : blocks) size += block.size();
     append_number(bytes, size);
@@ -104,6 +105,9 @@ std::optional<LightRecords> decode_records(std::string_view bytes, std::string& 
     const auto alpha = take_block(blocks, left);
     if (!alpha || !take_alpha(*alpha, records))
         return fail("has no alpha channel that is possible");
+    const auto normals = take_block(blocks, left);
+    if (!normals || !take_normals(*normals, records))
+        return fail("has no normals that are possible");
     for (int row = 0; row < records.tiles_down(); ++row) {
         const auto raw = take_block(blocks, left);
         if (!raw || !take_row(*raw, records)) return fail("has tiles that are not possible");

@@ -4,15 +4,15 @@
 
 #include "base/image.h"
 #include "relight/light_records.h"
+#include "relight/smooth_crowds.h"
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace candelabra {
-
-/// Red, green and blue of a picture, each row by row.
-using PicturePlanes = std::array<std::vector<float>, 3>;
 
 class Relighting {
 public:
@@ -26,15 +26,14 @@ public:
     Image picture(std::span<const Vec3> factors) const;
 
 private:
-    /// Light of lamps that have records of their own, and of lamps that have not.
-    struct Split {
-        PicturePlanes sharp, crowd;
-    };
-    Split planes_of(std::span<const Vec3> factors) const;
+    void add_light(std::size_t tile, const FactorMeans&, std::span<const std::array<float, 3>>,
+                   TilePlanes&) const;
 
     const LightRecords& records_;
-    int smooth_, threads_;
-    PicturePlanes crowd_, blurred_;  ///< as rendered; only if it is smooth
+    int threads_;
+    std::optional<SmoothCrowds> crowds_;
+    /// Of each sample of a lamp in a crowd, tile by tile: its node. Only without crowds_.
+    std::vector<std::vector<std::uint32_t>> node_of_;
 };
 
 /// Returns a picture whose pixels have the right expected values.

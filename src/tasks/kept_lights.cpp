@@ -9,6 +9,7 @@
 #include "relight/light_recorder.h"
 #include "relight/record_file.h"
 #include "render/measure.h"
+#include "render/seen_normals.h"
 #include "tasks/measuring.h"
 #include "text/message.h"
 
@@ -53,10 +54,11 @@ void check_kept_lights(const Options& options, Diagnostics& diagnostics) {
                diagnostics);
 }
 
-std::unique_ptr<LightRecorder> light_recorder(const World& world, const SourceStore& sources,
+std::unique_ptr<LightRecorder> light_recorder(const Shot& shot, const SourceStore& sources,
                                               const PictureFormat& format, const Options& options,
                                               Diagnostics& diagnostics) {
     if (options.kept_lights.empty()) return nullptr;
+    const World& world = *shot.world;
     const int width = options.render.width, height = options.render.height;
     RecordPlan plan{width, height, 0, record_overhead(width, height, options.alpha)};
     plan.bytes = options.kept_lights_bytes.value_or(usual_record_bytes(width, height));
@@ -74,7 +76,9 @@ std::unique_ptr<LightRecorder> light_recorder(const World& world, const SourceSt
             message("the light of ", lamps.list.size(), lamps.list.size() == 1 ? " lamp" : " lamps",
                     " in a picture of ", width, "x", height, " needs ", least, " kB"),
             message("--keep-lights-size ", least, "K"), diagnostics);
-    return std::make_unique<LightRecorder>(std::move(lamps), plan);
+    auto recorder = std::make_unique<LightRecorder>(std::move(lamps), plan);
+    recorder->keep(seen_normals(shot, width, height, options.render.threads));
+    return recorder;
 }
 
 bool keep_meters(LightRecorder& recorder, SceneSteps& steps, const Shot& shot,

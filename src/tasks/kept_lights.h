@@ -19,15 +19,14 @@ struct PictureFormat;
 class SceneSteps;
 struct Shot;
 class SourceStore;
-class World;
 
 /// Reports options that do not go together with --keep-lights.
 void check_kept_lights(const Options&, Diagnostics&);
 
 /// Returns what keeps the light while a picture of this format is made. Returns null if that is not
 /// wanted, or after an error has been reported.
-std::unique_ptr<LightRecorder> light_recorder(const World&, const SourceStore&,
-                                              const PictureFormat&, const Options&, Diagnostics&);
+std::unique_ptr<LightRecorder> light_recorder(const Shot&, const SourceStore&, const PictureFormat&,
+                                              const Options&, Diagnostics&);
 
 /// Measures the light of each lamp at the meters whose readings are sums, as --measure would with
 /// these options, and has it kept with that of the picture. Returns false if a signal came.

@@ -104,7 +104,7 @@ int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> mete
                  options.to_file ? bytes_to_write(files) : 0,
                  {}};
     const auto recorder =
-        light_recorder(world, steps.sources(), steps.output().format, options, diagnostics);
+        light_recorder(shot, steps.sources(), steps.output().format, options, diagnostics);
     if (steps.say_diagnostics()) return exit_status::usage;
     const int threads = options.render.threads;
     if (recorder)

@@ -20,6 +20,7 @@ LightRecords file_records() {
     records.origin = "a scene";
     records.film = "film on";
     records.alpha.assign(17 * 9, 0.25F);
+    records.normals.assign(3 * 17 * 9, -127);
     records.meters.nodes = {{0, 2}, {2, 3}};
     records.meters.meters = {
         {"M", "illuminance", "lx", {{1, 2, 3}}, {0.5F}, {1, 2, 3, 4, 5, 6}}};
@@ -63,8 +64,8 @@ TEST_CASE("files that keep no light are refused", "[relight]") {
     CHECK(problem_of(bytes.substr(0, bytes.size() - 1)) == "is not whole");
     CHECK(problem_of(bytes + "a") == "is not whole");
     std::string later = bytes;
-    later[8] = 3;
-    CHECK(problem_of(later).find("is of version 3") == 0);
+    later[8] = 4;
+    CHECK(problem_of(later).find("is of version 4") == 0);
     std::string altered = bytes;
     altered[bytes.size() / 2] ^= 1;
     CHECK(problem_of(altered).find("is damaged") == 0);
@@ -94,9 +95,9 @@ TEST_CASE("a file with a right digest may still be anything", "[relight]") {
         if (!records) continue;
         REQUIRE(records->tiles.size() ==
                 static_cast<std::size_t>(records->tiles_across() * records->tiles_down()));
-        REQUIRE(
-            relit(*records, std::vector<Vec3>(records->lamps.size(), Vec3(1)), 1).pixels.size() >
-            0);
+        const std::vector<Vec3> usual(records->lamps.size(), Vec3(1));
+        REQUIRE(relit(*records, usual, 1).pixels.size() > 0);
+        REQUIRE(Relighting(*records, 4, 1).picture(usual).pixels.size() > 0);
     }
 }
 
