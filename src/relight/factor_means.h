@@ -5,11 +5,20 @@
 #include "base/vector.h"
 #include "relight/lamp_list.h"
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace candelabra {
+
+/// Red, green and blue.
+using Channels = std::array<float, 3>;
+
+inline Channels channels(const Vec3& factor) {
+    return {static_cast<float>(factor.x), static_cast<float>(factor.y),
+            static_cast<float>(factor.z)};
+}
 
 /// Means of the factors over ranges of lamps, by the powers of the lamps.
 class FactorMeans {

@@ -2,6 +2,7 @@
 #include "relight/relighting.h"
 
 #include "base/parallel.h"
+#include "base/target_clones.h"
 #include "relight/factor_means.h"
 #include "relight/half.h"
 
@@ -11,13 +12,7 @@ namespace candelabra {
 
 namespace {
 
-using Channels = std::array<float, 3>;
-
-Channels channels(const Vec3& factor) {
-    return {static_cast<float>(factor.x), static_cast<float>(factor.y),
-            static_cast<float>(factor.z)};
-}
-
+CANDELABRA_TARGET_CLONES
 void add_node(const std::uint16_t* light, const Channels& factor, TilePlanes& planes) {
     for (std::size_t c = 0; c < 3; ++c, light += tile_pixels) {
         const float by = factor[c];
@@ -98,7 +93,7 @@ Image Relighting::picture(std::span<const Vec3> factors) const {
     short_factors.reserve(factors.size());
     for (const Vec3& factor : factors) short_factors.push_back(channels(factor));
     SmoothCrowds::Fit fit;
-    if (crowds_) fit = crowds_->fitted(means, factors);
+    if (crowds_) fit = crowds_->fitted(means, short_factors);
     Image image(records_.width, records_.height);
     run_parallel(records_.tiles.size(), threads_, [&](std::size_t number) {
         TilePlanes planes{};

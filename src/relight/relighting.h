@@ -26,7 +26,7 @@ public:
     Image picture(std::span<const Vec3> factors) const;
 
 private:
-    void add_light(std::size_t tile, const FactorMeans&, std::span<const std::array<float, 3>>,
+    void add_light(std::size_t tile, const FactorMeans&, std::span<const Channels>,
                    TilePlanes&) const;
 
     const LightRecords& records_;

@@ -3,6 +3,7 @@
 
 #include "base/order.h"
 #include "base/parallel.h"
+#include "base/target_clones.h"
 #include "relight/half.h"
 
 #include <algorithm>
@@ -59,6 +60,27 @@ constexpr auto interpolation() {
     return weights;
 }
 
+constexpr auto between_cells = interpolation<2>();
+constexpr auto between_tiles = interpolation<1>();
+
+/// What is fitted to a row of pixels in a tile.
+struct RowFit {
+    /// At the centres of the cells and of the tiles, from the one before to the one behind.
+    std::array<std::array<float, 3 * terms>, 4> cells{};
+    std::array<Channels, 3> tiles{};
+    std::array<std::array<float, light_tile>, terms> term{};  ///< of the pixels
+    Channels least{}, most{};
+};
+
+/// Adds a node's sums, channel by channel, times its factors.
+CANDELABRA_TARGET_CLONES
+void add_products(const float* sums, const float* factors, float* all) {
+    constexpr std::size_t of_channel = 4 * terms;
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < of_channel; ++i)
+            all[c * of_channel + i] += factors[c] * sums[c * of_channel + i];
+}
+
 /// The number of a cell or a tile, `before` of which lie before the one asked for, within 0 to
 /// count - 1: beyond the edge it is the one at the edge.
 std::size_t within(std::size_t place, std::size_t before, std::size_t count) {
@@ -70,6 +92,7 @@ std::size_t within(std::size_t place, std::size_t before, std::size_t count) {
 SmoothCrowds::SmoothCrowds(const LightRecords& records, int radius, int threads)
     : records_(records),
       radius_(radius),
+      per_pixel_(static_cast<float>(1 / radius_)),
       threads_(threads),
       columns_(static_cast<std::size_t>(records.tiles_across())),
       rows_(static_cast<std::size_t>(records.tiles_down())),
@@ -95,6 +118,8 @@ SmoothCrowds::SmoothCrowds(const LightRecords& records, int radius, int threads)
             }
         }
     });
+    samples_.resize(rows_);
+    run_parallel(rows_, threads_, [&](std::size_t row) { take_samples(row); });
     blur(of_cells, radius_ / cell, threads_);
     blur(of_tiles, wider_for_samples * radius_ / light_tile, threads_);
     prepare(of_cells, of_tiles);
@@ -103,7 +128,7 @@ SmoothCrowds::SmoothCrowds(const LightRecords& records, int radius, int threads)
 std::array<float, terms> SmoothCrowds::terms_of(std::size_t tile, std::size_t pixel) const {
     const TilePlanes& normals = tiles_[tile].normals;
     const auto place = [&](std::size_t number, std::size_t in_tile) {
-        return static_cast<float>(static_cast<double>(number * light_tile + in_tile) / radius_);
+        return static_cast<float>(number * light_tile + in_tile) * per_pixel_;
     };
     return {1,
             normals[pixel],
@@ -131,12 +156,9 @@ void SmoothCrowds::take(std::size_t number) {
                 static_cast<float>(records_.normals[3 * (y * width + x) + c]) / unit;
         term[pixel] = terms_of(number, pixel);
     }
-    std::vector<std::uint32_t> place(from.nodes.size());
     for (std::size_t n = 0; n < from.nodes.size(); ++n) {
         if (from.nodes[n].size() == 1) continue;
-        place[n] = static_cast<std::uint32_t>(tile.nodes.size());
-        tile.nodes.push_back(static_cast<std::uint32_t>(n));
-        NodeSums& sums = tile.sums.emplace_back();
+        NodeSums& sums = tile.nodes.emplace_back(Node{from.nodes[n]}).sums;
         for (std::size_t c = 0; c < 3; ++c)
             for (const std::size_t pixel : inside) {
                 const float light =
@@ -148,20 +170,31 @@ void SmoothCrowds::take(std::size_t number) {
                 for (std::size_t i = 0; i < terms; ++i) to[i] += light * term[pixel][i];
             }
     }
-    for (const LampEntry& entry : from.residual) {
-        const auto after = std::ranges::upper_bound(from.nodes, entry.lamp, {}, &LampRange::first);
-        const auto node = static_cast<std::size_t>(after - from.nodes.begin()) - 1;
-        tile.samples.push_back({entry.lamp, place[node], entry.light});
+}
+
+/// Takes the samples of a row of tiles. In the order of lamps their factors are found soon.
+void SmoothCrowds::take_samples(std::size_t row) {
+    std::vector<Sample>& samples = samples_[row];
+    for (std::size_t column = 0; column < columns_; ++column) {
+        std::vector<Node>& nodes = tiles_[row * columns_ + column].nodes;
+        for (const LampEntry& entry : records_.tiles[row * columns_ + column].residual) {
+            const auto after = std::ranges::upper_bound(
+                nodes, entry.lamp, {}, [](const Node& node) { return node.lamps.first; });
+            for (std::size_t c = 0; c < 3; ++c) after[-1].samples[c] += entry.light[c];
+            samples.push_back({entry.lamp, static_cast<std::uint32_t>(column), entry.light});
+        }
     }
-    sort_stably(tile.samples, {}, &Sample::lamp);
+    sort_stably(samples, {},
+                [](const Sample& each) { return std::uint64_t{each.lamp} << 32 | each.column; });
     std::size_t count = 0;
-    for (const Sample& sample : tile.samples)
-        if (count > 0 && tile.samples[count - 1].lamp == sample.lamp)
-            for (std::size_t c = 0; c < 3; ++c) tile.samples[count - 1].light[c] += sample.light[c];
+    for (const Sample& sample : samples)
+        if (count > 0 && samples[count - 1].lamp == sample.lamp &&
+            samples[count - 1].column == sample.column)
+            for (std::size_t c = 0; c < 3; ++c) samples[count - 1].light[c] += sample.light[c];
         else
-            tile.samples[count++] = sample;
-    tile.samples.resize(count);
-    tile.samples.shrink_to_fit();
+            samples[count++] = sample;
+    samples.resize(count);
+    samples.shrink_to_fit();
 }
 
 /// Makes the least squares of all cells; products: see above, around each cell; light: around each
@@ -203,45 +236,48 @@ void SmoothCrowds::prepare(const CellSums& around_cells, const CellSums& around_
     }
 }
 
+/// Sums the light of a tile under some factors by cells, and what its samples add.
+void SmoothCrowds::sum(std::size_t number, const FactorMeans& means, Fit& fit, CellSums& of_cells,
+                       CellSums& of_tiles) const {
+    const Tile& tile = tiles_[number];
+    NodeSums all{};
+    Channels& least = fit.least[number];
+    Channels& most = fit.most[number];
+    double* const extra = of_tiles.at(number % columns_, number / columns_);
+    for (std::size_t n = 0; n < tile.nodes.size(); ++n) {
+        const Node& node = tile.nodes[n];
+        const Channels mean = channels(means(node.lamps));
+        add_products(node.sums.data(), mean.data(), all.data());
+        for (std::size_t c = 0; c < 3; ++c) {
+            least[c] = n == 0 ? mean[c] : std::min(least[c], mean[c]);
+            most[c] = n == 0 ? mean[c] : std::max(most[c], mean[c]);
+            extra[c] -= static_cast<double>(mean[c]) * static_cast<double>(node.samples[c]);
+        }
+    }
+    for (std::size_t i = 0; i < cells_of_tile; ++i) {
+        double* const to = of_cells.at(number % columns_ * along + i % along,
+                                       number / columns_ * along + i / along);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t t = 0; t < terms; ++t)
+                to[c * terms + t] = static_cast<double>(all[(c * cells_of_tile + i) * terms + t]);
+    }
+}
+
 SmoothCrowds::Fit SmoothCrowds::fitted(const FactorMeans& means,
-                                       std::span<const Vec3> factors) const {
+                                       std::span<const Channels> factors) const {
     CellSums of_cells(along * columns_, along * rows_, 3 * terms), of_tiles(columns_, rows_, 3);
     Fit fit;
     fit.least.resize(tiles_.size());
     fit.most.resize(tiles_.size());
-    run_parallel(tiles_.size(), threads_, [&](std::size_t number) {
-        const Tile& tile = tiles_[number];
-        std::vector<Vec3> mean_of;
-        NodeSums all{};
-        constexpr std::size_t of_channel = cells_of_tile * terms;
-        for (std::size_t n = 0; n < tile.nodes.size(); ++n) {
-            const Vec3 mean = means(records_.tiles[number].nodes[tile.nodes[n]]);
-            mean_of.push_back(mean);
-            for (std::size_t c = 0; c < 3; ++c) {
-                const auto by = static_cast<float>(mean[static_cast<int>(c)]);
-                float& least = fit.least[number][c];
-                float& most = fit.most[number][c];
-                least = n == 0 ? by : std::min(least, by);
-                most = n == 0 ? by : std::max(most, by);
-                if (by == 0) continue;
-                const float* const from = &tile.sums[n][c * of_channel];
-                float* const to = &all[c * of_channel];
-                for (std::size_t i = 0; i < of_channel; ++i) to[i] += by * from[i];
-            }
-        }
-        for (std::size_t i = 0; i < cells_of_tile; ++i) {
-            double* const to = of_cells.at(number % columns_ * along + i % along,
-                                           number / columns_ * along + i / along);
+    run_parallel(rows_, threads_, [&](std::size_t row) {
+        for (const Sample& sample : samples_[row]) {
+            const Channels& factor = factors[sample.lamp];
+            double* const extra = of_tiles.at(sample.column, row);
             for (std::size_t c = 0; c < 3; ++c)
-                for (std::size_t t = 0; t < terms; ++t)
-                    to[c * terms + t] = static_cast<double>(all[c * of_channel + i * terms + t]);
+                extra[c] += static_cast<double>(factor[c] * sample.light[c]);
         }
-        double* const extra = of_tiles.at(number % columns_, number / columns_);
-        for (const Sample& sample : tile.samples) {
-            const Vec3 off = factors[sample.lamp] - mean_of[sample.node];
-            for (int c = 0; c < 3; ++c)
-                extra[c] += off[c] * static_cast<double>(sample.light[static_cast<std::size_t>(c)]);
-        }
+        for (std::size_t column = 0; column < columns_; ++column)
+            sum(row * columns_ + column, means, fit, of_cells, of_tiles);
     });
     blur(of_cells, radius_ / cell, threads_);
     blur(of_tiles, wider_for_samples * radius_ / light_tile, threads_);
@@ -277,58 +313,69 @@ SmoothCrowds::Fit SmoothCrowds::fitted(const FactorMeans& means,
     return fit;
 }
 
+namespace {
+
+/// Adds the light of a row of pixels of a tile.
+CANDELABRA_TARGET_CLONES
+void add_row(const RowFit& fit, const float* usual, float* light) {
+    constexpr std::size_t side = light_tile;
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::array<float, side> ratio{};
+        for (std::size_t t = 0; t < terms; ++t) {
+            std::array<float, side> factor{};
+            for (std::size_t i = 0; i < fit.cells.size(); ++i)
+                for (std::size_t x = 0; x < side; ++x)
+                    factor[x] += between_cells[i][x] * fit.cells[i][c * terms + t];
+            for (std::size_t x = 0; x < side; ++x) ratio[x] += factor[x] * fit.term[t][x];
+        }
+        // The light of a pixel is a mean of that of its nodes.
+        const float least = fit.least[c], most = fit.most[c];
+        for (std::size_t x = 0; x < side; ++x) {
+            const float above = ratio[x] < least ? least : ratio[x];
+            ratio[x] = above > most ? most : above;
+        }
+        for (std::size_t i = 0; i < fit.tiles.size(); ++i)
+            for (std::size_t x = 0; x < side; ++x)
+                ratio[x] += between_tiles[i][x] * fit.tiles[i][c];
+        for (std::size_t x = 0; x < side; ++x)
+            light[c * tile_pixels + x] +=
+                usual[c * tile_pixels + x] * (ratio[x] > 0 ? ratio[x] : 0.0F);
+    }
+}
+
+}  // namespace
+
 void SmoothCrowds::add(const Fit& fit, std::size_t number, TilePlanes& planes) const {
     const Tile& tile = tiles_[number];
     if (tile.nodes.empty()) return;
-    static constexpr auto between_cells = interpolation<along>();
-    static constexpr auto between_tiles = interpolation<1>();
-    constexpr std::size_t side = light_tile, near_cells = along + 2, near_tiles = 3;
+    constexpr std::size_t side = light_tile;
     const std::size_t column = number % columns_, row = number / columns_;
     const std::size_t cell_columns = along * columns_, cell_rows = along * rows_;
     for (std::size_t y = 0; y < side; ++y) {
-        // The fits of this row of pixels, at the centres of the cells around.
-        std::array<std::array<float, 3 * terms>, near_cells> fits{};
-        for (std::size_t j = 0; j < near_cells; ++j) {
+        RowFit here;
+        here.least = fit.least[number];
+        here.most = fit.most[number];
+        for (std::size_t j = 0; j < here.cells.size(); ++j) {
             const float weight = between_cells[j][y];
             if (weight == 0) continue;
             const std::size_t first = within(along * row + j, 1, cell_rows) * cell_columns;
-            for (std::size_t i = 0; i < near_cells; ++i) {
+            for (std::size_t i = 0; i < here.cells.size(); ++i) {
                 const auto& from = fit.cells[first + within(along * column + i, 1, cell_columns)];
-                for (std::size_t k = 0; k < from.size(); ++k) fits[i][k] += weight * from[k];
+                for (std::size_t k = 0; k < from.size(); ++k) here.cells[i][k] += weight * from[k];
             }
         }
-        std::array<std::array<float, 3>, near_tiles> extras{};
-        for (std::size_t j = 0; j < near_tiles; ++j) {
+        for (std::size_t j = 0; j < here.tiles.size(); ++j) {
             const std::size_t first = within(row + j, 1, rows_) * columns_;
-            for (std::size_t i = 0; i < near_tiles; ++i)
+            for (std::size_t i = 0; i < here.tiles.size(); ++i)
                 for (std::size_t c = 0; c < 3; ++c)
-                    extras[i][c] +=
+                    here.tiles[i][c] +=
                         between_tiles[j][y] * fit.tiles[first + within(column + i, 1, columns_)][c];
         }
-        std::array<std::array<float, side>, terms> term{};
         for (std::size_t x = 0; x < side; ++x) {
             const auto own = terms_of(number, y * side + x);
-            for (std::size_t t = 0; t < terms; ++t) term[t][x] = own[t];
+            for (std::size_t t = 0; t < terms; ++t) here.term[t][x] = own[t];
         }
-        for (std::size_t c = 0; c < 3; ++c) {
-            std::array<float, side> ratio{};
-            for (std::size_t t = 0; t < terms; ++t) {
-                std::array<float, side> factor{};
-                for (std::size_t i = 0; i < near_cells; ++i)
-                    for (std::size_t x = 0; x < side; ++x)
-                        factor[x] += between_cells[i][x] * fits[i][c * terms + t];
-                for (std::size_t x = 0; x < side; ++x) ratio[x] += factor[x] * term[t][x];
-            }
-            // The light of a pixel is a mean of that of its nodes.
-            for (std::size_t x = 0; x < side; ++x)
-                ratio[x] = std::clamp(ratio[x], fit.least[number][c], fit.most[number][c]);
-            for (std::size_t i = 0; i < near_tiles; ++i)
-                for (std::size_t x = 0; x < side; ++x)
-                    ratio[x] += between_tiles[i][x] * extras[i][c];
-            const std::size_t first = c * tile_pixels + y * side;
-            for (std::size_t x = 0; x < side; ++x)
-                planes[first + x] += tile.usual[first + x] * std::max(ratio[x], 0.0F);
-        }
+        add_row(here, tile.usual.data() + y * side, planes.data() + y * side);
     }
 }
 

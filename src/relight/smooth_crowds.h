@@ -38,11 +38,12 @@ public:
         /// Of each cell, red, green and blue: factors of the terms.
         std::vector<std::array<float, 3 * terms>> cells;
         /// Of each tile: what is added to the ratio.
-        std::vector<std::array<float, 3>> tiles;
+        std::vector<Channels> tiles;
         /// Of each tile: the least and the greatest factor on one of its nodes.
-        std::vector<std::array<float, 3>> least, most;
+        std::vector<Channels> least, most;
     };
-    Fit fitted(const FactorMeans&, std::span<const Vec3> factors) const;
+    /// `factors`: those of the means.
+    Fit fitted(const FactorMeans&, std::span<const Channels> factors) const;
 
     /// Adds the light of the crowds of a tile to its planes.
     void add(const Fit&, std::size_t tile, TilePlanes&) const;
@@ -56,15 +57,18 @@ private:
     /// Of one node in a tile: sums over each cell of light, times each term, channel by channel.
     using NodeSums = std::array<float, 3 * cells_of_tile * terms>;
 
+    struct Node {
+        LampRange lamps;
+        NodeSums sums{};
+        Channels samples{};  ///< their light
+    };
     /// Samples of one lamp in all pixels of a tile.
     struct Sample {
-        std::uint32_t lamp, node;
-        std::array<float, 3> light;
+        std::uint32_t lamp = 0, column = 0;  ///< that of the tile
+        Channels light{};
     };
     struct Tile {
-        std::vector<std::uint32_t> nodes;  ///< those with several lamps
-        std::vector<NodeSums> sums;
-        std::vector<Sample> samples;
+        std::vector<Node> nodes;  ///< those with several lamps
         TilePlanes usual{};    ///< light as rendered
         TilePlanes normals{};  ///< of the pixels
     };
@@ -76,16 +80,21 @@ private:
     };
 
     void take(std::size_t number);
+    void take_samples(std::size_t row);
+    void sum(std::size_t tile, const FactorMeans&, Fit&, CellSums& of_cells,
+             CellSums& of_tiles) const;
     void prepare(const CellSums& products, const CellSums& light);
     std::array<float, terms> terms_of(std::size_t tile, std::size_t pixel) const;
 
     const LightRecords& records_;
     double radius_;
+    float per_pixel_;  ///< place of a pixel in terms of the radius
     int threads_;
     std::size_t columns_, rows_;  ///< of tiles
     std::vector<Tile> tiles_;
+    std::vector<std::vector<Sample>> samples_;  ///< of each row of tiles, by lamp and column
     std::vector<std::array<Solver, 3>> solvers_;                    ///< of cells
-    std::vector<std::array<float, 3>> inverse_light_around_tiles_;  ///< 0: there is none
+    std::vector<Channels> inverse_light_around_tiles_;              ///< 0: there is none
 };
 
 }  // namespace candelabra
