@@ -3,6 +3,7 @@
 
 #include "base/colour.h"
 #include "base/order.h"
+#include "film/isolines.h"
 #include "film/plate_text.h"
 
 #include <algorithm>
@@ -50,47 +51,23 @@ double step_of(double most) {
     return step;
 }
 
-/// The middle one of a value and its eight neighbours, so that lines do not follow noise.
-double calmed(const Image& values, int x, int y) {
-    std::array<double, 9> around{};
-    std::size_t count = 0;
-    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, values.height - 1); ++j)
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, values.width - 1); ++i)
-            if (const double value = values.at(i, j).x; std::isfinite(value))
-                around[count++] = value;
-    if (count == 0) return 0;
-    const auto middle = around.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    put_nth(around.begin(), middle, around.begin() + static_cast<std::ptrdiff_t>(count));
-    return *middle;
-}
-
-void add_isolines(const Image& values, double most, Image& picture) {
-    const double step = step_of(most);
-    std::vector<double> bands(values.pixels.size());
-    for (int y = 0; y < values.height; ++y)
-        for (int x = 0; x < values.width; ++x)
-            bands[static_cast<std::size_t>(y) * static_cast<std::size_t>(values.width) +
-                  static_cast<std::size_t>(x)] =
-                std::floor(std::min(calmed(values, x, y), most) / step + 1e-9);
-    const auto band = [&](int x, int y) {
-        return bands[static_cast<std::size_t>(y) * static_cast<std::size_t>(values.width) +
-                     static_cast<std::size_t>(x)];
-    };
-    for (int y = 0; y < values.height; ++y)
-        for (int x = 0; x < values.width; ++x) {
-            const bool on_line = (x + 1 < values.width && band(x, y) != band(x + 1, y)) ||
-                                 (y + 1 < values.height && band(x, y) != band(x, y + 1));
-            // Dark lines on light colours, and light ones on dark colours.
-            if (on_line) picture.at(x, y) = Vec3(band(x, y) * step > 0.55 * most ? 0.02 : 0.8);
-        }
-}
-
 std::string number_text(double value) {
     constexpr int digits = 6;
     std::array<char, 40> text;
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
                                    std::chars_format::general, digits);
     return {text.data(), end.ptr};
+}
+
+void add_isolines(const Image& values, double most, Image& picture) {
+    IsolineLook look;
+    look.size = std::max(1, values.width / 480);
+    // Dark lines on light colours, and light ones on dark colours.
+    look.colour = [&](double value) { return Vec3(value > 0.55 * most ? 0.02 : 0.8); };
+    look.text = number_text;
+    const double shortest = 4.0 * letter_height * look.size;
+    draw_isolines(isolines_of(calmed(values), step_of(most), most, shortest), look, values.height,
+                  picture);
 }
 
 void add_scale(Image& picture, int top, double most, const std::string& unit) {

@@ -11,7 +11,7 @@ namespace candelabra {
 
 struct FalseColours {
     double most = 0;        ///< value at the end of the scale; 0: chosen by the values
-    bool isolines = false;  ///< lines between values below and above each mark of the scale
+    bool isolines = false;  ///< lines of the values of the marks of the scale, with numbers
     std::string unit;       ///< behind the numbers: digits, `lx` and `cd/m2` have letters
 };
 
