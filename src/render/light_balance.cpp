@@ -20,6 +20,8 @@ namespace {
 
 /// Paths of a batch in the first round, each further one of which doubles them.
 constexpr std::uint32_t first_paths = 1024, most_paths = 1U << 17U;
+/// Paths of a batch at most if their number is stated.
+constexpr std::uint32_t most_stated_paths = 1U << 28U;
 constexpr int most_surfaces = 1000;  ///< that a path may meet
 /// Number of surfaces from which on paths are subject to Russian roulette, and their minimum
 /// survival probability.
@@ -215,6 +217,15 @@ bool is_known(const LightBalance& balance, double error) {
     });
 }
 
+/// The paths of a batch after which a balance ends.
+std::uint32_t last_paths(const World& world, int samples) {
+    if (samples <= 0) return most_paths;
+    const std::uint64_t all =
+        std::uint64_t{world.lights.luminaires.size()} * static_cast<std::uint64_t>(samples);
+    const std::uint64_t of_batch = all / batch_count + (all % batch_count > 0 ? 1 : 0);
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(of_batch, most_stated_paths));
+}
+
 }  // namespace
 
 LightBalance balance_of_light(const Shot& shot, const BalanceSettings& settings) {
@@ -227,7 +238,9 @@ LightBalance balance_of_light(const Shot& shot, const BalanceSettings& settings)
     }
     LightBalance result;
     std::uint32_t done = 0;
-    for (std::uint32_t level = first_paths; paths.any(); level *= 2) {
+    const std::uint32_t last = last_paths(*shot.world, settings.samples);
+    for (std::uint32_t level = std::min(first_paths, last); paths.any();
+         level = std::min(2 * level, last)) {
         run_parallel(batch_count, settings.threads, [&](std::size_t batch) {
             const std::uint64_t stream =
                 mix(mix(static_cast<std::uint64_t>(settings.seed) + 0xba1a) + batch);
@@ -237,7 +250,8 @@ LightBalance balance_of_light(const Shot& shot, const BalanceSettings& settings)
         done = level;
         result = balance_of(batches, done, paths.statements());
         result.reached = is_known(result, settings.error);
-        if (result.reached || level == most_paths || (settings.ended && settings.ended())) break;
+        const bool enough = result.reached && settings.samples <= 0;
+        if (enough || level == last || (settings.ended && settings.ended())) break;
     }
     result.lamps.resize(provenance.light_statements.size());
     for (const std::uint32_t statement : provenance.statement_of_luminaire) {

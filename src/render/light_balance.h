@@ -56,6 +56,9 @@ struct BalanceSettings {
     /// The error of all ends of the light of each statement, relative to all light, at which the
     /// balance is done.
     double error = 0.005;
+    /// Paths of each luminaire in the mean, rounded up to equal batches; 0: as many as the error
+    /// needs.
+    int samples = 0;
     /// True: stop after the round of paths under way.
     std::function<bool()> ended = {};
 };

@@ -22,6 +22,7 @@ int balance_light(SceneSteps& steps) {
     if (steps.say_diagnostics()) return exit_status::scene;
     settings.seed = steps.options().render.seed;
     settings.threads = steps.options().render.threads;
+    settings.samples = steps.options().render.samples;
     bool stopped = false;
     settings.ended = ends_measuring(steps, stopped);
     const LightBalance balance = balance_of_light(shot, settings);

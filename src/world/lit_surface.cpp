@@ -6,6 +6,7 @@
 #include "shape/watertight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -102,6 +103,44 @@ LitSurface of_triangle(const TrianglePrimitive& t, const SurfaceUse& use) {
     return result;
 }
 
+/// Whether the normals of a shape are for shading, and not those of its surface.
+bool has_shading_normals(const JuliaFractal&) { return true; }
+bool has_shading_normals(const SmoothTriangle&) { return true; }
+bool has_shading_normals(const BuiltHeightField& h) { return h.smooth; }
+bool has_shading_normals(const BuiltMesh& m) { return !m.mesh->normals.empty(); }
+bool has_shading_normals(const BuiltBicubicPatch&) { return true; }
+template <ShapeKind T>
+bool has_shading_normals(const T&) {
+    return false;
+}
+
+/// The normal of the surface where a line meets a leaf: two lines beside it meet it, too. At an
+/// edge, and where the line is very grazing, it is the normal of the meeting.
+Vec3 surface_normal(const Composite& whole, const Ray& line, const Composite::Meeting& met,
+                    double apart) {
+    constexpr double steepest = 50;
+    const Vec3 own = unit(met.normal);
+    const auto [x, y] = perpendiculars(line.direction);
+    std::array<Vec3, 2> beside;
+    const double deepest = steepest * apart;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Ray near{line.origin + apart * (i == 0 ? x : y), line.direction};
+        double nearest = deepest;
+        whole.all(
+            near, Interval{std::fmax(met.t - deepest, 0), met.t + deepest},
+            [&](std::uint32_t leaf) { return leaf == met.leaf; },
+            [&](const Composite::Meeting& other) {
+                if (!(std::abs(other.t - met.t) < std::abs(nearest))) return;
+                nearest = other.t - met.t;
+            });
+        if (nearest == deepest) return own;
+        beside[i] = near.origin - line.origin + nearest * line.direction;
+    }
+    const Vec3 normal = unit(cross(beside[0], beside[1]));
+    const bool same_side = dot(normal, line.direction) * dot(own, line.direction) > 0;
+    return same_side ? normal : -normal;
+}
+
 /// Lines through a ball along an axis, in both directions.
 struct Lines {
     Vec3 centre;
@@ -127,6 +166,8 @@ LitSurface by_lines(const Composite& whole, std::uint32_t leaf) {
     const double away = finite(whole.bounds()) ? length(whole.bounds().centre() - box.centre()) +
                                                      length(whole.bounds().size())
                                                : 4 * length(box.size());
+    const bool shaded =
+        visit_shape([](const auto& s) { return has_shading_normals(s); }, whole.leaf(leaf).shape);
     const Lines lines{box.centre(), 0.5 * length(box.size()) * (1 + 1e-9), away};
     // No face of a shape is likely to lie along these axes.
     const Vec3 first = unit(Vec3(0.6245, 0.5432, 0.5611));
@@ -147,7 +188,10 @@ LitSurface by_lines(const Composite& whole, std::uint32_t leaf) {
                 whole.all(
                     line, Interval{0}, [](std::uint32_t) { return true; },
                     [&](const Composite::Meeting& met) {
-                        const Vec3 normal = unit(met.normal);
+                        const Vec3 normal =
+                            shaded && met.leaf == leaf
+                                ? surface_normal(whole, line, met, 1e-5 * lines.radius)
+                                : unit(met.normal);
                         const double cosine = dot(normal, line.direction);
                         if (met.t < nearest) {
                             nearest = met.t;

@@ -146,6 +146,15 @@ TEST_CASE("lamps of any shape send the flux that they state", "[render]") {
         {"difference { sphere { 0, 0.6 } box { <0, -1, -1>, 1 }"},
         {"merge { sphere { 0, 0.5 } sphere { 0.4*x, 0.5 }", true},
         {"sphere { 0, 0.7 clipped_by { plane { x, 0.2 } }", true},
+        {"julia_fractal { <-0.083, 0, -0.83, -0.025> max_iteration 5 precision 300", true},
+        {"bicubic_patch { type 1 flatness 0 u_steps 2 v_steps 2 <0,0,0>, <1,0,2>, <2,0,-1>, "
+         "<3,0,0>, <0,1,0>, <1,1,2>, <2,1,0>, <3,1,0>, <0,2,0>, <1,2,0>, <2,2,1>, <3,2,0>, "
+         "<0,3,0>, <1,3,0>, <2,3,0>, <3,3,0>",
+         true},
+        {"height_field { function 6, 6 { 0.5 + 0.4*sin(9*x)*cos(7*y) } smooth", true},
+        {"parametric { function { cos(u)*(1 + 0.3*sin(v)) }, function { sin(u)*(1 + 0.3*sin(v)) "
+         "}, function { v/3 } <0, 0>, <2*pi, 3> contained_by { box { -2, 2 } } max_gradient 5",
+         true},
     };
     for (const Row& row : rows) {
         BalanceSettings settings;
@@ -201,6 +210,20 @@ TEST_CASE("a balance of light is the same for any number of threads", "[render]"
     three.threads = 3;
     CHECK(balance(script, one).all.of(LightEnd::above_reflected).value ==
           balance(script, three).all.of(LightEnd::above_reflected).value);
+}
+
+TEST_CASE("a balance has as many paths as are asked for", "[render]") {
+    const std::string lamps = ball + "sphere { 5*y, 0.1 finish { emission 3 } } plane { y, 0 } ";
+    BalanceSettings settings;
+    settings.error = 0.5;
+    CHECK(balance(lamps, settings).paths == 16 * 1024);
+    for (const auto& [samples, paths] :
+         {std::pair{1, 16}, {100, 208}, {4096, 8192}, {20'000, 40'000}}) {
+        settings.samples = samples;
+        const LightBalance found = balance(lamps, settings);
+        CHECK(found.paths == static_cast<std::uint64_t>(paths));
+        CHECK(found.lamps.size() == 2);
+    }
 }
 
 TEST_CASE("a scene without luminaires has an empty balance", "[render]") {
