@@ -49,6 +49,11 @@ std::string read_road_table(std::string_view text, RoadTable& table) {
 bool read_meter(Binder& binder, const Element& element, Meter& meter) {
     if (!read_item(binder, element, meter)) return false;
     if (meter.road_table.empty()) return true;
+    Handle<RoadTable>& known = binder.road_tables[meter.road_table];
+    if (known) {
+        meter.surface = known;
+        return true;
+    }
     const auto text = binder.evaluator.load_data(meter.road_table, element.word_span);
     if (!text) return false;
     RoadTable table;
@@ -60,7 +65,7 @@ bool read_meter(Binder& binder, const Element& element, Meter& meter) {
                            "690"));
         return false;
     }
-    meter.surface = make_handle<RoadTable>(std::move(table));
+    meter.surface = known = make_handle<RoadTable>(std::move(table));
     return true;
 }
 

@@ -62,6 +62,8 @@ struct Binder {
     std::map<std::pair<std::string, TexelCoding>, Handle<Texels>> pictures = {};
     /// Webs of photometric files, by file and set of lamps.
     std::map<std::pair<std::string, int>, LoadedWeb> webs = {};
+    /// Tables of the reflection of roads, by file.
+    std::map<std::string, Handle<RoadTable>, std::less<>> road_tables = {};
     /// Models that have been read, by folder and name.
     std::map<std::pair<std::string, std::string>, std::shared_ptr<ImportedContent>> models = {};
     /// Contents of font files, by folder and name.

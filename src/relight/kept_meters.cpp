@@ -11,8 +11,7 @@
 namespace candelabra {
 
 bool is_sum_of_lamps(const Meter& meter) {
-    return unit_of(meter.measures()) == "lx" ||
-           (meter.measures() == Quantity::luminance && meter.road_table.empty());
+    return unit_of(meter.measures()) == "lx" || meter.measures() == Quantity::luminance;
 }
 
 std::vector<LampRange> nodes_for_points(const LampList& lamps, std::size_t points) {

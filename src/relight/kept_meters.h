@@ -31,8 +31,7 @@ struct KeptMeters {
     friend bool operator==(const KeptMeters&, const KeptMeters&) = default;
 };
 
-/// Whether the readings of a meter are sums of the light of lamps that measure() tells apart. It
-/// does not for a road by its table.
+/// Whether the readings of a meter are sums of the light of lamps.
 bool is_sum_of_lamps(const Meter&);
 
 /// The nodes by which light is told apart at so many points.

@@ -32,18 +32,6 @@ constexpr std::size_t points_of_job = 8;
 /// Sums of one batch at one place. Most quantities need one; glare needs the background, too.
 using Sums = std::array<double, 2>;
 
-/// Illuminance by the free sky of a horizontal plane, over pi times the luminance of white: the
-/// mean over directions with equal cosines.
-double free_sky(const World& world, const Vec3& up) {
-    constexpr int rings = 128, sectors = 256;
-    double sum = 0;
-    for (int i = 0; i < rings; ++i)
-        for (int j = 0; j < sectors; ++j)
-            sum += light_luminance(
-                world.sky_radiance(cosine_direction(up, {(i + 0.5) / rings, (j + 0.5) / sectors})));
-    return sum / (rings * sectors);
-}
-
 /// Takes samples of the quantities of meters. A copy serves one thread.
 class Prober {
 public:
@@ -222,9 +210,14 @@ private:
                           const Key& key) {
         const Vec3& from = place.position;
         double sum = 0;
+        // What the lamps of a sight contributed to it counts as the sight does.
+        std::vector<LampPart>& parts = integrator_.ledger().parts;
+        std::size_t weighed = parts.size();
         for_lamps(from, {up, up}, key, [&](const Vec3& direction, double bright, double angle) {
-            sum += road.coefficient(up, place.direction, direction) * bright * angle *
-                   dot(direction, up);
+            const double counts =
+                road.coefficient(up, place.direction, direction) * angle * dot(direction, up);
+            sum += counts * bright;
+            for (; weighed < parts.size(); ++weighed) parts[weighed].light *= counts;
         });
         return sum + from_sources({from, up}, key, [&](const Vec3& direction) {
                    return road.coefficient(up, place.direction, direction);
@@ -235,6 +228,7 @@ private:
     template <class Factor>
     double from_sources(const WhiteElement& element, const Key& key, const Factor& factor) {
         const auto& sources = world_.lights.sources;
+        LightLedger& kept = integrator_.ledger();
         double sum = 0;
         for (std::uint32_t i = 0; i < sources.size(); ++i) {
             const Incidence there =
@@ -242,7 +236,10 @@ private:
             const double counts = factor(there.direction);
             if (counts > 0)
                 sum += counts * on_element(element, [&](const LitLayer& layer) {
-                           return direct_.from_source(i, 1, layer, key, ledger_);
+                           const Vec3 light = direct_.from_source(i, 1, layer, key, ledger_);
+                           if (kept.keeps_parts)
+                               kept.parts.push_back({Lamp::source(i), counts * pi * light, false});
+                           return light;
                        });
         }
         return sum;
@@ -436,6 +433,17 @@ private:
 };
 
 }  // namespace
+
+double free_sky(const World& world, const Vec3& up) {
+    // The mean over directions with equal cosines.
+    constexpr int rings = 128, sectors = 256;
+    double sum = 0;
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < sectors; ++j)
+            sum += light_luminance(
+                world.sky_radiance(cosine_direction(up, {(i + 0.5) / rings, (j + 0.5) / sectors})));
+    return sum / (rings * sectors);
+}
 
 std::vector<MeterReading> measure(const Shot& shot, std::span<const Meter> meters,
                                   const MeasureSettings& settings) {

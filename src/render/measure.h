@@ -55,6 +55,10 @@ struct MeterReading {
     std::array<MeterHalf, 2> halves = {};
 };
 
+/// The luminance, over that of white, that an even sky would have to have for the illuminance of a
+/// free horizontal plane: what daylight factors compare with.
+double free_sky(const World&, const Vec3& up);
+
 /// The reading of each meter, in their order. `shot` is that of any camera. Threshold increments
 /// need the meter that they name. Precondition: no meter has a problem, and each has places.
 std::vector<MeterReading> measure(const Shot&, std::span<const Meter>, const MeasureSettings&);

@@ -191,12 +191,17 @@ TEST_CASE("a film develops what is relit", "[app][relight]") {
 
 TEST_CASE("meters are read under other powers, frame by frame", "[app][relight]") {
     Relit run;
-    run.write("room.pov",
-              with(with(room_of_lamps, "EXTRA", "photometry { unit 1 } integrator { path_traced }"),
-                   "MORE",
-                   "meter { \"floor\" points { 2, <0, 0.01, 0.5>, <1, 0.01, -1> } direction y }\n"
-                   "meter { \"glare\" ugr points { 1, <0, 1, -3> } direction z }\n"
-                   "meter { \"seen\" luminance eye <0, 2, -6> points { 1, <0, 0.01, 0> } }"));
+    run.write(
+        "room.pov",
+        with(
+            with(room_of_lamps, "EXTRA", "photometry { unit 1 } integrator { path_traced }"),
+            "MORE",
+            "meter { \"floor\" points { 2, <0, 0.01, 0.5>, <1, 0.01, -1> } direction y }\n"
+            "meter { \"glare\" ugr points { 1, <0, 1, -3> } direction z }\n"
+            "meter { \"seen\" luminance eye <0, 2, -6> points { 1, <0, 0.01, 0> } }\n"
+            "meter { \"road\" luminance eye <0, 2, -6> points { 2, <0, 0.01, 0.5>, <1, 0.01, -1> } "
+            "road_table \"road.csv\" }"));
+    run.write("road.csv", "tan,0,180\n0,700,700\n9,100,300\n");
     run.rendered("1024", {"--keep-lights", run.path("room.lights")});
     run.write("show.csv", "KeyLamp,SignLamp\n1,1\n0,#00ff00\n");
     REQUIRE(run({"relight", run.path("room.lights"), "--csv", run.path("show.csv"), "--meters",
@@ -220,7 +225,7 @@ TEST_CASE("meters are read under other powers, frame by frame", "[app][relight]"
     const std::string relit = run.out;
     REQUIRE(run({run.path("room.pov"), "-V", "--measure", "-", "--samples", "4096", "Declare=Key=0",
                  "--declare", "Sign=<0,1,0>"}) == 0);
-    for (const char* meter : {"floor", "seen"}) {
+    for (const char* meter : {"floor", "seen", "road"}) {
         const auto made = values_in(relit, message("2,", meter, ","), 8),
                    right = values_in(run.out, meter, 7), low = values_in(run.out, meter, 8);
         REQUIRE(made.size() == right.size());
