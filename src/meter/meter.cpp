@@ -3,6 +3,7 @@
 
 #include "vocabulary/schema.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -30,6 +31,25 @@ constexpr const QuantityName& names_of(Quantity quantity) {
 }
 
 constexpr int most_along = 10000;
+
+/// A sentence about a word that the quantity does not have; empty if there is none.
+std::string problem_with_words(const Meter& meter) {
+    const Quantity quantity = meter.measures();
+    const auto belongs = [](std::string_view word, Quantity to) {
+        return "`" + std::string(word) + "` of `meter` is for `" + std::string(name_of(to)) + "`";
+    };
+    const bool sees = quantity == Quantity::luminance;
+    if (meter.eye && !sees) return belongs("eye", Quantity::luminance);
+    if (meter.cone > 0 && !sees) return belongs("cone", Quantity::luminance);
+    if (!meter.road_table.empty() && !sees) return belongs("road_table", Quantity::luminance);
+    if (!meter.road.empty() && quantity != Quantity::threshold_increment)
+        return belongs("road", Quantity::threshold_increment);
+    if (meter.cone > 0 && !meter.road_table.empty())
+        return "`meter` has a `cone` and a `road_table`, which is for single points";
+    const bool in_eye =
+        meter.eye && std::ranges::find(meter.points, *meter.eye) != meter.points.end();
+    return in_eye ? "a point of `meter` is in its `eye`, which cannot look at it" : "";
+}
 
 /// Whether the normal of the grid says neither up nor down.
 bool stands_upright(const Meter& meter) {
@@ -114,10 +134,14 @@ const ItemInfo Meter::vocabulary = described<Meter>([] {
 
 std::string problem(const Meter& meter) {
     const Quantity quantity = meter.measures();
-    if (meter.has_grid() == !meter.points.empty())
-        return meter.points.empty()
-                   ? "`meter` needs `points`, or a grid by `corner`, `along` and `across`"
-                   : "`meter` has `points` and a grid: two meters are needed";
+    const bool any_side = meter.has_grid() || meter.across != Vec3(0) || meter.counts;
+    if (any_side && !meter.points.empty())
+        return "`meter` has `points` and a grid: two meters are needed";
+    if (meter.points.empty() && !meter.has_grid())
+        return "`meter` needs `points`, or a grid by `corner`, `along` and `across`";
+    if (meter.counts && meter.rule != static_cast<int>(GridRule::none))
+        return "`meter` has `counts` and a rule for them: one of both is needed";
+    if (std::string wrong = problem_with_words(meter); !wrong.empty()) return wrong;
     if (meter.up == Vec3(0)) return "`up` of `meter` must not be zero";
     if (meter.direction && *meter.direction == Vec3(0))
         return "`direction` of `meter` must not be zero";
@@ -132,8 +156,6 @@ std::string problem(const Meter& meter) {
         return "`" + std::string(name_of(quantity)) + "` of `meter` needs `direction`";
     if (quantity == Quantity::luminance && !meter.direction && !meter.eye)
         return "`luminance` of `meter` needs `eye` or `direction`";
-    if (!meter.road_table.empty() && quantity != Quantity::luminance)
-        return "`road_table` of `meter` is for `luminance`";
     if (quantity == Quantity::threshold_increment && meter.road.empty())
         return "`threshold_increment` of `meter` needs `road`, the name of a meter of luminance";
     if (looks && cross(*meter.direction, meter.up) == Vec3(0))

@@ -71,8 +71,9 @@ std::string endings() {
 
 }  // namespace
 
-std::array<std::string*, 3> files_beside(Options& options) {
-    return {&options.stats_file, &options.depfile, &options.kept_lights};
+std::array<std::string*, 5> files_beside(Options& options) {
+    return {&options.stats_file, &options.depfile, &options.kept_lights, &options.readings_file,
+            &options.mesh_file};
 }
 
 bool is_stream(const std::string& path) {

@@ -29,7 +29,7 @@ std::string problem_with_output(const Options&, const std::string& path);
 
 /// The names of the files that each picture of a run has besides its own, which are numbered as the
 /// pictures are. A name may be empty.
-std::array<std::string*, 3> files_beside(Options&);
+std::array<std::string*, 5> files_beside(Options&);
 
 /// Whether a path is standard output (`-`), a device or a pipe. All frames go there under the same
 /// name.

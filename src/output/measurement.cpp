@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output/measurement.h"
 
+#include "meter/places.h"
 #include "output/estimates.h"
 #include "text/ascii.h"
 #include "text/message.h"
@@ -84,6 +85,38 @@ void review_meters(const World& world, std::span<const Meter> meters, Diagnostic
         diagnostics.add(warning(Fault::no_effect, {},
                                 "daylight factors are for a sky without sun, but this one has it")
                             .with_help("sky_luminance { overcast ... }, or `direct 0`"));
+    if (any(is(Quantity::daylight_factor)) &&
+        !(world.lights.luminaires.empty() && world.lights.sources.empty()))
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "the light of lamps counts in daylight factors as that of the sky "
+                                "does")
+                            .with_help("leave lamps out where daylight is measured: #if (Lamps)"));
+    const bool dark = std::ranges::any_of(meters, [&](const Meter& meter) {
+        return meter.measures() == Quantity::daylight_factor &&
+               !(free_sky(world, unit(meter.up)) > 0);
+    });
+    if (dark)
+        diagnostics.add(error(Fault::missing, {}, "a daylight factor needs a sky")
+                            .with_help("sky_luminance { overcast }"));
+    if (any(is(Quantity::ugr)) && !world.facts.has_indirect_light)
+        diagnostics.add(error(Fault::missing, {},
+                              "`ugr` compares lamps with the indirect light at the eye, and there "
+                              "is none")
+                            .with_help("global_settings { integrator { path_traced } }"));
+    for (std::size_t i = 0; i < meters.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (!meters[i].name.empty() && meters[i].name == meters[k].name)
+                diagnostics.add(
+                    warning(Fault::no_effect, {},
+                            message("two meters are called `", printable(meters[i].name), "`")));
+    const bool one_by_one = any([&](const Meter& meter) {
+        return is(Quantity::ugr)(meter) || is(Quantity::threshold_increment)(meter) ||
+               !meter.road_table.empty();
+    });
+    if (one_by_one && std::ranges::any_of(world.lights.luminaires, &Luminaire::is_volume))
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "media that glow count neither in ratings of glare nor in the "
+                                "luminance of roads by tables"));
     const bool endless = std::ranges::any_of(world.lights.sources, [](const PointLight& source) {
         return source.parallel && source.disc_edge == 1;
     });
@@ -91,6 +124,36 @@ void review_meters(const World& world, std::span<const Meter> meters, Diagnostic
         diagnostics.add(warning(Fault::no_effect, {},
                                 "parallel light comes from no place, and so makes no glare by "
                                 "`ugr`"));
+}
+
+void review_readings(const MeasuredScene& scene, const MeterGoal& goal, Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < scene.meters.size(); ++i) {
+        const Meter& meter = scene.meters[i];
+        const MeterReading& reading = scene.readings[i];
+        double error = 0;
+        std::size_t dark = 0;
+        for (const auto& [value, half] : reading.values) {
+            if (value == 0 && half == 0)
+                ++dark;
+            else if (value != 0)
+                error = std::max(error, half / std::abs(value));
+        }
+        const std::string name = message('`', printable(label(scene, i)), '`');
+        if (!reading.reached && goal.counts(meter.measures()))
+            diagnostics.add(
+                warning(
+                    Fault::option, {},
+                    message(name, " is known within ", cell(rounded(100 * error, 2)), " %, and ",
+                            cell(100 * goal.error), " % was asked for: it ended after ",
+                            reading.samples, " samples of each point"))
+                    .with_help("--until 10% asks for less; --time gives more time"));
+        if (dark > 0 && unit_of(meter.measures()) == "lx")
+            diagnostics.add(
+                warning(Fault::no_effect, {},
+                        message("no light reaches ", dark, dark == 1 ? " point" : " points", " of ",
+                                name))
+                    .with_help("a meter inside of an object, or in its surface, reads nothing"));
+    }
 }
 
 std::string readings_as_csv(const MeasuredScene& scene) {
@@ -132,6 +195,10 @@ std::string readings_as_json(const MeasuredScene& scene) {
                   {"uo", value_json(summary.uo)},
                   {"ud", value_json(summary.ud)}};
         if (!meter.road_table.empty()) json["road_table"] = meter.road_table;
+        if (meter.has_grid()) {
+            const GridCounts counts = counts_of(meter, scene.units.metres);
+            json["counts"] = {counts.along, counts.across};
+        }
         if (const auto flux = flux_of(meter, reading)) {
             json["flux_lm"] = value_json(*flux);
             json["area_m2"] = reading.area;

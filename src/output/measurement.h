@@ -30,6 +30,9 @@ struct MeasuredScene {
     int seed = 0;
 };
 
+/// Warns of results that are not as exact as the goal wants, and of points that no light reaches.
+void review_readings(const MeasuredScene&, const MeterGoal&, Diagnostics&);
+
 /// Returns a row for each point, with the bounds of the 95 % interval.
 std::string readings_as_csv(const MeasuredScene&);
 /// The same, with what follows of all points of each meter.

@@ -24,6 +24,7 @@ int measure_light(SceneSteps& steps) {
     const MeasureSettings settings = measure_settings(steps, stopped);
     const std::vector<MeterReading> readings = measure(shot, meters, settings);
     const MeasuredScene measured{meters, readings, units, settings.seed};
+    if (settings.samples <= 0) review_readings(measured, settings.goal, steps.diagnostics());
     const bool json = measures_as_json(steps.options());
     return write_measured(steps, json ? readings_as_json(measured) : readings_as_csv(measured),
                           readings_as_text(measured), stopped);

@@ -1,12 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/measuring.h"
 
+#include "options/option_row.h"
 #include "output/measurement.h"
 #include "picture/file.h"
 #include "text/message.h"
 #include "text/printable.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace candelabra {
+
+namespace {
+
+/// See RenderSettings::quality.
+constexpr int full_quality = 9;
+
+/// Whether an option promises something that measuring does not do.
+bool is_of_pictures(const OptionRow& row) {
+    static constexpr auto words = std::to_array<std::string_view>(
+        {"noise", "layers", "light-report", "keep-state", "checkpoint"});
+    static constexpr auto switches = std::to_array<std::string_view>({"C", "SR", "ER", "SC", "EC"});
+    return std::ranges::find(words, row.word) != words.end() ||
+           std::ranges::find(switches, row.letters) != switches.end();
+}
+
+}  // namespace
 
 std::function<bool()> ends_measuring(const SceneSteps& steps, bool& stopped) {
     return [&steps, &stopped, begun = seconds_now()] {
@@ -30,6 +51,19 @@ MeasureSettings measure_settings(const SceneSteps& steps, bool& stopped) {
 
 void check_measuring(const Options& options, Diagnostics& diagnostics) {
     const std::string name = options.task == Task::balance ? "--light-balance" : "--measure";
+    for (const auto& [row, given] : options.given)
+        if (row && is_of_pictures(*row))
+            diagnostics.add(warning(
+                Fault::option, {},
+                message("`", printable(given), "` has no effect: ", name, " renders no picture")));
+    if (options.render.quality < full_quality)
+        diagnostics.add(warning(Fault::option, {},
+                                message(name, " measures the light that pictures of quality ",
+                                        options.render.quality, " have"))
+                            .with_help("+Q9 has all light"));
+    if (!options.shard.empty() && options.shard_by != ShardBy::frames)
+        diagnostics.add(error(Fault::option, {}, name + " measures all at once, and has no shards")
+                            .with_help("shards are for pictures, and for frames of animations"));
     if (!reading_format(options.readings_file))
         diagnostics.add(error(Fault::option, {},
                               message("results are written as CSV or JSON, which `",

@@ -44,6 +44,41 @@ TEST_CASE("a meter that cannot measure says why", "[meter]") {
     CHECK(problem(still) == "`up` of `meter` must not be zero");
 }
 
+TEST_CASE("a meter has no words that its quantity does not have", "[meter]") {
+    Meter meter = plane();
+    meter.eye = Vec3(0, 1.5, -60);
+    CHECK(problem(meter) == "`eye` of `meter` is for `luminance`");
+    meter = of(Quantity::cylindrical);
+    meter.cone = 3;
+    CHECK(problem(meter) == "`cone` of `meter` is for `luminance`");
+    meter = plane();
+    meter.road_table = "r3.csv";
+    CHECK(problem(meter) == "`road_table` of `meter` is for `luminance`");
+    meter = of(Quantity::luminance);
+    meter.eye = Vec3(0, 1.5, -60);
+    meter.road = "road";
+    CHECK(problem(meter) == "`road` of `meter` is for `threshold_increment`");
+    meter.road.clear();
+    meter.road_table = "r3.csv";
+    CHECK(problem(meter).empty());
+    meter.cone = 1;
+    CHECK(problem(meter) == "`meter` has a `cone` and a `road_table`, which is for single points");
+    meter = Meter();
+    meter.quantity = static_cast<int>(Quantity::luminance);
+    meter.points = {Vec3(1), Vec3(2)};
+    meter.eye = Vec3(2);
+    CHECK(problem(meter) == "a point of `meter` is in its `eye`, which cannot look at it");
+    meter.eye = Vec3(3);
+    CHECK(problem(meter).empty());
+    meter.across = Vec3(1);
+    CHECK(problem(meter) == "`meter` has `points` and a grid: two meters are needed");
+    meter = plane();
+    meter.counts = Vec2(3, 4);
+    CHECK(problem(meter).empty());
+    meter.rule = static_cast<int>(GridRule::en_12464);
+    CHECK(problem(meter) == "`meter` has `counts` and a rule for them: one of both is needed");
+}
+
 TEST_CASE("observers need a line of sight", "[meter]") {
     for (const Quantity quantity : {Quantity::ugr, Quantity::semi_cylindrical}) {
         Meter meter = of(quantity);

@@ -63,6 +63,63 @@ TEST_CASE("meters are measured for programs") {
           0.005 * json["meters"][1]["points"][0]["value"].get<double>());
 }
 
+TEST_CASE("frames of an animation are measured into numbered tables") {
+    Shell shell;
+    shell.write("a.pov",
+                "#version 3.7; global_settings { photometry { unit 1 } integrator { path_traced } "
+                "}\nlight_source { (1 + clock)*y, rgb 1 intensity candela(400) }\n"
+                "meter { points { 1, 0 } direction y }\n");
+    REQUIRE(shell({shell.path("a.pov"), "--measure", shell.path("a.csv"), "+KFF2", "-V"}) == 0);
+    CHECK(has(shell.content("a1.csv"), ",1,0,0,0,400,400,400\n"));
+    CHECK(has(shell.content("a2.csv"), ",1,0,0,0,100,100,100\n"));
+    CHECK(shell.content("a.csv").empty());
+}
+
+TEST_CASE("what is not as exact as asked, or dark, is said") {
+    Shell shell;
+    const std::string lamp =
+        "#version 3.7; global_settings { photometry { unit 1 } integrator { path_traced } }\n"
+        "torus { 1, 0.1 translate 2*y pigment { rgb 1 } finish { emission 100 } }\n";
+    shell.write("a.pov", lamp + "meter { \"desk\" points { 1, 0 } direction y }\n");
+    REQUIRE(shell({shell.path("a.pov"), "--measure", shell.path("a.csv"), "--time", "0.000001s",
+                   "--until", "0.01%", "-V"}) == 0);
+    CHECK(has(shell.err, "`desk` is known within "));
+    CHECK(has(shell.err, "and 0.01 % was asked for: it ended after 64 samples"));
+    REQUIRE(shell({shell.path("a.pov"), "--measure", shell.path("a.csv"), "--until", "nit 0.01%",
+                   "-V"}) == 0);
+    CHECK_FALSE(has(shell.err, "`desk`"));
+    shell.write("a.pov", lamp +
+                             "box { -0.5, 0.5 }\n"
+                             "meter { \"desk\" points { 2, 0, 3*y } direction y }\n");
+    REQUIRE(shell({shell.path("a.pov"), "--measure", shell.path("a.csv"), "-V"}) == 0);
+    CHECK(has(shell.err, "no light reaches 2 points of `desk`"));
+}
+
+TEST_CASE("ratings and factors need what they compare with") {
+    Shell shell;
+    const auto run = [&](const std::string& settings, const std::string& more) {
+        shell.write("a.pov", "#version 3.7; global_settings { photometry { unit 1 } " + settings +
+                                 " }\nsphere { 3*y, 0.1 pigment { rgb 1 } finish { emission 100 } "
+                                 "}\nplane { y, 0 }\n" +
+                                 more);
+        return shell({shell.path("a.pov"), "--measure", shell.path("a.csv"), "-V"});
+    };
+    const std::string traced = "integrator { path_traced }",
+                      eye = "meter { \"eye\" ugr points { 1, y } direction z } ",
+                      factor = "meter { \"in\" daylight_factor points { 1, y } } ";
+    CHECK(run("integrator { pov_ray }", eye) == exit_status::scene);
+    CHECK(has(shell.err, "`ugr` compares lamps with the indirect light at the eye"));
+    CHECK(run(traced, factor) == exit_status::scene);
+    CHECK(has(shell.err, "a daylight factor needs a sky"));
+    CHECK(run(traced, factor + "background { rgb 1 }") == 0);
+    CHECK(has(shell.err, "the light of lamps counts in daylight factors"));
+    CHECK(run(traced, eye + eye) == 0);
+    CHECK(has(shell.err, "two meters are called `eye`"));
+    CHECK(run(traced, eye + "sphere { 2*y, 0.3 hollow pigment { rgbt 1 } interior { media { "
+                            "emission 3 } luminaire } }") == 0);
+    CHECK(has(shell.err, "media that glow count neither in ratings of glare"));
+}
+
 TEST_CASE("what cannot be measured is said") {
     Shell shell;
     const auto run = [&](const std::string& scene, std::vector<std::string> more = {}) {

@@ -160,8 +160,8 @@ Factor meters() {
             {std::move(name), no_trait, [place](Draft& draft) {
                  const auto quantity = draft.dice.pick<std::string>(
                      {"illuminance", "cylindrical", "semi_cylindrical", "hemispherical",
-                      "spherical", "luminance", "ugr", "threshold_increment road \"eye\"",
-                      "daylight_factor"});
+                      "spherical", "luminance", "luminance eye <0, 1, -3>", "ugr",
+                      "threshold_increment road \"eye\"", "daylight_factor"});
                  draft.around.push_back(block("meter",
                                               "\"eye\" luminance points { 1, <0, 1, -2> } "
                                               "direction <0, -0.1, 1> cone 5"));
@@ -174,7 +174,7 @@ Factor meters() {
     add("grid", floor + "counts <2, 3>");
     add("grid of a room", floor + "en_12464");
     add("grid of a road", floor + "en_13201 lanes 2");
-    add("points", "points { 2, <0.5, 1, 0>, <-1, 0.2, 1> } eye <0, 1, -3>");
+    add("points", "points { 2, <0.5, 1, 0>, <-1, 0.2, 1> }");
     return factor;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tasks/measuring.h"
 
+#include "options/command_line.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>
@@ -51,6 +52,26 @@ TEST_CASE("measuring needs a table that it can write, and no denoiser") {
     CHECK(errors() == 1);
     options.denoise = true;
     CHECK(errors() == 2);
+}
+
+TEST_CASE("options of pictures have no effect on measuring, and that is said") {
+    const auto said = [](std::vector<std::string_view> words) {
+        words.insert(words.end(), {"a.pov", "--measure", "a.csv"});
+        Diagnostics diagnostics;
+        const Options options = read_options(words, diagnostics);
+        check_measuring(options, diagnostics);
+        std::string text;
+        for (const Diagnostic& each : diagnostics.all()) text += each.message + "\n";
+        return text;
+    };
+    CHECK(said({"+A", "+W640", "-V", "--samples", "16"}).empty());
+    CHECK(has(said({"+C"}), "has no effect: --measure renders no picture"));
+    CHECK(has(said({"+SR2"}), "has no effect"));
+    CHECK(has(said({"--noise", "0.1"}), "has no effect"));
+    CHECK(has(said({"--layers", "lights"}), "has no effect"));
+    CHECK(has(said({"+Q3"}), "measures the light that pictures of quality 3 have"));
+    CHECK(has(said({"--shard", "1/2", "--samples", "16"}), "has no shards"));
+    CHECK_FALSE(has(said({"--shard", "1/2", "--shard-by", "frames"}), "has no shards"));
 }
 
 TEST_CASE("measuring ends by time and by signals") {
