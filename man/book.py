@@ -18,6 +18,8 @@ import tempfile
 import zlib
 from pathlib import Path
 
+from numbers_pages import Numbers
+
 HERE = Path(__file__).resolve().parent
 FRONT = HERE.parent / "examples" / "pictures" / "metropolis.webp"
 PAGES = [("candelabra-tutorial.7", "Tutorial"), ("candelabra-lights.7", "Light"),
@@ -177,6 +179,7 @@ class Book:
         self.program, self.made, self.folder, self.illustrated = program, made, folder, illustrated
         self.playground = playground
         self.pictures = Pictures(program, folder / "pictures")
+        self.numbers = Numbers(program, folder / "numbers", illustrated)
         self.all = json.loads(subprocess.run([program, "describe", "--json"], capture_output=True, text=True,
                                              check=True).stdout)
         self.solids = {item["name"] for group in self.all["groups"] if group["name"] == "Shapes"
@@ -390,7 +393,11 @@ class Book:
         self.library()
         for page, title in PAGES:
             self.manual_page(page, title)
+        for address, title, parts in self.numbers.pages():
+            self.entry(title, "Light by numbers", address, plain(parts[0]))
+            self.bodies[address] = (title, parts)
         chapters = [(page + ".html", title) for page, title in PAGES[:3]]
+        chapters.insert(2, ("numbers.html", "Light by numbers"))
         chapters.append(("candelabra-stdlib.7.html", "The library"))
         reference = [(self.page_name(group["name"]), group["name"]) for group in groups]
         reference += [("words.html", "Words and functions")]
@@ -407,6 +414,7 @@ class Book:
             "<h2>Learn it</h2><ul>"
             '<li><a href="candelabra-tutorial.7.html">Tutorial</a>: nine chapters, from a first picture to a film</li>'
             '<li><a href="candelabra-lights.7.html">Light</a>: lamps, how bright they are, and noise</li>'
+            '<li><a href="numbers.html">Light by numbers</a>: lux, glare and lumens of six scenes, as planners want them</li>'
             '<li><a href="candelabra-povray.7.html">From POV-Ray</a>: what is the same, better and missing</li>'
             '</ul><h2>Look it up</h2><ul><li><a href="candelabra-stdlib.7.html">The library</a>: every macro with an '
             "example</li>" + links(reference) + "</ul>"])
@@ -427,10 +435,12 @@ class Book:
             shutil.copyfile(file, self.folder / file.name)
         if self.illustrated:
             self.pictures.render_all()
-        for message in self.pictures.failed:
+            self.numbers.tidy()
+        failed = self.pictures.failed + self.numbers.failed
+        for message in failed:
             print(message, file=sys.stderr)
         print(f"{self.folder / 'index.html'}: {len(self.bodies)} pages, {len(self.pictures.scenes)} pictures")
-        return 1 if self.pictures.failed else 0
+        return 1 if failed else 0
 
 
 def main():

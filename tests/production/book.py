@@ -54,6 +54,9 @@ def problems(book):
     scenes = len(re.findall(r'class="scene"', texts["candelabra-tutorial.7.html"]))
     if scenes != 9:
         yield f"the tutorial has {scenes} pictures"
+    for scene in (SOURCE / "examples" / "work").glob("*.pov"):
+        if f"numbers_{scene.stem}.html" not in texts:
+            yield f"{scene.name} has no page in Light by numbers"
     for group in ("shapes", "patterns", "cameras", "films"):
         bare = re.findall(r'<h2 id="(\w+)">(?:(?!<h2|<img).)*(?=<h2|</main>)', texts[group + ".html"], flags=re.S)
         for item in bare:
