@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: CC0-1.0
-"""Writes stdlib/models/lantern.gltf, the model of the examples: a post of iron and a lamp of four panes that emits."""
+"""Writes stdlib/models/lantern.gltf, the model of the examples: a post of iron and a lamp of four panes that emits, and
+a camera in front of it."""
 import base64
 import json
 import math
@@ -87,7 +88,9 @@ def lantern(model):
 if __name__ == "__main__":
     made = Model()
     meshes = lantern(made)
-    made.gltf["nodes"] = [{"name": "Lantern", "children": [1, 2]}, {"name": "Post", "mesh": meshes["Post"]},
+    made.gltf["nodes"] = [{"name": "Lantern", "children": [1, 2, 5]}, {"name": "Post", "mesh": meshes["Post"]},
                           {"name": "Lamp", "translation": [0, 1.55, 0], "children": [3, 4]},
-                          {"name": "Panes", "mesh": meshes["Panes"]}, {"name": "Roof", "mesh": meshes["Roof"]}]
+                          {"name": "Panes", "mesh": meshes["Panes"]}, {"name": "Roof", "mesh": meshes["Roof"]},
+                          {"name": "View", "translation": [0, 1.3, 4], "camera": 0}]
+    made.gltf["cameras"] = [{"type": "perspective", "perspective": {"yfov": 0.75, "znear": 0.1}}]
     made.write(sys.argv[1] if len(sys.argv) > 1 else "stdlib/models/lantern.gltf")

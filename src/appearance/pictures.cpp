@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "appearance/pictures.h"
 
+#include "appearance/model_files.h"
 #include "base/long_work.h"
 #include "base/video_gamma.h"
 #include "formula/formula.h"
@@ -202,6 +203,15 @@ void PictureReader::finish() {
                             odd_map ? message("there is no `map_type` ", map_.map_type)
                                     : "there is no `interpolate` 1")
                           .with_help(odd_map ? "map_type 0, 1, 2, 5 or 7" : "interpolate 2"));
+    auto* bumps = std::get_if<BumpMap>(&pattern_);
+    // Directions are as steep as the picture says where nothing else is said.
+    if (bumps && bumps->tangent_space && !bumps->bump_size) bumps->bump_size = 1;
+    if (bumps && bumps->tangent_space && bumps->map_type != 0 && !block_.broken)
+        block_.report(error(Fault::misplaced, block_.span,
+                            "a picture in `tangent_space` lies flat, or with `uv_mapping` on the "
+                            "surface: it takes no `map_type`")
+                          .with_help("normal { uv_mapping bump_map { \"normals.png\" "
+                                     "tangent_space } }"));
     if (!block_.broken) load();
 }
 
@@ -223,8 +233,10 @@ void PictureReader::load() {
         return;
     } else {
         Binder& binder = block_.binder;
-        const auto file = binder.evaluator.find_data(map_.file, block_.file_place(),
-                                                     picture_endings(block_.file_kind));
+        const auto file = map_.picture
+                              ? picture_of_model(block_, map_.file, *map_.picture)
+                              : binder.evaluator.find_data(map_.file, block_.file_place(),
+                                                           picture_endings(block_.file_kind));
         block_.broken |= !file;
         if (!file) return;
         const TexelCoding how = coding(binder, pattern_, map_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "appearance/webs.h"
 
+#include "appearance/model_files.h"
 #include "photometry/photometric_file.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -49,10 +50,16 @@ void load_web(OpenBlock& block, WebPlace& place) {
     if (place.file().empty()) return;
     Evaluator& evaluator = block.binder.evaluator;
     const std::string name = printable(place.file());
-    place.per_candela = evaluator.use_light_units().intensity(1);
-    auto& known = block.binder.webs[{place.file(), place.lamp_set}];
+    place.per_candela = evaluator.use_light_units().intensity(place.multiplier);
+    const std::string key =
+        place.profile ? message(place.file(), ", profile ", *place.profile) : place.file();
+    auto& known = block.binder.webs[{key, place.lamp_set}];
     if (!known.web) {
-        const auto bytes = evaluator.load_data(place.file(), block.file_place());
+        std::optional<std::string> bytes;
+        if (!place.profile)
+            bytes = evaluator.load_data(place.file(), block.file_place());
+        else if (auto found = profile_of_model(block, place.file(), *place.profile))
+            bytes = std::move(found->text);
         if (!bytes) {
             block.broken = true;
             return;

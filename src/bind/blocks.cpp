@@ -176,7 +176,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     with_words_of("objects",
                   {"light_group", "", BlockForm::combination, object_in_scene, object_value}),
     with_words_of("objects", {"object", "", BlockForm::object, object_in_scene, object_value}),
-    {"model", "", BlockForm::object, object_in_scene, object_value},
+    {"model", "| camera", BlockForm::object, object_in_scene, object_value},
     {"replace", "model"},
     {"light_source", "", BlockForm::object, light_in_scene, light_value},
     {"camera", "", BlockForm::block, camera_in_scene, camera_value, default_camera},

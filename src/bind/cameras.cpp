@@ -4,6 +4,7 @@
 #include "appearance/normals.h"
 #include "appearance/textures.h"
 #include "bind/films.h"
+#include "objects/model_block.h"
 #include "objects/objects.h"
 #include "reading/transforms.h"
 #include "text/message.h"
@@ -208,6 +209,55 @@ private:
     Camera& camera_;
 };
 
+/// Reads model { ... }: a camera of a model. What stands behind it may change it.
+template <class Follow>
+class CameraOfModel : public SimpleReader {
+public:
+    CameraOfModel(OpenBlock& block, Camera& camera, Follow follow)
+        : block_(block), camera_(camera), follow_(follow) {}
+
+    bool take(const Element& element) {
+        const ItemInfo& info = ModelSettings::vocabulary;
+        if (element.kind != Element::Kind::block || block_.spelling(element.word) != info.name)
+            return false;
+        OpenBlock inner(block_.binder, info.name, element.word_span);
+        inner.item = &info;
+        ModelSettings settings;
+        ItemReader fields(inner, info, &settings);
+        inner.read(element.body, fields);
+        if (!inner.broken)
+            if (const auto content = model_content(inner, settings))
+                if (const auto placed = placed_camera(inner, *content, settings.part))
+                    show(*placed);
+        block_.broken |= inner.broken;
+        return true;
+    }
+    void add_words(WordList& words) const { words.push_back(ModelSettings::vocabulary.name); }
+
+private:
+    void show(const PlacedCamera& placed) {
+        const RunFacts& facts = block_.binder.evaluator.facts();
+        const double aspect = static_cast<double>(facts.image_width) / facts.image_height;
+        if (placed.parallel && std::holds_alternative<Perspective>(camera_)) {
+            const View view = view_of(camera_);
+            view_of(camera_ = Orthographic()) = view;
+            follow_();
+        }
+        View& view = view_of(camera_);
+        const double height = placed.height > 0 ? placed.height : placed.width / aspect;
+        view.location = placed.location;
+        view.direction = placed.direction;
+        view.right = height * aspect * placed.right;
+        view.up = height * placed.up;
+        view.look_at.reset();
+        view.angle.reset();
+    }
+
+    OpenBlock& block_;
+    Camera& camera_;
+    Follow follow_;
+};
+
 /// Reads normal { ... }.
 class CameraNormal : public SimpleReader {
 public:
@@ -283,11 +333,12 @@ bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
         view.transform = view.transform.then(transform);
     };
     TransformReader moves(block, apply);
+    CameraOfModel of_model(block, camera, [&] { fields.follow(); });
     CameraNormal normal(block, made.normal);
     FilmReader film(block, made.film);
     CameraBokeh bokeh(block, made);
     UserRays rays(block, camera);
-    block.read(element.body, declared, rays, fields, normal, film, bokeh, moves);
+    block.read(element.body, declared, of_model, rays, fields, normal, film, bokeh, moves);
     if (block.broken) return false;
     const std::string wrong = problem(camera);
     if (!wrong.empty())

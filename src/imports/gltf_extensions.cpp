@@ -18,7 +18,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view strength_name = "KHR_materials_emissive_strength",
-                           move_name = "KHR_texture_transform", web_name = "EXT_lights_ies";
+                           move_name = "KHR_texture_transform", web_name = "EXT_lights_ies",
+                           cameras_name = "\"cameras\"";
 
 /// Of a binary file: its head, that of its first chunk, which is the text, and that of the next.
 constexpr std::size_t file_head = 12, heads = 20, chunk_head = 8;
@@ -90,11 +91,13 @@ void strengthen(Json& material) {
     material["extensions"].erase(std::string(strength_name));
 }
 
-/// How the picture of the colour is moved, or that of the light of a material without one.
+/// How the picture of the colour is moved, or that of the light or of the normals of a material
+/// without one.
 std::optional<PictureMove> move_of(const Json& material) {
     const Json* const metallic = member(material, "pbrMetallicRoughness");
     const Json* shown = metallic ? member(*metallic, "baseColorTexture") : nullptr;
-    if (!shown) shown = member(material, "emissiveTexture");
+    for (const char* other : {"emissiveTexture", "normalTexture"})
+        if (!shown) shown = member(material, other);
     const Json* const stated = shown ? extension(*shown, move_name) : nullptr;
     if (!stated) return std::nullopt;
     PictureMove made;
@@ -204,6 +207,31 @@ void take_webs(Gltf& file, GltfExtensions& made) {
     }
 }
 
+/// Takes the cameras of nodes, whose names get numbers.
+void take_cameras(Gltf& file, GltfExtensions& made) {
+    if (!file.all.contains("nodes") || !file.all["nodes"].is_array()) return;
+    Json& nodes = file.all["nodes"];
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto number = index_of(nodes[i], "camera");
+        const Json* const stated = number ? entry(file.all, "cameras", *number) : nullptr;
+        if (!stated) continue;
+        ImportedCamera camera;
+        const Json* const name = member(*stated, "name");
+        if (name && name->is_string()) camera.name = name->get<std::string>();
+        if (const Json* const view = member(*stated, "perspective")) {
+            constexpr double usual = 0.8, widest = 3.1;
+            const double angle = std::clamp(number_of(member(*view, "yfov"), usual), 0.0, widest);
+            const auto [sine, cosine] = math::sin_cos(angle / 2);
+            camera.height = 2 * sine / cosine;
+        } else if (const Json* const size = member(*stated, "orthographic")) {
+            camera.parallel = true;
+            camera.height = 2 * std::abs(number_of(member(*size, "ymag"), 1));
+        }
+        made.cameras[static_cast<int>(i)] = std::move(camera);
+        if (!made.lights.contains(static_cast<int>(i))) add_number(nodes[i], i);
+    }
+}
+
 /// A binary file with another text.
 std::string with_text(std::string_view bytes, std::string_view behind, std::string text) {
     text.append((4 - text.size() % 4) % 4, ' ');
@@ -229,7 +257,7 @@ GltfExtensions read_extensions(std::string_view bytes, const BesideModel& beside
     const bool binary = is_binary(bytes);
     const std::string_view text = binary ? bytes.substr(heads, number_at(bytes, file_head)) : bytes;
     const auto has = [&](std::string_view name) { return text.find(name) != text.npos; };
-    if (!has(strength_name) && !has(move_name) && !has(web_name)) return made;
+    if (!has(strength_name) && !has(move_name) && !has(web_name) && !has(cameras_name)) return made;
     Gltf file{Json::parse(text, nullptr, false),
               binary ? bytes.substr(heads + text.size()) : std::string_view(), beside};
     if (!file.all.is_object()) return made;
@@ -244,6 +272,7 @@ GltfExtensions read_extensions(std::string_view bytes, const BesideModel& beside
         }
     }
     take_webs(file, made);
+    take_cameras(file, made);
     std::string changed = file.all.dump(-1, ' ', false, Json::error_handler_t::replace);
     made.file = binary ? with_text(bytes, file.behind, std::move(changed)) : std::move(changed);
     return made;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Extensions of glTF files that Assimp does not read, or not as they are defined: the strength of
 // emission (KHR_materials_emissive_strength; from version 5.3 on it does), pictures that are moved
-// on surfaces (KHR_texture_transform), and lights with measured intensities (EXT_lights_ies).
+// on surfaces (KHR_texture_transform), lights with measured intensities (EXT_lights_ies), and
+// cameras, of which it keeps one node for each.
 // Called by importer.cpp.
 #pragma once
 
@@ -33,6 +34,7 @@ struct GltfExtensions {
     std::map<int, PictureMove> moves;     ///< by the number of the material
     std::map<int, ImportedLight> lights;  ///< measured ones, by the number of the node
     std::vector<ImportedFile> profiles;   ///< that they have
+    std::map<int, ImportedCamera> cameras;  ///< by the number of the node
 };
 
 /// Reads the extensions. `bytes` are those of a .gltf or .glb file, which may be damaged.

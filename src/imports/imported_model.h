@@ -36,7 +36,9 @@ struct ImportedMaterial {
     int picture = -1;                    ///< of the colour; below 0: none
     int emission_picture = -1;
     int facet_picture = -1;  ///< green is a factor of roughness, blue one of metallic
-    bool bumpy = false;      ///< has a map of normals or heights
+    int normal_picture = -1;  ///< of normals in tangent space, with green upwards
+    double normal_scale = 1;  ///< factor of their slope
+    bool heights = false;     ///< has a map of heights
 };
 
 struct ImportedMesh {
@@ -58,13 +60,24 @@ struct ImportedLight {
     double inner = 0, outer = 0;            ///< of a spot: angles to its axis, in radians
 };
 
+/// A camera, in the space of its node.
+struct ImportedCamera {
+    std::string name;  ///< empty: it has only that of its node
+    std::array<double, 3> location{0, 0, 0}, direction{0, 0, -1}, up{0, 1, 0};
+    bool parallel = false;
+    /// Of the picture, at the distance 1 if rays are not parallel; 0: as wide or high as pixels are
+    /// square.
+    double width = 0, height = 0;
+};
+
 /// A part of the hierarchy. Parents come before their children.
 struct ImportedNode {
     std::string name;
     int parent = -1;                     ///< below 0: it is the root
     std::array<double, 12> transform{};  ///< three rows of a matrix for column vectors
     std::vector<int> meshes;
-    int light = -1;  ///< below 0: none
+    int light = -1;   ///< below 0: none
+    int camera = -1;  ///< below 0: none
 };
 
 struct ImportedModel {
@@ -74,8 +87,10 @@ struct ImportedModel {
     std::vector<ImportedFile> pictures;
     std::vector<ImportedLight> lights;
     std::vector<ImportedFile> profiles;  ///< what lights have been measured as
+    std::vector<ImportedCamera> cameras;
     int lights_left_out = 0;  ///< lights in a format that states no units
     bool animated = false;
+    bool encoded = false;  ///< colours of materials are sRGB and not linear
 };
 
 /// Reads a file that the model names; returns whether there is one. `bytes` gets its contents.

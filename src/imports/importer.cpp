@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "imports/importer.h"
 
+#include "base/degrees.h"
+#include "base/elementary.h"
+#include "imports/collada_cameras.h"
 #include "imports/gltf_extensions.h"
 #include "imports/guarded_files.h"
 #include "imports/material.h"
 
 #include <assimp/BaseImporter.h>
+#include <assimp/camera.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/material.h>
@@ -15,6 +19,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -89,11 +94,46 @@ ImportedMesh imported_mesh(const aiMesh& from, unsigned uv) {
     return made;
 }
 
+std::array<double, 3> numbers(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+
+/// The angle of Assimp is that from the left edge to the right. Aspects below 0 are those of
+/// with_told_cameras().
+ImportedCamera imported_camera(const aiCamera& from) {
+    ImportedCamera made;
+    made.location = numbers(from.mPosition);
+    made.direction = numbers(from.mLookAt);
+    made.up = numbers(from.mUp);
+    constexpr double widest = 3.1;
+    const double stated = from.mHorizontalFOV;
+    double aspect = from.mAspect;
+    made.parallel = aspect < 0;
+    if (made.parallel) {
+        made.width = 2 * std::abs(stated) / radians_per_degree;
+        aspect = aspect == parallel_without_aspect ? 0 : -aspect;
+    } else {
+        const auto [sine, cosine] = math::sin_cos(std::clamp(stated, 0.0, widest) / 2);
+        made.width = 2 * sine / cosine;
+    }
+    if (!(aspect > 0)) return made;
+    made.height = made.width / aspect;
+    made.width = 0;
+    return made;
+}
+
 /// Whether the file states that z is up. Only FBX files do; those of Collada have been turned.
 bool has_z_up(const aiScene& scene) {
     constexpr std::int32_t z = 2;
     std::int32_t axis = 1;
     return scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && axis == z;
+}
+
+/// Removes what Assimp puts before the names of materials of 3MF, which is the number of their
+/// list: "id1_Paint".
+void settle_name(ImportedMaterial& material) {
+    std::string_view name = material.name;
+    if (!name.starts_with("id")) return;
+    const std::size_t end = name.find_first_not_of("0123456789", 2);
+    if (end != name.npos && end > 2 && name[end] == '_') material.name.erase(0, end + 1);
 }
 
 /// Converts a scene that Assimp has read.
@@ -148,6 +188,14 @@ public:
         }
     }
 
+    /// Those of formats in which Assimp finds the node of each.
+    void take_cameras() {
+        for (unsigned i = 0; i < scene_.mNumCameras; ++i) {
+            cameras_[scene_.mCameras[i]->mName.C_Str()] = static_cast<int>(model_.cameras.size());
+            model_.cameras.push_back(imported_camera(*scene_.mCameras[i]));
+        }
+    }
+
     /// `z_up` tells whether the file has z up, which is turned to y.
     void take_nodes(bool z_up) {
         if (!scene_.mRootNode) return;
@@ -161,7 +209,9 @@ public:
             open.pop_back();
             const auto number = static_cast<int>(model_.nodes.size());
             model_.nodes.push_back(imported_node(*from, parent));
-            add_measured(take_number(model_.nodes.back().name), number);
+            const int number_in_file = take_number(model_.nodes.back().name);
+            add_camera(number_in_file);
+            add_measured(number_in_file, number);
             for (unsigned i = from->mNumChildren; i > 0; --i)
                 open.push_back({from->mChildren[i - 1], number});
         }
@@ -177,6 +227,14 @@ private:
     void take_material(ImportedMaterial material) {
         numbers_.push_back(take_number(material.name));
         model_.materials.push_back(std::move(material));
+    }
+
+    /// Adds the camera of a node of a glTF file, if it has one, to the last node.
+    void add_camera(int number_in_file) {
+        const auto found = extensions_.cameras.find(number_in_file);
+        if (found == extensions_.cameras.end()) return;
+        model_.nodes.back().camera = static_cast<int>(model_.cameras.size());
+        model_.cameras.push_back(found->second);
     }
 
     /// Adds the measured light of a node of the file, if it has one, as a node in it.
@@ -200,6 +258,8 @@ private:
             made.meshes.push_back(static_cast<int>(from.mMeshes[i]));
         const auto light = lights_.find(made.name);
         if (light != lights_.end()) made.light = light->second;
+        const auto camera = cameras_.find(made.name);
+        if (camera != cameras_.end()) made.camera = camera->second;
         return made;
     }
 
@@ -208,6 +268,7 @@ private:
     ImportedModel& model_;
     std::vector<int> numbers_;                        ///< of materials in the file
     std::map<std::string, int, std::less<>> lights_;  ///< by the name of their node
+    std::map<std::string, int, std::less<>> cameras_;  ///< by the name of their node
 };
 
 }  // namespace
@@ -221,11 +282,14 @@ std::string import_model(std::string_view name, std::string_view bytes, const Be
     const std::string own_name(name.substr(name.rfind('/') + 1));
     GltfExtensions extensions;
     if (gltf) extensions = read_extensions(bytes, beside);
+    if (extension == "dae") extensions.file = with_told_cameras(bytes);
     if (extensions.file) bytes = *extensions.file;
     auto* const files = new GuardedFiles(own_name, bytes, beside);
     importer.SetIOHandler(files);  // which owns it from now on
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    // Parts of Collada have the names that people see, where they have one.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
     unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType;
     // Other formats have each corner of each face as a point of its own.
     if (!gltf) steps |= aiProcess_JoinIdenticalVertices;
@@ -238,7 +302,10 @@ std::string import_model(std::string_view name, std::string_view bytes, const Be
     converter.take_materials();
     converter.take_meshes();
     converter.take_lights(gltf);
+    if (!gltf) converter.take_cameras();
     converter.take_nodes(extension == "3mf" || has_z_up(*scene));
+    model.encoded = extension == "3mf";
+    if (model.encoded) std::ranges::for_each(model.materials, settle_name);
     // Materials of OBJ files are in files of their own.
     if (extension == "obj" && files->misses())
         for (ImportedMaterial& material : model.materials) material.stated = false;

@@ -117,15 +117,18 @@ ImportedMaterial imported_material(const aiScene& scene, const aiMaterial& mater
     if (made.facets)
         made.facet_picture =
             picture(scene, material, {aiTextureType_METALNESS, aiTextureType_UNKNOWN}, model);
-    for (const aiTextureType bumps : {aiTextureType_NORMALS, aiTextureType_HEIGHT,
-                                      aiTextureType_NORMAL_CAMERA, aiTextureType_DISPLACEMENT})
-        made.bumpy |= material.GetTextureCount(bumps) > 0;
+    made.normal_picture =
+        picture(scene, material, {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA}, model);
+    made.normal_scale =
+        number(material, AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0)).value_or(1);
+    for (const aiTextureType bumps : {aiTextureType_HEIGHT, aiTextureType_DISPLACEMENT})
+        made.heights |= material.GetTextureCount(bumps) > 0;
     return made;
 }
 
 unsigned uv_set(const aiMaterial& material) {
-    for (const aiTextureType type :
-         {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE, aiTextureType_EMISSIVE}) {
+    for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE,
+                                     aiTextureType_EMISSIVE, aiTextureType_NORMALS}) {
         int set = 0;
         if (material.Get(AI_MATKEY_UVWSRC(type, 0), set) == aiReturn_SUCCESS && set >= 0)
             return static_cast<unsigned>(set);

@@ -21,7 +21,7 @@ template <class Way>
 void pass(Way& way, ImportedMaterial& m) {
     way(m.name, m.stated, m.colour, m.emission, m.opacity, m.transmission, m.ior, m.facets,
         m.metallic, m.roughness, m.specular, m.shininess, m.uses_alpha, m.cutoff, m.picture,
-        m.emission_picture, m.facet_picture, m.bumpy);
+        m.emission_picture, m.facet_picture, m.normal_picture, m.normal_scale, m.heights);
 }
 template <class Way>
 void pass(Way& way, ImportedMesh& m) {
@@ -32,13 +32,17 @@ void pass(Way& way, ImportedLight& l) {
     way(l.kind, l.colour, l.profile, l.inner, l.outer);
 }
 template <class Way>
+void pass(Way& way, ImportedCamera& c) {
+    way(c.name, c.location, c.direction, c.up, c.parallel, c.width, c.height);
+}
+template <class Way>
 void pass(Way& way, ImportedNode& n) {
-    way(n.name, n.parent, n.transform, n.meshes, n.light);
+    way(n.name, n.parent, n.transform, n.meshes, n.light, n.camera);
 }
 template <class Way>
 void pass(Way& way, ImportedModel& m) {
-    way(m.nodes, m.meshes, m.materials, m.pictures, m.lights, m.profiles, m.lights_left_out,
-        m.animated);
+    way(m.nodes, m.meshes, m.materials, m.pictures, m.lights, m.profiles, m.cameras,
+        m.lights_left_out, m.animated, m.encoded);
 }
 
 /// Lists of these are copied at once.
@@ -156,25 +160,31 @@ bool is_whole(const ImportedMesh& mesh, const ImportedModel& model) {
 }
 
 bool is_whole(const ImportedMaterial& m, const ImportedModel& model) {
-    const auto numbers = {m.opacity,   m.transmission, m.ior,       m.metallic,
-                          m.roughness, m.specular,     m.shininess, m.cutoff};
+    const auto numbers = {m.opacity,  m.transmission, m.ior,    m.metallic,    m.roughness,
+                          m.specular, m.shininess,    m.cutoff, m.normal_scale};
     return is_finite(m.colour) && is_finite(m.emission) &&
            std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }) &&
-           std::ranges::all_of(std::array{m.picture, m.emission_picture, m.facet_picture},
-                               [&](int place) { return is_place(place, model.pictures); });
+           std::ranges::all_of(
+               std::array{m.picture, m.emission_picture, m.facet_picture, m.normal_picture},
+               [&](int place) { return is_place(place, model.pictures); });
 }
 
 bool is_whole(const ImportedNode& node, int number, const ImportedModel& model) {
     return node.parent < number && (number == 0 || node.parent >= 0) && is_finite(node.transform) &&
-           is_place(node.light, model.lights) && std::ranges::all_of(node.meshes, [&](int mesh) {
-               return mesh >= 0 && is_place(mesh, model.meshes);
-           });
+           is_place(node.light, model.lights) && is_place(node.camera, model.cameras) &&
+           std::ranges::all_of(node.meshes,
+                               [&](int mesh) { return mesh >= 0 && is_place(mesh, model.meshes); });
 }
 
 bool is_whole(const ImportedLight& light, const ImportedModel& model) {
     return is_place(light.profile, model.profiles) &&
            (light.kind != ImportedLight::measured || light.profile >= 0) &&
            is_finite(light.colour) && std::isfinite(light.inner) && std::isfinite(light.outer);
+}
+
+bool is_whole(const ImportedCamera& camera) {
+    return is_finite(camera.location) && is_finite(camera.direction) && is_finite(camera.up) &&
+           std::isfinite(camera.width) && std::isfinite(camera.height);
 }
 
 std::string problem_of(const ImportedModel& model) {
@@ -186,6 +196,8 @@ std::string problem_of(const ImportedModel& model) {
         if (!is_whole(model.nodes[i], static_cast<int>(i), model))
             return "the place of a part in it is wrong";
     if (!std::ranges::all_of(model.lights, whole)) return "a number of a light is wrong";
+    if (!std::ranges::all_of(model.cameras, [](const auto& each) { return is_whole(each); }))
+        return "a number of a camera is wrong";
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "objects/imported_content.h"
 
+#include "appearance/model_files.h"
 #include "appearance/webs.h"
 #include "base/degrees.h"
 #include "base/long_work.h"
@@ -20,8 +21,8 @@ namespace {
 
 Vec3 mirrored(const std::array<float, 3>& p) { return {p[0], p[1], -double{p[2]}}; }
 
-/// The mesh in the space of scenes; null if it has no faces.
-Handle<Mesh> mirrored(const ImportedMesh& from) {
+/// The mesh in the space of scenes, which takes lists of the argument; null if it has no faces.
+Handle<Mesh> mirrored(ImportedMesh& from) {
     if (from.faces.empty()) return nullptr;
     constexpr std::uint64_t points_of_step = 4;
     count_long_work((from.points.size() + from.faces.size()) / points_of_step);
@@ -32,9 +33,9 @@ Handle<Mesh> mirrored(const ImportedMesh& from) {
     for (const auto& normal : from.normals) made.normals.push_back(mirrored(normal));
     made.uvs.reserve(from.uvs.size());
     for (const auto& [u, v] : from.uvs) made.uvs.emplace_back(u, v);
-    made.faces.reserve(from.faces.size());
-    // Two corners change places, so that faces still turn to the same side.
-    for (const auto& [a, b, c] : from.faces) made.faces.push_back({a, c, b});
+    // Seen from outside, corners run the other way in a mirrored space, which is how scenes have
+    // them: clockwise.
+    made.faces = std::move(from.faces);
     return make_handle<Mesh>(std::move(made));
 }
 
@@ -44,8 +45,6 @@ Handle<Mesh> mirrored(const MeshFile& file) {
     dress(made, file.look);
     for (auto* list : {&made.vertices, &made.normals})
         for (Vec3& each : *list) each.z = -each.z;
-    for (auto* list : {&made.faces, &made.normal_faces, &made.uv_faces})
-        for (Face& face : *list) std::swap(face[1], face[2]);
     return make_handle<Mesh>(std::move(made));
 }
 
@@ -63,7 +62,7 @@ void report_left_out(OpenBlock& block, const ImportedModel& model, const LeftOut
     const auto add = [&](auto count, std::string_view what) {
         if (count > 0) all += message(all.empty() ? "" : ", ", what);
     };
-    add(looks.bumpy, "its maps of normals");
+    add(looks.heights, "its maps of heights");
     add(looks.dim, "the colours of materials whose light has another picture");
     add(std::ranges::count(model.meshes, true, &ImportedMesh::coloured),
         "the colours of its points");
@@ -85,20 +84,31 @@ std::string profile_name(const ImportedModel& model, std::size_t number) {
     return file.empty() ? message("light profile ", number, " of the model") : name_beside(file);
 }
 
-/// Reads a profile of lights. Its web is null, with a warning, if that cannot be done.
-LoadedWeb read_profile(OpenBlock& block, const ImportedModel& model, std::size_t number,
-                       const std::string& folder) {
+/// Reads a profile of lights. Its web is null, with a warning, if that cannot be done. Gamma 0 is
+/// along -z of its node in the file, and C270 along x, which leaves y for C0.
+WebPlace read_profile(OpenBlock& block, const ImportedModel& model, std::size_t number,
+                      const std::string& path) {
     const ImportedFile& file = model.profiles[number];
     const std::string name = profile_name(model, number);
     std::string bytes = file.bytes, wrong = "it is not beside the model";
     bool is_there = file.file.empty();
-    if (!is_there && !name.empty()) {
-        auto found = block.binder.evaluator.loader().load(name, folder, FileKind::data);
-        is_there = found.has_value();
-        if (found) bytes = std::move(found->text);
+    WebPlace loaded;
+    loaded.aim = {0, 0, 1};
+    loaded.c0 = {0, 1, 0};
+    if (is_there) {
+        loaded.ies = path;
+        loaded.profile = static_cast<int>(number);
     }
-    LoadedWeb loaded;
-    if (is_there) loaded = read_web(block, printable(name), bytes, 1, wrong);
+    if (!is_there && !name.empty()) {
+        auto found = block.binder.evaluator.loader().load(name, directory_of(path), FileKind::data);
+        is_there = found.has_value();
+        if (found) {
+            bytes = std::move(found->text);
+            loaded.ies = found->path;
+        }
+    }
+    if (is_there)
+        static_cast<LoadedWeb&>(loaded) = read_web(block, printable(name), bytes, 1, wrong);
     if (!loaded.web)
         block.report(warning(Fault::io, block.file_place(),
                              message("lights of the model are left out, whose measured file `",
@@ -108,29 +118,15 @@ LoadedWeb read_profile(OpenBlock& block, const ImportedModel& model, std::size_t
 
 /// Reads a file of parts and materials.
 Content read_parts(OpenBlock& block, const Found& file) {
-    Evaluator& evaluator = block.binder.evaluator;
-    const std::string folder = directory_of(file.path);
-    std::string missing;
-    const auto beside = [&](const std::string& name) -> std::optional<std::string> {
-        auto found = evaluator.loader().load(name, folder, FileKind::data);
-        if (found) return std::move(found->text);
-        // The reader of the model then tries other names in the place of this one.
-        if (missing.empty()) missing = name;
-        return std::nullopt;
-    };
-    auto model = import_model(file, beside, evaluator.diagnostics(), block.file_place());
+    auto model = read_model(block, file);
     if (!model) return nullptr;
-    if (!missing.empty())
-        block.report(warning(Fault::io, block.file_place(),
-                             message("`", printable(missing),
-                                     "` is not beside the model, so what it has is left out")));
     const auto made = std::make_shared<ImportedContent>();
     made->model = std::move(*model);
-    ImportedLooks looks(block, made->model, folder);
+    ImportedLooks looks(block, made->model, file.path);
     for (const ImportedMaterial& material : made->model.materials)
         made->looks.push_back(looks.look(material));
     for (std::size_t i = 0; i < made->model.profiles.size(); ++i)
-        made->webs.push_back(read_profile(block, made->model, i, folder));
+        made->webs.push_back(read_profile(block, made->model, i, file.path));
     report_left_out(block, made->model, looks.left_out());
     for (ImportedMesh& each : made->model.meshes) {
         made->meshes.push_back(mirrored(each));
@@ -156,21 +152,16 @@ Content read_mesh(OpenBlock& block, const Found& file) {
     return made;
 }
 
-/// A light with the intensities of a file. Gamma 0 is along -z of its node, and C270 along x, which
-/// leaves y for C0.
-void aim_measured(PointLight& light, const std::string& name, const LoadedWeb& loaded,
-                  const LightUnits& units) {
+/// A light with the intensities of a file.
+void use_profile(PointLight& light, const WebPlace& profile, const LightUnits& units) {
     const double factor = light_luminance(light.colour);
-    if (!loaded.web || !(factor > 0)) {
+    if (!profile.web || !(factor > 0)) {
         light.colour = Vec3(0);
         return;
     }
-    light.ies = name;
-    static_cast<LoadedWeb&>(light) = loaded;
-    light.aim = {0, 0, 1};
-    light.c0 = {0, 1, 0};
-    light.per_candela = units.intensity(1);
-    if (factor != 1) light.intensity = units.intensity(light.web->greatest() * factor);
+    static_cast<WebPlace&>(light) = profile;
+    light.multiplier = factor;
+    light.per_candela = units.intensity(factor);
     if (!measure(light).empty()) light.colour = Vec3(0);
 }
 
@@ -180,8 +171,7 @@ PlacedLight placed_light(const ImportedLight& from, const ImportedContent& conte
     PointLight& light = placed.light;
     light.colour = {from.colour[0], from.colour[1], from.colour[2]};
     if (from.kind == ImportedLight::measured) {
-        const auto profile = static_cast<std::size_t>(from.profile);
-        aim_measured(light, profile_name(content.model, profile), content.webs[profile], units);
+        use_profile(light, content.webs[static_cast<std::size_t>(from.profile)], units);
         return placed;
     }
     if (from.kind == ImportedLight::sun) {
@@ -207,7 +197,7 @@ PlacedLight placed_light(const ImportedLight& from, const ImportedContent& conte
 /// Makes the objects of nodes.
 class Assembly {
 public:
-    Assembly(OpenBlock& block, const ImportedContent& content, const ReplacedLooks& replaced)
+    Assembly(OpenBlock& block, const ImportedContent& content, const Replacements& replaced)
         : block_(block),
           content_(content),
           replaced_(replaced),
@@ -240,6 +230,10 @@ private:
         const ImportedNode& node = content_.model.nodes[number];
         const double volume = determinant(movement);
         if (!(volume != 0 && std::isfinite(1 / volume))) return nullptr;
+        if (const auto own = replaced_.objects.find(node.name); own != replaced_.objects.end()) {
+            parts_[number].clear();
+            return together({own->second}, movement);
+        }
         std::vector<ObjectHandle> inner;
         for (const int each : node.meshes)
             if (ObjectHandle shown = mesh_object(static_cast<std::size_t>(each)))
@@ -279,8 +273,9 @@ private:
         const int material = content_.model.meshes[number].material;
         if (material < 0) return known;
         const auto place = static_cast<std::size_t>(material);
-        const auto other = replaced_.find(content_.model.materials[place].name);
-        const ImportedLook& look = other == replaced_.end() ? content_.looks[place] : other->second;
+        const auto other = replaced_.looks.find(content_.model.materials[place].name);
+        const ImportedLook& look =
+            other == replaced_.looks.end() ? content_.looks[place] : other->second;
         object.texture = look.texture;
         object.interior = look.interior;
         return known;
@@ -293,7 +288,7 @@ private:
 
     OpenBlock& block_;
     const ImportedContent& content_;
-    const ReplacedLooks& replaced_;
+    const Replacements& replaced_;
     std::vector<ObjectHandle> meshes_;
     std::vector<std::vector<ObjectHandle>> parts_;  ///< of each node: its children, last first
 };
@@ -321,15 +316,33 @@ std::string names_help(std::string_view wanted, const std::vector<std::string_vi
     return message("the file has ", all, names.size() > most ? " and others" : "");
 }
 
-/// Reports names of materials that the file does not have.
-void check_names(OpenBlock& block, const ImportedModel& model, const ReplacedLooks& replaced) {
+std::vector<std::string_view> names_of(const std::vector<ImportedNode>& nodes) {
     std::vector<std::string_view> names;
-    for (const ImportedMaterial& material : model.materials) names.push_back(material.name);
-    for (const auto& [name, look] : replaced)
-        if (std::ranges::find(names, name) == names.end())
-            block.report(error(Fault::unknown_name, block.span,
-                               message("the model has no material \"", printable(name), '"'))
-                             .with_help(names_help(name, names)));
+    for (const ImportedNode& node : nodes)
+        if (!node.name.empty()) names.push_back(node.name);
+    return names;
+}
+
+/// Reports what the file does not have.
+void report_unknown(OpenBlock& block, std::string_view what, std::string_view name,
+                    const std::vector<std::string_view>& names) {
+    block.report(error(Fault::unknown_name, block.span,
+                       message("the model has no ", what, " \"", printable(name), '"'))
+                     .with_help(names_help(name, names)));
+}
+
+/// Reports names of materials and parts that the file does not have.
+void check_names(OpenBlock& block, const ImportedModel& model, const Replacements& replaced) {
+    const auto check = [&](std::string_view what, const auto& named,
+                           const std::vector<std::string_view>& names) {
+        for (const auto& [name, made] : named)
+            if (std::ranges::find(names, name) == names.end())
+                report_unknown(block, what, name, names);
+    };
+    std::vector<std::string_view> materials;
+    for (const ImportedMaterial& material : model.materials) materials.push_back(material.name);
+    check("material", replaced.looks, materials);
+    if (!replaced.objects.empty()) check("part", replaced.objects, names_of(model.nodes));
 }
 
 }  // namespace
@@ -345,8 +358,61 @@ Content imported_content(OpenBlock& block, const std::string& file) {
     return known = has_parts(found->path) ? read_parts(block, *found) : read_mesh(block, *found);
 }
 
+std::optional<PlacedCamera> placed_camera(OpenBlock& block, const ImportedContent& content,
+                                          const std::string& name) {
+    const std::vector<ImportedNode>& nodes = content.model.nodes;
+    const auto camera_of = [&](std::size_t node) -> const ImportedCamera& {
+        return content.model.cameras[static_cast<std::size_t>(nodes[node].camera)];
+    };
+    std::vector<std::string_view> names;
+    std::optional<std::size_t> found, inside;
+    std::vector<char> below(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const int parent = nodes[i].parent;
+        below[i] =
+            nodes[i].name == name || (parent >= 0 && below[static_cast<std::size_t>(parent)]);
+        if (nodes[i].camera < 0) continue;
+        const std::string& own = camera_of(i).name;
+        const std::string& called = nodes[i].name.empty() ? own : nodes[i].name;
+        if (!called.empty()) names.push_back(called);
+        if (!found && (name.empty() || nodes[i].name == name || own == name)) found = i;
+        if (!inside && below[i]) inside = i;
+    }
+    if (!found) found = inside;
+    if (!found) {
+        const std::string called =
+            name.empty() || names.empty() ? "" : message(" \"", printable(name), '"');
+        block.report(error(Fault::unknown_name, block.file_place(),
+                           message("the model has no camera", called))
+                         .with_help(names.empty() ? "camera { location <0, 2, -6> look_at 0 }"
+                                                  : names_help(name, names)));
+        return std::nullopt;
+    }
+    Affine whole = mirrored(nodes[*found].transform);
+    for (int i = nodes[*found].parent; i >= 0; i = nodes[static_cast<std::size_t>(i)].parent) {
+        const Affine outer = mirrored(nodes[static_cast<std::size_t>(i)].transform);
+        for (Vec3& row : whole.rows) row = outer.direction(row);
+        whole.translation = outer.point(whole.translation);
+    }
+    const ImportedCamera& from = camera_of(*found);
+    const auto in_scene = [](const std::array<double, 3>& v) { return Vec3(v[0], v[1], -v[2]); };
+    PlacedCamera made;
+    made.location = whole.point(in_scene(from.location));
+    made.direction = unit(whole.direction(in_scene(from.direction)));
+    const Vec3 up = whole.direction(in_scene(from.up));
+    made.right = unit(cross(up, made.direction));
+    made.up = cross(made.direction, made.right);
+    made.parallel = from.parallel;
+    made.width = from.width;
+    made.height = from.height;
+    if (made.right != Vec3(0) && std::isfinite(dot(made.location, made.location))) return made;
+    block.report(
+        error(Fault::degenerate, block.file_place(), "the camera of the model has no direction"));
+    return std::nullopt;
+}
+
 ObjectHandle imported_object(OpenBlock& block, const ImportedContent& content,
-                             const std::string& part, const ReplacedLooks& replaced) {
+                             const std::string& part, const Replacements& replaced) {
     const std::vector<ImportedNode>& nodes = content.model.nodes;
     check_names(block, content.model, replaced);
     if (nests_too_deeply(content.model, block.binder.evaluator.limits().nesting))
@@ -358,12 +424,7 @@ ObjectHandle imported_object(OpenBlock& block, const ImportedContent& content,
     if (!part.empty()) {
         const auto found = std::ranges::find(nodes, part, &ImportedNode::name);
         if (found == nodes.end()) {
-            std::vector<std::string_view> names;
-            for (const ImportedNode& node : nodes)
-                if (!node.name.empty()) names.push_back(node.name);
-            block.report(error(Fault::unknown_name, block.span,
-                               message("the model has no part \"", printable(part), '"'))
-                             .with_help(names_help(part, names)));
+            report_unknown(block, "part", part, names_of(nodes));
             return nullptr;
         }
         first = static_cast<std::size_t>(found - nodes.begin());

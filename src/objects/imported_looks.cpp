@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "objects/imported_looks.h"
 
+#include "base/colour.h"
 #include "base/gamma.h"
 #include "base/long_work.h"
 #include "surface/default_maps.h"
+#include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -22,37 +24,20 @@ bool is_there(double opacity, const ImportedMaterial& material) {
     return opacity * std::clamp(material.opacity, 0.0, 1.0) >= material.cutoff;
 }
 
-/// The texels with all colours multiplied, and without alpha unless it counts, or with alpha that
-/// is 0 or 1 where the material is cut out.
-Handle<Texels> changed(Handle<Texels> texels, const Vec3& factor,
-                       const ImportedMaterial& material) {
-    const bool drops = !material.uses_alpha && texels->transparent(), cuts = material.cutoff >= 0;
-    if (factor == Vec3(1) && !drops && !cuts) return texels;
-    Texels& made = texels.edit();
-    if (drops) made.alpha.clear();
-    if (cuts)
-        for (float& alpha : made.alpha) alpha = is_there(alpha, material) ? 1.0F : 0.0F;
-    for (Colour& colour : made.table) {
-        colour.rgb *= factor;
-        if (drops) colour.transmit = 0;
-        if (cuts) colour.transmit = is_there(1 - colour.transmit, material) ? 0 : 1;
-    }
-    const bool grey = factor.x == factor.y && factor.y == factor.z;
-    if (made.channels == 1 && !grey) {
-        std::vector<float> coloured;
-        coloured.reserve(3 * made.values.size());
-        for (const float value : made.values) coloured.insert(coloured.end(), 3, value);
-        made.values = std::move(coloured);
-        made.channels = 3;
-    }
-    const auto channels = static_cast<std::size_t>(made.channels);
-    for (std::size_t i = 0; i < made.values.size(); ++i) {
-        const auto channel = static_cast<int>(i % channels);
-        made.values[i] = static_cast<float>(made.values[i] * factor[channel]);
-    }
-    made.greatest = Vec3(0);
-    made.measure();
-    return texels;
+constexpr int bilinear = 2;
+
+/// The least alpha of texels that are there, where a material is cut out.
+double cutoff_of_texels(const ImportedMaterial& material) {
+    constexpr double never = 2;
+    const double opacity = std::clamp(material.opacity, 0.0, 1.0);
+    if (material.cutoff <= 0) return 0;
+    return opacity > 0 ? material.cutoff / opacity : never;
+}
+
+PatternUse use_of(Pattern pattern) {
+    PatternUse use{std::move(pattern), {}, {}, {}};
+    name_pattern(use.pattern, use.modifiers, use.wave);
+    return use;
 }
 
 /// The means of the green and of the blue values.
@@ -66,19 +51,20 @@ Vec2 means(const Texels& texels) {
 
 }  // namespace
 
-Vec3 ImportedLooks::in_scene(const std::array<double, 3>& linear) const {
+Vec3 ImportedLooks::in_scene(const std::array<double, 3>& stated) const {
     const double gamma = block_.binder.working_gamma.value_or(1);
-    return {from_linear(linear[0], gamma), from_linear(linear[1], gamma),
-            from_linear(linear[2], gamma)};
+    const auto channel = [&](double value) {
+        return from_linear(model_.encoded ? srgb_decode(value) : value, gamma);
+    };
+    return {channel(stated[0]), channel(stated[1]), channel(stated[2])};
 }
 
 std::optional<Found> ImportedLooks::find(const ImportedFile& picture, int number) {
-    if (picture.file.empty())
-        return Found{message("picture ", number, " of the model"), picture.bytes};
+    if (picture.file.empty()) return Found{message(path_, ", picture ", number), picture.bytes};
     const Evaluator& evaluator = block_.binder.evaluator;
     const std::string name = name_beside(picture.file);
-    auto found =
-        name.empty() ? std::nullopt : evaluator.loader().load(name, folder_, FileKind::data);
+    auto found = name.empty() ? std::nullopt
+                              : evaluator.loader().load(name, directory_of(path_), FileKind::data);
     if (!found)
         block_.report(warning(Fault::io, block_.file_place(),
                               message("the picture `", printable(picture.file),
@@ -108,7 +94,11 @@ const ImportedLooks::Shown& ImportedLooks::shown(int picture, TexelCoding::Decod
     }
     count_long_work(static_cast<std::uint64_t>(read->width) *
                     static_cast<std::uint64_t>(read->height) / 4);
-    known = {file->path, make_handle<Texels>(std::move(*read))};
+    known.texels = make_handle<Texels>(std::move(*read));
+    known.file = file->path;
+    if (!model_.pictures[static_cast<std::size_t>(picture)].file.empty()) return known;
+    known.file = path_;
+    known.number = picture;
     return known;
 }
 
@@ -122,14 +112,36 @@ Pigment ImportedLooks::pigment(int picture, const Vec3& factor, const ImportedMa
     if (!known.texels) return made;
     ImageMap image;
     image.file = known.file;
-    constexpr int bilinear = 2;
     image.interpolate = bilinear;
-    image.texels = changed(known.texels, factor, material);
+    image.picture = known.number;
+    image.texels = known.texels;
+    image.tint = factor;
+    if (material.cutoff >= 0)
+        image.alpha_cutoff = cutoff_of_texels(material);
+    else if (!material.uses_alpha && image.texels->transparent())
+        image.alpha_cutoff = 0;
     if (transmit > 0) image.adjustments.push_back({false, -1, transmit});
     image.adjust();
-    const Pattern pattern(std::move(image));
+    const PatternUse use = use_of(std::move(image));
+    made.pattern = make_handle<PatternedPigment>(use, default_map(use.pattern));
+    return made;
+}
+
+Bump ImportedLooks::bumps(const ImportedMaterial& material) {
+    Bump made;
+    if (material.normal_picture < 0 || material.normal_scale == 0) return made;
+    const Shown& known = shown(material.normal_picture, TexelCoding::as_stored);
+    if (!known.texels) return made;
+    BumpMap map;
+    map.file = known.file;
+    map.picture = known.number;
+    map.interpolate = bilinear;
+    map.tangent_space = true;
+    map.texels = known.texels;
+    BumpSettings settings;
+    settings.bump_size = material.normal_scale;
     made.pattern =
-        make_handle<PatternedPigment>(PatternUse{pattern, {}, {}, {}}, default_map(pattern));
+        make_handle<PatternedBump>(use_of(std::move(map)), settings, PatternedBump::Map());
     return made;
 }
 
@@ -192,9 +204,10 @@ ImportedLook ImportedLooks::look(const ImportedMaterial& material) {
     if (!texture.pigment.pattern) texture.pigment.colour.filter = opacity * through;
     texture.finish = finish(material);
     glow(material, texture);
-    if (material.bumpy) ++left_out_.bumpy;
+    texture.normal = bumps(material);
+    if (material.heights) ++left_out_.heights;
     ImportedLook made;
-    const bool mapped = texture.pigment.pattern != nullptr;
+    const bool mapped = texture.pigment.pattern || texture.normal.pattern;
     made.texture =
         make_handle<Texture>(mapped ? uv_mapped(std::move(texture)) : std::move(texture));
     constexpr double usual_ior = 1.5;

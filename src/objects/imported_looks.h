@@ -18,7 +18,7 @@ struct ImportedLook {
 
 /// What materials have that the language has not, for one warning.
 struct LeftOutLooks {
-    int bumpy = 0;  ///< materials with maps of normals
+    int heights = 0;  ///< materials with maps of heights
     int dim = 0;    ///< materials whose light has a picture, and whose colour has another
     int averaged =
         0;  ///< materials with maps of metallic and roughness, which count by their means
@@ -26,9 +26,9 @@ struct LeftOutLooks {
 
 class ImportedLooks {
 public:
-    /// All arguments outlive the object. `folder` is that of the model, for pictures beside it.
-    ImportedLooks(OpenBlock& block, const ImportedModel& model, std::string folder)
-        : block_(block), model_(model), folder_(std::move(folder)) {}
+    /// All arguments outlive the object. `path` is that of the model.
+    ImportedLooks(OpenBlock& block, const ImportedModel& model, std::string path)
+        : block_(block), model_(model), path_(std::move(path)) {}
 
     ImportedLook look(const ImportedMaterial&);
 
@@ -36,20 +36,22 @@ public:
 
 private:
     struct Shown {
-        std::string file;
+        std::string file;           ///< its own, or that of the model
+        std::optional<int> number;  ///< in the model, if it is there
         Handle<Texels> texels;
     };
     /// A picture of the model, coded for colours or as stored; null after a diagnostic.
     const Shown& shown(int picture, TexelCoding::Decode);
     std::optional<Found> find(const ImportedFile&, int number);
     Pigment pigment(int picture, const Vec3& factor, const ImportedMaterial&, double transmit);
+    Bump bumps(const ImportedMaterial&);
     Finish finish(const ImportedMaterial&);
     void glow(const ImportedMaterial&, Texture&);
-    Vec3 in_scene(const std::array<double, 3>& linear) const;
+    Vec3 in_scene(const std::array<double, 3>& stated) const;
 
     OpenBlock& block_;
     const ImportedModel& model_;
-    std::string folder_;
+    std::string path_;
     LeftOutLooks left_out_;
     std::map<std::pair<int, TexelCoding::Decode>, Shown> pictures_;
 };

@@ -3,6 +3,7 @@
 
 #include "appearance/materials.h"
 #include "appearance/textures.h"
+#include "objects/objects.h"
 #include "text/message.h"
 
 namespace candelabra {
@@ -14,14 +15,14 @@ constexpr std::string_view replace_help = "replace \"Glass\" texture { pigment {
 
 }  // namespace
 
-bool ReplacedLookReader::take(const Element& element) {
+bool ReplacementReader::take(const Element& element) {
     if (stage_ == Stage::none) {
         if (element.kind != Element::Kind::word || block_.spelling(element.word) != replace_word)
             return false;
         stage_ = Stage::name;
         return true;
     }
-    if (stage_ == Stage::look) return take_look(element);
+    if (stage_ == Stage::look) return take_own(element);
     const std::string* const name =
         element.kind == Element::Kind::value ? element.value.text() : nullptr;
     if (!name) return false;
@@ -30,7 +31,16 @@ bool ReplacedLookReader::take(const Element& element) {
     return true;
 }
 
-std::optional<ImportedLook> ReplacedLookReader::look_of(const Element& element) {
+/// The object; null if the element is none, or after a diagnostic.
+ObjectHandle ReplacementReader::object_of(const Element& element) {
+    if (element.kind == Element::Kind::value) return element.value.handle<Object>();
+    if (!block_.makes_object(element)) return nullptr;
+    ObjectHandle made = read_object(block_.binder, element);
+    block_.broken |= !made;
+    return made;
+}
+
+std::optional<ImportedLook> ReplacementReader::look_of(const Element& element) {
     ImportedLook look;
     if (element.kind == Element::Kind::value) {
         look.texture = element.value.handle<Texture>();
@@ -50,32 +60,42 @@ std::optional<ImportedLook> ReplacedLookReader::look_of(const Element& element) 
     return ImportedLook{material.texture, material.interior};
 }
 
-bool ReplacedLookReader::take_look(const Element& element) {
-    std::optional<ImportedLook> look = look_of(element);
-    if (!look) return false;
+bool ReplacementReader::take_own(const Element& element) {
+    if (ObjectHandle own = object_of(element)) {
+        made_.objects[name_] = std::move(own);
+    } else {
+        std::optional<ImportedLook> look = look_of(element);
+        if (!look && !block_.broken) return false;
+        if (look) made_.looks[name_] = std::move(*look);
+    }
     stage_ = Stage::none;
-    looks_[name_] = std::move(*look);
     return true;
 }
 
-void ReplacedLookReader::finish() {
+void ReplacementReader::finish() {
     if (stage_ == Stage::none || block_.broken) return;
     block_.report(error(Fault::missing, block_.span,
                         stage_ == Stage::name
-                            ? "`replace` needs the name of a material of the model"
-                            : "`replace` needs a texture or a material behind the name")
+                            ? "`replace` needs the name of a material or a part of the model"
+                            : "`replace` needs a texture, a material or an object behind the "
+                              "name")
                       .with_help(std::string(replace_help)));
 }
 
-ObjectHandle model_object(OpenBlock& block, const ModelSettings& settings,
-                          const ReplacedLooks& replaced) {
+std::shared_ptr<ImportedContent> model_content(OpenBlock& block, const ModelSettings& settings) {
     if (settings.file.empty()) {
         block.report(error(Fault::missing, block.span, "`model` needs a file")
                          .with_help("model { file \"street.glb\" }"));
         return nullptr;
     }
-    const auto content = imported_content(block, settings.file);
+    auto content = imported_content(block, settings.file);
     block.broken |= !content;
+    return content;
+}
+
+ObjectHandle model_object(OpenBlock& block, const ModelSettings& settings,
+                          const Replacements& replaced) {
+    const auto content = model_content(block, settings);
     if (!content) return nullptr;
     ObjectHandle& known = content->objects[settings.part];
     if (known && replaced.empty()) return known;

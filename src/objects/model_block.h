@@ -8,10 +8,11 @@
 
 namespace candelabra {
 
-/// Reads `replace "material" texture { ... }`, or with `material { ... }`.
-class ReplacedLookReader : public SimpleReader {
+/// Reads `replace "material" texture { ... }`, or with `material { ... }`; and `replace "part"`
+/// with an object.
+class ReplacementReader : public SimpleReader {
 public:
-    explicit ReplacedLookReader(OpenBlock& block) : block_(block) {}
+    explicit ReplacementReader(OpenBlock& block) : block_(block) {}
 
     bool waiting() const { return stage_ != Stage::none; }
     bool wants() const { return stage_ != Stage::none; }
@@ -19,22 +20,26 @@ public:
     void finish();
     void add_words(WordList& words) const { words.push_back("replace"); }
 
-    const ReplacedLooks& looks() const { return looks_; }
+    const Replacements& made() const { return made_; }
 
 private:
     /// What comes next.
     enum class Stage { none, name, look };
 
-    bool take_look(const Element&);
+    bool take_own(const Element&);
+    ObjectHandle object_of(const Element&);
     std::optional<ImportedLook> look_of(const Element&);
 
     OpenBlock& block_;
     Stage stage_ = Stage::none;
     std::string name_;
-    ReplacedLooks looks_;
+    Replacements made_;
 };
 
+/// The file of the settings; null after a diagnostic.
+std::shared_ptr<ImportedContent> model_content(OpenBlock&, const ModelSettings&);
+
 /// The object of the block once it has been read; null after a diagnostic.
-ObjectHandle model_object(OpenBlock&, const ModelSettings&, const ReplacedLooks&);
+ObjectHandle model_object(OpenBlock&, const ModelSettings&, const Replacements&);
 
 }  // namespace candelabra

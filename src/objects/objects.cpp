@@ -254,11 +254,11 @@ private:
         block_.item = &ModelSettings::vocabulary;
         ModelSettings settings;
         ItemReader fields(block_, ModelSettings::vocabulary, &settings);
-        ReplacedLookReader replaced(block_);
+        ReplacementReader replaced(block_);
         ContentReader content(block_, draft_, ContentReader::Kind::shape);
         read_with(element_.body, content, replaced, fields);
         if (block_.broken || draft_.declared) return;
-        draft_.declared = model_object(block_, settings, replaced.looks());
+        draft_.declared = model_object(block_, settings, replaced.made());
         draft_.has_form = true;
     }
 

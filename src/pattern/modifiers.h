@@ -36,12 +36,22 @@ struct SurfaceView {
     Vec3 direction;  ///< unit, of the ray
 };
 
+/// How places in pictures rise along a surface, in the space of its normal: a picture whose colours
+/// are directions on the surface is turned by them.
+struct SurfaceAxes {
+    Vec3 u = Vec3(1, 0, 0), v = Vec3(0, 1, 0);  ///< gradients of PatternScene::uv
+    Vec3 x = Vec3(1, 0, 0), y = Vec3(0, 1, 0);  ///< of the first two coordinates of the point
+    bool by_uv = false;                         ///< the point is a place in u and v
+    bool behind = false;                        ///< the inner side of the surface is seen
+};
+
 /// Settings of the scene that affect all patterns, and properties that only some points have.
 struct PatternScene {
     NoiseGenerator noise_generator = NoiseGenerator::full_range;
     int number_of_waves = 10;
     const SurfaceView* view = nullptr;  ///< null: the point is on no surface
     Vec2 uv = Vec2(0);  ///< coordinates in a picture that is wrapped around the surface
+    const SurfaceAxes* axes = nullptr;  ///< null: no pattern needs them
 };
 
 /// The input of a pattern: the point in its own space, and its context.

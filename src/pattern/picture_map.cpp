@@ -21,6 +21,8 @@ consteval auto picture_schema(std::string_view name, ItemText text, Own... own) 
         maybe(F{"function", &T::function, positional,
                 "`function width, height { ... }` of x and y from 0 to 1, instead of a file"}),
         maybe(F{"file", &T::file, positional, "name of a picture; its kind may come before it"}),
+        F{"picture", &T::picture, item,
+          "of a model in the place of the file: the number of its picture, from 0", at_least(0)},
         F{"gamma", &T::gamma, item,
           "of the file's values, in place of its own; or `srgb`, `bt709`, `bt2020`"},
         F{"premultiplied", &T::premultiplied, flag, "the file's colours are stored times alpha"},
@@ -42,6 +44,7 @@ consteval auto picture_schema(std::string_view name, ItemText text, Own... own) 
 }  // namespace
 
 const ItemInfo ImageMap::vocabulary = described<ImageMap>([] {
+    using F = Field<ImageMap>;
     return picture_schema<ImageMap>(
         "image_map",
         {"The colours of a picture, in braces. `filter all n` and "
@@ -49,7 +52,11 @@ const ItemInfo ImageMap::vocabulary = described<ImageMap>([] {
          "`transmit i, n` one colour of the file's table.",
          "pigment { image_map { png \"test.png\" interpolate 2 } translate -0.5 scale <3, 2, 1> }",
          "pigment { image_map { png \"test.png\" map_type 1 gamma 1.0 transmit all 0.3 } }",
-         "pigment { image_map { png \"test.png\" once offset <0.2, 0.1> premultiplied off } }"});
+         "pigment { image_map { png \"test.png\" once offset <0.2, 0.1> premultiplied off } }",
+         "pigment { image_map { png \"test.png\" tint rgb <1, 0.6, 0.3> alpha_cutoff 0.5 } }"},
+        as_colour(F{"tint", &ImageMap::tint, item, "all colours are multiplied by it"}),
+        F{"alpha_cutoff", &ImageMap::alpha_cutoff, item,
+          "the picture is clear where its alpha is below this, and opaque elsewhere", at_least(0)});
 });
 
 const ItemInfo ImagePattern::vocabulary = described<ImagePattern>([] {
@@ -67,8 +74,14 @@ const ItemInfo BumpMap::vocabulary = described<BumpMap>([] {
     return picture_schema<BumpMap>(
         "bump_map",
         {"Bumps as high as a picture is bright, in braces; for normals only.",
-         "normal { bump_map { png \"bumpmap_.png\" bump_size 4 } translate -0.5 scale 2 }"},
-        Field<BumpMap>{"bump_size", &BumpMap::bump_size, item, "height of the bumps"});
+         "normal { bump_map { png \"bumpmap_.png\" bump_size 4 } translate -0.5 scale 2 }",
+         "normal { uv_mapping bump_map { function 16, 16 { 0.5 + 0.2*sin(4*pi*(x + y)) } "
+         "tangent_space interpolate 2 } scale 0.2 }"},
+        Field<BumpMap>{"bump_size", &BumpMap::bump_size, item, "height of the bumps"},
+        Field<BumpMap>{
+            "tangent_space", &BumpMap::tangent_space, flag,
+            "the colours are normals, as in glTF: red to the right of the picture, "
+            "green upwards, blue outwards; bump_size multiplies the slope, and is 1 if left out"});
 });
 
 const ItemInfo MaterialMap::vocabulary = described<MaterialMap>([] {
@@ -276,7 +289,39 @@ std::array<double, 3> heights_at(const BumpMap& map, const std::array<Vec2, 3>& 
 
 }  // namespace
 
+namespace {
+
+/// Multiplies the colours, and sets alpha to 0 or 1 if there is a cutoff.
+void change(Texels& made, const Vec3& tint, const std::optional<double>& cutoff) {
+    const auto is_there = [&](double opacity) { return opacity >= *cutoff; };
+    if (cutoff && *cutoff <= 0) made.alpha.clear();
+    if (cutoff)
+        for (float& alpha : made.alpha) alpha = is_there(alpha) ? 1.0F : 0.0F;
+    for (Colour& colour : made.table) {
+        colour.rgb *= tint;
+        if (cutoff) colour.transmit = is_there(1 - colour.transmit) ? 0 : 1;
+    }
+    const bool grey = tint.x == tint.y && tint.y == tint.z;
+    if (made.channels == 1 && !grey) {
+        std::vector<float> coloured;
+        coloured.reserve(3 * made.values.size());
+        for (const float value : made.values) coloured.insert(coloured.end(), 3, value);
+        made.values = std::move(coloured);
+        made.channels = 3;
+    }
+    const auto channels = static_cast<std::size_t>(made.channels);
+    for (std::size_t i = 0; i < made.values.size(); ++i) {
+        const auto channel = static_cast<int>(i % channels);
+        made.values[i] = static_cast<float>(made.values[i] * tint[channel]);
+    }
+    made.greatest = Vec3(0);
+    made.measure();
+}
+
+}  // namespace
+
 void ImageMap::adjust() {
+    if (tint != Vec3(1) || alpha_cutoff) change(texels.edit(), tint, alpha_cutoff);
     for (const Adjustment& each : adjustments) {
         if (each.number < 0) (each.filter ? filter : transmit) = each.amount;
         if (texels->table.empty()) continue;
@@ -308,6 +353,12 @@ std::optional<Vec3> bump_at(const BumpMap& map, const Vec3& point, double height
     const Vec3 here(0, height * heights[0], 0), left(-1, height * heights[1], 1),
         right(1, height * heights[2], 1);
     return unit(cross(right - left, here - left));
+}
+
+std::optional<Vec3> direction_at(const BumpMap& map, const Vec3& point) {
+    const auto place = place_on(map, point);
+    if (!place) return std::nullopt;
+    return 2.0 * sampled(map, *place).rgb - Vec3(1);
 }
 
 double evaluate(const ImageMap& map, const Vec3& point) { return grey_at(map, point); }

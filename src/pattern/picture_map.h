@@ -17,6 +17,7 @@ struct PictureMap {
     double gamma = 0;          ///< 0: as the file says, below 0: sRGB
     bool premultiplied = false;
     int map_type = 0;
+    std::optional<int> picture;  ///< the file is a model, of which this is the picture's number
     std::string kind;  ///< the word before the file's name, such as `png`; empty: none
     int interpolate = 0;
     bool once = false;
@@ -33,9 +34,12 @@ struct ImageMap : PictureMap {
         double amount = 0;
     };
     std::vector<Adjustment> adjustments;
+    Vec3 tint = Vec3(1);                 ///< factor of all colours
+    std::optional<double> alpha_cutoff;  ///< alpha is 0 below it, else 1; 0: there is none
     double filter = 0, transmit = 0;  ///< added to every texel if there is no table
 
-    /// Applies the adjustments. Called once, after the texels have been set.
+    /// Applies the tint, the cutoff and the adjustments. Called once, after the texels have been
+    /// set.
     void adjust();
     static constexpr int frequency = 0;
     static constexpr std::string_view home = "pigment";
@@ -48,6 +52,7 @@ struct ImagePattern : PictureMap {
 };
 
 struct BumpMap : PictureMap {
+    bool tangent_space = false;       ///< the colours are directions, not heights
     std::optional<double> bump_size;  ///< for the normal that contains it
 
     static constexpr int frequency = 0;
@@ -69,6 +74,10 @@ std::optional<Colour> colour_at(const ImageMap&, const Vec3& point);
 /// Returns the surface normal at the point, where y points up, x and z lie along the picture, and
 /// the bumps have the given height; nothing where the point misses the picture.
 std::optional<Vec3> bump_at(const BumpMap&, const Vec3& point, double height);
+
+/// Returns the direction that a picture in tangent space has at the point: x and y lie along the
+/// picture, and z outwards, each from -1 to 1; nothing where the point misses the picture.
+std::optional<Vec3> direction_at(const BumpMap&, const Vec3& point);
 
 double evaluate(const ImageMap&, const Vec3& point);  ///< brightness; 0 where the point misses it
 double evaluate(const ImagePattern&, const Vec3& point);

@@ -7,6 +7,7 @@
 #include "photometry/lamp_tilt.h"
 #include "photometry/photometric_web.h"
 
+#include <optional>
 #include <string>
 
 namespace candelabra {
@@ -22,12 +23,15 @@ struct LoadedWeb {
 /// Fields of lamps in the language by which they name and turn a web.
 struct WebPlace : LoadedWeb {
     std::string ies = {}, ldt = {};  ///< name of the file, in one of them
+    std::optional<int> profile = {};  ///< the file is a model, of which this is the number of one
     int lamp_set = 1;                ///< of EULUMDAT, from 1
+    double multiplier = 1;           ///< of the file's intensities
     Vec3 aim = Vec3(0, -1, 0);       ///< where the web's straight down (gamma 0) leads
     Vec3 c0 = Vec3(1, 0, 0);         ///< where the plane C0 lies; its part along `aim` is left out
     bool mirrored = false;           ///< the planes C90 and C270 are exchanged
 
-    /// Candela in the scene's numbers: see LightUnits::intensity().
+    /// Candela of the file in the scene's numbers: see LightUnits::intensity(). It has the
+    /// multiplier.
     double per_candela = 1;
 
     const std::string& file() const { return ies.empty() ? ldt : ies; }

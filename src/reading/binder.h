@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/pool.h"
+#include "imports/imported_model.h"
 #include "interpret/evaluator.h"
 #include "picture/read.h"
 #include "reading/block_table.h"
@@ -22,6 +23,11 @@
 namespace candelabra {
 
 struct ImportedContent;  // of objects/, which alone reads models
+
+/// Pictures and light profiles of a model, in its order.
+struct ModelFiles {
+    std::vector<ImportedFile> pictures, profiles;
+};
 
 /// A camera as a value of the language.
 struct DeclaredCamera {
@@ -66,6 +72,8 @@ struct Binder {
     std::map<std::string, Handle<RoadTable>, std::less<>> road_tables = {};
     /// Models that have been read, by folder and name.
     std::map<std::pair<std::string, std::string>, std::shared_ptr<ImportedContent>> models = {};
+    /// Pictures and light profiles of these models, by path.
+    std::map<std::string, std::shared_ptr<const ModelFiles>> model_files = {};
     /// Contents of font files, by folder and name.
     std::map<std::pair<std::string, std::string>, std::string> fonts = {};
     /// The value of `assumed_gamma`, once the scene has given it.

@@ -292,17 +292,19 @@ std::span<const ObjectHandle> children(const Object& object) {
                     : std::span<const ObjectHandle>();
 }
 
-/// Whether only a light is left of the object; lights in unions are written separately.
-bool is_only_light(const Object& object) {
-    const auto* together = std::get_if<Union>(&object.form);
-    return together && together->lamp && together->children.empty();
-}
-
 bool is_row(const Object& object) { return std::holds_alternative<SphereRow>(object.form); }
 
 bool is_group(const Object& object) {
     const auto* together = std::get_if<Union>(&object.form);
     return together && together->light_group;
+}
+
+/// Whether only a light is left of the object; lights in unions are written separately.
+bool is_only_light(const Object& object) {
+    const Object* inner = &object;
+    while (children(*inner).size() == 1 && !is_group(*inner)) inner = children(*inner)[0].get();
+    const auto* together = std::get_if<Union>(&inner->form);
+    return together && together->lamp && together->children.empty();
 }
 
 /// The object inside unions that only wrap it: a copy of a declared union is read as a union of
@@ -376,7 +378,8 @@ public:
         for (const SceneText& each : scene_texts())
             if (each.word != settings_block) out_ += each.text(scene);
         declare_shared(scene.objects);
-        for (const ObjectHandle& object : scene.objects) refer(*object, 0);
+        for (const ObjectHandle& object : scene.objects)
+            if (!is_only_light(*object)) refer(*object, 0);
         FunctionWriter functions;
         const std::string rest = functions.replaced(out_);
         return head + functions.declarations() + rest;

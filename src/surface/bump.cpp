@@ -7,6 +7,7 @@
 #include "surface/pigment.h"
 #include "vocabulary/schema.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace candelabra {
@@ -111,7 +112,31 @@ Vec3 tilted(const Facets& facets, const BumpPoint& at) {
     return normal + facets.coords * tilt;
 }
 
+/// Turns a direction of tangent space around the normal. The axes of the picture are perpendicular
+/// to the normal, and to each other.
+Vec3 turned(const Vec3& direction, const Vec3& normal, const SurfaceAxes& axes, const Vec2& sides) {
+    Vec3 right = cross(axes.y, normal);
+    if (dot(right, sides.x * axes.x) < 0) right = -right;
+    Vec3 up = cross(normal, right);
+    if (dot(up, sides.y * axes.y) < 0) up = -up;
+    if (right == Vec3(0)) return normal;
+    // A bump is a dent from behind.
+    const double side = axes.behind ? -1 : 1;
+    constexpr double least = 1.0 / 255;
+    return side * (direction.x * unit(right) + direction.y * unit(up)) +
+           std::max(direction.z, least) * normal;
+}
+
+/// The normal by a picture in tangent space. `axes` are those of the place, in the normal's space.
+Vec3 turned(const BumpMap& map, const BumpPoint& at, const SurfaceAxes& axes) {
+    const std::optional<Vec3> found = direction_at(map, at.place);
+    if (!found) return at.normal;
+    const Vec3 flat(at.amount() * found->x, at.amount() * found->y, found->z);
+    return turned(flat, unit(at.normal), axes, map.repeat);
+}
+
 Vec3 tilted(const BumpMap& map, const BumpPoint& at) {
+    if (map.tangent_space) return turned(map, at, at.scene.axes ? *at.scene.axes : SurfaceAxes());
     const std::optional<Vec3> bump = bump_at(map, at.place, at.amount());
     if (!bump) return at.normal;
     Vec3 up = at.normal, across = cross(up, Vec3(0, 1, 0));
@@ -183,10 +208,20 @@ Vec3 changed(const Bump& bump, const Vec3& normal, const Vec3& point, const Patt
     const bool keep = keep_length || pattern.settings.no_bump_scale;
     const NormalSpace space(pattern.use.steps, bump.transform, bump.frame.get());
     const auto made_unit = [&](const Vec3& n) { return keep ? n : unit(n); };
-    const BumpPoint at{
-        pattern, made_unit(space.enter(made_unit(normal))),
-        pattern.use.place(bump.transform.inverse_point(bump.uv ? uv_place(scene) : point)), scene,
-        keep};
+    const Vec3 place =
+        pattern.use.place(bump.transform.inverse_point(bump.uv ? uv_place(scene) : point));
+    PatternScene inside = scene;
+    SurfaceAxes axes;
+    if (scene.axes) {
+        const auto* map = std::get_if<BumpMap>(&pattern.use.pattern);
+        // Steps in u and v turn the picture, and not the space of the surface.
+        if (map && map->tangent_space && (bump.uv || scene.axes->by_uv))
+            return made_unit(turned(*map, {pattern, normal, place, scene, keep},
+                                    space.placed(*scene.axes, bump.uv)));
+        axes = space.enter(*scene.axes, bump.uv);
+        inside.axes = &axes;
+    }
+    const BumpPoint at{pattern, made_unit(space.enter(made_unit(normal))), place, inside, keep};
     return made_unit(space.leave(made_unit(tilted(at))));
 }
 

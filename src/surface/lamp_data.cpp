@@ -20,7 +20,8 @@ const ItemInfo LampData::vocabulary = described<LampData>([] {
         F{"temperature", &LampData::temperature, item,
           "colour temperature of its light in kelvin, 2700 for warm white",
           between(min_planck, max_planck)},
-        Web::ies, Web::ldt, Web::lamp_set, Web::aim, Web::c0, Web::mirrored);
+        Web::ies, Web::ldt, Web::profile, Web::lamp_set, Web::multiplier, Web::aim, Web::c0,
+        Web::mirrored);
 });
 
 Vec3 lamp_emission(const LampData& lamp, const Vec3& emission) {

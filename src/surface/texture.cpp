@@ -76,8 +76,14 @@ void visit(const Texture& texture, const Vec3& point, const Vec3& normal, double
         const Vec3 place = place_of(choice, point, to.scene);
         const Around inner{{choice.use.steps, choice.transform, choice.frame.get()}, around};
         const Vec3 turned = unit(inner.space.enter(normal));
-        for_entries(choice, place, to.scene, [&](double share, const Texture& entry) {
-            visit(entry, place, turned, weight * share, &inner, to);
+        PatternScene scene = to.scene;
+        SurfaceAxes axes;
+        if (scene.axes) {
+            axes = inner.space.enter(*scene.axes, choice.uv);
+            scene.axes = &axes;
+        }
+        for_entries(choice, place, scene, [&](double share, const Texture& entry) {
+            visit(entry, place, turned, weight * share, &inner, {scene, to.normal, to.use});
         });
         return;
     }

@@ -67,12 +67,14 @@ VisibleTextures visible_textures(const World& world, const Vertex& vertex, doubl
     const Shading& s = vertex.shading;
     const Hit& hit = vertex.hit;
     const SurfaceView view{s.position, s.normal, s.view};
-    PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
+    const Side side = hit.side_towards(s.view);
+    SurfaceAxes axes;
+    PatternScene scene =
+        world.pattern_scene({hit.primitive, hit.part, hit.position, hit.normal, side}, axes);
     scene.view = &view;
     VisibleTextures found;
     world.for_textures(
-        hit.primitive, hit.part, hit.position, hit.side_towards(s.view),
-        [&](double share, const Texture& texture) {
+        hit.primitive, hit.part, hit.position, side, [&](double share, const Texture& texture) {
             if (share < least) return;
             for_layers(texture, s.position, s.normal, scene,
                        [&](double weight, std::span<const Layer> layers) {

@@ -135,10 +135,14 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      {"merge { sphere { <-0.5, 0.9, 0>, 0.8 } sphere { <0.5, 0.9, 0>, 0.8 } }"}},
     {"split_union sturm", "union { ... split_union off }", "without effect"},
     {"replace",
-     "model { file \"name\" replace \"material\" texture { ... } }",
-     "a texture or material { } of the scene in the place of a material of the model",
+     "model { file \"name\" replace \"material\" texture { ... } replace \"part\" object { ... } }",
+     "a texture or material { } of the scene in the place of a material of the model, or an object "
+     "in the place of a part",
      {"model { file \"lantern.gltf\" replace \"Iron\" texture { pigment { rgb <0.5, 0.1, 0.1> } "
-      "} }"}},
+      "} }",
+      "model { file \"lantern.gltf\" replace \"Panes\" sphere { 0.2*y, 0.15 pigment { rgb 1 } "
+      "finish { "
+      "emission 3 } } }"}},
     {"light_group global_lights",
      "light_group { lights objects [global_lights on] }",
      "lights that shine on these objects only",

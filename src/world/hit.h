@@ -26,6 +26,15 @@ struct Hit {
     }
 };
 
+/// A point of a surface, and the side from which it is seen.
+struct SeenPoint {
+    PrimitiveIndex primitive;
+    std::uint32_t part;  ///< as in Hit
+    Vec3 point;
+    Vec3 normal;  ///< unit, of the geometry
+    Side side;
+};
+
 /// The purpose of a ray: some objects are invisible to some kinds of rays.
 enum class RayKind { camera, reflected, light, gathering };
 

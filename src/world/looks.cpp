@@ -120,6 +120,31 @@ Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) 
     return found.value_or(Vec2(point.x, point.y));
 }
 
+PatternScene World::pattern_scene(const SeenPoint& seen, SurfaceAxes& axes) const {
+    PatternScene scene = pattern_scene(seen.primitive, seen.part, seen.point);
+    const Material& look = material(seen.primitive);
+    if (!look.by_axes) return scene;
+    axes.behind = seen.side == Side::inner;
+    scene.axes = &axes;
+    if (!look.uv) return scene;
+    axes.u = axes.v = Vec3(0);
+    // Differences over a step that is short beside the surface, and exact where u and v are linear.
+    constexpr double share = 1e-5;
+    const Box box = geometry.bounds(geometry.item_of(seen.primitive));
+    const double step =
+        share * (finite(box) ? max_component(box.size()) : 1 + max_component(glm::abs(seen.point)));
+    const auto [right, up] = perpendiculars(seen.normal);
+    if (!(step > 0)) return scene;
+    for (const Vec3& along : {right, up}) {
+        Vec2 rise = uv(seen.primitive, seen.part, seen.point + step * along) -
+                    uv(seen.primitive, seen.part, seen.point - step * along);
+        rise -= glm::round(rise);  // where u begins again
+        axes.u += rise.x / (2 * step) * along;
+        axes.v += rise.y / (2 * step) * along;
+    }
+    return scene;
+}
+
 Vec3 passed(const World& world, const Passage& passage, const Ray& ray) {
     const Material& m = world.material(passage.primitive);
     const double power = m.interior ? caustics_power * m.interior->caustics : 0;
@@ -128,7 +153,10 @@ Vec3 passed(const World& world, const Passage& passage, const Ray& ray) {
                              power};
     const Vec3 point = ray.at(passage.t);
     const SurfaceView view{point, light.normal, ray.direction};
-    PatternScene scene = world.pattern_scene(passage.primitive, passage.part, point);
+    const Side side = light.normal != normal ? Side::inner : Side::outer;
+    SurfaceAxes axes;
+    PatternScene scene =
+        world.pattern_scene({passage.primitive, passage.part, point, normal, side}, axes);
     scene.view = &view;
     Vec3 sum(0);
     const auto pass = [&](double share, const Texture& texture) {
@@ -136,8 +164,7 @@ Vec3 passed(const World& world, const Passage& passage, const Ray& ray) {
                                    : passing(texture, point, scene));
     };
     // The ray leads towards the light: it sees a surface that it leaves from inside.
-    world.for_textures(passage.primitive, passage.part, point,
-                       light.normal != normal ? Side::inner : Side::outer, pass);
+    world.for_textures(passage.primitive, passage.part, point, side, pass);
     return sum;
 }
 

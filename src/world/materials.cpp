@@ -137,6 +137,7 @@ void Materials::add(const Inherited& look) {
     if (material.inner) patterns.include(nesting(*material.inner));
     material.uv = patterns.uv;
     material.by_view = patterns.by_view;
+    material.by_axes = patterns.by_axes;
     material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
     world_.appearance.any_transparent |= material.transparent;
     world_.appearance.any_clear |= material.transparent || material.no_shadow;
@@ -192,6 +193,7 @@ void Materials::include(std::uint32_t material, std::uint32_t part) {
     whole.keeps_energy |= other.keeps_energy;
     whole.uv |= other.uv;
     whole.by_view |= other.by_view;
+    whole.by_axes |= other.by_axes;
     whole.other_light |= other.other_light;
     glows_[material] = glows_[material] || glows_[part];
     emits_[material] = emits_[material] || emits_[part];

@@ -163,6 +163,10 @@ public:
         return scene;
     }
 
+    /// The same for a point that is seen from a side, by its geometric normal. `axes` outlives the
+    /// result.
+    PatternScene pattern_scene(const SeenPoint&, SurfaceAxes& axes) const;
+
     // The sky: sky.cpp
 
     /// Radiance from a direction without surfaces.

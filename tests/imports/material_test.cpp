@@ -9,7 +9,7 @@ namespace candelabra {
 TEST_CASE("materials of glTF have their base colour, facets and pictures", "[imports]") {
     const Imported done = imported("a.gltf", gltf(R"({
         "materials": [{"name": "Brass", "alphaMode": "BLEND", "emissiveFactor": [1, 0.5, 0],
-            "emissiveTexture": {"index": 1}, "normalTexture": {"index": 0},
+            "emissiveTexture": {"index": 1}, "normalTexture": {"index": 0, "scale": 0.5},
             "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 0.125, 0.75],
                 "metallicFactor": 0.5, "roughnessFactor": 0.25, "baseColorTexture": {"index": 0},
                 "metallicRoughnessTexture": {"index": 1}}}],
@@ -24,7 +24,8 @@ TEST_CASE("materials of glTF have their base colour, facets and pictures", "[imp
     CHECK(brass.metallic == 0.5);
     CHECK(brass.roughness == 0.25);
     CHECK(brass.emission == std::array<double, 3>{1, 0.5, 0});
-    CHECK(brass.bumpy);
+    CHECK(brass.normal_picture >= 0);
+    CHECK(brass.normal_scale == 0.5);
     const auto picture = [&](int number) {
         return done.model.pictures.at(static_cast<std::size_t>(number));
     };

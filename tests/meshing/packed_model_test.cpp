@@ -26,6 +26,8 @@ ImportedModel small_model() {
     root.meshes = {0};
     model.nodes.emplace_back().parent = 0;
     model.nodes.back().light = 0;
+    model.cameras.emplace_back().name = "View";
+    model.nodes.back().camera = 0;
     return model;
 }
 
@@ -74,6 +76,9 @@ TEST_CASE("indices and numbers of a model are checked", "[meshing]") {
     CHECK(said_of([](ImportedModel& m) { m.nodes[1].parent = 1; }) != "");
     CHECK(said_of([](ImportedModel& m) { m.nodes[1].parent = -1; }) != "");
     CHECK(said_of([](ImportedModel& m) { m.nodes[1].light = 1; }) != "");
+    CHECK(said_of([](ImportedModel& m) { m.nodes[1].camera = 1; }) != "");
+    CHECK(said_of([](ImportedModel& m) { m.materials[0].normal_picture = 1; }) != "");
+    CHECK(said_of([](ImportedModel& m) { m.cameras[0].height = endless; }) != "");
     CHECK(said_of([](ImportedModel& m) { m.nodes[1].transform[3] = endless; }) != "");
     CHECK(said_of([](ImportedModel& m) { m.lights[0].colour[0] = endless; }) != "");
 }

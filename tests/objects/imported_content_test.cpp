@@ -64,13 +64,13 @@ TEST_CASE("parts of a model stand where the file has them, with z the other way"
     // Left: moved and doubled. Right: x leads to -z in the file, and so to +z in the scene. Flat has
     // no size.
     check_near(corners_of(done),
-               {{2, 4, -6}, {2, 6, -6}, {6, 4, -6}, {0, 0, 0}, {0, 2, 0}, {0, 0, 4}});
+               {{2, 4, -6}, {6, 4, -6}, {2, 6, -6}, {0, 0, 0}, {0, 0, 4}, {0, 2, 0}});
 }
 
 TEST_CASE("a part stands on the origin, as large and turned as in the model", "[objects]") {
     const Script left =
         run_model("model { file \"a.gltf\" part \"Left\" translate 10*x }", gltf(four_nodes));
-    check_near(corners_of(left), {{10, 0, 0}, {10, 2, 0}, {14, 0, 0}});
+    check_near(corners_of(left), {{10, 0, 0}, {14, 0, 0}, {10, 2, 0}});
     const Script none = run_model("model { file \"a.gltf\" part \"Lift\" }", gltf(four_nodes));
     CHECK(none.text.find("the model has no part \"Lift\"") != std::string::npos);
     CHECK(none.text.find("did you mean \"Left\"?") != std::string::npos);
@@ -143,11 +143,10 @@ TEST_CASE("measured lights of a model are those of the same file in the scene", 
         run(units + "model { file \"a.gltf\" }", {{"a.gltf", file}, {"lamp.ies", web}});
     INFO(done.text);
     // In the file, C0 is along y and C90 along -x of a light that shines along -z.
-    const Script own =
-        run(units +
-                "light_source { <1, 2, -3>, 1 ies \"lamp.ies\" aim z c0 y }\n"
-                "light_source { 0, 1 ies \"lamp.ies\" aim z c0 y intensity candela(600) }",
-            {{"lamp.ies", web}});
+    const Script own = run(units +
+                               "light_source { <1, 2, -3>, 1 ies \"lamp.ies\" aim z c0 y }\n"
+                               "light_source { 0, 1 ies \"lamp.ies\" aim z c0 y multiplier 3 }",
+                           {{"lamp.ies", web}});
     INFO(own.text);
     REQUIRE(done.scene.lights.size() == 2);
     REQUIRE(own.scene.lights.size() == 2);
@@ -184,11 +183,73 @@ TEST_CASE("measured lights that cannot be read are left out with a warning", "[o
     CHECK(said(R"({"uri": "data:,"})").find("light profile 0 of the model") != std::string::npos);
 }
 
+TEST_CASE("measured lights of a model follow the tilt of their lamp", "[objects]") {
+    const std::string web =
+        "IESNA:LM-63-2002\nTILT=INCLUDE\n1\n3\n0 45 90\n1 0.5 0.25\n1 -1 1 2 1 1 2 0 0 0\n1 1 10\n"
+        "0 90\n0\n100 100\n";
+    const std::string file = gltf(R"({"extensionsUsed": ["EXT_lights_ies"], "nodes": [
+        {"name": "Root", "children": [1, 2]},
+        {"extensions": {"EXT_lights_ies": {"light": 0, "multiplier": 3}}},
+        {"rotation": [-0.70710678, 0, 0, 0.70710678],
+         "extensions": {"EXT_lights_ies": {"light": 0, "multiplier": 3}}}],
+        "extensions": {"EXT_lights_ies": {"lights": [{"uri": "lamp.ies"}]}}})");
+    Script done =
+        run("#version 3.7; model { file \"a.gltf\" }", {{"a.gltf", file}, {"lamp.ies", web}});
+    INFO(done.text);
+    REQUIRE(done.scene.lights.size() == 2);
+    const auto along_aim = [&](std::size_t i) {
+        PointLight light = done.scene.lights[i].light;
+        settle(light);
+        return incidence(light, Vec3(0), light.aim).colour.x;
+    };
+    // The first one shines along the horizon, the other one straight down.
+    CHECK(along_aim(1) > 0);
+    CHECK(along_aim(0) == Approx(0.25 * along_aim(1)));
+}
+
+TEST_CASE("cameras of a model stand and look where the file has them", "[objects]") {
+    const std::string file = gltf(R"({"nodes": [
+        {"name": "Root", "mesh": 0, "children": [1, 3], "scale": [2, 2, 2]},
+        {"name": "Stand", "translation": [1, 2, 3], "children": [2]},
+        {"name": "Near", "camera": 0, "rotation": [0, 0.70710678, 0, 0.70710678]},
+        {"name": "Plan", "camera": 1, "rotation": [-0.70710678, 0, 0, 0.70710678]}], "cameras": [
+        {"name": "Wide", "type": "perspective", "perspective": {"yfov": 1.57079633, "znear": 0.1}},
+        {"type": "orthographic", "orthographic": {"xmag": 3, "ymag": 2, "znear": 0, "zfar": 9}}]})");
+    const auto camera = [&](const std::string& words, const std::string& more = "") {
+        return run_model("camera { model { file \"a.gltf\" " + words + " } " + more + " }", file);
+    };
+    // Turned by 90 degrees about y, a camera looks along -x.
+    for (const char* words : {"", "part \"Near\"", "part \"Wide\"", "part \"Stand\""}) {
+        const Script done = camera(words);
+        INFO(words << '\n' << done.text);
+        REQUIRE(done.said.empty());
+        CHECK(std::holds_alternative<Perspective>(done.scene.camera));
+        check_near({done.view().location, *done.view().direction, *done.view().up},
+                   {{2, 4, -6}, {-1, 0, 0}, {0, 2, 0}});
+        const double aspect = length(*done.view().right) / 2;
+        check_near({*done.view().right}, {{0, 0, 2 * aspect}});
+    }
+    const Script above = camera("part \"Plan\"");
+    INFO(above.text);
+    CHECK(std::holds_alternative<Orthographic>(above.scene.camera));
+    check_near({*above.view().direction, *above.view().up}, {{0, -1, 0}, {0, 0, 4}});
+    CHECK(camera("", "angle 30").view().angle == 30);
+    const Script none = camera("part \"Neat\"");
+    REQUIRE_FALSE(none.said.empty());
+    CHECK(none.said[0].message == "the model has no camera \"Neat\"");
+    CHECK(none.text.find("did you mean \"Near\"?") != std::string::npos);
+    CHECK(camera("part \"Roof\"").text.find("the file has \"Near\", \"Plan\"") !=
+          std::string::npos);
+    CHECK(run_model("camera { model { file \"a.gltf\" } }", gltf()).said.at(0).message ==
+          "the model has no camera");
+    CHECK(dump(run(dump(above.scene)).scene) == dump(above.scene));
+}
+
 TEST_CASE("files of one mesh are turned as models are", "[objects]") {
     const Script done = run("#version 3.7; model { file \"a.off\" }",
                             {{"a.off", "OFF\n3 1 0\n0 0 1\n1 0 1\n0 1 1\n3 0 1 2\n"}});
     INFO(done.text);
-    check_near(corners_of(done), {{0, 0, -1}, {0, 1, -1}, {1, 0, -1}});
+    check_near(corners_of(done), {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}});
 }
 
 TEST_CASE("files beside a model are looked for in its folder", "[objects]") {
@@ -222,12 +283,19 @@ TEST_CASE("models that are missing or broken are errors", "[objects]") {
 }
 
 TEST_CASE("what is left out of a model is said once", "[objects]") {
-    const Script done = run_model(
-        "#for (I, 1, 3) model { file \"a.gltf\" translate I*x } #end",
-        gltf(R"({"materials": [{"normalTexture": {"index": 0}}, {"normalTexture": {"index": 0}}],
-                 "textures": [{"source": 0}], "images": [{"uri": "n.png"}]})"));
+    const Script done =
+        run_model("#for (I, 1, 3) model { file \"a.gltf\" translate I*x } #end",
+                  gltf(R"({"animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path":
+                 "translation"}}], "samplers": [{"input": 3, "output": 4}]}],
+                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                                "min": [0, 0, 0], "max": [2, 1, 0]},
+                 {"bufferView": 2, "componentType": 5123, "count": 3, "type": "SCALAR"},
+                 {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"},
+                 {"bufferView": 0, "componentType": 5126, "count": 1, "type": "SCALAR"},
+                 {"bufferView": 0, "componentType": 5126, "count": 1, "type": "VEC3"}]})"));
+    INFO(done.text);
     REQUIRE(done.said.size() == 1);
-    CHECK(done.said[0].message == "this is left out of the model: its maps of normals");
+    CHECK(done.said[0].message == "this is left out of the model: its movements");
 }
 
 }  // namespace candelabra

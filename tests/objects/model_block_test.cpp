@@ -39,14 +39,46 @@ TEST_CASE("materials of a model are replaced by the scene's own", "[objects]") {
     }
 }
 
+TEST_CASE("parts of a model are replaced by the scene's own objects", "[objects]") {
+    const std::string file = gltf(R"({"nodes": [
+        {"name": "Root", "children": [1, 2, 3]},
+        {"name": "Lamp", "mesh": 0, "translation": [1, 2, 3], "scale": [2, 2, 2], "children": [4]},
+        {"name": "Post", "mesh": 0}, {"name": "Lamp", "mesh": 0}, {"name": "Inner", "mesh": 0}]})");
+    for (const char* own : {"sphere { 0.1*z, 0.5 }", "Ball", "object { Ball }",
+                            "union { object { Ball } light_source { 0, 1 } }"}) {
+        INFO(own);
+        const Script done =
+            run("#version 3.7; #declare Ball = sphere { 0.1*z, 0.5 }\n"
+                "model { file \"a.gltf\" replace \"Lamp\" " +
+                    std::string(own) + " }",
+                {{"a.gltf", file}});
+        INFO(done.text);
+        CHECK(done.said.empty());
+        const std::string text = dump(done.scene);
+        std::size_t balls = 0, meshes = 0;
+        for (std::size_t at = 0; (at = text.find("sphere {", at)) != text.npos; ++at) ++balls;
+        for (std::size_t at = 0; (at = text.find("mesh", at)) != text.npos; ++at) ++meshes;
+        CHECK(balls >= 1);
+        CHECK(meshes >= 1);
+        const bool lit = std::string_view(own).starts_with("union");
+        REQUIRE(done.scene.lights.size() == (lit ? 2 : 0));
+        if (lit) CHECK(length(done.scene.lights[0].light.location - Vec3(1, 2, -3)) < 1e-12);
+    }
+    CHECK(run("#version 3.7; model { file \"a.gltf\" replace \"Lump\" sphere { 0, 1 } }",
+              {{"a.gltf", file}})
+              .said.at(0)
+              .message == "the model has no part \"Lump\"");
+}
+
 TEST_CASE("what is wrong in `replace` is said", "[objects]") {
     const auto said = [](const std::string& words) {
         const Script done = with_model("model { file \"a.glb\" " + words + " }");
         REQUIRE_FALSE(done.said.empty());
         return done.said[0].message;
     };
-    CHECK(said("replace") == "`replace` needs the name of a material of the model");
-    CHECK(said("replace \"Paint\"") == "`replace` needs a texture or a material behind the name");
+    CHECK(said("replace") == "`replace` needs the name of a material or a part of the model");
+    CHECK(said("replace \"Paint\"") ==
+          "`replace` needs a texture, a material or an object behind the name");
     CHECK(said("replace \"Pant\" texture { pigment { rgb y } }") ==
           "the model has no material \"Pant\"");
 }

@@ -14,8 +14,8 @@ unsigned traits_of_shape(std::string_view name) {
     using Names = std::vector<std::string_view>;
     const auto in = [&](const Names& names) { return std::ranges::count(names, name) > 0; };
     unsigned traits = no_trait;
-    if (in({"bicubic_patch", "cubic", "disc", "height_field", "parametric", "polygon", "triangle",
-            "smooth_triangle", "plane"}))
+    if (in({"model", "bicubic_patch", "cubic", "disc", "height_field", "parametric", "polygon",
+            "triangle", "smooth_triangle", "plane"}))
         traits |= open_surface;
     if (in({"smooth_triangle", "mesh2"})) traits |= bends;
     if (in({"plane"})) traits |= endless;
@@ -24,10 +24,11 @@ unsigned traits_of_shape(std::string_view name) {
 
 Factor shapes() {
     Factor factor{"shape", {}};
-    for (const ItemInfo* info : items_of("Shapes"))
-        factor.levels.push_back(
-            {std::string(info->name), traits_of_shape(info->name),
-             [info](Draft& draft) { draft.shape = drawn(*info, draft.dice, 0.15); }});
+    for (const char* group : {"Shapes", "Models"})
+        for (const ItemInfo* info : items_of(group))
+            factor.levels.push_back(
+                {std::string(info->name), traits_of_shape(info->name),
+                 [info](Draft& draft) { draft.shape = drawn(*info, draft.dice, 0.15); }});
     const auto sphere = std::ranges::find(factor.levels, std::string("sphere"), &Level::name);
     std::iter_swap(factor.levels.begin(), sphere);
     return factor;

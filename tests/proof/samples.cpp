@@ -55,6 +55,10 @@ constexpr auto whole_items = std::to_array<Sample>({
      "face_indices { 4, <0, 1, 3>, <1, 2, 3>, <2, 0, 3>, <0, 2, 1> } "
      "normal_indices { 4, <0, 1, 3>, <1, 2, 3>, <2, 0, 3>, <0, 2, 1> } "
      "uv_indices { 4, <0, 1, 2>, <0, 1, 2>, <0, 1, 2>, <0, 2, 1> } inside_vector y"},
+    {"model",
+     "~file \"gem.obj\"|file \"gems.gltf\" part \"Pair\"|file \"gems.gltf\" part \"Pair\" replace "
+     "\"Painted\" texture { pigment { rgb 0.6 } }|file \"gems.gltf\" part \"Pair\" replace \"Gem\" "
+     "sphere { 0, 0.8 }~"},
     {"ovus", "0.6, 0.4"},
     {"parametric",
      "function { 0.7*cos(u)*cos(v) } function { 0.7*sin(v) } function { 0.7*sin(u)*cos(v) } "
@@ -95,14 +99,15 @@ constexpr auto whole_items = std::to_array<Sample>({
     {"torus", "0.5, 0.25 rotate 50*x"},
     {"triangle", "<-0.8, -0.6, 0>, <0.8, -0.6, 0>, <0, 0.8, 0.3>"},
     {"image_map",
-     "{ png \"wide.png\" ~|once|map_type 1|map_type 2|interpolate 2|gamma 1.5|use_index|use_alpha "
+     "{ ~png \"wide.png\"|\"gems.gltf\" picture 0~ ~|tint <0.9, 0.5, 0.7>|alpha_cutoff "
+     "0.5|once|map_type 1|map_type 2|interpolate 2|gamma 1.5|use_index|use_alpha "
      "off|"
      "use_color|use_colour|premultiplied off~ }"},
     {"image_pattern",
      "{ png \"wide.png\" ~|once|map_type 1|map_type 2|interpolate 2|gamma 1.5|use_index|use_alpha "
      "off|"
      "use_color|use_colour|premultiplied off~ }"},
-    {"bump_map", "{ png \"wide.png\" bump_size 2 }"},
+    {"bump_map", "{ png \"wide.png\" ~bump_size 2|tangent_space~ }"},
     {"object", "{ sphere { 0, 0.6 } }"},
     {"pigment_pattern", "{ bozo scale 0.5 }"},
     {"function", "{ x*x - 0.5*y + 0.3*sin(5*z) }"},

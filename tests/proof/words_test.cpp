@@ -16,7 +16,7 @@ namespace {
 
 /// Words that need a file, a home that scenes of laws do not have, or a newer version of the
 /// language.
-const std::set<std::string, std::less<>> not_reached = {"density_file", "material_map", "model", "caustics",
+const std::set<std::string, std::less<>> not_reached = {"density_file", "material_map", "caustics",
                                                         "polarity"};
 
 std::set<std::string, std::less<>> words_in(const std::string& text) {
