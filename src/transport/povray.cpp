@@ -13,9 +13,26 @@
 #include "transport/subsurface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace candelabra {
+
+namespace {
+
+/// Number of strata of the directions of gathered light along each of two axes, for light that
+/// reaches the eye undimmed: "The price of radiosity".
+constexpr double gathering_strata = 2;
+
+/// Fewer where less of the light reaches the eye, and one after the first reflection.
+std::uint32_t strata_of(const PathState& path) {
+    if (path.bounces > 0) return 1;
+    const double left = std::clamp(max_component(path.throughput), 0.0, 1.0);
+    return static_cast<std::uint32_t>(std::fmax(std::ceil(std::sqrt(left) * gathering_strata), 1));
+}
+
+}  // namespace
 
 PovRayIntegrator::PovRayIntegrator(const Shot& shot, const Tracing& wanted)
     : world_(*shot.world),
@@ -143,8 +160,8 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
                              path, ledger_);
 }
 
-/// Light of other surfaces that the diffuse part reflects: POV-Ray's radiosity, with one ray for
-/// each side that reflects.
+/// Light of other surfaces that the diffuse part reflects: POV-Ray's radiosity, with rays for each
+/// side that reflects.
 Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, const Shading& s) {
     const Finish& f = *s.finish;
     const double front = f.microfacet.on ? Microfacets(s).base_albedo() : f.diffuse;
@@ -168,22 +185,32 @@ Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, con
     return straight + side(front, false) + side(f.microfacet.on ? 0 : f.diffuse_back, true);
 }
 
-/// Estimate of the cosine-weighted mean radiance over the directions of one side.
+/// Estimate of the cosine-weighted mean radiance over the directions of one side, by rays whose
+/// directions are stratified.
 Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex, const Shading& s,
                                      bool behind) {
-    const Key key = path.key.branched(Branch::diffuse, behind ? 1 : 0);
     const Vec3 seen = radiosity_.normal ? s.normal : s.smooth_normal;
     const Vec3 surface = behind ? -s.geometric_normal : s.geometric_normal;
-    Vec3 direction = cosine_direction(
-        behind ? -seen : seen, {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)});
-    // No light comes from below the real surface; such a direction is replaced by its mirror image.
-    if (dot(direction, surface) < 0) direction = mirrored(direction, surface);
-    PathState next = gathering_path(path.dimmed(Vec3(radiosity_.brightness)), vertex, direction);
-    next.key = key;
-    if (behind && vertex.material->transparent)
-        next.media = interface_at(world_, path.media, vertex.hit.primitive, path.band).behind;
-    ++ledger_.scattered;
-    return gathered_light(radiosity_, follow(next));
+    const std::uint32_t strata = strata_of(path);
+    const double share = 1.0 / (strata * strata);
+    Vec3 sum(0);
+    for (std::uint32_t i = 0; i < strata * strata; ++i) {
+        const Key key = path.key.branched(Branch::diffuse, 2 * i + (behind ? 1 : 0));
+        const Vec2 place{(i % strata + uniform(key, Purpose::bounce_u)) / strata,
+                         (i / strata + uniform(key, Purpose::bounce_v)) / strata};
+        Vec3 direction = cosine_direction(behind ? -seen : seen, place);
+        // No light comes from below the real surface; such a direction is replaced by its mirror
+        // image.
+        if (dot(direction, surface) < 0) direction = mirrored(direction, surface);
+        PathState next =
+            gathering_path(path.dimmed(Vec3(radiosity_.brightness * share)), vertex, direction);
+        next.key = key;
+        if (behind && vertex.material->transparent)
+            next.media = interface_at(world_, path.media, vertex.hit.primitive, path.band).behind;
+        ++ledger_.scattered;
+        sum += gathered_light(radiosity_, follow(next));
+    }
+    return sum * share;
 }
 
 Vec3 PovRayIntegrator::reflected(const PathState& path, const Vertex& vertex, const Shading& s,
