@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ranges>
 
 namespace candelabra {
 
@@ -82,8 +81,9 @@ std::vector<OpenGroup> open_groups(const EditedFile& file, std::uint32_t offset)
 /// Finds the innermost parenthesis that is open at the place, with the commas before the place.
 /// Vectors and brackets may be open within it, blocks may not.
 std::optional<Call> call_around(const EditedFile& file, std::uint32_t offset) {
-    const std::vector<OpenGroup> open = open_groups(file, offset);
-    for (const OpenGroup& group : open | std::views::reverse) {
+    std::vector<OpenGroup> open = open_groups(file, offset);
+    for (; !open.empty(); open.pop_back()) {
+        const OpenGroup& group = open.back();
         if (group.vector() || group.opening->kind == TokenKind::open_bracket) continue;
         if (group.opening->kind != TokenKind::open_parenthesis ||
             group.opening == &file.tokens.front())

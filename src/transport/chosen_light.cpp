@@ -312,10 +312,10 @@ void ChosenLight::add_further(const Luminaire& luminaire, const Ray& ray, LightH
         });
     sort_stably(meetings, {}, &LightHit::distance);
     // Faces in the same place glow once.
-    const auto again = std::ranges::unique(meetings, [](const LightHit& a, const LightHit& b) {
+    const auto same_place = [](const LightHit& a, const LightHit& b) {
         return b.distance - a.distance <= same_point * b.distance;
-    });
-    meetings.erase(again.begin(), again.end());
+    };
+    meetings.erase(std::unique(meetings.begin(), meetings.end(), same_place), meetings.end());
 }
 
 /// Fills on_ray_ with all luminaires on a line, by the tree of luminaires.

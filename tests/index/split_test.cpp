@@ -37,9 +37,9 @@ double cost_of(std::span<const PrimRef> below, std::span<const PrimRef> above) {
 
 double cost_of(const std::vector<PrimRef>& fragments, const Split& split) {
     std::vector<PrimRef> sides = fragments;
-    const auto above =
-        std::ranges::partition(sides, [&](const PrimRef& f) { return split.puts_below(f.box); });
-    const std::size_t below = sides.size() - above.size();
+    const auto above = std::partition(sides.begin(), sides.end(),
+                                      [&](const PrimRef& f) { return split.puts_below(f.box); });
+    const auto below = static_cast<std::size_t>(above - sides.begin());
     return cost_of(std::span(sides).first(below), std::span(sides).subspan(below));
 }
 

@@ -272,8 +272,7 @@ TEST_CASE("rays that ask for anything in their way pass the same leaves, the lik
     // Items that were visited early may be visited again in order.
     for (std::vector<std::uint32_t>* found : {&near, &likely}) {
         std::ranges::sort(*found);
-        const auto again = std::ranges::unique(*found);
-        found->erase(again.begin(), again.end());
+        found->erase(std::unique(found->begin(), found->end()), found->end());
     }
     CHECK(near == likely);
 }
