@@ -153,12 +153,17 @@ bool SceneSteps::destinations_work() {
     if (!layers.empty()) can_write(PictureType::exr, diagnostics_);
     const std::string state =
         saves && !is_stream(output_.path) ? state_path(output_.path, shard_) : "";
-    for (const std::string& path :
-         {saves ? output_.path : std::string(), options_.stats_file, options_.depfile,
-          options_.mesh_file, options_.readings_file, options_.kept_lights, layers, quiet, state}) {
+    const auto works = [&](const std::string& path) {
         const std::string problem = problem_with_output(options_, path);
         if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
-    }
+        return problem.empty();
+    };
+    // The files beside a picture would only repeat its problem.
+    if (works(saves ? output_.path : ""))
+        for (const std::string& path : {layers, quiet, state}) works(path);
+    for (const std::string& path : {options_.stats_file, options_.depfile, options_.mesh_file,
+                                    options_.readings_file, options_.kept_lights})
+        works(path);
     if (saves && output_.path == "-" && options_.stats_file == "-")
         diagnostics_.add(error(Fault::option, {},
                                "the standard output cannot take both the picture and the "

@@ -31,6 +31,7 @@ TEST_CASE("files that cannot be read or written are told of before any work") {
     CHECK(shell({shell.folder.string()}) == 3);
     CHECK(shell.render({"+O" + shell.path("no/such/x.png")}) == 3);
     CHECK(has(shell.err, "there is no folder"));
+    CHECK_FALSE(has(shell.err, "state"));  // which would lie beside the picture
     CHECK_FALSE(has(shell.err, "16 x 12"));
     CHECK(shell.render({"-F", "--stats", shell.path("no/such/x.json")}) == 3);
     CHECK(shell.render({"-F", "--stats", shell.path("lit.pov")}) == 3);
