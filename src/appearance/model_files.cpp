@@ -59,7 +59,7 @@ std::optional<Found> file_of_model(OpenBlock& block, const std::string& model, i
 
 }  // namespace
 
-std::optional<ImportedModel> read_model(OpenBlock& block, const Found& file) {
+std::optional<UnpackedModel> read_model(OpenBlock& block, const Found& file) {
     const Evaluator& evaluator = block.binder.evaluator;
     const std::string folder = directory_of(file.path);
     std::string missing;
@@ -78,7 +78,7 @@ std::optional<ImportedModel> read_model(OpenBlock& block, const Found& file) {
                              message("`", printable(missing),
                                      "` is not beside the model, so what it has is left out")));
     block.binder.model_files[file.path] =
-        std::make_shared<ModelFiles>(ModelFiles{model->pictures, model->profiles});
+        std::make_shared<ModelFiles>(ModelFiles{model->model.pictures, model->model.profiles});
     return model;
 }
 

@@ -13,7 +13,7 @@ namespace candelabra {
 
 /// Reads a model of parts and materials, and warns if a file is not beside it. Keeps its files for
 /// the functions below. Empty after a diagnostic.
-std::optional<ImportedModel> read_model(OpenBlock&, const Found&);
+std::optional<UnpackedModel> read_model(OpenBlock&, const Found&);
 
 /// A picture or a light profile of the model, in it or beside it; the first one has the number 0.
 /// Empty after a diagnostic.

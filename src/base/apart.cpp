@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -135,6 +136,18 @@ std::optional<std::string> MessageEnd::receive(FunctionRef<void()> waiting) {
         size -= more;
     }
     return message;
+}
+
+SharedMemory::SharedMemory(std::size_t most) {
+    void* const made = ::mmap(nullptr, most, PROT_READ | PROT_WRITE,
+                              MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (made == MAP_FAILED) return;
+    data_ = static_cast<char*>(made);
+    size_ = most;
+}
+
+SharedMemory::~SharedMemory() {
+    if (data_) ::munmap(data_, size_);
 }
 
 std::string work_apart(const ApartLimits& limits, FunctionRef<void(MessageEnd&)> work,

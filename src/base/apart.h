@@ -34,6 +34,25 @@ private:
     int descriptor_;
 };
 
+/// Memory that a process made by work_apart() shares with this one. What a stranger's file may have
+/// broken can write to it at any time: what is checked must have been copied from it.
+class SharedMemory {
+public:
+    /// Reserves room for so many bytes; those that nobody touches take no memory.
+    explicit SharedMemory(std::size_t most);
+    ~SharedMemory();
+    SharedMemory(const SharedMemory&) = delete;
+    SharedMemory& operator=(const SharedMemory&) = delete;
+
+    char* data() { return data_; }
+    /// 0: the system has no such room.
+    std::size_t size() const { return size_; }
+
+private:
+    char* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
 struct ApartLimits {
     std::uint64_t memory = 0;   ///< bytes beyond what the program has already
     std::uint64_t seconds = 0;  ///< of processor time

@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace candelabra {
@@ -149,7 +150,9 @@ public:
 
     void take_meshes() {
         for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
-            const aiMesh& from = *scene_.mMeshes[i];
+            // It is done with then, and its memory is used again.
+            const std::unique_ptr<aiMesh> mesh(std::exchange(scene_.mMeshes[i], nullptr));
+            const aiMesh& from = *mesh;
             const bool has_material = from.mMaterialIndex < scene_.mNumMaterials;
             const aiMaterial* const material =
                 has_material ? scene_.mMaterials[from.mMaterialIndex] : nullptr;
@@ -204,6 +207,7 @@ public:
             int parent;
         };
         std::vector<Step> open{{scene_.mRootNode, -1}};
+        model_.nodes.reserve(count_of(*scene_.mRootNode));
         while (!open.empty()) {
             const auto [from, parent] = open.back();
             open.pop_back();
@@ -246,6 +250,16 @@ private:
         made.transform = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
         made.light = static_cast<int>(model_.lights.size());
         model_.lights.push_back(found->second);
+    }
+
+    /// The number of nodes from this one on.
+    static std::size_t count_of(const aiNode& first) {
+        std::vector<const aiNode*> all{&first};
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const aiNode& node = *all[i];
+            all.insert(all.end(), node.mChildren, node.mChildren + node.mNumChildren);
+        }
+        return all.size();
     }
 
     ImportedNode imported_node(const aiNode& from, int parent) {

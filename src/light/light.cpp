@@ -38,7 +38,9 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
          "global_settings { photometry { white 100 } } light_source { <-2, 4, -3>, rgb 1 intensity "
          "800 }",
          "global_settings { photometry { white 100 } } light_source { <-2, 4, -3>, rgb 1 flux 3000 "
-         "}"},
+         "}",
+         "global_settings { photometry { white 100 } } light_source { <0, 3, 0>, rgb 1 ies "
+         "\"gems.gltf\" profile 0 multiplier 0.5 }"},
         F{"location", &PointLight::location, positional, "where it is"},
         maybe(as_colour(
             F{"colour", &PointLight::colour, positional, "colour of the light, of any strength"})),

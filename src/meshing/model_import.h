@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/function_ref.h"
-#include "imports/imported_model.h"
+#include "meshing/packed_model.h"
 #include "text/diagnostic.h"
 #include "text/loader.h"
 
@@ -25,6 +25,6 @@ std::string name_beside(std::string_view name);
 using ReadBeside = FunctionRef<std::optional<std::string>(const std::string& name)>;
 
 /// Reads the model; empty, with a diagnostic at the span, when that cannot be done.
-std::optional<ImportedModel> import_model(const Found&, ReadBeside, Diagnostics&, Span asked_at);
+std::optional<UnpackedModel> import_model(const Found&, ReadBeside, Diagnostics&, Span asked_at);
 
 }  // namespace candelabra

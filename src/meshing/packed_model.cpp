@@ -51,17 +51,19 @@ constexpr bool is_plain = std::is_trivially_copyable_v<T> && !std::is_same_v<T, 
 
 class Packer {
 public:
+    /// Only counts if there is no place to write to.
+    explicit Packer(char* to) : to_(to) {}
     template <class... Fields>
     void operator()(Fields&... fields) {
         (put(fields), ...);
     }
-    std::string bytes;
+    std::size_t size() const { return size_; }
 
 private:
     template <class T>
     void put(T& value) {
         if constexpr (is_plain<T>)
-            bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+            write(&value, sizeof value);
         else
             pass(*this, value);
     }
@@ -77,16 +79,31 @@ private:
     void put_list(List& list) {
         std::uint64_t count = list.size();
         put(count);
-        bytes.append(reinterpret_cast<const char*>(list.data()), count * sizeof list[0]);
+        write(list.data(), count * sizeof list[0]);
     }
+    void write(const void* from, std::size_t bytes) {
+        if (to_ && bytes > 0) std::memcpy(to_ + size_, from, bytes);
+        size_ += bytes;
+    }
+
+    char* to_;
+    std::size_t size_ = 0;
 };
 
 class Unpacker {
 public:
-    explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
+    Unpacker(std::string_view bytes, std::vector<Mesh>& meshes) : rest_(bytes), meshes_(meshes) {}
     template <class... Fields>
     void operator()(Fields&... fields) {
         (take(fields), ...);
+    }
+    void take_lists(ImportedMesh& m) {
+        Mesh& made = meshes_.emplace_back();
+        take_points(made.vertices);
+        take_points(made.normals);
+        take_points(made.uvs);
+        take_list(made.faces);
+        (*this)(m.material, m.coloured);
     }
     bool good() const { return good_ && rest_.empty(); }
 
@@ -120,6 +137,25 @@ private:
         list.resize(count);
         copy(list.data(), count * sizeof list[0]);
     }
+    /// A list of points whose coordinates are floats.
+    template <class Point>
+    void take_points(std::vector<Point>& list) {
+        using Stored = std::array<float, static_cast<std::size_t>(Point::length())>;
+        std::uint64_t count = 0;
+        take(count);
+        if (count > rest_.size() / sizeof(Stored)) good_ = false;
+        if (!good_) return;
+        list.reserve(count);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            Stored stored;
+            std::memcpy(&stored, rest_.data() + i * sizeof stored, sizeof stored);
+            if constexpr (Point::length() == 3)
+                list.emplace_back(stored[0], stored[1], stored[2]);
+            else
+                list.emplace_back(stored[0], stored[1]);
+        }
+        rest_.remove_prefix(count * sizeof(Stored));
+    }
     void copy(void* to, std::size_t size) {
         good_ = good_ && size <= rest_.size();
         if (!good_ || size == 0) return;
@@ -128,8 +164,12 @@ private:
     }
 
     std::string_view rest_;
+    std::vector<Mesh>& meshes_;
     bool good_ = true;
 };
+
+/// The lists of a mesh go to another place.
+void pass(Unpacker& way, ImportedMesh& m) { way.take_lists(m); }
 
 template <class Number, std::size_t count>
 bool is_finite(const std::array<Number, count>& each) {
@@ -137,26 +177,32 @@ bool is_finite(const std::array<Number, count>& each) {
 }
 
 template <class List>
-bool all_finite(const List& list) {
-    return std::ranges::all_of(list, [](const auto& each) { return is_finite(each); });
-}
-
-template <class List>
 bool is_place(int index, const List& list) {
     return index < 0 || static_cast<std::size_t>(index) < list.size();
 }
 
-bool is_whole(const ImportedMesh& mesh, const ImportedModel& model) {
+/// Whether all coordinates are finite: otherwise their sum is not.
+template <class Point>
+bool all_finite(const std::vector<Point>& list) {
+    Point sum(0);
+    for (const Point& each : list) sum += 0.0 * each;
+    return sum == Point(0);
+}
+
+bool is_whole(const Mesh& mesh) {
     const auto fits = [&](const auto& list) {
-        return list.empty() || list.size() == mesh.points.size();
+        return list.empty() || list.size() == mesh.vertices.size();
     };
-    const auto inside = [&](const std::array<int, 3>& face) {
+    const auto inside = [&](const Face& face) {
         return std::ranges::all_of(
-            face, [&](int corner) { return corner >= 0 && is_place(corner, mesh.points); });
+            face, [&](int corner) { return corner >= 0 && is_place(corner, mesh.vertices); });
     };
     return fits(mesh.normals) && fits(mesh.uvs) && std::ranges::all_of(mesh.faces, inside) &&
-           all_finite(mesh.points) && all_finite(mesh.normals) && all_finite(mesh.uvs) &&
-           is_place(mesh.material, model.materials);
+           all_finite(mesh.vertices) && all_finite(mesh.normals) && all_finite(mesh.uvs);
+}
+
+bool is_whole(const ImportedMesh& mesh, const ImportedModel& model) {
+    return is_place(mesh.material, model.materials);
 }
 
 bool is_whole(const ImportedMaterial& m, const ImportedModel& model) {
@@ -187,9 +233,12 @@ bool is_whole(const ImportedCamera& camera) {
            std::isfinite(camera.width) && std::isfinite(camera.height);
 }
 
-std::string problem_of(const ImportedModel& model) {
+std::string problem_of(const UnpackedModel& unpacked) {
+    const ImportedModel& model = unpacked.model;
     const auto whole = [&](const auto& part) { return is_whole(part, model); };
-    if (!std::ranges::all_of(model.meshes, whole))
+    const auto is_whole_mesh = [](const Mesh& mesh) { return is_whole(mesh); };
+    if (!std::ranges::all_of(unpacked.meshes, is_whole_mesh) ||
+        !std::ranges::all_of(model.meshes, whole))
         return "a face, a normal or a number of a mesh in it is wrong";
     if (!std::ranges::all_of(model.materials, whole)) return "a number of a material is wrong";
     for (std::size_t i = 0; i < model.nodes.size(); ++i)
@@ -203,17 +252,21 @@ std::string problem_of(const ImportedModel& model) {
 
 }  // namespace
 
-std::string packed(const ImportedModel& model) {
-    Packer packer;
-    ImportedModel& same = const_cast<ImportedModel&>(model);  // it is only read
-    pass(packer, same);
-    return std::move(packer.bytes);
+std::size_t packed_size(const ImportedModel& model) {
+    Packer packer(nullptr);
+    pass(packer, const_cast<ImportedModel&>(model));  // which is only read
+    return packer.size();
 }
 
-std::string unpack(std::string_view bytes, ImportedModel& model) {
-    Unpacker unpacker(bytes);
-    ImportedModel made;
-    pass(unpacker, made);
+void pack(const ImportedModel& model, char* to) {
+    Packer packer(to);
+    pass(packer, const_cast<ImportedModel&>(model));  // which is only read
+}
+
+std::string unpack(std::string_view bytes, UnpackedModel& model) {
+    UnpackedModel made;
+    Unpacker unpacker(bytes, made.meshes);
+    pass(unpacker, made.model);
     if (!unpacker.good()) return "it is damaged";
     std::string problem = problem_of(made);
     if (problem.empty()) model = std::move(made);

@@ -19,33 +19,22 @@ namespace candelabra {
 
 namespace {
 
-Vec3 mirrored(const std::array<float, 3>& p) { return {p[0], p[1], -double{p[2]}}; }
-
-/// The mesh in the space of scenes, which takes lists of the argument; null if it has no faces.
-Handle<Mesh> mirrored(ImportedMesh& from) {
-    if (from.faces.empty()) return nullptr;
+/// The mesh in the space of scenes; null if it has no faces. Seen from outside, corners run the
+/// other way in a mirrored space, which is how scenes have them: clockwise.
+Handle<Mesh> mirrored(Mesh&& mesh) {
+    if (mesh.faces.empty()) return nullptr;
     constexpr std::uint64_t points_of_step = 4;
-    count_long_work((from.points.size() + from.faces.size()) / points_of_step);
-    Mesh made;
-    made.vertices.reserve(from.points.size());
-    for (const auto& point : from.points) made.vertices.push_back(mirrored(point));
-    made.normals.reserve(from.normals.size());
-    for (const auto& normal : from.normals) made.normals.push_back(mirrored(normal));
-    made.uvs.reserve(from.uvs.size());
-    for (const auto& [u, v] : from.uvs) made.uvs.emplace_back(u, v);
-    // Seen from outside, corners run the other way in a mirrored space, which is how scenes have
-    // them: clockwise.
-    made.faces = std::move(from.faces);
-    return make_handle<Mesh>(std::move(made));
+    count_long_work((mesh.vertices.size() + mesh.faces.size()) / points_of_step);
+    for (auto* list : {&mesh.vertices, &mesh.normals})
+        for (Vec3& each : *list) each.z = -each.z;
+    return make_handle<Mesh>(std::move(mesh));
 }
 
 /// The same for a file without parts and materials.
 Handle<Mesh> mirrored(const MeshFile& file) {
     Mesh made = mesh(file.shape);
     dress(made, file.look);
-    for (auto* list : {&made.vertices, &made.normals})
-        for (Vec3& each : *list) each.z = -each.z;
-    return make_handle<Mesh>(std::move(made));
+    return mirrored(std::move(made));
 }
 
 /// A node's transformation in the space of scenes.
@@ -121,19 +110,14 @@ Content read_parts(OpenBlock& block, const Found& file) {
     auto model = read_model(block, file);
     if (!model) return nullptr;
     const auto made = std::make_shared<ImportedContent>();
-    made->model = std::move(*model);
+    made->model = std::move(model->model);
     ImportedLooks looks(block, made->model, file.path);
     for (const ImportedMaterial& material : made->model.materials)
         made->looks.push_back(looks.look(material));
     for (std::size_t i = 0; i < made->model.profiles.size(); ++i)
         made->webs.push_back(read_profile(block, made->model, i, file.path));
     report_left_out(block, made->model, looks.left_out());
-    for (ImportedMesh& each : made->model.meshes) {
-        made->meshes.push_back(mirrored(each));
-        const int material = each.material;
-        each = {};
-        each.material = material;
-    }
+    for (Mesh& each : model->meshes) made->meshes.push_back(mirrored(std::move(each)));
     made->model.pictures.clear();
     return made;
 }

@@ -53,7 +53,8 @@ const ItemInfo ImageMap::vocabulary = described<ImageMap>([] {
          "pigment { image_map { png \"test.png\" interpolate 2 } translate -0.5 scale <3, 2, 1> }",
          "pigment { image_map { png \"test.png\" map_type 1 gamma 1.0 transmit all 0.3 } }",
          "pigment { image_map { png \"test.png\" once offset <0.2, 0.1> premultiplied off } }",
-         "pigment { image_map { png \"test.png\" tint rgb <1, 0.6, 0.3> alpha_cutoff 0.5 } }"},
+         "pigment { image_map { png \"test.png\" tint rgb <1, 0.6, 0.3> alpha_cutoff 0.5 } }",
+         "pigment { image_map { \"gems.gltf\" picture 0 } }"},
         as_colour(F{"tint", &ImageMap::tint, item, "all colours are multiplied by it"}),
         F{"alpha_cutoff", &ImageMap::alpha_cutoff, item,
           "the picture is clear where its alpha is below this, and opaque elsewhere", at_least(0)});

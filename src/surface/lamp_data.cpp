@@ -13,7 +13,8 @@ const ItemInfo LampData::vocabulary = described<LampData>([] {
     return schema<LampData>(
         "luminaire",
         {"A lamp by its data sheet: how bright it glows follows from its area.",
-         "sphere { y, 0.2 luminaire { flux 800 temperature 2700 } }"},
+         "sphere { y, 0.2 luminaire { flux 800 temperature 2700 } }",
+         "sphere { y, 0.2 luminaire { ies \"gems.gltf\" profile 0 multiplier 0.02 } }"},
         F{"flux", &LampData::flux, item,
           "luminous flux that leaves its surface, as lumen(800); without it, that of the file",
           at_least(0)},

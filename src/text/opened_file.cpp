@@ -17,7 +17,7 @@ namespace {
 /// Returns the rest of the file, which is expected to have `expected` bytes; nothing if it is
 /// longer than `most` or cannot be read.
 std::optional<std::string> all_of(const OpenedFile& file, std::size_t expected, std::size_t most) {
-    std::string text(expected, '\0');
+    std::string text(expected + 1, '\0');  // the end is found without more room
     std::size_t filled = 0;
     for (;;) {
         // The file may have grown, and files of /proc report a size of 0.

@@ -14,8 +14,8 @@ namespace {
 std::string two_pictures() {
     const std::string picture = "data:image/x-portable-pixmap;base64," +
                                 in_base64("P6 1 1 255\n\xff" + std::string(2, '\0'));
-    return gltf(R"({"materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}},
-        {"pbrMetallicRoughness": {"baseColorTexture": {"index": 1}}}],
+    return gltf(R"({"materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},
+        "emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 1}}],
         "textures": [{"source": 0}, {"source": 1}],
         "images": [{"uri": ")" +
                 picture + R"("}, {"uri": "b.ppm"}]})");
@@ -60,7 +60,7 @@ TEST_CASE("profiles of models are named by their numbers", "[appearance]") {
     const std::string whole = gltf(R"({"extensionsUsed": ["EXT_lights_ies"], "nodes": [
         {"name": "Root", "extensions": {"EXT_lights_ies": {"light": 0}}}],
         "extensions": {"EXT_lights_ies": {"lights": [{"uri": "data:text/plain;base64,)" +
-                                   in_base64(web) + "\"}]}}})");
+                                   in_base64(web) + "\"}]}}}");
     const auto light = [&](const std::string& words, const std::string& model) {
         return run("#version 3.7; light_source { 0, 1 " + words + " }",
                    {{"a.gltf", model}, {"a.ies", web}});

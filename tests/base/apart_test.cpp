@@ -70,4 +70,21 @@ TEST_CASE("an exception of the waiting side ends the other process", "[apart]") 
                     std::runtime_error);
 }
 
+TEST_CASE("memory is shared with a process of its own", "[base]") {
+    SharedMemory memory(std::size_t{1} << 30);
+    REQUIRE(memory.size() == std::size_t{1} << 30);
+    std::string seen;
+    const std::string ended = work_apart(
+        {std::uint64_t{2} << 30, 10},
+        [&](MessageEnd& end) {
+            memory.data()[memory.size() - 1] = 'x';
+            end.send('d', {});
+        },
+        [&](MessageEnd& end) {
+            if (end.receive([] {})) seen = memory.data()[memory.size() - 1];
+        });
+    CHECK(ended.empty());
+    CHECK(seen == "x");
+}
+
 }  // namespace candelabra

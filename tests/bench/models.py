@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes glTF files for tests/bench/model_bench: a million triangles with a thousand textures' names, and 100,000 nodes of
-a lamp of 100 faces.
+"""Writes glTF files: a million triangles with a thousand textures' names (land.glb), and 100,000 nodes of a lamp of 100
+faces (lamps.glb).
 
     python3 tests/bench/models.py FOLDER
 """

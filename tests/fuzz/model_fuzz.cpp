@@ -12,11 +12,11 @@ using namespace candelabra;
 
 namespace {
 
-void check(const ImportedModel& model) {
-    for (const ImportedMesh& mesh : model.meshes)
-        for (const std::array<int, 3>& face : mesh.faces)
+void check(const UnpackedModel& model) {
+    for (const Mesh& mesh : model.meshes)
+        for (const Face& face : mesh.faces)
             for (const int corner : face)
-                if (corner < 0 || static_cast<std::size_t>(corner) >= mesh.points.size())
+                if (corner < 0 || static_cast<std::size_t>(corner) >= mesh.vertices.size())
                     std::abort();
 }
 
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (size == 0) return 0;
     static constexpr std::array names = {"a.gltf", "a.glb", "a.obj", "a.fbx", "a.dae", "a.3mf"};
     const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-    ImportedModel unpacked;
+    UnpackedModel unpacked;
     if (unpack(bytes, unpacked).empty()) check(unpacked);
     Diagnostics diagnostics;
     const auto beside = [&](const std::string& name) -> std::optional<std::string> {

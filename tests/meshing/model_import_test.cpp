@@ -43,7 +43,7 @@ TEST_CASE("models are read in a process of their own, and ask for what lies besi
     const auto model =
         read(gltf(R"({"buffers": [{"byteLength": 68, "uri": "triangle.bin"}]})"), none);
     REQUIRE(model);
-    CHECK(model->meshes.at(0).points.size() == 3);
+    CHECK(model->meshes.at(0).vertices.size() == 3);
     CHECK(none.all().empty());
     CHECK(asked == std::vector<std::string>{"triangle.bin"});
     CHECK_FALSE(

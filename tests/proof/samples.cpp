@@ -99,10 +99,9 @@ constexpr auto whole_items = std::to_array<Sample>({
     {"torus", "0.5, 0.25 rotate 50*x"},
     {"triangle", "<-0.8, -0.6, 0>, <0.8, -0.6, 0>, <0, 0.8, 0.3>"},
     {"image_map",
-     "{ ~png \"wide.png\"|\"gems.gltf\" picture 0~ ~|tint <0.9, 0.5, 0.7>|alpha_cutoff "
-     "0.5|once|map_type 1|map_type 2|interpolate 2|gamma 1.5|use_index|use_alpha "
-     "off|"
-     "use_color|use_colour|premultiplied off~ }"},
+     "{ ~png \"wide.png\"|\"gems.gltf\" picture 0~ ~|tint <0.9, 0.5, 0.7> alpha_cutoff 0.5~ "
+     "~|once|map_type 1|map_type 2|interpolate 2|gamma 1.5|use_index|use_alpha off|use_color|"
+     "use_colour|premultiplied off~ }"},
     {"image_pattern",
      "{ png \"wide.png\" ~|once|map_type 1|map_type 2|interpolate 2|gamma 1.5|use_index|use_alpha "
      "off|"

@@ -9,6 +9,10 @@ bool MessageEnd::send(char, std::string_view) { return false; }
 
 std::optional<std::string> MessageEnd::receive(FunctionRef<void()>) { return std::nullopt; }
 
+SharedMemory::SharedMemory(std::size_t) {}
+
+SharedMemory::~SharedMemory() = default;
+
 std::string work_apart(const ApartLimits&, FunctionRef<void(MessageEnd&)>,
                        FunctionRef<void(MessageEnd&)>) {
     return "the program as WebAssembly has no processes";
