@@ -48,7 +48,9 @@ enum class Purpose : std::uint32_t {
     meter_u,          ///< direction that a meter faces, or in which it looks
     meter_v,
     sun_u,  ///< the point of its disc that lights a place
-    sun_v
+    sun_v,
+    grid_u,  ///< the light of an area light's grid that lights a place
+    grid_v
 };
 
 /// Continuations of a path, and decisions beside it that need their own numbers. Appending one

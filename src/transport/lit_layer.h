@@ -16,6 +16,8 @@ struct LitLayer {
     LightKinds light;           ///< the kinds that count
     Vec3 throughput = Vec3(1);  ///< of the layer's radiance, in the sample
     bool highlights = true;     ///< phong and specular highlights count
+    /// One random light of an area light's grid casts a shadow, in the place of all of them.
+    bool samples_grids = false;
     /// Settings of the radiosity that gathers the luminaires' light; null: nothing gathers it.
     const Radiosity* radiosity = nullptr;
 

@@ -163,6 +163,13 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
     sum_ += seen.throughput * own;
     const PathState path = seen.dimmed(layer.below_mirror);
     const Bsdf whole(s, rules_);
+    const auto lit = [&](const Bsdf& bsdf, LightKinds kinds) -> LitLayer {
+        return {.vertex = vertex,
+                .scatterer = bsdf,
+                .light = kinds,
+                .throughput = path.throughput,
+                .samples_grids = path.bounces > 0};
+    };
     Vec3 light(0);
     const bool by_reflected = reflected_ && is_lambertian(world_, vertex, s);
     if (by_reflected && path.taken.by_reflected) {
@@ -170,24 +177,19 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
         EachKindOnce once;
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
         light +=
-            direct_light_({vertex, highlights, once.take({LightKind::luminaires}), path.throughput},
-                          path.key, ledger_);
-        light += direct_light_(
-            {vertex, whole,
-             once.take({LightKind::sources, LightKind::drawn_sources, LightKind::sky}),
-             path.throughput},
-            path.key, ledger_);
+            direct_light_(lit(highlights, once.take({LightKind::luminaires})), path.key, ledger_);
+        const LightKinds others =
+            once.take({LightKind::sources, LightKind::drawn_sources, LightKind::sky});
+        light += direct_light_(lit(whole, others), path.key, ledger_);
     } else if (!scatters_inside(world_, s)) {
-        light += direct_light_({vertex, whole, all_light, path.throughput}, path.key, ledger_);
+        light += direct_light_(lit(whole, all_light), path.key, ledger_);
         if (by_reflected && path.bounces < max_bounces_)
-            light +=
-                reflected_({world_, {vertex, whole, all_light, path.throughput}, false, ledger_},
-                           max_bounces_ - path.bounces, path.key);
+            light += reflected_({world_, lit(whole, all_light), false, ledger_},
+                                max_bounces_ - path.bounces, path.key);
     } else {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
-        light += direct_light_({vertex, highlights, all_light, path.throughput}, path.key, ledger_);
-        light += light_from_inside(world_, direct_light_,
-                                   {vertex, whole, all_light, path.throughput}, path, ledger_);
+        light += direct_light_(lit(highlights, all_light), path.key, ledger_);
+        light += light_from_inside(world_, direct_light_, lit(whole, all_light), path, ledger_);
     }
     sum_ += path.throughput * light;
 }

@@ -150,7 +150,8 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
                               .scatterer = bsdf,
                               .light = all_sources,
                               .throughput = path.throughput,
-                              .highlights = highlights},
+                              .highlights = highlights,
+                              .samples_grids = path.bounces > 0},
                              path.key, ledger_) +
                (luminaires ? gathered(path, vertex, s) : Vec3(0));
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace candelabra {
@@ -14,6 +15,21 @@ namespace {
 /// Whether each light of the grid is evaluated by itself, not only its shadow.
 bool lit_by_grid(const PointLight& light, const Scatterer& scatterer) {
     return light.is_area() && light.area_illumination && !scatterer.in_air();
+}
+
+/// Returns one of `count` places in a row, as likely as it weighs in a mean whose parts are halved
+/// down to their ends.
+int in_halves(int count, double random) {
+    int first = 0, last = count - 1;
+    while (first < last) {
+        random *= 2;
+        if (random >= 1)
+            first = (first + last + 1) / 2;
+        else
+            last = (first + last) / 2;
+        random -= std::floor(random);
+    }
+    return first;
 }
 
 /// Light of one source at a layer, with the data to evaluate it.
@@ -45,7 +61,8 @@ public:
     /// Fraction of the light that is left at the layer. Precondition: response() was called.
     Vec3 left(const Incidence& central) {
         if (light_.shadowless) return Vec3(window_ && !seen_through(central) ? 0 : 1);
-        return light_.is_area() ? grid_shadow() : passed(central);
+        if (!light_.is_area()) return passed(central);
+        return at_.layer.samples_grids ? sampled_grid_shadow() : grid_shadow();
     }
 
 private:
@@ -98,6 +115,12 @@ private:
         return mean({0, 0, light_.size1 - 1, light_.size2 - 1}, 0);
     }
 
+    /// Estimate of the same from one light of the grid.
+    Vec3 sampled_grid_shadow() {
+        return shadow_of(in_halves(light_.size1, uniform(key_, Purpose::grid_u)),
+                         in_halves(light_.size2, uniform(key_, Purpose::grid_v)));
+    }
+
     struct Part {
         int first1, first2, last1, last2;
     };
@@ -129,21 +152,22 @@ private:
 
     /// Fraction of light that arrives from one light of the grid; computed once.
     Vec3 at(int i, int j) {
-        const int index = i * light_.size2 + j;
-        Vec3& known = corners_[static_cast<std::size_t>(index)];
-        if (known.x >= 0) return known;
+        Vec3& known = corners_[static_cast<std::size_t>(i * light_.size2 + j)];
+        return known.x >= 0 ? known : known = shadow_of(i, j);
+    }
+
+    Vec3 shadow_of(int i, int j) {
         double place1 = i, place2 = j;
         if (light_.jitter) {
-            const Key key = key_.with_branch(static_cast<std::uint32_t>(index));
+            const Key key = key_.with_branch(static_cast<std::uint32_t>(i * light_.size2 + j));
             place1 += uniform(key, Purpose::jitter_u) - 0.5;
             place2 += uniform(key, Purpose::jitter_v) - 0.5;
         }
         const Vec3 from = grid_point(light_, place1, place2, direction_);
-        if (light_.along_axis())
-            return known = passed(incidence(light_, from, vertex().position()));
+        if (light_.along_axis()) return passed(incidence(light_, from, vertex().position()));
         const Vec3 offset = from - vertex().position();
         const double distance = length(offset);
-        return known = distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});
+        return distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});
     }
 
     const ArrivingLight& at_;

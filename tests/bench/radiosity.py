@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The price of radiosity: radiosity.py PROGRAM SCENE...
 
-Each scene is rendered at 160x120 by POV-Ray with +A0.1, as a draft, and with 64 samples, which stand for the limit. The table
+Each scene is rendered at 160x120 by POV-Ray with +A0.1, as a draft, and with 16 samples, which stand for the limit. The table
 has the CPU seconds of one thread; the mean step between neighbours, in 255ths of what a display shows, where the limit is
 even; and the mean light of both pictures over that of the limit.
 """
@@ -49,7 +49,7 @@ def main():
         with tempfile.TemporaryDirectory() as made:
             theirs = cpu_of(scene, "povray", "-D", "+A0.1", f"+O{made}/theirs.png")
             ours = cpu_of(scene, program, "-V", "-A", "--draft", f"+O{made}/ours.png")
-            cpu_of(scene, program, "-V", "-A", "--samples", 64, "--denoise", f"+O{made}/limit.png")
+            cpu_of(scene, program, "-V", "-A", "--samples", 16, "--denoise", f"+O{made}/limit.png")
             pov, draft, limit, smooth = (light_in(Path(made) / file) for file in (
                 "theirs.png", "ours.draft.png", "limit.png", "limit.denoised.png"))
         even = [i for i, step in enumerate(steps(smooth)) if step < EVEN]
