@@ -23,9 +23,9 @@ struct UnpackedModel {
     std::vector<Mesh> meshes;
 };
 
-/// Reads what pack() has made, of which it copies all before it checks anything. Returns an error as
-/// a sentence, or, with a complete result, an empty string. In the result, each index is one of an
-/// entry or below 0, each number of a mesh is finite, and parents come before their children.
+/// Reads what pack() has made, of which it copies all before it checks anything. Returns an error
+/// as a sentence, or, with a complete result, an empty string. In the result, each index is one of
+/// an entry or below 0, each number of a mesh is finite, and parents come before their children.
 std::string unpack(std::string_view bytes, UnpackedModel&);
 
 }  // namespace candelabra

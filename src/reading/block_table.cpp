@@ -55,6 +55,8 @@ bool BlockTable::knows(std::string_view word) const {
     return row(word) || std::ranges::any_of(catalogue(), has_item) || !homes(word).empty();
 }
 
-std::string_view main_homes(std::string_view homes) { return homes.substr(0, homes.find(" |")); }
+std::string_view main_homes(std::string_view homes) {
+    return homes.starts_with('|') ? std::string_view() : homes.substr(0, homes.find(" |"));
+}
 
 }  // namespace candelabra
