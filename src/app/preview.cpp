@@ -2,12 +2,13 @@
 #include "app/preview.h"
 
 #include "app/animation_run.h"
-#include "tasks/library.h"
-#include "tasks/scene_run.h"
+#include "app/preview_address.h"
 #include "console/heard.h"
 #include "output/stats.h"
 #include "preview/answers.h"
 #include "preview/renderer.h"
+#include "tasks/library.h"
+#include "tasks/scene_run.h"
 #include "text/loader.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -49,12 +50,12 @@ public:
         const std::string token = new_token();
         const PreviewFacts facts{page_with(token, *options_.scene), *options_.scene,
                                  manual_folder(directory_of(own_path()))};
-        const std::string host =
-            options_.preview_host.empty() ? std::string(own_host) : options_.preview_host;
+        const std::string host = host_of(options_);
         WebServer server(host, *options_.preview_port, token, [&](const WebRequest& request) {
             return answer_of(request, facts, state_);
         });
-        if (server.port() == 0) review_address(host);
+        if (server.port() == 0)
+            diagnostics_.add(problem_with_address(host, *options_.preview_port));
         Console console = console_;
         console.heard = [this](Stream stream, std::string_view text) {
             of_options_.take(stream, text);
@@ -62,7 +63,7 @@ public:
         say_errors(console, options_, diagnostics_);
         if (diagnostics_.failed()) return exit_status::file;
         serve(&server);
-        say_address(host, server.port(), token);
+        console_.err(words_on_address(host, server.port(), token));
         if (console_.interrupts.listening) console_.interrupts.listening(true);
         while (!ending_) {
             render();
@@ -73,32 +74,6 @@ public:
     }
 
 private:
-    /// Reports why there is no server.
-    void review_address(const std::string& host) {
-        if (host == own_host)
-            diagnostics_.add(
-                error(Fault::io, {}, message("port ", *options_.preview_port, " cannot be had"))
-                    .with_help("--preview 0 takes any that is free"));
-        else
-            diagnostics_.add(error(Fault::io, {},
-                                   message("port ", *options_.preview_port, " of `",
-                                           printable(host), "` cannot be had"))
-                                 .with_help("--preview-host takes an address of this machine, or "
-                                            "0.0.0.0 for all of them"));
-    }
-
-    void say_address(const std::string& host, int port, const std::string& token) const {
-        if (host == own_host)
-            return console_.err(message("preview: http://localhost:", port, "/\n"));
-        console_.err(
-            "Whoever has this address sees the picture and can turn the numbers of its page. The "
-            "connection is not encrypted.\n");
-        std::vector<std::string> addresses = addresses_of(host);
-        if (addresses.empty()) addresses.emplace_back(own_host);  // without a network
-        for (const std::string& each : addresses)
-            console_.err(message("preview: http://", each, ":", port, "/?token=", token, "\n"));
-    }
-
     /// Renders the scene until it changes.
     void render() {
         Console console = console_;

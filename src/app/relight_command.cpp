@@ -5,6 +5,7 @@
 #include "app/movie.h"
 #include "app/sandbox.h"
 #include "app/show_files.h"
+#include "app/show_preview.h"
 #include "film/develop.h"
 #include "options/animation.h"
 #include "options/command_line.h"
@@ -65,6 +66,8 @@ RelightRequest read_relight_request(std::span<const std::string_view> arguments,
     const std::size_t files = std::erase_if(options.given, [](const GivenOption& each) {
         return each.line.starts_with("Input_File_Name=");
     });
+    std::erase_if(options.given,
+                  [](const GivenOption& each) { return each.line.starts_with("--preview"); });
     warn_of_options_of_rendering(options, diagnostics);
     const auto fail = [&](const char* text, const char* help) {
         diagnostics.add(error(Fault::option, {}, text).with_help(help));
@@ -72,6 +75,9 @@ RelightRequest read_relight_request(std::span<const std::string_view> arguments,
     if (diagnostics.failed()) return request;
     if (options.task != Task::render)
         fail("relight makes pictures and nothing else", "man candelabra-relight");
+    else if (options.preview_port &&
+             !(options.output.empty() && options.movie.empty() && readings.empty()))
+        fail("a preview of a show writes no pictures, films and readings", "without --preview");
     else if (files != 1)
         fail("relight needs one file that keeps the light of lamps",
              "candelabra scene.pov --keep-lights scene.lights, then candelabra relight "
@@ -211,6 +217,9 @@ std::string list_of_lamps(const LampList& lamps) {
 /// Does what is asked for. Returns the exit status.
 int relight_as_asked(const RelightRequest& request, const Console& console,
                      Diagnostics& diagnostics) {
+    if (request.options.preview_port && !request.lists)
+        return preview_show(*request.options.scene, request.show, request.options, console,
+                            diagnostics);
     const auto records = read_records(*request.options.scene, diagnostics);
     if (!records) return exit_status::file;
     if (request.lists) {
@@ -234,9 +243,11 @@ int relight_as_asked(const RelightRequest& request, const Console& console,
 int run_relight(std::span<const std::string_view> arguments, const Console& console) {
     Diagnostics diagnostics;
     const RelightRequest request = read_relight_request(arguments, diagnostics);
-    const std::string files[] = {request.options.scene.value_or("")};
+    const std::vector<std::string> shows = request.show.paths();
+    std::vector<std::string> files = {request.options.scene.value_or("")};
+    if (request.options.preview_port) files.insert(files.end(), shows.begin(), shows.end());
     SandboxRules rules = sandbox_rules(request.options, console.library, files);
-    for (const std::string& file : request.show.paths()) rules.readable.push_back(file);
+    rules.readable.insert(rules.readable.end(), shows.begin(), shows.end());
     if (!diagnostics.failed()) confined(request.options, rules, console, diagnostics);
     const int status =
         diagnostics.failed() ? exit_status::usage : relight_as_asked(request, console, diagnostics);

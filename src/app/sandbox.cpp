@@ -113,6 +113,12 @@ SandboxRules sandbox_rules(const Options& options, const std::string& library,
         rules.readable.push_back(folder_around(find_program("ffmpeg")));
         rules.writable.push_back(folder_around(options.movie));
     }
+    rules.sockets = options.preview_port.has_value();
+    if (rules.sockets) {
+        // A preview writes nothing, and reads again what editors may have replaced by other files.
+        for (const std::string& file : files) rules.readable.push_back(folder_around(file));
+        return rules;
+    }
     std::error_code none;
     const std::string& output = options.output;
     if (fs::is_directory(output, none)) {

@@ -22,7 +22,8 @@ struct Console;
 SandboxRules sandbox_rules(const Options&, const std::string& library);
 
 /// Returns the rights of a command that makes a picture of these files: those of the system as
-/// above, the files, and the folder of the output, or of each file if the options name none.
+/// above, the files, and the folder of the output, or of each file if the options name none. With a
+/// preview it may read their folders, and writes nothing.
 SandboxRules sandbox_rules(const Options&, const std::string& library,
                            std::span<const std::string> files);
 

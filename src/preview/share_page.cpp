@@ -107,6 +107,7 @@ PageJson facts_json(const SharedPicture& picture) {
                         {"rate", show.rate},       {"scale", show.scale},   {"grey", show.grey},
                         {"sizes", show.sizes}};
     }
+    if (picture.watched > 0) json["watched"] = picture.watched;
     return json;
 }
 
@@ -114,13 +115,15 @@ PageJson facts_json(const SharedPicture& picture) {
 
 std::string share_page(const SharedPicture& picture) {
     const std::pair<std::string_view, std::string> parts[] = {
+        {"SOURCES-OF-THE-PAGE", picture.watched > 0 ? "; connect-src 'self'" : ""},
         {"TITLE-OF-THE-PAGE", as_html(picture.title)},
         {"ICON-OF-THE-PAGE", base64(preview_icon)},
         {"STYLE-OF-THE-PAGE", std::string(share_style)},
         {"DATA-OF-THE-PAGE", within_script(facts_json(picture))},
         {"LIGHT-OF-THE-PAGE", base64(picture.light.bytes)},
         {"SHOW-OF-THE-PAGE", base64(picture.show ? picture.show->bytes : std::string())},
-        {"SCRIPT-OF-THE-PAGE", std::string(share_script)}};
+        {"SCRIPT-OF-THE-PAGE",
+         std::string(share_script).append(picture.watched > 0 ? share_watch : "")}};
     // Places are searched in the frame alone, so that no title can name one.
     std::string page;
     std::string_view frame = share_frame;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A page to share: one HTML file with a picture whose lamps can be mixed anew. It has the light of
-// each lamp, and asks for nothing from anywhere, which its Content-Security-Policy states. Its
+// each lamp, and asks for nothing from anywhere, which its Content-Security-Policy states; a page
+// that a server makes asks this server for its successor. Its
 // files are in src/preview/page and are embedded into the program by the build.
 #pragma once
 
@@ -17,7 +18,7 @@
 
 namespace candelabra {
 
-extern const std::string_view share_frame, share_style, share_script;
+extern const std::string_view share_frame, share_style, share_script, share_watch;
 
 /// A show that the page plays, for which the layers of light are that of crowds of lamps, that of
 /// none, and those of some lamps; see relight/page_records.h.
@@ -44,6 +45,9 @@ struct SharedPicture {
     double exposure = 0;  ///< in stops, including automatic exposure
     /// Its groups are the first lamps, and behind those that have one comes `rest`.
     std::optional<SharedShow> show = {};
+    /// Number of the page, from 1 on, if a server makes it anew when its files change; 0: the page
+    /// stands by itself.
+    int watched = 0;
 };
 
 /// Returns the page. The name `rest` is shown as light without a lamp.

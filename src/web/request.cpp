@@ -250,8 +250,11 @@ std::string sent_form(const WebAnswer& answer) {
                    "\r\nReferrer-Policy: no-referrer"
                    "\r\nCross-Origin-Resource-Policy: same-origin"
                    "\r\nCross-Origin-Opener-Policy: same-origin"
-                   "\r\nContent-Security-Policy: default-src 'none'; script-src 'self'; "
-                   "style-src 'self' 'unsafe-inline'; img-src 'self'; connect-src 'self'; "
+                   "\r\nContent-Security-Policy: default-src 'none'; script-src ",
+                   answer.is_whole ? "'unsafe-inline'" : "'self'",
+                   "; style-src 'self' 'unsafe-inline'; img-src ",
+                   answer.is_whole ? "data: blob:" : "'self'",
+                   "; connect-src 'self'; "
                    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
                    "\r\nConnection: close\r\n\r\n",
                    answer.body);

@@ -32,6 +32,7 @@ struct WebAnswer {
         {};              ///< file name under which browsers save the answer; empty: they display it
     bool later = false;  ///< there is no answer yet: the request is repeated later
     std::string cookie = {};  ///< name=value that browsers keep for this server; empty: none
+    bool is_whole = false;    ///< a page that has its scripts and pictures within it
 };
 
 /// Values that a request must match.

@@ -1,22 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The error and the cost of pictures that are relit: relight.py PROGRAM [LAMPS [SAMPLES]]
+"""The error and the cost of pictures that are relit: relight.py PROGRAM [KIND [LAMPS [SAMPLES [TIMES]]]]
 
-A facade of LAMPS lamps (a square number, 10000) stands before a street. Its light is kept in one render with all lamps on, and
-relit by the frames of five films. Each frame is compared with a render of the same frame with 16 times the samples, beside a
-fresh render with the same samples: root of the mean square of the error, in percent of the mean.
+A facade of LAMPS lamps (a square number, 2500) stands before a street. KIND is `direct`, `bounces` or `air`. The light is kept
+in one render with all lamps on and SAMPLES samples a pixel (32), and relit by the frames of five films. Each frame is compared
+with a render of the same frame with TIMES (8) times the samples, beside a fresh render with SAMPLES samples: root of the mean
+square of the error, in percent of the mean. The own error of relighting is that against the picture whose light was kept,
+times the ratio of two renders with many samples, of the frame and with all lamps on; it has the noise of both.
 """
 import math
 import random
+import resource
 import struct
 import subprocess
 import sys
 import tempfile
-import time
 import zlib
 from pathlib import Path
 
-SCENE = """#version 3.7; global_settings {{ assumed_gamma 1 }}
+SCENE = """#version 3.7; global_settings {{ assumed_gamma 1 {settings} }}
 camera {{ location <0, 7, -1> look_at <0, 0, -8> angle 60 right 16/9*x }}
 plane {{ y, 0 pigment {{ rgb 0.5 }} finish {{ ambient 0 diffuse 0.8 }} }}
 box {{ <-10, 0, 0>, <10, 12, 1> pigment {{ rgb 0.3 }} finish {{ ambient 0 diffuse 0.7 }} }}
@@ -32,7 +34,13 @@ union {{
   #end
   light_name "Facade"
 }}
+{more}
 """
+KINDS = {
+    "direct": ("", ""),
+    "bounces": ("integrator { path_traced }", ""),
+    "air": ("", "media { scattering { 1, 0.03 } }"),
+}
 
 
 def films(side):
@@ -76,48 +84,54 @@ def light_in(png):
 
 def error(made, right):
     squares = sum((a - b) ** 2 for a, b in zip(made, right))
-    return 100 * math.sqrt(squares / len(right)) / (sum(right) / len(right))
+    return f"{100 * math.sqrt(squares / len(right)) / (sum(right) / len(right)):.2f} %"
 
 
 def main():
     program = sys.argv[1]
-    side = math.isqrt(int(sys.argv[2]) if len(sys.argv) > 2 else 10000)
-    samples = int(sys.argv[3]) if len(sys.argv) > 3 else 64
-    more = sys.argv[4:]
+    kind = sys.argv[2] if len(sys.argv) > 2 else "direct"
+    side, samples, times = (int(sys.argv[i]) if len(sys.argv) > i else usual for i, usual in ((3, 2500), (4, 32), (5, 8)))
+    side = math.isqrt(side)
+    settings, more = KINDS[kind]
     picture = ["-V", "+W128", "+H72", "+FN16", "File_Gamma=1"]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
 
         def run(*words):
-            begun = time.perf_counter()
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
             subprocess.run([program, *map(str, words)], check=True)
-            return time.perf_counter() - begun
+            return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
-        def scene(values, gain):
-            text = SCENE.format(count=side * side, side=side, gain=gain * 10000 / side ** 2,
+        def scene(values):
+            text = SCENE.format(count=side * side, side=side, gain=10000 / side ** 2, settings=settings, more=more,
                                 values=",".join(f"{value:.4f}" for value in values))
             (folder / "facade.pov").write_text(text)
             return folder / "facade.pov"
 
-        everything = scene([1] * side * side, 1)
-        plain = run(everything, *picture, "--samples", samples, f"+O{folder}/all.png")
-        kept = run(everything, *picture, "--samples", samples, f"+O{folder}/all.png", "--keep-lights",
-                   folder / "all.lights", *more)
+        def rendered(values, samples, *words):
+            run(scene(values), *picture, "--samples", samples, *words, f"+O{folder}/made.png")
+            return light_in(folder / "made.png")
+
+        everything = scene([1] * side * side)
+        costs = [run(everything, *picture, "--samples", samples, f"+O{folder}/all.png", *words)
+                 for words in ((), ("--keep-lights", folder / "all.lights"))]
         size = (folder / "all.lights").stat().st_size
-        print(f"{side * side} lamps, {samples} samples: {plain:.1f} s, with light kept {kept:.1f} s, {size / 1e6:.1f} MB")
-        print("| film | fresh | relit | relit, --smooth 6 |\n|---|---|---|---|")
+        print(f"{kind}: {side * side} lamps, {samples} samples, user time {costs[0]:.1f} s, with light kept {costs[1]:.1f} s, "
+              f"{size / 1e6:.1f} MB")
+        kept, right_of_all = light_in(folder / "all.png"), rendered([1] * side * side, times * samples, "--seed", 9)
+        print("| film | fresh | relit | own error | relit, `--smooth 0` |\n|---|---|---|---|---|")
         for film, values in films(side).items():
             (folder / "film.csv").write_text(f"Facade[0..{side * side - 1}]\n" + ",".join(f"{v:.4f}" for v in values) + "\n")
-            for name, smooth in (("relit", 0), ("smooth", 6)):
-                run("relight", folder / "all.lights", "--csv", folder / "film.csv", "+FN16", "File_Gamma=1", "--smooth", smooth,
-                    f"+O{folder}/{name}.png")
-            frame = scene(values, 1)
-            run(frame, *picture, "--samples", samples, "--seed", 5, f"+O{folder}/fresh.png")
-            run(frame, *picture, "--samples", 16 * samples, f"+O{folder}/right.png")
-            right = light_in(folder / "right.png")
-            print(f"| {film} | {error(light_in(folder / 'fresh.png'), right):.2f} % | "
-                  f"{error(light_in(folder / 'relit1.png'), right):.2f} % | "
-                  f"{error(light_in(folder / 'smooth1.png'), right):.2f} % |", flush=True)
+            relit = []
+            for words in ((), ("--smooth", 0)):
+                run("relight", folder / "all.lights", "--csv", folder / "film.csv", "+FN16", "File_Gamma=1", *words,
+                    f"+O{folder}/relit.png")
+                relit.append(light_in(folder / "relit1.png"))
+            fresh = rendered(values, samples, "--seed", 5)
+            right = rendered(values, times * samples, "--seed", 9)
+            own = [a * b / c if c > 0 else b for a, b, c in zip(kept, right, right_of_all)]
+            print(f"| {film} | {error(fresh, right)} | {error(relit[0], right)} | {error(relit[0], own)} | "
+                  f"{error(relit[1], right)} |", flush=True)
 
 
 if __name__ == "__main__":

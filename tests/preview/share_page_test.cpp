@@ -56,6 +56,17 @@ TEST_CASE("a page to share names nothing outside of itself") {
     CHECK(count(page, "<title>ring</title>") == 1);
 }
 
+TEST_CASE("a page that a server makes asks this server alone") {
+    SharedPicture picture = shared("ring", {"Top"});
+    picture.watched = 7;
+    const std::string page = share_page(picture);
+    CHECK(has(page, "default-src 'none'"));
+    CHECK(has(page, "connect-src 'self'\""));
+    CHECK(count(page, "fetch(") == 1);
+    CHECK(facts(page).at("watched") == 7);
+    CHECK_FALSE(has(page, "-OF-THE-PAGE"));
+}
+
 TEST_CASE("names in a page to share are text, whatever they are") {
     const std::string hostile = "</script><script>hacked()</script><!-- \"x\" & DATA-OF-THE-PAGE";
     const std::string harmless = share_page(shared("ring", {"Top"}));

@@ -156,7 +156,7 @@ def look_show(shared, shots):
     (shared.folder / "show.csv").write_text(FRAMES)
     shared.run("show.pov", f"+W{WIDTH}", f"+H{HEIGHT}", "--samples", "32", "-V", "--keep-lights", "show.lights", "+Oshow.png")
     shared.run("share", "show.lights", "--csv", "show.csv", "--frame-rate", "10", "-o", "show")
-    shared.run("relight", "show.lights", "--csv", "show.csv", "--frame-rate", "10", "--smooth", "6", "-o", "show.ppm")
+    shared.run("relight", "show.lights", "--csv", "show.csv", "--frame-rate", "10", "-o", "show.ppm")
     print(f"page of a show: {(shared.folder / 'show.html').stat().st_size / 1e6:.2f} MB")
     shared.open("show.html")
     check("cards of the names", run("facts.names") == ["Front", "</script>Lantern", "rest"])
@@ -177,7 +177,7 @@ def look_show(shared, shots):
     # Sliders count in all frames.
     run("goTo(show.frames - 1, 1)")
     run("cards[0].put(0.25)")
-    shared.run("relight", "show.lights", "--set", "Front=0.175,#80c0ff", "--smooth", "6", "-o", "dim.ppm")
+    shared.run("relight", "show.lights", "--set", "Front=0.175,#80c0ff", "-o", "dim.ppm")
     compare("dimmed", shared.folder / "dim.ppm", 2)
     run("cards[0].put(1)")
     run("goTo(0, 1)")
@@ -194,6 +194,41 @@ def look_show(shared, shots):
     browser.size(1280, 800, False)
 
 
+def look_served(shared, shots):
+    """A show that relight serves: the page is loaded again when its table has changed, and stays when it has a mistake."""
+    browser, run = shared.browser, shared.browser.run
+    table = shared.folder / "served.csv"
+    table.write_text(FRAMES)
+    server = subprocess.Popen([shared.program, "relight", "show.lights", "--csv", "served.csv", "--frame-rate", "10",
+                               "--preview", "0"], cwd=shared.folder, stderr=subprocess.PIPE, text=True)
+    try:
+        address = server.stderr.readline().split()[-1]
+        ready = "document.readyState === 'complete' && document.body.dataset.ready === 'yes'"
+        browser.go(address)
+        browser.until(ready)
+        frames = run("show.frames")
+        run("goTo(3, 1)")
+        dark = sum(shared.shown())
+        if shots:
+            browser.shot(f"{shots}/served.png")
+        # Editors replace files by others.
+        (shared.folder / "next.csv").write_text(FRAMES.replace("0.4", "1.4").replace("#ff4020", "4,#ff4020"))
+        (shared.folder / "next.csv").replace(table)
+        browser.until(f"{ready} && facts.watched === 2")
+        check("a longer show", run("show.frames") == frames + 10)
+        check("the frame stays", run("frame") == 3)
+        check("it is brighter", sum(shared.shown()) > 1.1 * dark)
+        table.write_text("cue,time,fade\nleft,0,0,Back=1\n")
+        check("a mistake is said", "error" in server.stderr.readline())
+        table.write_text(FRAMES)
+        browser.until(f"{ready} && facts.watched === 3")
+        check("the mistake is mended", run("show.frames") == frames)
+        browser.go("about:blank")
+    finally:
+        server.terminate()
+    check("it ends", server.wait(20) == 0)
+
+
 def main():
     if not shutil.which("chromium"):
         print("skipped: chromium is not installed")
@@ -206,6 +241,7 @@ def main():
         try:
             shared = Shared(str(Path(sys.argv[1]).resolve()), folder, browser)
             look_show(shared, shots)
+            look_served(shared, shots)
             look(shared, shots)
             check(f"no errors of the page: {browser.errors}", not browser.errors)
         finally:

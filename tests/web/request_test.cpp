@@ -139,6 +139,13 @@ TEST_CASE("every answer is closed to other sites") {
     }
 }
 
+TEST_CASE("scripts within a page run in a page that is whole, and in no other") {
+    WebAnswer answer{"text/html", "body"};
+    CHECK(sent_form(answer).find("script-src 'self'; ") != std::string::npos);
+    answer.is_whole = true;
+    CHECK(sent_form(answer).find("script-src 'unsafe-inline'; ") != std::string::npos);
+}
+
 TEST_CASE("an answer is saved under a name that can end no header") {
     const std::string sent = sent_form({"image/png", "body", 200, "a\"b\r\nX: c/../d-1.png"});
     CHECK(sent.find("\r\nContent-Disposition: attachment; "

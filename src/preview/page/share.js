@@ -394,7 +394,7 @@ async function unfold() {
   shares = sums.map(sum => most > 0 ? sum / most : 0);
   element("wait").hidden = true;
   showLight();
-  if (show) goTo(0, 1);
+  if (show) goTo(Math.min(facts.watched ? Number(sessionStorage.frame ?? 0) : 0, show.frames - 1), 1);
   refresh(1);
   document.body.dataset.ready = "yes";
 }
