@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace candelabra {
 
@@ -56,14 +57,37 @@ std::vector<BoundedValue> values_of(const PowerProblem& problem, const LightAtPo
     return values;
 }
 
+/// The lamps whose light may be nothing but luck: a sample or two that found a far lamp would have
+/// it replace all others.
+std::vector<std::size_t> unknown_lamps(const PowerProblem& problem) {
+    std::vector<bool> asked(problem.halves[0].fixed.size());
+    for (const LightDemand& demand : problem.demands)
+        for (std::size_t i = demand.first; i < demand.first + demand.count; ++i) asked[i] = true;
+    std::vector<std::size_t> unknown;
+    for (std::size_t k = 0; k < problem.lamps; ++k) {
+        double off = 0, sum = 0;
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            if (!asked[i]) continue;
+            const double one = problem.halves[0].by_lamp[i * problem.lamps + k],
+                         other = problem.halves[1].by_lamp[i * problem.lamps + k];
+            off += std::abs(one - other);
+            sum += std::abs(one + other);
+        }
+        constexpr double errors = 2;
+        if (errors * off > sum) unknown.push_back(k);
+    }
+    return unknown;
+}
+
 /// A programme whose columns are the lamps and then, if wanted, what each demanded value may lack
 /// and exceed, in terms of its bound.
 LinearProgramme programme_of(const PowerProblem& problem, const std::vector<BoundedValue>& values,
-                             bool elastic) {
+                             std::span<const std::size_t> unknown, bool elastic) {
     LinearProgramme made;
     made.costs = problem.costs;
     if (elastic) std::ranges::fill(made.costs, 0);
     made.most.assign(problem.lamps, problem.most);
+    for (const std::size_t lamp : unknown) made.most[lamp] = 0;
     const std::size_t spare = elastic ? values.size() : 0;
     made.costs.resize(problem.lamps + spare, 1);
     made.most.resize(problem.lamps + spare, LinearProgramme::unbounded);
@@ -128,10 +152,11 @@ SolvedPowers solved(const PowerProblem& problem, Diagnostics& diagnostics) {
             return made;
         }
     const std::vector<BoundedValue> values = values_of(problem, problem.halves[0]);
-    LinearProgramme programme = programme_of(problem, values, false);
+    made.unknown = unknown_lamps(problem);
+    LinearProgramme programme = programme_of(problem, values, made.unknown, false);
     std::string trouble = solver->minimise(programme, made.powers);
     if (!trouble.empty()) {
-        const LinearProgramme elastic = programme_of(problem, values, true);
+        const LinearProgramme elastic = programme_of(problem, values, made.unknown, true);
         std::vector<double> x;
         trouble = solver->minimise(elastic, x);
         if (trouble.empty()) {

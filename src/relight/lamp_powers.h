@@ -47,6 +47,9 @@ struct SolvedBound {
 
 struct SolvedPowers {
     std::vector<double> powers;  ///< in terms of those that were rendered; empty after an error
+    /// Lamps that were left out, and are off, because their light is not known: over the points of
+    /// the demands, a mean of the halves is less than twice its standard error.
+    std::vector<std::size_t> unknown;
     double cost = 0;             ///< in terms of that of the rendered powers
     std::vector<SolvedBound> bounds;
     double gap = 0;   ///< greatest difference of a value between the halves, in terms of a bound

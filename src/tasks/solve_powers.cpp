@@ -160,8 +160,13 @@ class SolveReport {
 public:
     SolveReport(const SolveRequest& request, const PowerProblem& problem,
                 const std::vector<MeterReading>& readings, const std::vector<std::size_t>& which,
-                const SolvedPowers& found)
-        : request_(request), problem_(problem), readings_(readings), which_(which), found_(found) {}
+                const std::vector<std::string>& names, const SolvedPowers& found)
+        : request_(request),
+          problem_(problem),
+          readings_(readings),
+          which_(which),
+          names_(names),
+          found_(found) {}
 
     /// The report for people.
     std::string text() const {
@@ -169,6 +174,11 @@ public:
         std::string made = message(count, count == 1 ? " power" : " powers", " with ",
                                    cell(rounded(100 * found_.cost, 3)),
                                    " % of the light of these lamps as the scene has them\n");
+        for (std::size_t i = 0; i < std::min(found_.unknown.size(), most_named); ++i)
+            made += message("left out: `", printable(names_[found_.unknown[i]]),
+                            "`, of whose light there are too few samples at the meters\n");
+        if (found_.unknown.size() > most_named)
+            made += message("left out: ", found_.unknown.size() - most_named, " more\n");
         std::size_t tight = 0, missed = 0;
         double by = 0;
         for (const SolvedBound& bound : found_.bounds) {
@@ -212,6 +222,10 @@ private:
     static std::string percent(double share) { return cell(rounded(100 * share, 2)) + " %"; }
 
     std::string way_out() const {
+        if (!found_.unknown.empty())
+            return message("more --samples, as ", found_.unknown.size(),
+                           found_.unknown.size() == 1 ? " lamp was" : " lamps were",
+                           " left out, or wider bounds");
         return std::isfinite(request_.most) ? "wider bounds, more lamps, or a greater --max-power"
                                             : "wider bounds, or more lamps";
     }
@@ -233,6 +247,7 @@ private:
     const PowerProblem& problem_;
     const std::vector<MeterReading>& readings_;
     const std::vector<std::size_t>& which_;
+    const std::vector<std::string>& names_;  ///< of the powers
     const SolvedPowers& found_;
 };
 
@@ -297,7 +312,7 @@ int solve_powers(SceneSteps& steps, const SolveRequest& request) {
     const PowerProblem problem = problem_of(request, readings, which, *columns);
     const SolvedPowers found = solved(problem, steps.diagnostics());
     if (steps.say_diagnostics()) return exit_status::scene;
-    const SolveReport report(request, problem, readings, which, found);
+    const SolveReport report(request, problem, readings, which, columns->names, found);
     const int written = write_powers(steps, powers_text(found.powers, *columns), report.text());
     if (written != exit_status::done) return written;
     report.name_missed(steps.diagnostics());

@@ -158,6 +158,22 @@ TEST_CASE("light that shards by tiles keep is merged to the bytes of the single 
     REQUIRE(farm({"merge", farm.path("c.state.exr"), "+O" + farm.path("c.png"), "--keep-lights",
                   farm.path("again.lights")}) == 0);
     CHECK(farm.content("again.lights") == whole);
+    // Of some of the shards there is their light, and the rest is dark.
+    REQUIRE(farm.merge({"1of3", "3of3"},
+                       {"--partial", "--keep-lights", farm.path("some.lights")}) == 0);
+    const auto pixels = [&](const std::string& lights) {
+        REQUIRE(farm({"relight", farm.path(lights), "--exposure", "0", "--glare", "off",
+                      "+O" + farm.path("some.ppm")}) == 0);
+        return farm.content("some.ppm").substr(farm.content("some.ppm").size() - 40 * 36 * 3);
+    };
+    const std::string some = pixels("some.lights"), right = pixels("whole.lights");
+    int dark = 0;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        dark += some[i] == 0 && right[i] != 0;
+        CHECK((some[i] == 0 || some[i] == right[i]));
+    }
+    CHECK(dark > 100);
+    CHECK(farm.merge({"1of3", "3of3"}, {"--keep-lights", farm.path("none.lights")}) != 0);
     // Without the option there is the picture alone, and without light there is none to merge.
     REQUIRE(farm.merge(all) == 0);
     REQUIRE(farm.share("2/3", {"--samples", "16", "--shard-by", "tiles"}) == 0);

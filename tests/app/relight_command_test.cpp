@@ -158,7 +158,7 @@ TEST_CASE("relight says what it cannot do", "[app][relight]") {
     fails({file, "-o", png, "--smooth", "few"}, 2, "is no number of pixels from 0 to 100");
     fails({file, "--set"}, 2, "`--set` needs a value");
     fails({file, "--preview", "0", "-o", png}, 2, "a preview of a show writes no pictures");
-    fails({file, "--preview", "none"}, 2, "none");
+    fails({file, "--preview", "none"}, 2, "a port is a number from 0 to 65535");
     fails({run.path("none.lights"), "--preview", "0"}, 3, "cannot be read");
     fails({file, "--preview", "0", "--preview-host", "here"}, 3, "cannot be had");
     fails({file, "--check"}, 2, "relight makes pictures and nothing else");

@@ -51,6 +51,28 @@ TEST_CASE("powers are the least that meet all bounds, and the other half judges 
     CHECK(found.bounds[0].judged == Approx(27));
 }
 
+TEST_CASE("a lamp whose light may be luck is left out, however cheap it is") {
+    PowerProblem problem = two_lamps(25, 100);
+    problem.lamps = 3;
+    problem.costs = {1, 1, 0.001};
+    problem.halves[0].by_lamp = {10, 2, 0.01, 2, 10, 0};
+    problem.halves[1].by_lamp = {11, 2, 0.002, 2.2, 10, 0};
+    Diagnostics diagnostics;
+    const SolvedPowers found = solved(problem, diagnostics);
+    REQUIRE(found.powers.size() == 3);
+    CHECK(found.unknown == std::vector<std::size_t>{2});
+    CHECK(found.powers[0] == Approx(2));
+    CHECK(found.powers[2] == 0);
+    CHECK(found.met);
+    // Twice as near to each other, the halves agree that there is light.
+    problem.halves[1].by_lamp[2] = 0.005;
+    problem.demands[0].high = LinearProgramme::unbounded;
+    CHECK(solved(problem, diagnostics).unknown.empty());
+    // A lamp that gives nothing at all is known.
+    problem.halves[0].by_lamp[2] = problem.halves[1].by_lamp[2] = 0;
+    CHECK(solved(problem, diagnostics).unknown.empty());
+}
+
 TEST_CASE("the mean of points is bounded without its points") {
     PowerProblem problem = two_lamps(25, LinearProgramme::unbounded);
     problem.demands[0].of_mean = true;

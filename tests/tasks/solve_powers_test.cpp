@@ -93,6 +93,25 @@ TEST_CASE("what cannot be met is named, and the nearest powers are written", "[s
     CHECK(Solving::powers_in(run.content("p.inc")) == std::vector<double>{1, 1});
 }
 
+TEST_CASE("a far lamp that samples hardly find is left out, and named", "[solve]") {
+    Solving run;
+    run.write("a.pov", R"(#version 3.7;
+global_settings { photometry { unit 1 white 100 } integrator { path_traced } }
+#macro Glow(Light) pigment { rgb 1 } finish { ambient 0 diffuse 0 emission Light } #end
+plane { y, 0 pigment { rgb 0.5 } }
+union { #for (I, 0, 2) sphere { <I, 2, 0>, 0.1 Glow(50) } #end light_name "Near" }
+union { #for (I, 0, 199) sphere { <100 + I, 3, 0>, 0.1 Glow(50) } #end light_name "Far" }
+meter { "Street" corner <0, 0.01, -1> along 2*x across 2*z counts <4, 3> }
+)");
+    // One of them is found once, and would have thousands of times its power.
+    CHECK(run.solve({"--samples", "128", "--on", "Street", "--lux", "120..", "--lamps", "Far", "-o",
+                     "-"}) == exit_status::scene);
+    CHECK(has(run.err, "left out: `Far["));
+    CHECK(has(run.err, "]`, of whose light there are too few samples at the meters"));
+    CHECK(has(run.err, "was left out, or wider bounds"));
+    for (const double power : Solving::powers_in(run.out)) CHECK(power < 100);
+}
+
 TEST_CASE("what has no powers is refused", "[solve]") {
     Solving run;
     const auto refused = [&](const std::string& meter, const std::string& said) {
