@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: CC0-1.0
-// A house whose front is a screen of 10,000 LEDs, row by row from below: Front[0..99] is the lowest
+// A house whose front is a screen of 100,000 LEDs, row by row from below: Front[0..399] is the lowest
 // row. The light of each is kept while the picture is rendered, and a show is played with it:
 //   candelabra media_facade.pov +W640 +H360 --samples 64 --keep-lights front.lights
 //   candelabra relight front.lights --csv media_facade.csv --movie front.mp4
+//   candelabra relight front.lights --csv media_facade.csv --preview 8000
 //   candelabra share front.lights --csv media_facade.csv -o front.html
 #version 3.7;
 global_settings { assumed_gamma 1 }
@@ -12,9 +13,9 @@ camera {
   film { exposure 0.7 response filmic glare { veil 0.08 } }
 }
 
-#declare Across = 100;
-#declare Up = 100;
-#declare Led = sphere { 0, 0.035 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 9 } }
+#declare Across = 400;
+#declare Up = 250;
+#declare Led = sphere { 0, 0.012 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 76.5 } }
 
 // The house, with a door.
 difference {

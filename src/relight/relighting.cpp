@@ -47,14 +47,11 @@ void put_tile(const TilePlanes& tile, std::size_t number, const LightRecords& re
 }  // namespace
 
 Relighting::Relighting(const LightRecords& records, int smooth, int threads)
-    : records_(records), threads_(threads) {
-    if (smooth > 0) {
-        crowds_.emplace(records, smooth, threads);
-        return;
-    }
-    node_of_.resize(records.tiles.size());
+    : records_(records), threads_(threads), node_of_(records.tiles.size()) {
+    if (smooth > 0) crowds_.emplace(records, smooth, threads);
     run_parallel(records.tiles.size(), threads, [&](std::size_t number) {
         const TileRecords& tile = records.tiles[number];
+        if (is_smooth(tile)) return;
         node_of_[number].reserve(tile.residual.size());
         for (const LampEntry& entry : tile.residual) {
             const auto after =
@@ -70,14 +67,14 @@ void Relighting::add_light(std::size_t number, const FactorMeans& means,
     const TileRecords& tile = records_.tiles[number];
     std::vector<Channels> mean_of_node;
     for (std::size_t n = 0; n < tile.nodes.size(); ++n) {
-        if (crowds_ && tile.nodes[n].size() > 1) continue;
+        if (is_smooth(tile) && tile.nodes[n].size() > 1) continue;
         const Vec3 mean = means(tile.nodes[n]);
         mean_of_node.push_back(channels(mean));
         add_node(tile.light.data() + n * 3 * tile_pixels,
                  channels(mean * static_cast<double>(tile.scale)), planes);
     }
     for (const LampEntry& entry : tile.own) add_entry(entry, factors[entry.lamp], planes);
-    if (crowds_) return;
+    if (is_smooth(tile)) return;
     for (std::size_t i = 0; i < tile.residual.size(); ++i) {
         const LampEntry& entry = tile.residual[i];
         const Channels& mean = mean_of_node[node_of_[number][i]];

@@ -26,13 +26,14 @@ public:
     Image picture(std::span<const Vec3> factors) const;
 
 private:
+    bool is_smooth(const TileRecords& tile) const { return crowds_ && !tile.seen_in_nodes; }
     void add_light(std::size_t tile, const FactorMeans&, std::span<const Channels>,
                    TilePlanes&) const;
 
     const LightRecords& records_;
     int threads_;
     std::optional<SmoothCrowds> crowds_;
-    /// Of each sample of a lamp in a crowd, tile by tile: its node. Only without crowds_.
+    /// Of each sample of a lamp in a crowd, tile by tile: its node. Empty where it is smooth.
     std::vector<std::vector<std::uint32_t>> node_of_;
 };
 

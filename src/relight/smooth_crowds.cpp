@@ -81,6 +81,26 @@ void add_products(const float* sums, const float* factors, float* all) {
             all[c * of_channel + i] += factors[c] * sums[c * of_channel + i];
 }
 
+/// What samples add to the ratio in a tile: as in its surroundings, unless its own samples differ
+/// from them by more than their noise. `squares`: their sum over the samples; `light`: as rendered.
+Channels between(const Channels& inverse_around, const double* around, const double* here,
+                 double squares, const Channels& light) {
+    constexpr double errors = 2;
+    Channels made{}, off{};
+    double size = 0, noise = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        made[c] = static_cast<float>(around[c]) * inverse_around[c];
+        if (light[c] > 0) off[c] = static_cast<float>(here[c]) / light[c] - made[c];
+        size += static_cast<double>(off[c]) * static_cast<double>(off[c]);
+        noise = std::max(noise, static_cast<double>(light[c]));
+    }
+    noise = noise > 0 ? squares / (noise * noise) : 0;
+    const double share = size > 0 ? 1 - errors * errors * noise / size : 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        made[c] += static_cast<float>(std::max(share, 0.0)) * off[c];
+    return made;
+}
+
 /// The number of a cell or a tile, `before` of which lie before the one asked for, within 0 to
 /// count - 1: beyond the edge it is the one at the edge.
 std::size_t within(std::size_t place, std::size_t before, std::size_t count) {
@@ -120,6 +140,11 @@ SmoothCrowds::SmoothCrowds(const LightRecords& records, int radius, int threads)
     });
     samples_.resize(rows_);
     run_parallel(rows_, threads_, [&](std::size_t row) { take_samples(row); });
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+        const double* const light = of_tiles.at(i % columns_, i / columns_);
+        light_of_.push_back({static_cast<float>(light[0]), static_cast<float>(light[1]),
+                             static_cast<float>(light[2])});
+    }
     blur(of_cells, radius_ / cell, threads_);
     blur(of_tiles, wider_for_samples * radius_ / light_tile, threads_);
     prepare(of_cells, of_tiles);
@@ -157,7 +182,7 @@ void SmoothCrowds::take(std::size_t number) {
         term[pixel] = terms_of(number, pixel);
     }
     for (std::size_t n = 0; n < from.nodes.size(); ++n) {
-        if (from.nodes[n].size() == 1) continue;
+        if (from.nodes[n].size() == 1 || from.seen_in_nodes) continue;
         NodeSums& sums = tile.nodes.emplace_back(Node{from.nodes[n]}).sums;
         for (std::size_t c = 0; c < 3; ++c)
             for (const std::size_t pixel : inside) {
@@ -177,6 +202,7 @@ void SmoothCrowds::take_samples(std::size_t row) {
     std::vector<Sample>& samples = samples_[row];
     for (std::size_t column = 0; column < columns_; ++column) {
         std::vector<Node>& nodes = tiles_[row * columns_ + column].nodes;
+        if (nodes.empty()) continue;
         for (const LampEntry& entry : records_.tiles[row * columns_ + column].residual) {
             const auto after = std::ranges::upper_bound(
                 nodes, entry.lamp, {}, [](const Node& node) { return node.lamps.first; });
@@ -266,6 +292,7 @@ void SmoothCrowds::sum(std::size_t number, const FactorMeans& means, Fit& fit, C
 SmoothCrowds::Fit SmoothCrowds::fitted(const FactorMeans& means,
                                        std::span<const Channels> factors) const {
     CellSums of_cells(along * columns_, along * rows_, 3 * terms), of_tiles(columns_, rows_, 3);
+    std::vector<double> squares(tiles_.size());
     Fit fit;
     fit.least.resize(tiles_.size());
     fit.most.resize(tiles_.size());
@@ -273,12 +300,18 @@ SmoothCrowds::Fit SmoothCrowds::fitted(const FactorMeans& means,
         for (const Sample& sample : samples_[row]) {
             const Channels& factor = factors[sample.lamp];
             double* const extra = of_tiles.at(sample.column, row);
-            for (std::size_t c = 0; c < 3; ++c)
-                extra[c] += static_cast<double>(factor[c] * sample.light[c]);
+            float square = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float light = factor[c] * sample.light[c];
+                extra[c] += static_cast<double>(light);
+                square += light * light;
+            }
+            squares[row * columns_ + sample.column] += static_cast<double>(square);
         }
         for (std::size_t column = 0; column < columns_; ++column)
             sum(row * columns_ + column, means, fit, of_cells, of_tiles);
     });
+    const CellSums own = of_tiles;
     blur(of_cells, radius_ / cell, threads_);
     blur(of_tiles, wider_for_samples * radius_ / light_tile, threads_);
     fit.cells.resize(solvers_.size());
@@ -305,10 +338,11 @@ SmoothCrowds::Fit SmoothCrowds::fitted(const FactorMeans& means,
         }
     });
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
-        auto& extra = fit.tiles.emplace_back();
-        const double* const light = of_tiles.at(i % columns_, i / columns_);
-        for (std::size_t c = 0; c < 3; ++c)
-            extra[c] = static_cast<float>(light[c]) * inverse_light_around_tiles_[i][c];
+        const double *const around = of_tiles.at(i % columns_, i / columns_), *const here = own.at(
+                                                                                  i % columns_,
+                                                                                  i / columns_);
+        fit.tiles.push_back(
+            between(inverse_light_around_tiles_[i], around, here, squares[i], light_of_[i]));
     }
     return fit;
 }

@@ -9,7 +9,8 @@
 // light of each lamp is linear in the normal. Cf. B. Moon et al., "Adaptive Rendering Based on
 // Weighted Local Regression", ACM TOG 33 (2014), and K. He, J. Sun, "Fast Guided Filter", 2015, for
 // the cells in which it is done. What samples say of the lamps within a node is smaller, noisier
-// and smoother, and averaged over wider surroundings.
+// and smoother, and averaged over wider surroundings, unless it differs from them. Tiles whose nodes
+// have lamps that are seen are left out: what is seen changes from pixel to pixel.
 #pragma once
 
 #include "relight/cell_sums.h"
@@ -45,7 +46,7 @@ public:
     /// `factors`: those of the means.
     Fit fitted(const FactorMeans&, std::span<const Channels> factors) const;
 
-    /// Adds the light of the crowds of a tile to its planes.
+    /// Adds the light of the crowds of a tile to its planes, unless it is left out.
     void add(const Fit&, std::size_t tile, TilePlanes&) const;
 
 private:
@@ -94,6 +95,7 @@ private:
     std::vector<Tile> tiles_;
     std::vector<std::vector<Sample>> samples_;  ///< of each row of tiles, by lamp and column
     std::vector<std::array<Solver, 3>> solvers_;                    ///< of cells
+    std::vector<Channels> light_of_;  ///< of crowds in tiles, as rendered
     std::vector<Channels> inverse_light_around_tiles_;              ///< 0: there is none
 };
 

@@ -69,6 +69,7 @@ void TileLight::append_to(std::string& bytes) const {
         for (const float value : node.light) append_float(bytes, value);
     }
     for (const auto* entries : {&own_, &residual_, &fresh_}) append_entries_to(bytes, *entries);
+    append_number(bytes, static_cast<std::uint8_t>(seen_in_nodes_ ? 1 : 0));
 }
 
 std::optional<TileLight> TileLight::take(std::string_view& bytes, std::uint32_t lamps) {
@@ -92,6 +93,9 @@ std::optional<TileLight> TileLight::take(std::string_view& bytes, std::uint32_t 
     }
     for (auto* entries : {&tile.own_, &tile.residual_, &tile.fresh_})
         if (!take_entries_of(reader, lamps, *entries)) return std::nullopt;
+    const auto mark = reader.number<std::uint8_t>();
+    if (!reader.good() || mark > 1) return std::nullopt;
+    tile.seen_in_nodes_ = mark == 1;
     bytes = reader.left();
     return tile;
 }
@@ -134,6 +138,7 @@ void TileLight::demote(std::size_t most) {
     for (const LampEntry& entry : own_)
         if (entry.seen) sizes.push_back(entry.size());
     if (sizes.size() <= most) return;
+    seen_in_nodes_ = true;
     std::ranges::stable_sort(sizes, std::greater<>());
     const float least = most > 0 ? sizes[most - 1] : sizes[0];
     std::size_t left = most;
@@ -256,6 +261,7 @@ TileRecords TileLight::finished(const LampList& lamps, const TilePixels& pixels,
             for (float& channel : entry.light) channel = mean_of(channel, entry.pixel);
             to->push_back(entry);
         }
+    tile.seen_in_nodes = seen_in_nodes_;
     round_to_file(tile, planes);
     *this = TileLight();
     return tile;

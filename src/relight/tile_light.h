@@ -67,6 +67,7 @@ private:
     std::vector<Node> nodes_;          ///< disjoint, in the order of the list
     std::vector<LampEntry> own_;       ///< see TileRecords, and sorted
     std::vector<LampEntry> residual_;  ///< likewise
+    bool seen_in_nodes_ = false;       ///< see TileRecords
 };
 
 }  // namespace candelabra

@@ -129,7 +129,8 @@ void append_tile(std::string& bytes, const TileRecords& tile) {
     for (const std::uint16_t half : tile.light) append_number(bytes, half);
     append_entries(bytes, tile.own);
     append_entries(bytes, tile.residual);
-    append_number(bytes, static_cast<std::uint8_t>(tile.rest ? 1 : 0));
+    append_number(bytes,
+                  static_cast<std::uint8_t>((tile.rest ? 1 : 0) + (tile.seen_in_nodes ? 2 : 0)));
     if (tile.rest)
         for (const float value : *tile.rest) append_float(bytes, value);
 }
@@ -142,9 +143,10 @@ std::optional<TileRecords> take_tile(std::string_view& bytes, std::uint32_t lamp
         return std::nullopt;
     for (const LampEntry& entry : tile.residual)
         if (!in_a_node(tile, entry.lamp)) return std::nullopt;
-    const auto has_rest = reader.number<std::uint8_t>();
-    if (has_rest > 1) return std::nullopt;
-    if (has_rest == 1)
+    const auto marks = reader.number<std::uint8_t>();
+    if (marks > 3) return std::nullopt;
+    tile.seen_in_nodes = marks >= 2;
+    if (marks % 2 == 1)
         for (float& value : tile.rest.emplace()) {
             value = reader.real();
             if (!std::isfinite(value)) return std::nullopt;

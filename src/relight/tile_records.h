@@ -35,6 +35,7 @@ struct TileRecords {
     std::vector<LampEntry> own;        ///< lamps in no node, or that a ray met, by pixel and lamp
     std::vector<LampEntry> residual;   ///< of lamps in nodes, by pixel and lamp
     std::optional<TilePlanes> rest;    ///< light without a lamp; none: there is none
+    bool seen_in_nodes = false;        ///< nodes have light of lamps that rays met: it is sharp
 
     friend bool operator==(const TileRecords&, const TileRecords&) = default;
 };

@@ -151,6 +151,20 @@ TEST_CASE("samples of lamps in a smooth crowd count for all that is around them"
     CHECK(other.at(20, 13).x == Approx(0).margin(0.05));
 }
 
+TEST_CASE("tiles with lamps that are seen in crowds stay sharp", "[relight]") {
+    LightRecords records = records_of([](int x, int y) {
+        return Look{1, (x + y) % 2 == 0 ? 1.0 : 0.0, Vec3(0, 0, 1)};
+    });
+    records.tiles[3].seen_in_nodes = true;
+    records.tiles[3].residual = {{0, 0, false, {0.5, 0.5, 0.5}}};
+    const Image made = Relighting(records, 4, 1).picture(first_node),
+                right = relit(records, first_node, 1);
+    for (int y = 0; y < light_tile; ++y)
+        for (int x = 3 * light_tile; x < 4 * light_tile; ++x)
+            CHECK(made.at(x, y) == right.at(x, y));
+    CHECK(made.at(20, 4).x == Approx(0.5).margin(0.1));
+}
+
 TEST_CASE("a smooth picture does not depend on threads", "[relight]") {
     const LightRecords records = records_of([](int x, int y) {
         return Look{random(x, y), random(y, x), Vec3(0, 1, 0)};
