@@ -9,8 +9,8 @@
 // light of each lamp is linear in the normal. Cf. B. Moon et al., "Adaptive Rendering Based on
 // Weighted Local Regression", ACM TOG 33 (2014), and K. He, J. Sun, "Fast Guided Filter", 2015, for
 // the cells in which it is done. What samples say of the lamps within a node is smaller, noisier
-// and smoother, and averaged over wider surroundings, unless it differs from them. Tiles whose nodes
-// have lamps that are seen are left out: what is seen changes from pixel to pixel.
+// and smoother, and averaged over wider surroundings, unless it differs from them. Tiles with nodes
+// that have lamps which are seen are left out: what is seen changes from pixel to pixel.
 #pragma once
 
 #include "relight/cell_sums.h"
