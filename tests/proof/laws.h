@@ -27,10 +27,13 @@ Claims other_runs(const Script&, Dice&);
 Claims other_programs(const Script&, Dice&);
 Claims no_glaring_samples(const Script&, Dice&);
 Claims free_in_the_dark(const Script&, Dice&);
+Claims meters_by_parts(const Script&, Dice&);
+Claims roads_by_tables(const Script&, Dice&);
 
 Script in_furnace(Draft&);
 Script white_floor(Draft&);
 Script in_photons(Draft&);
 Script in_corner(Draft&);
+Script on_road(Draft&);
 
 }  // namespace candelabra::proof

@@ -29,7 +29,7 @@ SessionSettings session_settings(const std::string& text, const RenderSettings& 
     session.source.name = "scene.pov";
     session.source.standard_library = root + "/stdlib";
     session.source.library = {root + "/tests/conformance/pictures", root + "/stdlib/models",
-                              root + "/tests/proof/models"};
+                              root + "/tests/proof/models", root + "/tests/photometry/files"};
     session.render = render;
     session.evaluation.limits.steps = 1'000'000;
     session.notes_files = false;
