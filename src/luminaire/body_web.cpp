@@ -57,8 +57,9 @@ Vec3 spread_direction(int i, int count) {
 
 }  // namespace
 
-BodyWeb::BodyWeb(const AimedWeb& web, const std::vector<Facet>& facets) : web_(web) {
-    facets_ = merged(facets);
+WebbedBody::WebbedBody(Handle<PhotometricWeb> web, const FacetedBody& body)
+    : web_(std::move(web)), facets_(merged(body.facets)), round_(body.round / 4) {
+    const std::vector<Facet>& facets = body.facets;
     if (facets_.size() > max_facets) {
         facets_.clear();
         for (std::size_t row = 0; row <= table_rows; ++row)
@@ -72,7 +73,7 @@ BodyWeb::BodyWeb(const AimedWeb& web, const std::vector<Facet>& facets) : web_(w
     if (!facing_.empty()) {
         const auto [low, high] = std::ranges::minmax(facing_);
         if (high < (1 + alike) * low) {
-            same_ = 0.5 * (low + high);
+            round_ += 0.5 * (low + high);
             facing_.clear();
         }
     }
@@ -88,17 +89,14 @@ BodyWeb::BodyWeb(const AimedWeb& web, const std::vector<Facet>& facets) : web_(w
     };
     for (int i = 0; i < bound_directions; ++i) sum += bound(spread_direction(i, bound_directions));
     // Beams narrower than the directions above have their greatest intensity at an entry.
-    const PhotometricWeb& table = web_.web();
-    for (const double h : table.horizontal())
-        for (const double v : table.vertical())
-            bound(web_.towards(direction_of(table.type(), {v, h})));
+    for (const double h : web_->horizontal())
+        for (const double v : web_->vertical()) bound(direction_of(web_->type(), {v, h}));
     mean_share_ = greatest_ > 0 ? std::fmax(sum / bound_directions / greatest_, 1e-3) : 1;
     greatest_ *= bound_room;
 }
 
-double BodyWeb::facing(const Vec3& direction) const {
-    if (same_ > 0) return same_;
-    if (facing_.empty()) return facing_area(facets_, direction);
+double WebbedBody::facing(const Vec3& direction) const {
+    if (facing_.empty()) return round_ + facing_area(facets_, direction);
     const double polar = math::acos(std::clamp(direction.y, -1.0, 1.0)) / pi * table_rows;
     double round = math::atan2(direction.z, direction.x) / (2 * pi) * table_columns;
     if (round < 0) round += table_columns;
@@ -112,11 +110,19 @@ double BodyWeb::facing(const Vec3& direction) const {
     const auto mixed = [&](std::size_t r) {
         return (1 - along) * at(r, column) + along * at(r, column + 1);
     };
-    return (1 - down) * mixed(row) + down * mixed(row + 1);
+    return round_ + (1 - down) * mixed(row) + down * mixed(row + 1);
 }
 
-double BodyWeb::factor(const Vec3& direction) const {
-    return web_.intensity(direction) / std::fmax(facing(direction), least_);
+double WebbedBody::factor(const Vec3& direction) const {
+    return web_->intensity(direction) / std::fmax(facing(direction), least_);
+}
+
+BodyWeb::BodyWeb(const AimedWeb& web, const std::vector<Facet>& facets)
+    : BodyWeb(web, make_handle<WebbedBody>(web.shared_web(), FacetedBody{in_frame(web, facets)})) {}
+
+std::vector<Facet> in_frame(const AimedWeb& web, std::vector<Facet> facets) {
+    for (Facet& facet : facets) facet.normal = web.own(facet.normal);
+    return facets;
 }
 
 }  // namespace candelabra

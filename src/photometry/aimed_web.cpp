@@ -63,12 +63,21 @@ bool has_axes(const WebPlace& place) {
 
 AimedWeb::AimedWeb(const WebPlace& place)
     : web_(place.web),
-      x_(unit(across(place))),
-      // In the space of the scene, which is left-handed, C90 lies at C0 times up.
-      y_(cross(x_, place.mirrored ? unit(place.aim) : -unit(place.aim))),
-      z_(-unit(place.aim)),
       greatest_(web_->greatest()),
       dark_(widest(*web_, 0)),
-      bright_(widest(*web_, 0.5 * greatest_)) {}
+      bright_(widest(*web_, 0.5 * greatest_)) {
+    set_axes(place);
+}
+
+AimedWeb::AimedWeb(const AimedWeb& same, const WebPlace& place) : AimedWeb(same) {
+    set_axes(place);
+}
+
+void AimedWeb::set_axes(const WebPlace& place) {
+    x_ = unit(across(place));
+    // In the space of the scene, which is left-handed, C90 lies at C0 times up.
+    y_ = cross(x_, place.mirrored ? unit(place.aim) : -unit(place.aim));
+    z_ = -unit(place.aim);
+}
 
 }  // namespace candelabra

@@ -54,10 +54,15 @@ class AimedWeb {
 public:
     /// Preconditions: there is a web, and has_axes().
     explicit AimedWeb(const WebPlace&);
+    /// The same as of a place with the web of another one, which tells what does not depend on the
+    /// axes.
+    AimedWeb(const AimedWeb&, const WebPlace&);
 
     /// Intensity in candela in a direction away from the lamp, which need not have unit length.
-    double intensity(const Vec3& direction) const {
-        return web_->intensity({dot(direction, x_), dot(direction, y_), dot(direction, z_)});
+    double intensity(const Vec3& direction) const { return web_->intensity(own(direction)); }
+    /// The direction in the web's own frame of one in the scene.
+    Vec3 own(const Vec3& direction) const {
+        return {dot(direction, x_), dot(direction, y_), dot(direction, z_)};
     }
     /// The greatest intensity in candela.
     double greatest() const { return greatest_; }
@@ -77,9 +82,14 @@ public:
 
     friend bool operator==(const AimedWeb&, const AimedWeb&) = default;
 
+    const Handle<PhotometricWeb>& shared_web() const { return web_; }
+
 private:
+    void set_axes(const WebPlace&);
+
     Handle<PhotometricWeb> web_;
-    Vec3 x_, y_, z_;  ///< the axes of the web's own frame (photometric_web.h), unit
+    /// The axes of the web's own frame (photometric_web.h), unit.
+    Vec3 x_ = Vec3(0), y_ = Vec3(0), z_ = Vec3(0);
     double greatest_ = 0;
     double dark_ = 0, bright_ = 0;
 };

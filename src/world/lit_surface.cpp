@@ -80,7 +80,9 @@ LitSurface of_area(const BuiltShape& shape, const Transform* transform, const Su
         for (const SurfacePiece& face : flat_pieces(shape))
             add({face.position, face.normal}, face.area);
     if (!result.pieces.empty()) return result;
-    const int count = use.places || !(scale > 0) ? many_points : use.normals ? some_points : 1;
+    result.round = scale > 0 && std::holds_alternative<Sphere>(shape);
+    const bool normals = use.normals && !result.round;
+    const int count = use.places || !(scale > 0) ? many_points : normals ? some_points : 1;
     for (int i = 0; i < count; ++i) add(sample_area(shape, spread(i)), own / count);
     if (scale > 0) result.area = own * scale * scale;
     return result;

@@ -21,6 +21,7 @@ struct LitSurface {
     std::vector<SurfacePiece> pieces;
     double area = 0;    ///< of one side; more exact than the sum of the pieces where it can be
     bool open = false;  ///< whether the inner side shines outwards as well
+    bool round = false;  ///< whether it is alike from all sides: its pieces do not tell its normals
 };
 
 struct SurfaceUse {

@@ -33,9 +33,9 @@ std::size_t Materials::Hash::operator()(const Key& key) const {
     const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
                          key.double_illuminate << 3 | key.hollow << 4 | key.no_luminaire << 5 |
                          key.no_radiosity << 6;
-    return of(key.texture) * 31 + of(key.interior) * 16 + of(key.inner) * 7 + key.light_group * 64 +
-           std::size_t{key.shared_interior} * 4096 + std::size_t{key.photons.target} * 8192 +
-           static_cast<std::size_t>(switches);
+    return of(key.texture) * 31 + of(key.interior) * 16 + of(key.inner) * 7 + of(key.lamp) * 127 +
+           key.light_group * 64 + std::size_t{key.shared_interior} * 4096 +
+           std::size_t{key.photons.target} * 8192 + static_cast<std::size_t>(switches);
 }
 
 const Handle<Texture>& Materials::world_texture(const Handle<Texture>& texture,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/stated_lamps.h"
 
+#include "base/elementary.h"
 #include "photometry/light_colour.h"
 #include "shape/area.h"
 #include "world/lit_surface.h"
@@ -8,7 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace candelabra {
 
@@ -18,7 +22,7 @@ namespace {
 struct Emitted {
     double area = 0;            ///< of all sides that shine
     double light = 0;           ///< integral of the luminance over that area
-    std::vector<Facet> facets;  ///< if they are asked for
+    FacetedBody body;           ///< in the space of the scene, if facets are asked for
 };
 
 bool varies(const Material& look) {
@@ -35,9 +39,10 @@ void include(Emitted& sum, const LitSurface& surface, FunctionRef<double(const V
         else
             for (const SurfacePiece& piece : surface.pieces)
                 sum.light += piece.area * light(piece.position, side);
-        if (facets)
+        if (facets && surface.round) sum.body.round += surface.area;
+        if (facets && !surface.round)
             for (const SurfacePiece& piece : surface.pieces)
-                sum.facets.push_back(
+                sum.body.facets.push_back(
                     {side == Side::outer ? piece.normal : -piece.normal, piece.area});
     }
 }
@@ -51,28 +56,68 @@ std::pair<const void*, double> shared_by_copies(const World& world, PrimitiveInd
     return {shared_content(placed->shape), scale};
 }
 
-/// Numbers by which webs of lamps in several places are found to be the same: those of the data,
-/// the axes, and sums over the facets, which follow from their areas and normals.
-using WebKey = std::array<double, 15>;
+/// Numbers by which bodies in the frame of their web are found to be the same: sums over the
+/// facets, which follow from their areas and normals, rounded.
+using BodyKey = std::array<double, 8>;
 
-WebKey web_key(const WebPlace& place, double scale, const Emitted& emitted) {
+BodyKey body_key(const FacetedBody& body) {
+    double area = 0;
+    Vec3 squares(0), products(0);
+    for (const Facet& facet : body.facets) {
+        const Vec3& n = facet.normal;
+        area += facet.area;
+        squares += facet.area * n * n + facet.area * n;
+        products += facet.area * Vec3(n.y * n.z, n.z * n.x, n.x * n.y);
+    }
+    constexpr double rounding = 1e-9;
+    const double most = std::fmax(area + body.round, 1e-300);
+    // The size by its logarithm, the rest as shares of it.
+    BodyKey key{std::round(math::log(most) / rounding), std::round(body.round / most / rounding)};
+    std::size_t next = 2;
+    for (const Vec3& v : {squares, products})
+        for (int axis = 0; axis < 3; ++axis) key[next++] = std::round(v[axis] / most / rounding);
+    return key;
+}
+
+/// Lamps with the same web and axes, of the same body, whose emission is scaled alike.
+using WebKey = std::array<double, 8>;
+
+WebKey web_key(const WebPlace& place, double scale) {
     WebKey key{};
     std::size_t next = 0;
     for (const Vec3& v : {place.aim, place.c0})
         for (int axis = 0; axis < 3; ++axis) key[next++] = v[axis];
     key[next++] = place.mirrored ? 1 : 0;
-    key[next++] = scale;
-    key[next++] = emitted.area;
-    Vec3 squares(0), products(0);
-    for (const Facet& facet : emitted.facets) {
-        const Vec3& n = facet.normal;
-        squares += facet.area * n * n + facet.area * n;
-        products += facet.area * Vec3(n.y * n.z, n.z * n.x, n.x * n.y);
-    }
-    for (const Vec3& v : {squares, products})
-        for (int axis = 0; axis < 3; ++axis) key[next++] = v[axis];
+    key[next] = scale;
     return key;
 }
+
+/// Webs of lamps, of which what does not depend on the lamp's place is made once.
+class BodyWebs {
+public:
+    const WebbedBody* body(const WebPlace& place, FacetedBody body) {
+        const AimedWeb& web = aimed(place);
+        body.facets = in_frame(web, std::move(body.facets));
+        auto& known = bodies_[{place.web.get(), body_key(body)}];
+        if (!known) known = make_handle<WebbedBody>(place.web, body);
+        last_ = known;
+        return known.get();
+    }
+    /// The web of the place with the body that was made last.
+    Handle<BodyWeb> last() const { return make_handle<BodyWeb>(*place_, last_); }
+
+private:
+    const AimedWeb& aimed(const WebPlace& place) {
+        const auto [known, fresh] = files_.try_emplace(place.web.get(), place);
+        place_.emplace(known->second, place);
+        return *place_;
+    }
+
+    std::map<const PhotometricWeb*, AimedWeb> files_;
+    std::map<std::pair<const PhotometricWeb*, BodyKey>, Handle<WebbedBody>> bodies_;
+    std::optional<AimedWeb> place_;
+    Handle<WebbedBody> last_;
+};
 
 /// Measures surfaces. Copies of one shape that glow evenly are measured once.
 class Measuring {
@@ -127,7 +172,8 @@ void StatedLamps::settle(World& world, Diagnostics& diagnostics) const {
     std::vector<std::uint32_t> output_of(world.appearance.material_of.size(), 0);
     std::vector<LightOutput> outputs{1};
     std::map<double, std::uint32_t> even;
-    std::map<std::pair<const LampData*, WebKey>, std::uint32_t> webs;
+    std::map<std::pair<const WebbedBody*, WebKey>, std::uint32_t> webs;
+    BodyWebs body_webs;
     Measuring measuring(world);
     for (std::size_t first = 0; first < parts.size();) {
         std::size_t end = first;
@@ -155,8 +201,9 @@ void StatedLamps::settle(World& world, Diagnostics& diagnostics) const {
             // Over the mean luminance, and by the web's own flux, which is that of its candela.
             const double scale = std::numbers::pi * place.total_flux() * emitted.area /
                                  (emitted.light * place.web->flux());
-            make(webs, std::pair(lamp.data.get(), web_key(place, scale, emitted)), scale,
-                 [&] { return make_handle<BodyWeb>(AimedWeb(place), emitted.facets); });
+            const WebbedBody* const body = body_webs.body(place, std::move(emitted.body));
+            make(webs, std::pair(body, web_key(place, scale)), scale,
+                 [&] { return body_webs.last(); });
         } else {
             const double scale = lamp.data->total_flux() / emitted.light;
             make(even, scale, scale, [] { return Handle<BodyWeb>(); });

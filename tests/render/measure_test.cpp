@@ -135,6 +135,25 @@ TEST_CASE("a converged room has the illuminances of radiosity", "[render]") {
     CHECK(found[3].values[0].value == Approx(15.7995).epsilon(0.005));
 }
 
+TEST_CASE("a white sphere reflects as much light to every point", "[render]") {
+    // After case 5.8 of CIE 171: the indirect part is flux times reflectance over the area times
+    // what is absorbed, wherever the lamp is.
+    const double flux = 4 * pi * 100, area = 16 * pi;
+    for (const double reflects : {0.0, 0.2, 0.5, 0.8, 0.95}) {
+        CAPTURE(reflects);
+        const MeterValue found = read_one(
+            "global_settings { integrator { path_traced bounces 400 } } sphere { 0, 2 "
+            "hollow pigment { rgb 1 } finish { diffuse " +
+                std::to_string(reflects) +
+                " } } light_source { 0.5*y, 1 intensity candela(100) } meter { points { "
+                "1, <0, -1.9999, 0> } direction y } ",
+            0.004);
+        const double direct = 100 / (2.4999 * 2.4999);
+        CHECK(found.value ==
+              Approx(direct + flux * reflects / (area * (1 - reflects))).epsilon(0.005));
+    }
+}
+
 TEST_CASE("glare is rated as by its formulas", "[render]") {
     // Panels of 0.6 m by 0.6 m that face down, before a background of 30 cd/m2.
     const MeterValue ugr = read_one(
@@ -205,6 +224,12 @@ TEST_CASE("meters find the daylight of the sky's formula behind openings", "[ren
         {"beside it, overcast", grey, roof, factor + "<1.5, 0, 1.5> } }", 7.14427, 0.005},
         {"window", even, window, factor + "<0, 0, 0> } }", 8.29083, 0.005},
         {"window, overcast", grey, window, factor + "<0, 0, 0> } }", 7.71234, 0.005},
+        // What is seen below the edge of an overhang, and on both sides of a fin.
+        {"window with a horizontal mask", even,
+         window + "box { <2.0001, 2.5, -90>, <3, 2.6, 90> } ", factor + "<0, 0, 0> } }", 4.63059,
+         0.005},
+        {"window with a vertical mask", even, window + "box { <2.0001, -1, 0.5>, <3, 40, 0.6> } ",
+         factor + "<0, 0, 0> } }", 7.45445, 0.01},
         {"cylinder", even, "", "meter { cylindrical points { 1, <0, 0, 0> } }", 1.5708 * 5000,
          0.005}};
     for (const Row& row : rows) {
