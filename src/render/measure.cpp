@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace candelabra {
 
@@ -117,14 +118,15 @@ private:
     /// Where the small plane faces that stands for the sample.
     static Vec3 faced(Quantity quantity, const Sightline& sight, const Key& key) {
         const double u = uniform(key, Purpose::meter_u), v = uniform(key, Purpose::meter_v);
-        const auto [x, y] = perpendiculars(sight.up);
+        const std::pair<Vec3, Vec3> across = perpendiculars(sight.up);
         const auto on_ball = [&](double height) {
-            return std::sqrt(std::fmax(1 - height * height, 0)) * on_circle(2 * pi * v, x, y) +
+            return std::sqrt(std::fmax(1 - height * height, 0)) *
+                       on_circle(2 * pi * v, across.first, across.second) +
                    height * sight.up;
         };
         switch (quantity) {
             case Quantity::cylindrical:
-                return on_circle(2 * pi * u, x, y);
+                return on_circle(2 * pi * u, across.first, across.second);
             case Quantity::semi_cylindrical: {
                 const Vec3 ahead = unit(sight.ahead - dot(sight.ahead, sight.up) * sight.up);
                 return on_circle(pi * (u - 0.5), ahead, cross(sight.up, ahead));
