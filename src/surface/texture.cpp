@@ -255,10 +255,14 @@ bool takes_from_behind(const Texture& texture) {
 bool has_other_light(const Texture& texture) {
     return any_finish(texture, [](const Finish& f) {
         const Reflection& mirror = f.reflection;
-        return !is_lambertian(f) || f.phong != 0 || f.specular != 0 || f.ambient != Vec3(0) ||
-               mirror.least != Vec3(0) || mirror.greatest != Vec3(0) ||
+        return !is_even_on_each_side(f) || f.phong != 0 || f.specular != 0 ||
+               f.ambient != Vec3(0) || mirror.least != Vec3(0) || mirror.greatest != Vec3(0) ||
                f.subsurface.translucency != Vec3(0);
     });
+}
+
+bool shows_light_from_behind(const Texture& texture) {
+    return any_finish(texture, [](const Finish& finish) { return finish.diffuse_back != 0; });
 }
 
 bool lets_light_in(const Texture& texture) {

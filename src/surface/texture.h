@@ -99,6 +99,9 @@ bool scatters(const Texture&);
 /// highlights, mirrors, or an ambient part.
 bool has_other_light(const Texture&);
 
+/// Whether one of its finishes has a second diffuse value.
+bool shows_light_from_behind(const Texture&);
+
 /// Whether one of its finishes has subsurface scattering, if the scene enables it.
 bool lets_light_in(const Texture&);
 

@@ -31,9 +31,13 @@ WayOfLight way_back(const Vertex& vertex, const Vec3& from) {
 
 }  // namespace
 
-bool is_lambertian(const World& world, const Vertex& vertex, const Shading& s) {
-    return is_lambertian(*s.finish) && !vertex.material->by_view && !s.both_sides &&
+bool is_even_on_each_side(const World& world, const Vertex& vertex, const Shading& s) {
+    return is_even_on_each_side(*s.finish) && !vertex.material->by_view && !s.both_sides &&
            !scatters_inside(world, s);
+}
+
+bool is_lambertian(const World& world, const Vertex& vertex, const Shading& s) {
+    return is_even_on_each_side(world, vertex, s) && is_lambertian(*s.finish);
 }
 
 LightPaths::LightPaths(const Shot& shot, int max_reflections)
@@ -86,17 +90,23 @@ void LightPaths::follow(const Key& key, double share,
     }
 }
 
-/// Radiance that the Lambertian layers reflect, equal in all directions, for light of colour 1 that
-/// arrives along the path's ray.
+/// Radiance that the even layers show on the side of the vertex, equal in all directions, for light
+/// of colour 1 that arrives along the path's ray.
 Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
     Vec3 sum(0);
     for (const VisibleTexture& each : visible_textures(world_, vertex))
         LayerStack(world_, path, vertex, each.layers).visit([&](const LayerStack::Seen& layer) {
-            if (!is_lambertian(world_, vertex, layer.shading)) return;
+            if (!is_even_on_each_side(world_, vertex, layer.shading)) return;
             sum += each.weight * layer.through *
                    Bsdf(layer.shading, rules_).evaluate(-path.ray.direction, diffuse_terms, 0);
         });
     return sum;
+}
+
+/// The place of a vertex as it is seen from the other side.
+Vertex LightPaths::other_side(const PathState& path, const Vertex& vertex) const {
+    const Ray back{vertex.position() + path.ray.direction, -path.ray.direction};
+    return vertex_at(world_, back, vertex.hit, vertex.around);
 }
 
 /// Follows the path from surface to surface as long as they reflect it.
@@ -105,18 +115,33 @@ void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
         const Vec3 normal = lit.vertex.shading.geometric_normal;
         const double cosine = -dot(lit.path.ray.direction, normal);
         if (cosine < grazing_cosine) return;
-        const Vec3 power = lit.power * reflected(lit.path, lit.vertex) / cosine;
-        if (power == Vec3(0)) return;
-        found.push_back({lit.vertex.position(), normal, power, lit.vertex.tolerance(),
-                         lit.reflections, lit.lamp});
+        const auto leave = [&](const Vertex& seen) {
+            const Vec3 power = lit.power * reflected(lit.path, seen) / cosine;
+            if (power != Vec3(0))
+                found.push_back({seen.position(), seen.shading.geometric_normal, power,
+                                 seen.tolerance(), lit.reflections, lit.lamp});
+            return power;
+        };
+        const Vec3 front = leave(lit.vertex);
+        const Vec3 back = lit.vertex.material->lit_from_behind
+                              ? leave(other_side(lit.path, lit.vertex))
+                              : Vec3(0);
+        const double in_front = max_component(glm::abs(front)),
+                     behind = max_component(glm::abs(back)), all = in_front + behind;
+        if (all == 0) return;
         const double survival =
-            std::clamp(max_component(glm::abs(power)) / max_component(glm::abs(lit.power)),
-                       min_light_survival, 1.0);
+            std::clamp(all / max_component(glm::abs(lit.power)), min_light_survival, 1.0);
         if (uniform(lit.path.key, Purpose::roulette) >= survival) return;
-        lit.power = power / survival;
+        const bool passes = uniform(lit.path.key, Purpose::way_choice) * all < behind;
+        lit.power = (passes ? back : front) / (survival * ((passes ? behind : in_front) / all));
         const Vec2 u{uniform(lit.path.key, Purpose::bounce_u),
                      uniform(lit.path.key, Purpose::bounce_v)};
-        lit.path = gathering_path(lit.path, lit.vertex, cosine_direction(normal, u));
+        const MediaStack outside = lit.path.media;
+        lit.path =
+            gathering_path(lit.path, lit.vertex, cosine_direction(passes ? -normal : normal, u));
+        if (passes && lit.vertex.material->transparent)
+            lit.path.media =
+                interface_at(world_, outside, lit.vertex.hit.primitive, lit.path.band).behind;
         Hit hit;
         if (!world_.first_hit(lit.path.ray, lit.path.tolerance, lit.path.kind, hit)) return;
         const Vec3 from = lit.path.ray.origin;

@@ -171,8 +171,7 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
                 .samples_grids = path.bounces > 0};
     };
     Vec3 light(0);
-    const bool by_reflected = reflected_ && is_lambertian(world_, vertex, s);
-    if (by_reflected && path.taken.by_reflected) {
+    if (path.taken.by_reflected && is_even_on_each_side(world_, vertex, s)) {
         // What the diffuse part reflects of luminaires has been counted.
         EachKindOnce once;
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
@@ -183,7 +182,7 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
         light += direct_light_(lit(whole, others), path.key, ledger_);
     } else if (!scatters_inside(world_, s)) {
         light += direct_light_(lit(whole, all_light), path.key, ledger_);
-        if (by_reflected && path.bounces < max_bounces_)
+        if (reflected_ && is_lambertian(world_, vertex, s) && path.bounces < max_bounces_)
             light += reflected_({world_, lit(whole, all_light), false, ledger_},
                                 max_bounces_ - path.bounces, path.key);
     } else {
@@ -218,8 +217,7 @@ bool PathTracedIntegrator::go_on(const SurfaceLobes& lobes, const Vertex& vertex
         survival = std::clamp(left, min_survival, 1.0);
     }
     const bool diffuse = lobe.kind == LobeKind::diffuse;
-    const bool lambertian = diffuse && is_lambertian(world_, vertex, lobe.shading);
-    path.taken.by_reflected &= lambertian;
+    path.taken.by_reflected &= diffuse && is_even_on_each_side(world_, vertex, lobe.shading);
     if (path.taken.by_reflected && vertex.material->other_light) survival *= chance_of_covered_;
     if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;
     ++ledger_.scattered;
@@ -227,7 +225,8 @@ bool PathTracedIntegrator::go_on(const SurfaceLobes& lobes, const Vertex& vertex
     const bool deeper = goes_deeper(path);
     if (!lobes.follow(lobe, path) || !(diffuse || deeper) || path.passed > max_surfaces_along)
         return false;
-    if (reflected_ && lambertian && !path.taken.by_reflected)
+    if (reflected_ && diffuse && is_lambertian(world_, vertex, lobe.shading) &&
+        !path.taken.by_reflected)
         path.taken.cosine = dot(path.ray.direction, lobe.shading.normal);
     return true;
 }

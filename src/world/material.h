@@ -30,7 +30,8 @@ struct Material {
     bool hollow = false;
     bool keeps_energy = false;  ///< whether a layer takes what it reflects from what passes
     bool other_light = false;   ///< whether it sends more than diffuse reflection to other surfaces
-    bool uv = false;            ///< whether a texture needs u and v
+    bool lit_from_behind = false;  ///< whether a side shows light that comes to the other
+    bool uv = false;               ///< whether a texture needs u and v
     bool by_axes = false;       ///< whether a texture needs SurfaceAxes
     bool by_view = false;       ///< whether a pattern depends on the direction of the ray
     Handle<Texture> inner = nullptr;  ///< of the inner side; null: as outside

@@ -160,6 +160,8 @@ void Materials::add(const Inherited& look) {
                            (emission != 0 && !glows) || has_other_light(texture) ||
                            (material.inner && has_other_light(*material.inner));
     world_.appearance.any_other_light |= material.other_light;
+    material.lit_from_behind = shows_light_from_behind(texture) ||
+                               (material.inner && shows_light_from_behind(*material.inner));
     world_.appearance.materials.push_back(std::move(material));
 }
 
@@ -195,6 +197,7 @@ void Materials::include(std::uint32_t material, std::uint32_t part) {
     whole.by_view |= other.by_view;
     whole.by_axes |= other.by_axes;
     whole.other_light |= other.other_light;
+    whole.lit_from_behind |= other.lit_from_behind;
     glows_[material] = glows_[material] || glows_[part];
     emits_[material] = emits_[material] || emits_[part];
     if (!lamps_[material]) lamps_[material] = lamps_[part];

@@ -65,6 +65,15 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
              "disc { <0, 1.5, 1.5>, z, 1 pigment { rgb 0.8 } finish { diffuse 0.4, 0.4 } }"
              "sphere { <-1.8, 0.5, -1>, 0.5 texture { pigment { rgb 0.7 } } texture { pigment { "
              "rgbt <1, 0.2, 0, 0.5> } } }"},
+        {"lamps behind shades and a screen that has an inner side",
+         bare_room +
+             "#for (I, 0, 3) cylinder { <I - 1.5, 2.2, 0.5>, <I - 1.5, 2.9, 0.5>, 0.35 open "
+             "pigment { "
+             "rgb <0.9, 0.7, 0.5> } finish { diffuse 0.45, 0.4 } } #end "
+             "cylinder { <-2, 0, 1.8>, <-2, 2, 1.8>, 0.8 open texture { pigment { rgb <0.3, 0.8, "
+             "0.4> "
+             "} finish { diffuse 0.3, 0.6 } } interior_texture { pigment { rgb <0.9, 0.3, 0.2> } "
+             "finish { diffuse 0.5, 0.1 } } }"},
         {"other light",
          bare_room +
              "sphere { <1.2, 0.6, 0>, 0.4 pigment { rgb 1 } finish { emission 1 no_luminaire } }"
