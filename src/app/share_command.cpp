@@ -184,7 +184,7 @@ private:
                 options_.render.threads);
         for (int y = 0; film.vignette > 0 && y < light.height; ++y)
             for (int x = 0; x < light.width; ++x)
-                light.at(x, y) *= vignetted_at(film.vignette, light, x, y);
+                light.at(x, y) *= vignetted_at(film.vignette, light.width, light.height, x, y);
         return light;
     }
 

@@ -53,38 +53,6 @@ double chance_of(int seed, std::size_t pixel, int channel) {
     return sum - 0.5 * count;
 }
 
-/// Maps the exposure of a pixel to display values.
-class Paper {
-public:
-    Paper(const Negative& negative, const FilmSettings& film)
-        : negative_(negative),
-          film_(film),
-          curve_(film.curve()),
-          exposure_(math::exp2(exposure_of(negative, film))),
-          balance_(white_balance(film.white_balance)) {}
-
-    Vec3 operator()(const Image& light, int x, int y) const {
-        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(light.width) +
-                           static_cast<std::size_t>(x);
-        const double falls = vignetted_at(film_.vignette, light, x, y);
-        const double alpha = negative_.alpha.empty() ? 1 : negative_.alpha[pixel];
-        const bool clear = alpha > 0 && alpha < 1;
-        const Vec3 exposed = balance_(light.pixels[pixel] * (exposure_ * falls));
-        const Vec3 lit = contrasted(clear ? exposed / alpha : exposed, film_.contrast);
-        Vec3 shown = saturated(respond(curve_, lit), film_.saturation);
-        for (int c = 0; c < 3 && film_.grain > 0; ++c)
-            shown[c] = grained(shown[c], film_.grain, chance_of(film_.grain_seed, pixel, c));
-        return clear ? shown * alpha : shown;
-    }
-
-private:
-    const Negative& negative_;
-    const FilmSettings& film_;
-    ResponseCurve curve_;
-    double exposure_;
-    ColourMatrix balance_;
-};
-
 }  // namespace
 
 Vec3 compressed(const Vec3& sample, double factor) {
@@ -125,9 +93,9 @@ double vignetted(double share, double distance) {
     return 1 - share * (1 - fourth_power) / lost_in_corners;
 }
 
-double vignetted_at(double share, const Image& image, int x, int y) {
-    const double right = 2 * (x + 0.5) - image.width, down = 2 * (y + 0.5) - image.height;
-    const double corner = math::hypot(image.width, image.height);
+double vignetted_at(double share, int width, int height, int x, int y) {
+    const double right = 2 * (x + 0.5) - width, down = 2 * (y + 0.5) - height;
+    const double corner = math::hypot(width, height);
     return vignetted(share, math::hypot(right, down) / corner);
 }
 
@@ -135,14 +103,41 @@ double grained(double shown, double size, double chance) {
     return std::clamp(shown + size * std::sqrt(shown * (1 - shown)) * chance, 0.0, 1.0);
 }
 
+PixelDeveloper::PixelDeveloper(const FilmSettings& film, double stops, int width, int height)
+    : film_(film),
+      width_(width),
+      height_(height),
+      curve_(film.curve()),
+      exposure_(math::exp2(stops)),
+      balance_(white_balance(film.white_balance)) {}
+
+Vec3 PixelDeveloper::operator()(const Vec3& light, double alpha, int x, int y) const {
+    const double falls = vignetted_at(film_.vignette, width_, height_, x, y);
+    const bool clear = alpha > 0 && alpha < 1;
+    const Vec3 exposed = balance_(light * (exposure_ * falls));
+    const Vec3 lit = contrasted(clear ? exposed / alpha : exposed, film_.contrast);
+    Vec3 shown = saturated(respond(curve_, lit), film_.saturation);
+    const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                       static_cast<std::size_t>(x);
+    for (int c = 0; c < 3 && film_.grain > 0; ++c)
+        shown[c] = grained(shown[c], film_.grain, chance_of(film_.grain_seed, pixel, c));
+    return clear ? shown * alpha : shown;
+}
+
 Image develop(Negative negative, const FilmSettings& film, int threads) {
     make_single_precision(negative.light);
     make_single_precision(negative.smooth);
-    const Paper paper(negative, film);
+    const double stops = exposure_of(negative, film);
     Image image = glared(negative, film, threads);
+    const PixelDeveloper developed(film, stops, image.width, image.height);
     run_parallel(static_cast<std::size_t>(image.height), threads, [&](std::size_t row) {
         const int y = static_cast<int>(row);
-        for (int x = 0; x < image.width; ++x) image.at(x, y) = paper(image, x, y);
+        for (int x = 0; x < image.width; ++x) {
+            const std::size_t pixel =
+                row * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+            const double alpha = negative.alpha.empty() ? 1 : negative.alpha[pixel];
+            image.at(x, y) = developed(image.at(x, y), alpha, x, y);
+        }
     });
     return image;
 }

@@ -6,6 +6,7 @@
 
 #include "base/image.h"
 #include "camera/film_settings.h"
+#include "film/white_balance.h"
 
 #include <vector>
 
@@ -34,7 +35,7 @@ double exposure_of(const Negative&, const FilmSettings&);
 /// lose.
 double vignetted(double share, double distance);
 /// The same for a pixel.
-double vignetted_at(double share, const Image&, int x, int y);
+double vignetted_at(double share, int width, int height, int x, int y);
 
 /// Returns the value of a pixel of many grains, each developed or not. Its mean is `shown`, its
 /// standard deviation size * sqrt(shown * (1 - shown)). `chance`: a random number with mean 0 and
@@ -47,6 +48,24 @@ Vec3 contrasted(const Vec3& light, double contrast);
 
 /// Returns a displayed colour at another distance from the grey of its luminance, within 0 and 1.
 Vec3 saturated(const Vec3& shown, double saturation);
+
+/// Maps the light in the pixels of a picture of some size to what a display shows of it, as
+/// develop() does after the glare.
+class PixelDeveloper {
+public:
+    /// `stops`: the exposure; see exposure_of(). The film must be on, and outlive it.
+    PixelDeveloper(const FilmSettings& film, double stops, int width, int height);
+
+    /// `light` is premultiplied by alpha, which is from 0 to 1.
+    Vec3 operator()(const Vec3& light, double alpha, int x, int y) const;
+
+private:
+    const FilmSettings& film_;
+    int width_, height_;
+    ResponseCurve curve_;
+    double exposure_;  ///< a factor
+    ColourMatrix balance_;
+};
 
 /// Returns linear red, green and blue for a display, from 0 to 1. Applies glare, vignette,
 /// exposure, white balance, contrast, response, saturation and grain, in this order. Values have

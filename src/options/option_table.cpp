@@ -136,7 +136,8 @@ constexpr auto listed = std::to_array<OptionRow>({
            "bounding_boxes; it does not change pictures"),
     option(none, "", "", "light-report", nothing, "", kept<&Options::light_report>(Type::toggle),
            "prints a table of the light and the cost of each statement that makes lights; with "
-           "--layers lights it also names statements that could be off unseen"),
+           "--layers lights it also names statements that could be off unseen, and with "
+           "--keep-lights single lamps"),
 
     begin(OptionGroup::film),
     option(picture, "", "", "film", value, "on|off", store::film<"film">,

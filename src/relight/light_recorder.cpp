@@ -46,7 +46,8 @@ LightRecorder::LightRecorder(WorldLamps lamps, const RecordPlan& plan)
       room_(static_cast<std::size_t>((plan.bytes - plan.before - bytes_of(lamps_.list)) /
                                      tiles_of(plan)) -
             tile_head_bytes),
-      tiles_(static_cast<std::size_t>(tiles_of(plan))) {
+      tiles_(static_cast<std::size_t>(tiles_of(plan))),
+      lit_(lamps_.list.size()) {
     made_.width = plan.width;
     made_.height = plan.height;
     made_.lamps = std::move(lamps_.list);
@@ -61,8 +62,11 @@ void LightRecorder::add(int x, int y, std::span<const LampPart> parts, bool nega
     const auto number = static_cast<std::size_t>(row * made_.tiles_across() + column);
     const auto pixel = static_cast<std::size_t>(y % light_tile * light_tile + x % light_tile);
     TileLight& tile = tiles_[number];
-    for (const LampPart& part : parts)
-        tile.add(lamps_.place_of(part.lamp), pixel, negative ? -part.light : part.light, part.seen);
+    for (const LampPart& part : parts) {
+        const std::uint32_t lamp = lamps_.place_of(part.lamp);
+        tile.add(lamp, pixel, negative ? -part.light : part.light, part.seen);
+        if (part.light != Vec3(0)) lit_[lamp].store(true, std::memory_order_relaxed);
+    }
     if (tile.crowded()) tile.settle(made_.lamps, room_, seed_of(number));
 }
 
@@ -79,7 +83,7 @@ std::uint64_t LightRecorder::most_memory() const {
     // Light has twice the bytes that it has in the file, which is made beside it, and tiles in work
     // have it as it comes.
     constexpr std::uint64_t in_memory = 3, in_work = std::uint64_t{64} << 20;
-    return in_memory * room_ * tiles_.size() + made_.normals.size() + in_work;
+    return in_memory * room_ * tiles_.size() + made_.normals.size() + lit_.size() + in_work;
 }
 
 LightRecords LightRecorder::finish(const Film& film, int threads) const {
@@ -113,7 +117,9 @@ std::string LightRecorder::state(int threads) const {
     });
     std::string bytes;
     append_number(bytes, static_cast<std::uint64_t>(room_));
-    bytes += block_of(head_of(made_)) + block_of(meters_of(made_.meters)) +
+    std::string lit;
+    for (const bool each : lit_) lit += each ? '\1' : '\0';
+    bytes += block_of(head_of(made_)) + block_of(lit) + block_of(meters_of(made_.meters)) +
              block_of(normals_of(made_.normals));
     for (const std::string& block : blocks) bytes += block;
     return bytes;
@@ -125,12 +131,14 @@ std::unique_ptr<LightRecorder> LightRecorder::of_state(std::string_view bytes) {
     LightRecords& made = read->made_;
     read->room_ = static_cast<std::size_t>(reader.number<std::uint64_t>());
     std::uint64_t left = most_unpacked(bytes.size());
-    const auto head = take_block(reader, left), meters = take_block(reader, left),
-               normals = take_block(reader, left);
-    if (!head || !take_head(*head, made) || !meters ||
+    const auto head = take_block(reader, left), lit = take_block(reader, left),
+               meters = take_block(reader, left), normals = take_block(reader, left);
+    if (!head || !take_head(*head, made) || !lit || lit->size() != made.lamps.size() || !meters ||
         !take_meters(*meters, made.lamps.size(), made.meters) || !normals ||
         !take_normals(*normals, made))
         return nullptr;
+    read->lit_ = std::vector<std::atomic<bool>>(lit->size());
+    for (std::size_t lamp = 0; lamp < lit->size(); ++lamp) read->lit_[lamp] = (*lit)[lamp] != 0;
     for (int row = 0; row < made.tiles_down(); ++row) {
         const auto raw = take_block(reader, left);
         if (!raw) return nullptr;
@@ -155,6 +163,7 @@ bool LightRecorder::go_on(std::string_view state) {
     const auto old = of_state(state);
     if (!old || !is_like(*old)) return false;
     tiles_ = std::move(old->tiles_);
+    lit_ = std::move(old->lit_);
     return true;
 }
 
@@ -165,6 +174,8 @@ bool LightRecorder::adopt(LightRecorder&& part, const PictureShard& shard) {
         if (shard.owns(static_cast<int>(i % across) * light_tile,
                        static_cast<int>(i / across) * light_tile))
             tiles_[i] = std::move(part.tiles_[i]);
+    for (std::size_t lamp = 0; lamp < lit_.size(); ++lamp)
+        if (part.lit_[lamp]) lit_[lamp] = true;
     if (made_.meters.meters.empty()) made_.meters = std::move(part.made_.meters);
     return true;
 }

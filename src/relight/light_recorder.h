@@ -9,6 +9,7 @@
 #include "relight/world_lamps.h"
 #include "render/hooks.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -44,6 +45,8 @@ public:
     std::uint64_t most_memory() const;
 
     const LampList& lamps() const { return made_.lamps; }
+    /// Returns for each lamp whether any sample of the picture has had light of it.
+    std::vector<bool> lit() const { return {lit_.begin(), lit_.end()}; }
     std::uint32_t place_of(Lamp lamp) const { return lamps_.place_of(lamp); }
     void keep(KeptMeters meters) { made_.meters = std::move(meters); }
     /// See LightRecords::normals.
@@ -73,6 +76,7 @@ private:
     LightRecords made_;     ///< without tiles
     std::size_t room_ = 0;  ///< bytes of a tile
     std::vector<TileLight> tiles_;
+    std::vector<std::atomic<bool>> lit_;  ///< of each lamp
 };
 
 }  // namespace candelabra

@@ -278,9 +278,9 @@ private:
         for (Image& image : layers)
             for (int y = 0; y < image.height; ++y)
                 for (int x = 0; x < image.width; ++x)
-                    image.at(x, y) *= vignetted_at(film_.vignette, image, x, y);
+                    image.at(x, y) *= vignetted_at(film_.vignette, image.width, image.height, x, y);
         for (Dot& dot : dots)
-            dot.light *= vignetted_at(film_.vignette, layers[0],
+            dot.light *= vignetted_at(film_.vignette, layers[0].width, layers[0].height,
                                       static_cast<int>(dot.pixel) % records_.width,
                                       static_cast<int>(dot.pixel) / records_.width);
     }

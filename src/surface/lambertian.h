@@ -6,9 +6,9 @@
 
 namespace candelabra {
 
-/// Whether what is reflected diffusely is constant over all directions of the side of the light and,
-/// if light passes from behind, over those of the other side; and over all samples. Subsurface
-/// scattering is not considered.
+/// Whether what is reflected diffusely is constant over all directions of the side of the light,
+/// and, if light passes from behind, over those of the other side; and over all samples.
+/// Subsurface scattering is not considered.
 inline bool is_even_on_each_side(const Finish& f) {
     return !f.microfacet.on && f.irid.amount == 0 && f.crand == 0 && !f.conserve_energy;
 }

@@ -108,8 +108,9 @@ bool keep_meters(LightRecorder& recorder, SceneSteps& steps, const Shot& shot,
     return !stopped;
 }
 
-void write_kept_lights(const LightRecorder& recorder, const Film& film, const FilmFiles& files,
-                       const std::string& path, Diagnostics& diagnostics) {
+LightRecords write_kept_lights(const LightRecorder& recorder, const Film& film,
+                               const FilmFiles& files, const std::string& path,
+                               Diagnostics& diagnostics) {
     LightRecords records = recorder.finish(film, files.threads);
     records.origin = files.format.description;
     if (files.film.on) records.film = to_text(files.film);
@@ -117,6 +118,7 @@ void write_kept_lights(const LightRecorder& recorder, const Film& film, const Fi
         for (const double alpha : alpha_of(film))
             records.alpha.push_back(std::clamp(static_cast<float>(alpha), 0.0F, 1.0F));
     write_file(path, encode(records, files.threads), diagnostics);
+    return records;
 }
 
 }  // namespace candelabra

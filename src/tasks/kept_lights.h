@@ -13,6 +13,7 @@ namespace candelabra {
 
 class Film;
 struct FilmFiles;
+struct LightRecords;
 class LightRecorder;
 struct Meter;
 struct PictureFormat;
@@ -32,8 +33,8 @@ std::unique_ptr<LightRecorder> light_recorder(const Shot&, const SourceStore&, c
 /// these options, and has it kept with that of the picture. Returns false if a signal came.
 bool keep_meters(LightRecorder&, SceneSteps&, const Shot&, std::span<const Meter>);
 
-/// Writes the light of a film that is complete. Reports failure.
-void write_kept_lights(const LightRecorder&, const Film&, const FilmFiles&, const std::string& path,
-                       Diagnostics&);
+/// Writes the light of a film that is complete, and returns it. Reports failure.
+LightRecords write_kept_lights(const LightRecorder&, const Film&, const FilmFiles&,
+                               const std::string& path, Diagnostics&);
 
 }  // namespace candelabra

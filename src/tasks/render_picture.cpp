@@ -6,6 +6,7 @@
 #include "output/light_report.h"
 #include "production/file_lock.h"
 #include "production/render_job.h"
+#include "relight/idle_lamps.h"
 #include "relight/light_recorder.h"
 #include "tasks/frame_film.h"
 #include "tasks/kept_lights.h"
@@ -131,8 +132,13 @@ int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> mete
         finished({job.film(), files, world, job.rays(), steps.sources()});
     if (options.to_file && whole && end == JobEnd::finished)
         write_film(job.film(), files, diagnostics);
-    if (recorder && whole)
-        write_kept_lights(*recorder, job.film(), files, options.kept_lights, diagnostics);
+    std::string idle;
+    if (recorder && whole) {
+        const LightRecords kept =
+            write_kept_lights(*recorder, job.film(), files, options.kept_lights, diagnostics);
+        if (options.light_report)
+            idle = idle_lamps_report(kept.lamps, idle_lamps(kept, recorder->lit(), threads));
+    }
     const bool lost = diagnostics.failed();
     job.leave_state(!whole || options.keep_state || lost);
     if (options.light_report) {
@@ -140,6 +146,7 @@ int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> mete
         if (whole && end == JobEnd::finished && files.aovs().lights)
             steps.console().err(
                 idle_lights_report(world, changes_without(job.film(), files), steps.sources()));
+        steps.console().err(idle);
     }
     if (steps.say_diagnostics()) return exit_status::file;
     const std::string made = whole ? path : state_path(plan);

@@ -22,8 +22,8 @@ struct ReflectedLuminaire {
     Lamp lamp = Lamp::sky();  ///< that sent the light
 };
 
-/// Whether reflected luminaires can stand for the diffuse reflection of a layer at a vertex, and for
-/// the light that passes it from behind: its radiance is the same in all directions of a side.
+/// Whether reflected luminaires can stand for the diffuse reflection of a layer at a vertex, and
+/// for the light that passes it from behind: its radiance is the same in all directions of a side.
 bool is_even_on_each_side(const World&, const Vertex&, const Shading&);
 /// Whether they can light it: it is even, and has no light from behind.
 bool is_lambertian(const World&, const Vertex&, const Shading&);

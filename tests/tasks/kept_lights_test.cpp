@@ -34,7 +34,7 @@ TEST_CASE("keeping lights says what it does not go with", "[tasks]") {
     refused({"--draft"}, "--draft averages it");
     CHECK(run({run.path("lit.pov"), picture, "-V", "+W640", "+H480", "--keep-lights",
                run.path("lit.lights"), "--keep-lights-size", "64K"}) == 2);
-    CHECK(has(run.err, "the light of 1 lamp in a picture of 640x480 needs 49"));
+    CHECK(has(run.err, "the light of 1 lamp in a picture of 640x480 needs 6170 kB"));
     CHECK(run.render({picture, "-V", "--keep-lights-size", "1M"}) == 0);
     CHECK(has(run.err, "a file that nobody asks for"));
     run.write("dark.pov", "#version 3.7; camera { location -5*z } sphere { 0, 1 }");
@@ -72,6 +72,43 @@ TEST_CASE("kept lights have the bytes of any other run", "[tasks]") {
     CHECK(run.content("lit.lights") == once);
     REQUIRE(run.render({picture, "-V"}) == 0);
     CHECK(run.content("lit.png") == shown);
+}
+
+TEST_CASE("the report of light names lamps of an array that could be off", "[tasks]") {
+    Keeper run;
+    run.write("wall.pov", R"(#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <0, 3, -8> look_at <0, 1, 0> right 1.6*x up y angle 60 }
+plane { y, 0 pigment { rgb 0.8 } finish { ambient 0 diffuse 0.8 } }
+#declare Lamp = sphere { 0, 0.1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 9 } }
+#declare Facade = union { #for (I, 0, 11) object { Lamp translate <I - 5.5, 0.5, 0> } #end }
+object { Facade }
+// A box around three of the lamps.
+difference { box { <-2, -1, -0.4>, <1, 1.2, 0.4> } box { <-1.9, -2, -0.3>, <0.9, 1.1, 0.3> }
+             pigment { rgb 0.5 } finish { ambient 0 diffuse 0.5 } }
+)");
+    const std::string kept = run.path("wall.lights");
+    const auto report = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {run.path("wall.pov"),
+                                          "+O" + run.path("wall.png"),
+                                          "-V",
+                                          "+W32",
+                                          "+H24",
+                                          "--samples",
+                                          "8"};
+        words.insert(words.end(), more.begin(), more.end());
+        CHECK(run(words) == 0);
+        return run.err;
+    };
+    const std::string line =
+        "could be off alone, since no pixel changes by 1/255 without it: Facade[4..6]\n";
+    const std::string told = report({"--light-report", "--keep-lights", kept});
+    INFO(told);
+    CHECK(has(told, line));
+    // A small file sums light of lamps by nodes; what no sample has met is known all the same.
+    CHECK(
+        has(report({"--light-report", "--keep-lights", kept, "--keep-lights-size", "64K"}), line));
+    CHECK_FALSE(has(report({"--keep-lights", kept}), "could be off"));
+    CHECK_FALSE(has(report({"--light-report"}), "could be off"));
 }
 
 TEST_CASE("frames of an animation keep their lights in numbered files", "[tasks]") {
