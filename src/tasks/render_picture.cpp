@@ -29,7 +29,7 @@ constexpr std::string_view draft_words =
     "picture is exact\n";
 
 Progress progress(const Options& options, const Console& console) {
-    using enum Progress::Style;
+    using enum ProgressStyle;
     const bool shown = talks(options) && options.streams[Stream::render].shown;
     const Progress::Style usual = !shown ? silent : console.terminal ? terminal : lines;
     const Progress::Style style = progress_style(options.progress).value_or(usual);

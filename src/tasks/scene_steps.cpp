@@ -229,7 +229,7 @@ void SceneSteps::open_session() {
 /// line of the scene says whose it is.
 std::string SceneSteps::marked(std::string_view text) const {
     const std::string shown = printable_lines(text);
-    using enum Progress::Style;
+    using enum ProgressStyle;
     const auto style = progress_style(options_.progress);
     if (style != alf && style != openjd && style != json) return shown;
     std::string result;

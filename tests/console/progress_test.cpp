@@ -115,7 +115,7 @@ TEST_CASE("progress never goes back") {
 }
 
 TEST_CASE("programs read how far it is") {
-    using enum Progress::Style;
+    using enum ProgressStyle;
     CHECK(progress_line(json, 0.4237, 12.5) == "{\"progress\":0.423,\"seconds\":12.5}\n");
     CHECK(progress_line(alf, 0.4299, 1) == "ALF_PROGRESS 42%\n");
     CHECK(progress_line(openjd, 1, 1) == "openjd_progress: 100\n");
