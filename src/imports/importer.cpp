@@ -15,6 +15,7 @@
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 #include <assimp/Importer.hpp>
 
 #include <algorithm>
@@ -97,15 +98,21 @@ ImportedMesh imported_mesh(const aiMesh& from, unsigned uv) {
 
 std::array<double, 3> numbers(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-/// The angle of Assimp is that from the left edge to the right. Aspects below 0 are those of
-/// with_told_cameras().
-ImportedCamera imported_camera(const aiCamera& from) {
+/// Whether Assimp gives half of the angles of cameras in FBX files, as its description says. Versions
+/// before 5.3 give the whole.
+bool halves_angles_of_fbx() {
+    return std::pair(aiGetVersionMajor(), aiGetVersionMinor()) >= std::pair(5U, 3U);
+}
+
+/// `edges`: the angle from the left edge to the right, by that of Assimp. Aspects below 0 are those
+/// of with_told_cameras().
+ImportedCamera imported_camera(const aiCamera& from, double edges) {
     ImportedCamera made;
     made.location = numbers(from.mPosition);
     made.direction = numbers(from.mLookAt);
     made.up = numbers(from.mUp);
     constexpr double widest = 3.1;
-    const double stated = from.mHorizontalFOV;
+    const double stated = edges * from.mHorizontalFOV;
     double aspect = from.mAspect;
     made.parallel = aspect < 0;
     if (made.parallel) {
@@ -191,11 +198,11 @@ public:
         }
     }
 
-    /// Those of formats in which Assimp finds the node of each.
-    void take_cameras() {
+    /// Those of formats in which Assimp finds the node of each. `edges`: see imported_camera().
+    void take_cameras(double edges) {
         for (unsigned i = 0; i < scene_.mNumCameras; ++i) {
             cameras_[scene_.mCameras[i]->mName.C_Str()] = static_cast<int>(model_.cameras.size());
-            model_.cameras.push_back(imported_camera(*scene_.mCameras[i]));
+            model_.cameras.push_back(imported_camera(*scene_.mCameras[i], edges));
         }
     }
 
@@ -316,7 +323,7 @@ std::string import_model(std::string_view name, std::string_view bytes, const Be
     converter.take_materials();
     converter.take_meshes();
     converter.take_lights(gltf);
-    if (!gltf) converter.take_cameras();
+    if (!gltf) converter.take_cameras(extension == "fbx" && halves_angles_of_fbx() ? 2 : 1);
     converter.take_nodes(extension == "3mf" || has_z_up(*scene));
     model.encoded = extension == "3mf";
     if (model.encoded) std::ranges::for_each(model.materials, settle_name);
