@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -411,6 +412,54 @@ TEST_CASE("the grain of stones is as wide as in POV-Ray", "[stdlib]") {
         const double correlation = (products - mean_square) / (squares - mean_square);
         CHECK(correlation > 0.15);
         CHECK(correlation < 0.6);
+    }
+}
+
+TEST_CASE("woods are as bright, as varied and as fine as in POV-Ray", "[stdlib]") {
+    struct Case {
+        int wood;
+        double mean, deviation;  ///< of brightness in the square of side 1 around the z axis
+        double width;  ///< along x, at which the correlation of brightness has fallen to 1/e
+    };
+    const Case cases[] = {
+        {1, 0.496, 0.087, 0.012},  {2, 0.190, 0.048, 0.014},  {3, 0.624, 0.021, 0.012},
+        {4, 0.232, 0.034, 0.009},  {5, 0.369, 0.032, 0.016},  {6, 0.182, 0.035, 0.015},
+        {7, 0.640, 0.056, 0.027},  {8, 0.310, 0.051, 0.011},  {9, 0.540, 0.129, 0.021},
+        {10, 0.723, 0.023, 0.021}, {11, 0.594, 0.087, 0.004}, {12, 0.196, 0.016, 0.009},
+        {13, 0.626, 0.067, 0.008}, {14, 0.251, 0.040, 0.042}, {15, 0.237, 0.019, 0.017},
+        {16, 0.239, 0.015, 0.009}, {17, 0.270, 0.029, 0.015}, {18, 0.337, 0.050, 0.007},
+        {19, 0.499, 0.101, 0.010}, {20, 0.499, 0.101, 0.010}, {21, 0.594, 0.086, 0.003},
+        {22, 0.196, 0.016, 0.005}, {23, 0.625, 0.068, 0.011}, {24, 0.260, 0.046, 0.014},
+        {25, 0.241, 0.025, 0.012}, {26, 0.242, 0.021, 0.012}, {27, 0.269, 0.027, 0.008},
+        {28, 0.339, 0.050, 0.004}, {29, 0.473, 0.112, 0.007}, {30, 0.496, 0.087, 0.012},
+    };
+    for (const Case& c : cases) {
+        INFO("T_Wood" << c.wood);
+        const Texture wood = library_texture("woods.inc", "T_Wood" + std::to_string(c.wood));
+        REQUIRE(wood.below);
+        const auto brightness = [&](const Vec3& at) {
+            const Colour upper = evaluate(wood.pigment, at);
+            return grey(upper.opacity() * upper.rgb +
+                        upper.passing() * evaluate(wood.below->pigment, at).rgb);
+        };
+        constexpr int count = 200;
+        double sum = 0, squares = 0, products = 0;
+        int pairs = 0;
+        for (int i = 0; i < count; ++i)
+            for (int j = 0; j < count; ++j) {
+                const Vec3 at((i + 0.5) / count - 0.5, (j + 0.5) / count - 0.5, -0.001);
+                const double here = brightness(at);
+                sum += here;
+                squares += here * here;
+                if (at.x + c.width > 0.5) continue;
+                products += (here - c.mean) * (brightness(at + Vec3(c.width, 0, 0)) - c.mean);
+                ++pairs;
+            }
+        const double mean = sum / (count * count);
+        const double variance = squares / (count * count) - mean * mean;
+        CHECK(mean == Approx(c.mean).margin(0.01));
+        CHECK(std::sqrt(variance) == Approx(c.deviation).epsilon(0.1));
+        CHECK(products / pairs / variance == Approx(0.368).margin(0.1));
     }
 }
 
