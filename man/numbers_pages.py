@@ -15,6 +15,8 @@ WORK = Path(__file__).resolve().parent.parent / "examples" / "work"
 SCENES = [("office", "An office", ()), ("street", "A street", ()), ("pitch", "A football pitch", ()),
           ("shop_window", "A shop window", ()), ("daylight", "A room by daylight", ("Declare=Overcast=1",)),
           ("solved_street", "A street whose lamps are solved", ())]
+# Scenes whose light is that of the sky, which has no flux: there is nothing to say about where it goes.
+WITHOUT_LAMPS = {"daylight"}
 SIZE = ("+W960", "+H540")
 UNITS = {"cd/m2": "cd/m²"}
 
@@ -56,14 +58,15 @@ class Numbers:
             work = Path(folder)
             light = str(work / "light.exr")
             file = scene + ".pov"
-            self.run(file, *SIZE, "+O" + light, "--layers", "illuminance,luminance", "--noise", "0.03", "--time", "60s",
+            self.run(file, *SIZE, "+O" + light, "--layers", "illuminance,luminance", "--noise", "0.03", "--time", "300s",
                      "-V", "--warn", "none")
             self.run("develop", light, "-o", str(work / "picture.png"), "-V")
             self.run("develop", light, "--false-colour", "lux", "--isolines", "-o", str(work / "lux.png"), "-V")
             self.run(file, "--measure", str(work / "meters.json"), "--time", "40s", "-V", "--warn", "none", *declared)
-            text = self.run(file, "--light-balance", str(work / "balance.csv"), "--time", "30s", "--warn", "none")
-            # The library's files by their names alone.
-            (work / "balance.txt").write_text(re.sub(r"\S*/stdlib/", "", text))
+            if scene not in WITHOUT_LAMPS:
+                text = self.run(file, "--light-balance", str(work / "balance.csv"), "--time", "30s", "--warn", "none")
+                # The library's files by their names alone.
+                (work / "balance.txt").write_text(re.sub(r"\S*/stdlib/", "", text))
             Path(light).unlink(missing_ok=True)
             if len(self.failed) == failed:
                 shutil.copytree(work, made)
@@ -110,12 +113,10 @@ class Numbers:
     def page(self, scene, title, declared):
         """The parts of the page of a scene."""
         source = (WORK / (scene + ".pov")).read_text()
-        about, commands = self.head(source)
+        about, *commands = self.head(source)
         name = self.shown(scene, declared)
         place = f"numbers/{name}/"
-        parts = [f"<p>{html.escape(about)}</p>", f'<img src="{place}picture.png" alt="{title}" width="960" height="540">']
-        if scene != "solved_street" or commands:
-            parts.append(f"<pre>{html.escape(commands)}</pre>")
+        parts = [about, f'<img src="{place}picture.png" alt="{title}" width="960" height="540">', *commands]
         parts.append('<h2 id="lux">Lux in false colours</h2>'
                      '<p>The illuminance of all that is seen, with lines at the marks of the scale.</p>'
                      f'<img src="{place}lux.png" alt="illuminance in false colours" width="960" height="608">')
@@ -131,7 +132,8 @@ class Numbers:
                 parts.append('<p>At the points of the grids, with the first row below; the <span class="least">least</span> '
                              'and the <span class="greatest">greatest</span> are marked.</p>')
                 parts += [self.grid(meter) for meter in grids]
-        parts.append('<h2 id="balance">Where the light goes</h2>')
+        if scene not in WITHOUT_LAMPS:
+            parts.append('<h2 id="balance">Where the light goes</h2>')
         report = self.folder / name / "balance.txt"
         if report.exists():
             parts.append(f'<pre class="report">{html.escape(report.read_text())}</pre>')
@@ -141,13 +143,20 @@ class Numbers:
 
     @staticmethod
     def head(source):
-        """What the scene's first lines say about it, and the commands in them."""
-        about, commands = [], []
+        """What the scene's first lines say, in parts: paragraphs, and the commands and answers between them."""
+        blocks = []
         for line in source.splitlines()[1:]:
             if not line.startswith("//"):
                 break
-            (commands if line.startswith("//   ") else about).append(line.removeprefix("//").strip())
-        return " ".join(about), "\n".join(commands)
+            kind = "pre" if line.startswith("//   ") else "p"
+            if not blocks or blocks[-1][0] != kind:
+                blocks.append((kind, []))
+            blocks[-1][1].append(line[5:].rstrip() if kind == "pre" else line[2:].strip())
+        parts = []
+        for kind, lines in blocks:
+            text = html.escape((" " if kind == "p" else "\n").join(lines))
+            parts.append(f"<{kind}>" + (re.sub("`(.*?)`", r"<code>\1</code>", text) if kind == "p" else text) + f"</{kind}>")
+        return parts
 
     def overview(self):
         """The parts of the page that leads to the scenes."""

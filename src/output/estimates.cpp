@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace candelabra {
 
@@ -40,8 +41,11 @@ nlohmann::json value_json(const MeterValue& value) {
 
 std::string shown(const MeterValue& value) {
     constexpr int most_digits = 4, digits_of_error = 2;
+    // What is only due to rounding is no error of an estimate.
+    constexpr double rounding = 1e-9;
+    const bool exact = value.error <= rounding * std::abs(value.value);
     return message(rounded(value.value, most_digits), " +- ",
-                   rounded(value.error, digits_of_error));
+                   rounded(exact ? 0 : value.error, digits_of_error));
 }
 
 }  // namespace candelabra

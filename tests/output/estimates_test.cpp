@@ -11,6 +11,7 @@ TEST_CASE("estimates have the digits that their errors leave", "[output]") {
     CHECK(rounded(1.0 / 3) == 0.333333);
     CHECK(cell(1234567.8) == "1234570");
     CHECK(shown({12.3456, 0.12345}) == "12.35 +- 0.12");
+    CHECK(shown({12300, 5e-12}) == "12300 +- 0");  // rounding
     CHECK(value_json({1.0 / 3, 0.25}).dump() == R"({"error":0.25,"value":0.333333})");
 }
 
