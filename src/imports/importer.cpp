@@ -98,8 +98,8 @@ ImportedMesh imported_mesh(const aiMesh& from, unsigned uv) {
 
 std::array<double, 3> numbers(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-/// Whether Assimp gives half of the angles of cameras in FBX files, as its description says. Versions
-/// before 5.3 give the whole.
+/// Whether Assimp gives half of the angles of cameras in FBX files, as its description says.
+/// Versions before 5.3 give the whole.
 bool halves_angles_of_fbx() {
     return std::pair(aiGetVersionMajor(), aiGetVersionMinor()) >= std::pair(5U, 3U);
 }
