@@ -15,10 +15,12 @@ namespace {
 bool adds_no_light(const Shading& s) {
     const Finish& f = *s.finish;
     const bool mirrors = f.reflection.least != Vec3(0) || f.reflection.greatest != Vec3(0);
+    const bool amplifies =
+        max_component(f.reflection.least) > 1 || max_component(f.reflection.greatest) > 1;
     const bool scatters = !f.microfacet.on && f.diffuse + f.diffuse_back > 1;
-    return !scatters && (f.conserve_energy || !mirrors) && f.refraction <= 1 && f.brilliance >= 1 &&
-           min_component(s.colour.rgb) >= 0 && max_component(s.colour.rgb) <= 1 &&
-           s.colour.opacity() >= 0;
+    return !scatters && !amplifies && (f.conserve_energy || !mirrors) && f.refraction <= 1 &&
+           f.brilliance >= 1 && min_component(s.colour.rgb) >= 0 &&
+           max_component(s.colour.rgb) <= 1 && s.colour.opacity() >= 0;
 }
 
 double weight_of(const Lobe& lobe) { return max_component(glm::abs(lobe.share)); }
