@@ -103,7 +103,9 @@ std::string meant(std::string_view argument) {
     return found.empty() ? "" : message("did you mean `", found, "`?");
 }
 
-constexpr int max_ini_files = 10;
+/// Nesting of INI files, and how often files may be named in all: those that name themselves several
+/// times would be read without end.
+constexpr int max_ini_files = 10, max_ini_names = 1000;
 /// Samples of each pixel of a draft: the fewest that tell the denoiser how noisy a pixel is.
 constexpr int draft_samples = 4;
 
@@ -229,6 +231,9 @@ private:
     }
 
     void read_ini(std::string_view argument, const IniName& ini, const Reader& reader) {
+        if (++ini_names_ > max_ini_names)
+            return fail(argument,
+                        message("INI files are named more than ", max_ini_names, " times"));
         const std::optional<std::string> text = reader ? reader(ini.file) : std::nullopt;
         if (!text) return fail(argument, "there is no such file that can be read");
         if (depth_ >= max_ini_files)
@@ -241,6 +246,7 @@ private:
         const std::size_t next = std::exchange(next_, 0);
         ++depth_;
         for (const IniLine& line : *lines) {
+            if (ini_names_ > max_ini_names) break;
             where_ = message(ini.file, ":", line.number);
             read_one(line.option);
         }
@@ -425,6 +431,7 @@ private:
     Options options_;
     std::string where_;  ///< place in an INI file
     int depth_ = 0;      ///< nesting of INI files
+    int ini_names_ = 0;  ///< how often INI files were named
     std::size_t next_ = 0;
     bool only_files_ = false;
     bool bare_scene_ = false;

@@ -376,6 +376,22 @@ TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
           "deep");
 }
 
+TEST_CASE("INI files that name themselves often are not read without end", "[app]") {
+    std::string text;
+    for (int i = 0; i < 20; ++i) text += "bomb.ini\n";
+    int files = 0;
+    const Reader reader = [&](const std::string& name) -> std::optional<std::string> {
+        if (name != "bomb.ini") return std::nullopt;
+        ++files;
+        return text;
+    };
+    const std::vector<std::string_view> words = {"bomb.ini"};
+    Diagnostics diagnostics;
+    read_options(words, diagnostics, reader);
+    CHECK(diagnostics.failed());
+    CHECK(files <= 1000);
+}
+
 TEST_CASE("the file with everybody's settings has any name and comes first", "[app]") {
     const Reader files = [](const std::string& name) -> std::optional<std::string> {
         if (name == "settings") return "Width=10\nHeight=20\n";
