@@ -103,8 +103,8 @@ std::string meant(std::string_view argument) {
     return found.empty() ? "" : message("did you mean `", found, "`?");
 }
 
-/// Nesting of INI files, and how often files may be named in all: those that name themselves several
-/// times would be read without end.
+/// Nesting of INI files, and how often files may be named in all: those that name themselves
+/// several times would be read without end.
 constexpr int max_ini_files = 10, max_ini_names = 1000;
 /// Samples of each pixel of a draft: the fewest that tell the denoiser how noisy a pixel is.
 constexpr int draft_samples = 4;
