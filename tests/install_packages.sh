@@ -10,6 +10,11 @@ packages=(g++ cmake ninja-build bison re2c libglm-dev libtbb-dev libopenimageio-
 [ "${1:-}" != --all ] || packages+=(chromium slurmctld slurmd slurm-client munge parallel ffmpeg mandoc python3 python3-yaml povray
                                     povray-examples povray-includes desktop-file-utils dpkg-dev file mypy
                                     python3-nbclient python3-ipykernel patchelf)
+# Elsewhere these are often there from other sources.
+if [ "${1:-}" = --all ]; then
+    command -v node > /dev/null || packages+=(nodejs)
+    command -v pkg-config > /dev/null || packages+=(pkgconf)
+fi
 
 missing=()
 for package in "${packages[@]}"; do

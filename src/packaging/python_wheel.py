@@ -71,8 +71,9 @@ def licence_of(library):
     path = os.path.realpath(library)
     for name in (path, path.removeprefix("/usr"), str(library)):
         found = subprocess.run(["dpkg-query", "--search", name], capture_output=True, text=True)
-        if not found.returncode:
-            package = found.stdout.split(":")[0]
+        owners = [line for line in found.stdout.splitlines() if not line.startswith("diversion by ")]
+        if owners:
+            package = owners[0].split(":")[0]
             return package, pathlib.Path("/usr/share/doc", package, "copyright").read_bytes()
     raise SystemExit(f"no package has {library}, so its licence is not known")
 

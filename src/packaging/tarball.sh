@@ -30,7 +30,7 @@ declare -A packages
 while IFS=: read -r package path; do
     packages[${path##*/}]=${package%%:*}
 done < <(awk '{ print $2; sub("^(/usr)?", "/usr", $2); print $2; sub("^/usr", "", $2); print $2 }' <<< "$libraries" |
-             xargs dpkg-query -S 2> /dev/null | sed 's/^\([^:]*\):[^ ]* /\1:/; s/: /:/')
+             xargs dpkg-query -S 2> /dev/null | sed '/^diversion by /d; s/^\([^:]*\):[^ ]* /\1:/; s/: /:/')
 list=$root/share/doc/candelabra/libraries/README
 {
     echo "Libraries in lib/candelabra and libexec, as Debian built them. Their sources: apt-get source PACKAGE=VERSION,"
