@@ -98,9 +98,9 @@ ImportedMesh imported_mesh(const aiMesh& from, unsigned uv) {
 
 std::array<double, 3> numbers(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-/// Whether Assimp gives half of the angles of cameras in FBX files, as its description says.
-/// Versions before 5.3 give the whole.
-bool halves_angles_of_fbx() {
+/// Whether Assimp gives half of the angles of cameras in FBX files, as its description says, and
+/// turns what has z up. Versions before 5.3 give the whole angle and do not turn.
+bool settles_fbx() {
     return std::pair(aiGetVersionMajor(), aiGetVersionMinor()) >= std::pair(5U, 3U);
 }
 
@@ -128,11 +128,12 @@ ImportedCamera imported_camera(const aiCamera& from, double edges) {
     return made;
 }
 
-/// Whether the file states that z is up. Only FBX files do; those of Collada have been turned.
+/// Whether the file states that z is up, and Assimp has not turned it. Only FBX files do; those of
+/// Collada have been turned.
 bool has_z_up(const aiScene& scene) {
     constexpr std::int32_t z = 2;
     std::int32_t axis = 1;
-    return scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && axis == z;
+    return !settles_fbx() && scene.mMetaData && scene.mMetaData->Get("UpAxis", axis) && axis == z;
 }
 
 /// Removes what Assimp puts before the names of materials of 3MF, which is the number of their
@@ -323,7 +324,7 @@ std::string import_model(std::string_view name, std::string_view bytes, const Be
     converter.take_materials();
     converter.take_meshes();
     converter.take_lights(gltf);
-    if (!gltf) converter.take_cameras(extension == "fbx" && halves_angles_of_fbx() ? 2 : 1);
+    if (!gltf) converter.take_cameras(extension == "fbx" && settles_fbx() ? 2 : 1);
     converter.take_nodes(extension == "3mf" || has_z_up(*scene));
     model.encoded = extension == "3mf";
     if (model.encoded) std::ranges::for_each(model.materials, settle_name);

@@ -33,7 +33,11 @@ FBXHeaderExtension:  { FBXHeaderVersion: 1003
 FBXVersion: 7400 }
 GlobalSettings:  { Version: 1000
 Properties70:  { P: "UpAxis", "int", "Integer", "", 2
-P: "UpAxisSign", "int", "Integer", "", 1 } }
+P: "UpAxisSign", "int", "Integer", "", 1
+P: "FrontAxis", "int", "Integer", "", 1
+P: "FrontAxisSign", "int", "Integer", "", -1
+P: "CoordAxis", "int", "Integer", "", 0
+P: "CoordAxisSign", "int", "Integer", "", 1 } }
 Definitions:  { Version: 100
 Count: 3 }
 Objects:  {
