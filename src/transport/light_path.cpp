@@ -136,12 +136,9 @@ void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
         lit.power = (passes ? back : front) / (survival * ((passes ? behind : in_front) / all));
         const Vec2 u{uniform(lit.path.key, Purpose::bounce_u),
                      uniform(lit.path.key, Purpose::bounce_v)};
-        const MediaStack outside = lit.path.media;
-        lit.path =
-            gathering_path(lit.path, lit.vertex, cosine_direction(passes ? -normal : normal, u));
-        if (passes && lit.vertex.material->transparent)
-            lit.path.media =
-                interface_at(world_, outside, lit.vertex.hit.primitive, lit.path.band).behind;
+        lit.path = passes ? gathering_path_behind(world_, lit.path, lit.vertex,
+                                                  cosine_direction(-normal, u))
+                          : gathering_path(lit.path, lit.vertex, cosine_direction(normal, u));
         Hit hit;
         if (!world_.first_hit(lit.path.ray, lit.path.tolerance, lit.path.kind, hit)) return;
         const Vec3 from = lit.path.ray.origin;

@@ -110,6 +110,14 @@ PathState gathering_path(const PathState& path, const Vertex& vertex, const Vec3
     return next;
 }
 
+PathState gathering_path_behind(const World& world, const PathState& path, const Vertex& vertex,
+                                const Vec3& direction) {
+    PathState next = gathering_path(path, vertex, direction);
+    if (vertex.material->transparent)
+        next.media = interface_at(world, path.media, vertex.hit.primitive, path.band).behind;
+    return next;
+}
+
 PathState path_behind(const PathState& path, const Vertex& vertex, const Shading& s,
                       const Interface& surface, double ratio) {
     const bool straight = std::abs(ratio - 1) < 1e-10;

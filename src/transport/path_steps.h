@@ -72,5 +72,8 @@ PathState path_behind(const PathState&, const Vertex&, const Shading&, const Int
 
 /// The path that gathers light at a diffuse surface from a direction.
 PathState gathering_path(const PathState&, const Vertex&, const Vec3& direction);
+/// The same from a direction behind the surface: it is in what the surface bounds, if light passes.
+PathState gathering_path_behind(const World&, const PathState&, const Vertex&,
+                                const Vec3& direction);
 
 }  // namespace candelabra

@@ -203,11 +203,10 @@ Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex
         // No light comes from below the real surface; such a direction is replaced by its mirror
         // image.
         if (dot(direction, surface) < 0) direction = mirrored(direction, surface);
-        PathState next =
-            gathering_path(path.dimmed(Vec3(radiosity_.brightness * share)), vertex, direction);
+        const PathState dimmed = path.dimmed(Vec3(radiosity_.brightness * share));
+        PathState next = behind ? gathering_path_behind(world_, dimmed, vertex, direction)
+                                : gathering_path(dimmed, vertex, direction);
         next.key = key;
-        if (behind && vertex.material->transparent)
-            next.media = interface_at(world_, path.media, vertex.hit.primitive, path.band).behind;
         ++ledger_.scattered;
         sum += gathered_light(radiosity_, follow(next));
     }
