@@ -13,8 +13,9 @@ rm -rf "$build/npm"
 mkdir -p "$package"
 cp -r "$own/bin" "$own/lib" "$own/index.mjs" "$own/index.d.ts" "$own/README.md" "$root/LICENSE" "$root/stdlib" "$package"
 mkdir "$package/examples"
-# Scenes with what they read; the pictures of all of them would be most of the package.
-(cd "$root/examples" && tar -c --exclude='*.sh' --exclude=pictures .) | tar -x -C "$package/examples"
+# Scenes with what they read, if WebAssembly has all that they need; pictures of all of them would be most of the package.
+(cd "$root/examples" && tar -c --exclude='*.sh' --exclude=./pictures --exclude=./python --exclude='model_street.*' \
+    --exclude=modelling.pov .) | tar -x -C "$package/examples"
 cp "$build/candelabra.mjs" "$build/candelabra.wasm" "$package/lib"
 sed "s/@VERSION@/$version/" "$own/package.json" > "$package/package.json"
 # Sorted, and without times and owners: the same bytes from the same files.

@@ -4,8 +4,9 @@
 #   build.sh [--chroot FOLDER] [BUILD]
 #   build.sh --packages        prints the packages of Debian 13 that it needs
 # It takes the emscripten of Debian 13, and the sources of zlib, libpng, libjpeg-turbo, FreeType and Nettle from Debian's
-# source packages. On another system it works in a Debian 13 in FOLDER (default: BUILD/debian), which debootstrap makes when
-# it is not there; for that it has to be root. NICE=10 before the command leaves more of the machine to others.
+# source packages. On another system it works in a Debian 13 in FOLDER (default: that of the time before, or BUILD/debian),
+# which debootstrap makes when it is not there; for that it has to be root. NICE=10 before the command leaves more of the
+# machine to others.
 set -euo pipefail
 
 root=$(realpath "$(dirname "$0")/../../..")
@@ -16,7 +17,7 @@ while [ $# -gt 0 ]; do
     case $1 in
         --chroot) chroot=${2:?--chroot needs a folder}; shift 2 ;;
         --packages) echo "${packages[*]}"; exit ;;
-        -*) sed -n '3,9s/^# //p' "$0"; exit 2 ;;
+        -*) sed -n '3,10s/^# //p' "$0"; exit 2 ;;
         *) break ;;
     esac
 done
@@ -58,9 +59,10 @@ in_chroot() {
 }
 
 if ! has_compiler; then
-    chroot=$(realpath -m "${chroot:-$build/debian}")
+    chroot=$(realpath -m "${chroot:-$(cat "$build/chroot" 2> /dev/null || echo "$build/debian")}")
     [ "$(id -u)" -eq 0 ] || { echo "build.sh: a Debian 13 to build in can only be made as root" >&2; exit 1; }
     make_chroot
+    echo "$chroot" > "$build/chroot"
     in_chroot env NICE="${NICE:-0}" "$root/src/packaging/wasm/build.sh" "$build"
     exit
 fi

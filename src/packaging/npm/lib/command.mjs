@@ -4,14 +4,14 @@ import fs from "node:fs";
 import os from "node:os";
 import { parentPort, workerData } from "node:worker_threads";
 
-import { connectStreams, inside, lockable, mountDisk } from "./disk.mjs";
+import { connectStreams, inside, lockable, mountDisk, wordsInside } from "./disk.mjs";
 import { runProgram } from "./program.mjs";
 
 const { words, shared, stackBytes, library } = workerData;
 const environment = { ...process.env };
 environment.CANDELABRA_STDLIB ||= inside(library);
 let allow;
-const status = await runProgram(words, {
+const status = await runProgram(wordsInside(words), {
     environment,
     stackBytes,
     freeMemory: os.freemem(),

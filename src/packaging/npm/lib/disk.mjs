@@ -14,6 +14,13 @@ export function inside(name) {
     return "/" + whole[0].toLowerCase() + whole.slice(2).replaceAll("\\", "/");
 }
 
+/// The words of a command line with paths as the program names them.
+export function wordsInside(words, onWindows = windows) {
+    if (!onWindows) return words;
+    return words.map(word => word.replaceAll("\\", "/").replace(/^([+-][A-Za-z]|--[\w-]+=)?([A-Za-z]):\//,
+        (_, option = "", drive) => `${option}/${drive.toLowerCase()}/`));
+}
+
 function mount(FS, host, place) {
     try {
         if (!FS.analyzePath(place).exists) FS.mkdir(place);
