@@ -123,11 +123,17 @@ def plain(text):
     return " ".join(html.unescape(re.sub(r"<[^>]*>", " ", text)).split())
 
 
-def tried(scene):
-    """The address of the playground with a scene in it."""
+def packed(text):
+    """A text as the playground has it in addresses."""
     pack = zlib.compressobj(9, zlib.DEFLATED, -15)
-    code = base64.urlsafe_b64encode(pack.compress(scene.encode()) + pack.flush()).decode().rstrip("=")
-    return f"playground.html#scene={code}"
+    return base64.urlsafe_b64encode(pack.compress(text.encode()) + pack.flush()).decode().rstrip("=")
+
+
+def tried(scene, files=()):
+    """A link to the playground with a scene and those of the files that it names. files: names and texts."""
+    named = {name: text for name, text in files if name in scene}
+    beside = "&files=" + packed(json.dumps(named)) if named else ""
+    return f'<a class="try" href="playground.html#scene={packed(scene)}{beside}">Try it</a>'
 
 
 def sentence(head):
@@ -206,9 +212,14 @@ class Book:
                        re.sub(r"#?[A-Za-z_][A-Za-z_0-9]*", link, html.escape(part, quote=False))
                        for i, part in enumerate(parts))
 
-    def figure(self, picture, code, caption=True):
-        text = f"<figcaption><code>{self.linked(code)}</code></figcaption>" if caption else ""
-        return f'<figure><img src="{picture}" alt="" loading="lazy" width="240" height="180">{text}</figure>'
+    def trying(self, picture):
+        """A link to the playground with the scene of a picture."""
+        scene, _, files, options = self.pictures.scenes[Path(picture).stem]
+        return tried(scene, files) if self.playground and not options else ""
+
+    def figure(self, picture, code):
+        return (f'<figure><img src="{picture}" alt="" loading="lazy" width="240" height="180"><figcaption>'
+                f"{self.trying(picture)}<code>{self.linked(code)}</code></figcaption></figure>")
 
     # ---- pages
 
@@ -358,9 +369,7 @@ class Book:
             result = f"<pre>{html.escape(code) if plain else self.linked(code)}</pre>"
             if code.startswith("#version") and "camera" in code:
                 picture = self.pictures.add(code, (400, 300), files)
-                if self.playground and "read_csv" not in code and ".csv" not in code:
-                    result += f'<a class="try" href="{tried(code)}">Try it</a>'
-                result += f'</div><div><img class="scene" src="{picture}" alt="" width="400" height="300">'
+                result += f'{self.trying(picture)}</div><div><img class="scene" src="{picture}" alt="" width="400" height="300">'
             figures = "".join(developed(code))
             return result + (f'</div><div class="gallery">{figures}' if figures else "")
         return re.sub(r"<pre>.*?</pre>", lambda _: block(), text, flags=re.S)
@@ -381,8 +390,8 @@ class Book:
         visible = not value and re.search(r"\b(object|sphere|box|mesh|cone|intersection|Screen_\w+)\b", code)
         hidden = about in ("math.inc", "strings.inc") or re.search(r"trace\(|Extents\(|#declare Wide", code)
         if visible and not hidden or re.match(r"(Spheroid|Align_Object|Center_Object)\(", code):
-            return f'{text}<img src="{self.pictures.add(macro_frame(about, code))}" alt="" loading="lazy" ' \
-                   'width="240" height="180">'
+            picture = self.pictures.add(macro_frame(about, code))
+            return f'{text}<img src="{picture}" alt="" loading="lazy" width="240" height="180">{self.trying(picture)}'
         return text
 
     def write(self):
@@ -447,6 +456,9 @@ def main():
     program, made, folder = (Path(word).resolve() for word in sys.argv[1:4])
     folder.mkdir(parents=True, exist_ok=True)
     playground = [word.removeprefix("--playground=") for word in sys.argv if word.startswith("--playground=")]
+    if playground and not Path(playground[0]).exists():
+        print(f"without `Try it`: src/packaging/wasm/build.sh and src/playground/pack.py have not made {playground[0]}")
+        playground = []
     return Book(str(program), made, folder, "--without-pictures" not in sys.argv, *playground or [None]).write()
 
 

@@ -3,7 +3,8 @@
 # Installs what is missing, builds, and runs tests; says how long each phase took. BUILD_DIR chooses the folder (default:
 # build).
 #   run.sh                    all tests; those whose programs are missing (a browser, Slurm, POV-Ray ...) are skipped
-#   run.sh --all              installs those programs as well; a test that is skipped counts as failed
+#   run.sh --all              installs those programs as well; a test that is skipped counts as failed. The program as
+#                             WebAssembly is built and tested if build-wasm has it from before, or em++ is there
 #   run.sh --quick MODULE...  builds and runs the tests of these modules of src/ and of the modules that use them
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -60,12 +61,20 @@ esac
 
 tests/install_packages.sh "$@"
 done_with install
-cmake -S . -B "$build" -G Ninja -DCANDELABRA_TESTS=ON
+wasm=
+if [ "${1:-}" = --all ] && { [ -e build-wasm/candelabra.wasm ] || command -v em++ > /dev/null; }; then
+    wasm=$PWD/build-wasm
+fi
+cmake -S . -B "$build" -G Ninja -DCANDELABRA_TESTS=ON -DCANDELABRA_WASM_BUILD="$wasm"
 done_with configure
 cmake --build "$build" --target candelabra
 done_with "build of the program"
 cmake --build "$build"
 done_with "build of the tests"
+if [ -n "$wasm" ]; then
+    { src/packaging/wasm/build.sh "$wasm" && src/packaging/npm/pack.sh "$wasm" && src/playground/pack.py "$wasm"; } || failed=1
+    done_with "WebAssembly"
+fi
 said=$build/tests.log
 # One more than processors: some tests wait for others' programs.
 ctest --test-dir "$build" --output-on-failure --parallel "$(($(nproc) + 1))" 2>&1 | tee "$said" || failed=1
@@ -77,6 +86,9 @@ echo "slowest sources (seconds):"
 awk -F'\t' '$4 ~ /\.o$/ { printf "%.1f %s\n", ($2 - $1) / 1000, $4 }' "$build/.ninja_log" | sort -rn | head -20 || true
 report tests
 
+if [ "${1:-}" = --all ] && [ -z "$wasm" ]; then
+    echo "not tested: WebAssembly, which src/packaging/wasm/build.sh builds"
+fi
 if [ "${1:-}" = --all ] && grep -q '\*\*\*Skipped' "$said"; then
     echo "tests were skipped:"
     grep '\*\*\*Skipped' "$said"

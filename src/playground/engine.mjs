@@ -6,6 +6,7 @@ export class Engine {
   // `assets`: {compiled, library, makeWorker}.
   constructor(assets) {
     Object.assign(this, { assets, idle: [], busy: new Map(), next: 0 });
+    this.idle.push(this.#worker());  // it starts while the page is made
   }
 
   // Runs the program in a worker of its own; see run() in worker.js. stop(group) ends the runs of a

@@ -78,7 +78,7 @@ def one_file(folder):
     script = "\n".join(without_imports((folder / f"{name}.mjs").read_text()) for name in modules)
     data = "".join(f'<script type="text/plain" id="part:{name}">{packed(name)}</script>\n'
                    for name in ("candelabra.wasm", "parts.json", "worker.js"))
-    page = page.replace("icon.svg", icon)
+    page = re.sub('<link rel="preload".*>\n', "", page).replace("icon.svg", icon)
     page = re.sub(r'<link rel="stylesheet" href="common.css">\n<link rel="stylesheet" href="style.css">\n', lambda _: style, page)
     for name in scripts:
         page = page.replace(f'<script src="{name}.js"></script>', f"<script>\n{(folder / f'{name}.js').read_text()}</script>")

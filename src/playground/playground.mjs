@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: the text of a scene, and its picture, which becomes finer. Nothing leaves the page. The panels
 // are those of the preview (src/preview/page/*_panel.js); a back end answers them.
-import { loadAssets } from "./assets.mjs";
+import { contents, loadAssets } from "./assets.mjs";
 import { BackEnd } from "./back_end.mjs";
 import { Editor } from "./editor.mjs";
 import { bandsOf, Engine, needsWhole, textsOf } from "./engine.mjs";
@@ -9,8 +9,8 @@ import { colourer, Language } from "./language.mjs";
 
 const canvas = element("picture"), context = canvas.getContext("2d");
 const workers = Math.min(8, Math.max(1, (navigator.hardwareConcurrency ?? 2) - 1));
-// `#scene=` in the address is a scene, `#example=` the name of one, `#size=320x240` the size of the
-// picture, `#samples=4` those of the last pass.
+// `#scene=` in the address is a scene, `#files=` what lies beside it, `#example=` the name of one, `#size=320x240`
+// the size of the picture, `#samples=4` those of the last pass.
 const asked = () => new URLSearchParams(location.hash.slice(1));
 const finest = Number(asked().get("samples")) || 256;
 // The first pass is small; each later one has the whole size.
@@ -211,6 +211,22 @@ async function unpacked(code) {
   return new TextDecoder().decode(await through(bytes, new DecompressionStream("deflate-raw")));
 }
 
+// The files beside the scene as JSON for contents(), packed; nothing if they are too large for an address.
+const longestFiles = 100000;
+async function packedFiles() {
+  if (Object.values(files).reduce((sum, content) => sum + content.length, 0) > 10 * longestFiles) return "";
+  const texts = Object.entries(files).map(([name, content]) => {
+    if (typeof content === "string") return [name, content];
+    try {
+      return [name, new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(content)];
+    } catch {
+      return [name, { base64: btoa(Array.from(content, byte => String.fromCharCode(byte)).join("")) }];
+    }
+  });
+  const code = await packed(JSON.stringify(Object.fromEntries(texts)));
+  return code.length <= longestFiles ? code : "";
+}
+
 function addFile(name, content) {
   files[name] = content;
   element("file-list").textContent = "Files beside the scene: " + Object.keys(files).join(", ");
@@ -252,10 +268,11 @@ canvas.addEventListener("click", event => {
   pick(pixelAt(event.clientX, box.left, box.width, width), pixelAt(event.clientY, box.top, box.height, height));
 });
 element("share").onclick = async () => {
-  history.replaceState(null, "", "#scene=" + await packed(editor.text));
+  const any = Object.keys(files).length > 0, beside = any ? await packedFiles() : "";
+  history.replaceState(null, "", "#scene=" + await packed(editor.text) + (beside && "&files=" + beside));
   try {
     await navigator.clipboard.writeText(location.href);
-    toast(Object.keys(files).length > 0 ? "Copied; the files beside the scene are not in the address" : "Copied");
+    toast(any && !beside ? "Copied; the files beside the scene are too large for the address" : "Copied");
   } catch {
     toast("The address of this page holds the scene");
   }
@@ -284,6 +301,8 @@ async function beginWithAddress() {
     return begin(chosen);
   }
   try {
+    const beside = words.has("files") ? contents(JSON.parse(await unpacked(words.get("files")))) : {};
+    for (const [path, content] of Object.entries(beside)) addFile(path, content);
     editor.text = await unpacked(code);
     later(0);
   } catch {

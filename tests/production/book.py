@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The book without its pictures: each link leads to a place that there is, and each word of the reference is found.
+"""The book without its pictures: each link leads to a place that there is, each word of the reference is found, and each scene
+with a picture leads to the playground (tests/production/playground.py opens such a link).
 book.py PROGRAM. 77: mandoc is missing."""
 import json
 import re
@@ -15,6 +16,12 @@ PAGES = ("candelabra.1 candelabra-develop.1 candelabra-merge.1 candelabra-fmt.1 
          "candelabra-solve.1 candelabra-povray.1 candelabra-python.3 candelabra-scene.5 candelabra-lights.7 candelabra-povray.7 candelabra-stdlib.7 candelabra-tutorial.7").split()
 
 
+def page_of_playground(folder):
+    page = folder / "playground.html"
+    page.write_text("<!DOCTYPE html>\n")
+    return page
+
+
 def make(program, folder):
     made = folder / "man"
     made.mkdir()
@@ -23,7 +30,7 @@ def make(program, folder):
         subprocess.run(["cmake", f"-DPROGRAM={program}", "-DVERSION=0", f"-DINPUT={SOURCE}/man/{source}",
                         f"-DOUTPUT={made / page}", "-P", f"{SOURCE}/man/generate.cmake"], check=True)
     subprocess.run([sys.executable, str(SOURCE / "man" / "book.py"), program, str(made), str(folder / "manual"),
-                    "--without-pictures"], check=True)
+                    "--without-pictures", f"--playground={page_of_playground(folder)}"], check=True)
     return folder / "manual"
 
 
@@ -37,6 +44,8 @@ def problems(book):
             return False
         page, _, place = address.partition("#")
         page = page or name
+        if page == "playground.html":
+            return not place.startswith("scene=")
         return page not in texts or (place and place not in places[page])
 
     for name, text in texts.items():
@@ -51,6 +60,11 @@ def problems(book):
                  "Tutorial", "How bright", "--light-report"):
         if word not in titles:
             yield f"the search does not find {word}"
+    for name, text in texts.items():
+        pictures, tries = len(re.findall('<img [^>]*src="pictures/', text)), text.count('class="try"')
+        # The tutorial also has a scene's picture as it is developed in other ways.
+        if tries != (9 if name == "candelabra-tutorial.7.html" else pictures):
+            yield f"{name} has {pictures} pictures of scenes, and {tries} links to try them"
     scenes = len(re.findall(r'class="scene"', texts["candelabra-tutorial.7.html"]))
     if scenes != 9:
         yield f"the tutorial has {scenes} pictures"

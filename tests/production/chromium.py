@@ -6,6 +6,7 @@ import os
 import select
 import subprocess
 import time
+from pathlib import Path
 
 
 class Chromium:
@@ -118,6 +119,21 @@ class Chromium:
     def shot(self, path):
         with open(path, "wb") as file:
             file.write(base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"]))
+
+    def cpu(self):
+        """Seconds of processors that the browser and its processes have taken."""
+        parents, ticks = {}, {}
+        for stat in Path("/proc").glob("[0-9]*/stat"):
+            try:
+                fields = stat.read_text().rsplit(")", 1)[1].split()
+            except OSError:
+                continue  # it has ended
+            parents[int(stat.parent.name)] = int(fields[1])
+            ticks[int(stat.parent.name)] = sum(int(each) for each in fields[11:15])  # with those of children that have ended
+        own = [self.process.pid]
+        for one in own:
+            own += [child for child, parent in parents.items() if parent == one]
+        return sum(ticks[one] for one in own) / os.sysconf("SC_CLK_TCK")
 
     def end(self):
         self.process.terminate()

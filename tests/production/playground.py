@@ -5,16 +5,17 @@ native program makes, byte for byte, and saves the same OpenEXR file; mistakes a
 come; lamps, film, a pixel and frames; an address holds a scene; nothing overlaps at three widths; nothing is requested but
 its own files.
   playground.py BUILD PROGRAM [FOLDER]    BUILD: that of src/packaging/wasm/build.sh, with the playground made;
-                                          FOLDER: gets pictures of the page"""
+                                          FOLDER: gets pictures of the page
+  playground.py BUILD --picture FILE      makes the picture of README.md, examples/pictures/playground.webp"""
 import functools
 import http.server
-import importlib.util
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 from pathlib import Path
 from urllib.parse import quote
 
@@ -29,7 +30,11 @@ OVERLAP = """(() => {
   const crossing = boxes.flatMap(([a, p], i) => boxes.slice(i + 1).filter(([, q]) =>
     p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1).map(([b]) => a + b));
   const wide = document.documentElement.scrollWidth > innerWidth ? ["wider than the window"] : [];
-  return [...crossing, ...wide].join(" ");
+  const picture = document.getElementById("picture"), shown = picture.getBoundingClientRect();
+  const around = document.getElementById("stage").getBoundingClientRect();
+  const whole = shown.left >= around.left && shown.right <= around.right && shown.top >= around.top &&
+    shown.bottom <= around.bottom && Math.abs(shown.width * picture.height / shown.height / picture.width - 1) < 0.02;
+  return [...crossing, ...wide, ...(whole ? [] : ["the picture is cut or bent"])].join(" ");
 })()"""
 requests = []
 
@@ -220,12 +225,11 @@ def plays(page):
     check("frames were seen", browser.run("Number(document.body.dataset.drawn) - Number(before)") >= 6)
 
 
-def code_of_book(scene):
-    """The scene as the book puts it into its links."""
-    about = importlib.util.spec_from_file_location("manual_book", ROOT / "man/book.py")
-    book = importlib.util.module_from_spec(about)
-    about.loader.exec_module(book)
-    return book.tried(scene).split("=")[1]
+def words_of_book(scene, files):
+    """The words of the address to which the book's links lead."""
+    sys.path.insert(0, str(ROOT / "man"))
+    import book
+    return dict(word.split("=") for word in re.search('#([^"]*)"', book.tried(scene, files))[1].split("&"))
 
 
 def shares(page, program, folder):
@@ -243,17 +247,45 @@ def shares(page, program, folder):
     subprocess.run([program, "shared.pov", "+W96", "+H72", "--samples", "1", "-V", "-o", "shared.ppm"], cwd=folder,
                    check=True, stderr=subprocess.PIPE)
     check("its picture is that of the program", (folder / "shared.ppm").read_bytes()[-3 * 96 * 72:] == page.samples())
-    page.open(scene=code_of_book(scene), size="96x72", samples="1")
-    check("so does a link of the book", browser.run("document.getElementById('text').value") == scene)
+    read = scene + '#declare Rows = read_csv("lamps.csv");\n#debug concat("four: ", str(Rows[0][0], 0, 0))\n'
+    page.open(**words_of_book(read, [("lamps.csv", "x,y\n4,5\n"), ("other.csv", "x\n")]), size="96x72", samples="1")
+    check("so does a link of the book", browser.run("document.getElementById('text').value") == read)
+    check("with its files", page.text_of("#file-list").endswith(": lamps.csv"))
+    page.finished()
+    check("which it reads", "four: 4" in page.text_of("#messages"))
+    browser.run("history.replaceState(null, '', '#'); document.getElementById('share').click()")
+    browser.until("location.hash.includes('&files=')")
+    words = browser.run("Object.fromEntries(new URLSearchParams(location.hash.slice(1)))")
+    page.open(**words, size="96x72", samples="1")
+    check("and an address of the page holds them", page.text_of("#file-list").endswith(": lamps.csv"))
     page.open(scene="broken!", size="96x72", samples="1")
     check("a broken address gives an example", "light_arrays.inc" in browser.run("document.getElementById('text').value"))
 
 
+def drops_and_saves(page):
+    """Tables and scenes that are dropped on the page, and files that it saves."""
+    browser, scene = page.browser, '#declare Rows = read_csv("dropped.csv");\n#debug concat("seven: ", str(Rows[0][0], 0, 0))\n'
+    page.open(size="96x72", samples="1")
+    browser.run("(() => { const drop = new DataTransfer();"
+                "drop.items.add(new File(['x\\n7\\n'], 'dropped.csv'));"
+                f"drop.items.add(new File([{scene!r}], 'dropped.pov'));"
+                "document.dispatchEvent(new DragEvent('drop', { dataTransfer: drop, cancelable: true })); })()")
+    browser.until("document.getElementById('messages').textContent.includes('seven: 7')")
+    check("a dropped scene is shown", browser.run("document.getElementById('text').value") == scene)
+    page.finished()
+    browser.run("saveFile = (content, name) => { (window.kept ??= {})[name] = content; };"
+                "for (const name of ['save-picture', 'save-scene']) document.getElementById(name).click()")
+    browser.until("Object.keys(kept).length === 2")
+    check("the scene is saved", browser.run("kept['scene.pov']") == scene)
+    begin = browser.run("new Response(kept['scene.png']).arrayBuffer().then(bytes => [...new Uint8Array(bytes).slice(0, 4)])")
+    check("so is the picture", bytes(begin) == b"\x89PNG")
+
+
 def looks(page, shots):
     browser = page.browser
-    for width, height in ((1280, 800), (800, 900), (390, 844)):
+    for width, height in ((1280, 800), (768, 1024), (390, 844)):
         browser.size(width, height, phone=width < 500)
-        page.open(example="Neon", size="320x240", samples="1")
+        page.open(example="A ring of lamps", size="960x720", samples="1")
         page.finished()
         crossing = browser.run(OVERLAP)
         check(f"at {width} pixels nothing overlaps ({crossing})", crossing == "")
@@ -270,7 +302,25 @@ def looks(page, shots):
     browser.size(1280, 800)
 
 
+def picture_of_page(address, file):
+    """The page with a fine picture, as WebP. It takes minutes."""
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as place:
+        browser = Chromium(place + "/profile", 1280, 800)
+        try:
+            page = Page(browser, address)
+            page.open(example="A Ferris wheel", size="640x480", samples="64")
+            browser.run("document.documentElement.dataset.theme = 'dark'")
+            browser.until("document.body.dataset.passes === 'all'", 1800)
+            time.sleep(1)  # the bar has gone
+            browser.shot(place + "/page.png")
+            subprocess.run(["oiiotool", place + "/page.png", "--ch", "R,G,B", "--compression", "webp:90", "-o", file], check=True)
+        finally:
+            browser.end()
+
+
 def main():
+    if sys.argv[2:3] == ["--picture"]:
+        return picture_of_page(serve(Path(sys.argv[1]) / "playground"), sys.argv[3])
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     if not shutil.which("chromium") or not (Path(sys.argv[1]) / "playground.html").exists():
@@ -288,15 +338,23 @@ def main():
             panels(page, program, folder, shots)
             plays(page)
             shares(page, program, folder)
+            drops_and_saves(page)
             looks(page, shots)
             own = {path.name for path in (build / "playground").iterdir()}
             foreign = {each for each in requests if each.split("#")[0].split("?")[0].rsplit("/", 1)[-1] not in own}
             check(f"nothing is requested but its own files ({foreign})", not foreign)
             alone = Page(browser, f"file://{build / 'playground.html'}")
             same_bytes(alone, program, folder, list(EXAMPLES)[:1])
+            browser.call("Page.addScriptToEvaluateOnNewDocument",
+                         source="Object.defineProperty(Navigator.prototype, 'hardwareConcurrency', { get: () => 5 });"
+                                "window.made = 0; Worker = class extends Worker { constructor(...all) { super(...all); ++made; } }")
+            print("and by four workers:")
+            same_bytes(page, program, folder, list(EXAMPLES)[:3])
+            check("there were four", browser.run("made") >= 4)
             check(f"no errors of the page: {browser.errors}", not browser.errors)
         finally:
             browser.end()
 
 
-main()
+if __name__ == "__main__":
+    main()
