@@ -9,6 +9,7 @@
 #include "raster/hdr_writer.h"
 #include "raster/pnm_writer.h"
 #include "raster/raster.h"
+#include "raster/tga_writer.h"
 #include "raster/tiff_writer.h"
 #include "text/message.h"
 #include "text/printable.h"
@@ -43,7 +44,8 @@ constexpr auto own_writers = std::to_array<OwnWriter>({{"png", write_png},
                                                        {"tif", write_tiff},
                                                        {"exr", write_exr},
                                                        {"hdr", write_hdr},
-                                                       {"ppm", write_pnm}});
+                                                       {"ppm", write_pnm},
+                                                       {"tga", write_tga}});
 
 const OwnWriter* own_writer(std::string_view extension) {
     const auto found = std::ranges::find(own_writers, extension, &OwnWriter::extension);
@@ -60,7 +62,8 @@ const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
         diagnostics.add(
             error(Fault::io, asked_at,
                   message("the library of picture formats cannot be opened: ", library.problem))
-                .with_help("files of PNG, OpenEXR, Radiance HDR and PPM are written without it"));
+                .with_help("files of PNG, OpenEXR, Radiance HDR, PPM, TGA and TIFF are written "
+                           "without it"));
         return nullptr;
     }
     static const Formats* const formats = reinterpret_cast<const Formats* (*)()>(library.address)();

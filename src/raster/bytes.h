@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Helpers for the readers of raster files: bytes of a file that may end early, and pixel values.
+// Helpers for raster files: bytes of a file that may end early, pixel values, and numbers to write.
 #pragma once
 
 #include "oiio/formats.h"
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace candelabra {
@@ -20,6 +21,11 @@ inline std::uint32_t byte_in(std::string_view bytes, std::size_t at) {
 /// Returns a little-endian 16-bit number.
 inline std::uint32_t low_word(std::string_view bytes, std::size_t at) {
     return byte_in(bytes, at) | byte_in(bytes, at + 1) << 8;
+}
+
+/// Appends a number of so many bytes, the lowest first.
+inline void append_low_first(std::string& bytes, std::uint32_t number, int size) {
+    for (int i = 0; i < size; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
 }
 
 /// Returns a value from 0 to 1, rounded as OpenImageIO does.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raster/tiff_writer.h"
 
+#include "raster/bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,11 +15,6 @@ namespace {
 
 /// Types of the numbers in a directory.
 enum TiffType : std::uint16_t { text_type = 2, word_type = 3, long_type = 4 };
-
-/// Numbers of the format, in low byte first.
-void append_low_first(std::string& bytes, std::uint32_t number, int size) {
-    for (int i = 0; i < size; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
-}
 
 /// A directory of entries in the order of their tags. What does not fit into an entry follows the
 /// directory.
