@@ -35,6 +35,16 @@ const cases = {
         assert.equal(stream.status, 0, said(stream));
         assert.ok(isPng(stream.stdout));
     },
+    "writes the formats that need no library, and names them where one is missing"() {
+        put("formats.pov", scene);
+        for (const name of ["exr", "hdr", "ppm", "tga", "tif"]) {
+            const result = run(["formats.pov", "+W16", "+H12", "-o", "made." + name]);
+            assert.equal(result.status, 0, said(result));
+        }
+        const result = run(["formats.pov", "+W16", "+H12", "-o", "made.webp"]);
+        assert.equal(result.status, 3, said(result));
+        assert.match(said(result), /WebAssembly[^]*TGA and TIFF are written without/);
+    },
     "reads a scene from standard input"() {
         const result = run(["-", "+W16", "+H12", "-o", "in.png"], { input: scene });
         assert.equal(result.status, 0, said(result));
