@@ -232,9 +232,14 @@ function addFile(name, content) {
   element("file-list").textContent = "Files beside the scene: " + Object.keys(files).join(", ");
 }
 
+function showOwn(text) {
+  element("examples").value = "";
+  editor.text = text;
+}
+
 async function open(list) {
   for (const file of list) {
-    if (/\.pov$/i.test(file.name)) editor.text = await file.text();
+    if (/\.pov$/i.test(file.name)) showOwn(await file.text());
     else addFile(file.name, new Uint8Array(await file.arrayBuffer()));
   }
   later(0);
@@ -303,7 +308,7 @@ async function beginWithAddress() {
   try {
     const beside = words.has("files") ? contents(JSON.parse(await unpacked(words.get("files")))) : {};
     for (const [path, content] of Object.entries(beside)) addFile(path, content);
-    editor.text = await unpacked(code);
+    showOwn(await unpacked(code));
     later(0);
   } catch {
     toast("The scene in this address is damaged");

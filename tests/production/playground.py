@@ -242,6 +242,7 @@ def shares(page, program, folder):
     code = browser.run("new URLSearchParams(location.hash.slice(1)).get('scene')")
     page.open(scene=code, size="96x72", samples="1")
     check("the address holds the scene", browser.run("document.getElementById('text').value") == scene)
+    check("which is no example", browser.run("document.getElementById('examples').value") == "")
     page.finished()
     (folder / "shared.pov").write_text(scene)
     subprocess.run([program, "shared.pov", "+W96", "+H72", "--samples", "1", "-V", "-o", "shared.ppm"], cwd=folder,
