@@ -5,6 +5,7 @@
 #include "luminaire/light_proxy.h"
 #include "luminaire/seen_faces.h"
 #include "shape/area.h"
+#include "shape/face_normal.h"
 
 #include <utility>
 
@@ -35,17 +36,9 @@ Vec3 flat_normal(const T&) {
     return Vec3(0);
 }
 /// Geometric normal where a ray crosses the surface; the crossing's own may be a shading normal.
-Vec3 own_normal(const SmoothTriangle& t, const Crossing&) { return flat_normal(t); }
-Vec3 own_normal(const BuiltMesh& m, const Crossing& met) {
-    const auto [a, b, c] = face(*m.mesh, met.part).corners;
-    return triangle_normal(a, b, c);
-}
-template <ShapeKind T>
-Vec3 own_normal(const T&, const Crossing& met) {
-    return met.normal;
-}
 Vec3 own_normal(const AreaEmitter& e, const Crossing& met) {
-    return visit_shape([&](const auto& s) { return own_normal(s, met); }, e.shape);
+    const Vec3 face = face_normal(e.shape, met.part);
+    return face == Vec3(0) ? met.normal : face;
 }
 
 /// Unit normal of flat shapes in their own space, 0 for others. (Smooth triangles are flat: only
@@ -207,8 +200,11 @@ double stretched_area(const AreaEmitter& e) {
 
 }  // namespace
 
-AreaEmitter::AreaEmitter(BuiltShape built, Handle<Transform> place)
-    : shape(std::move(built)), transform(std::move(place)), area(stretched_area(*this)) {}
+AreaEmitter::AreaEmitter(BuiltShape built, Handle<Transform> place, SealedSide kept)
+    : shape(std::move(built)),
+      transform(std::move(place)),
+      area(stretched_area(*this)),
+      sealed(kept) {}
 
 LightBounds bounds(const AreaEmitter& e, double luminance) {
     LightBounds result;
@@ -288,7 +284,7 @@ std::optional<EmittedRay> emit(const AreaEmitter& e, double inner, const Emissio
     const Vec3 stretched = stretched_normal(e, drawn.normal);
     const double per_area = 1 / (surface_area(e.shape) * length(stretched));
     return emitted_ray(to_world_point(e, drawn.position), unit(stretched), per_area,
-                       closed(e) ? inner : 0.5, u);
+                       closed(e) ? inner : inner_share(e.sealed, inner), u);
 }
 
 double emitting_area(const AreaEmitter& e) { return e.area; }

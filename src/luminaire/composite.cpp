@@ -6,7 +6,9 @@
 #include "base/random.h"
 #include "base/short_list.h"
 #include "luminaire/guide.h"
+#include "luminaire/leaf_sides.h"
 #include "luminaire/light_proxy.h"
+#include "shape/face_normal.h"
 #include "shape/tessellation.h"
 
 #include <algorithm>
@@ -82,6 +84,7 @@ struct SeenRays {
     bool closed = true;  ///< whether none of them shows the inner side
 
     SeenRays(const CompositeEmitter& e, const Around& ball) {
+        const LeafSides sides(*e.composite, e.leaf, ball.radius);
         for (std::uint32_t i = 0; i < rays; ++i) {
             const auto number = [&](std::uint32_t branch, Purpose purpose) {
                 return uniform(Key::of(Survey::seen_area, 0, i, branch), purpose);
@@ -96,7 +99,7 @@ struct SeenRays {
             const auto hit = first_of(e, ray, 0);
             if (!hit) continue;
             met.push_back(ray);
-            closed = closed && (dot(hit->normal, direction) < 0 || is_hidden(e, ray, hit->t));
+            closed = closed && (!sides.leaves(ray, *hit) || is_hidden(e, ray, hit->t));
         }
     }
 
@@ -335,11 +338,17 @@ std::optional<EmittedRay> emit(const CompositeEmitter& e, double inner, const Em
     const double off = ball.radius * std::sqrt(u.where.x), angle = 2 * pi * u.where.y;
     const Vec3 through = ball.centre + off * on_circle(angle, x, y);
     const Ray line{through - 2 * ball.radius * along, along};
-    const double from_inside = e.closed ? inner : 0.5;
+    const LeafSides sides(*e.composite, e.leaf, ball.radius);
     const auto weight = [&](const Composite::Meeting& met) {
-        return dot(met.normal, along) < 0 ? from_inside : 1 - from_inside;
+        if (!e.closed) return 0.5;
+        return sides.leaves(line, met) ? 1 - inner : inner;
     };
-    ShortList<Composite::Meeting, 8> all, found;
+    struct Found {
+        Composite::Meeting met;
+        double weight;
+    };
+    ShortList<Composite::Meeting, 8> all;
+    ShortList<Found, 8> found;
     e.composite->all(
         line, Interval{0}, [&](std::uint32_t leaf) { return leaf == e.leaf; },
         [&](const Composite::Meeting& met) { all.push_back(met); });
@@ -347,24 +356,24 @@ std::optional<EmittedRay> emit(const CompositeEmitter& e, double inner, const Em
     double sum = 0;
     for (const Composite::Meeting& met : all) {
         // Faces in the same place, as a mesh may have them, glow once.
-        if (!found.empty() && met.t - found.back().t <= same_face * ball.radius) continue;
-        found.push_back(met);
-        sum += weight(met);
+        if (!found.empty() && met.t - found.back().met.t <= same_face * ball.radius) continue;
+        found.push_back({met, weight(met)});
+        sum += found.back().weight;
     }
-    const Composite::Meeting* drawn = nullptr;
+    const Found* drawn = nullptr;
     double left = u.side * sum;
-    for (const Composite::Meeting& met : found) {
-        drawn = &met;
-        left -= weight(met);
+    for (const Found& each : found) {
+        drawn = &each;
+        left -= each.weight;
         if (left < 0) break;
     }
     if (!drawn || !(sum > 0)) return {};
-    Vec3 normal = unit(drawn->normal);
+    Vec3 normal = surface_normal(e.composite->leaf(e.leaf), drawn->met);
     if (dot(normal, along) < 0) normal = -normal;
     // Lines have a uniform density per area perpendicular to them.
     const double per_crossed_area = 1 / (pi * ball.radius * ball.radius);
-    const double of_point = weight(*drawn) / sum * per_crossed_area * dot(normal, along);
-    return EmittedRay{{line.at(drawn->t), along}, normal, of_point / (4 * pi), of_point};
+    const double of_point = drawn->weight / sum * per_crossed_area * dot(normal, along);
+    return EmittedRay{{line.at(drawn->met.t), along}, normal, of_point / (4 * pi), of_point};
 }
 
 double emitting_area(const CompositeEmitter& e) { return 4 * e.seen_area; }

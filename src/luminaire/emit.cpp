@@ -25,6 +25,11 @@ EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area
             per_area};
 }
 
+double inner_share(SealedSide sealed, double inner) {
+    if (sealed == SealedSide::none) return 0.5;
+    return sealed == SealedSide::inner ? inner : 1 - inner;
+}
+
 std::optional<EmittedRay> emit(const Luminaire& luminaire, double inner, const EmissionDraw& u) {
     return std::visit([&](const auto& e) { return emit(e, inner, u); }, luminaire.emitter);
 }

@@ -13,4 +13,8 @@ namespace candelabra {
 EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area, double inner,
                        const EmissionDraw&);
 
+/// The fraction of the rays of a face that leave its inner side, if `inner` is that of rays that
+/// stay in the mesh around it; half of them if there is none.
+double inner_share(SealedSide, double inner);
+
 }  // namespace candelabra

@@ -55,10 +55,15 @@ struct SphereEmitter {
     double radius;
 };
 
+/// The side of a face of a closed mesh that light does not leave. The outer side is that of
+/// triangle_normal().
+enum class SealedSide : std::uint8_t { none, inner, outer };
+
 /// A glowing triangle, sampled uniformly in solid angle (Arvo, "Stratified Sampling of Spherical
 /// Triangles", 1995).
 struct TriangleEmitter {
     Vec3 corner1, corner2, corner3;
+    SealedSide sealed = SealedSide::none;
 };
 
 /// Its sides are at right angles.
@@ -68,11 +73,13 @@ struct RectangleEmitter {
 
 /// Any other shape whose area can be sampled, under any affine map.
 struct AreaEmitter {
-    AreaEmitter(BuiltShape shape, Handle<Transform> transform);
+    AreaEmitter(BuiltShape shape, Handle<Transform> transform,
+                SealedSide sealed = SealedSide::none);
 
     BuiltShape shape;
     Handle<Transform> transform;  ///< null: identity
     double area;                  ///< emitting area, which may take a while to find
+    SealedSide sealed;            ///< of a mesh
 };
 
 class Guide;

@@ -216,12 +216,13 @@ void intersect(const TriangleEmitter& t, const Receiver& point, const Vec3& dire
         {hit.t, solid_angle > 0 ? 1 / solid_angle : area_density(view, direction, hit.t)});
 }
 
-std::optional<EmittedRay> emit(const TriangleEmitter& t, double, const EmissionDraw& u) {
+std::optional<EmittedRay> emit(const TriangleEmitter& t, double inner, const EmissionDraw& u) {
     const double area = emitting_area(t), root = std::sqrt(u.where.x);
     if (!(area > 0)) return {};
     const Vec3 edge1 = t.corner2 - t.corner1, edge2 = t.corner3 - t.corner1;
     const Vec3 position = t.corner1 + root * ((1 - u.where.y) * edge1 + u.where.y * edge2);
-    return emitted_ray(position, unit(cross(edge1, edge2)), 1 / area, 0.5, u);
+    return emitted_ray(position, triangle_normal(t.corner1, t.corner2, t.corner3), 1 / area,
+                       inner_share(t.sealed, inner), u);
 }
 
 double emitting_area(const TriangleEmitter& t) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <numbers>
 #include <span>
 
@@ -16,8 +15,10 @@ namespace candelabra {
 namespace {
 
 bool rises(const std::vector<double>& list, double most) {
+    // No number is beside one that is none.
+    const auto falls = [](double a, double b) { return !(a < b); };
     return !list.empty() && list.front() >= 0 && list.back() <= most &&
-           std::ranges::adjacent_find(list, std::greater_equal()) == list.end();
+           std::ranges::adjacent_find(list, falls) == list.end();
 }
 
 }  // namespace

@@ -31,25 +31,48 @@ std::vector<int> numbers_by_place(const std::vector<Vec3>& vertices) {
 
 }  // namespace
 
-bool is_watertight(const Mesh& mesh) {
+Closure closure(const Mesh& mesh) {
     const std::vector<int> number = numbers_by_place(mesh.vertices);
-    std::vector<std::pair<int, int>> edges;
+    /// From the lower number to the higher one, and whether a face runs along it in this direction.
+    struct Edge {
+        std::pair<int, int> ends;
+        bool forwards;
+    };
+    std::vector<Edge> edges;
     edges.reserve(3 * mesh.faces.size());
+    double volume = 0;
     for (const Face& face : mesh.faces) {
         std::array<int, 3> corner;
         for (std::size_t i = 0; i < 3; ++i) corner[i] = number[static_cast<std::size_t>(face[i])];
         if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
-        for (std::size_t i = 0; i < 3; ++i)
-            edges.push_back(std::minmax(corner[i], corner[(i + 1) % 3]));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int from = corner[i], to = corner[(i + 1) % 3];
+            edges.push_back({std::minmax(from, to), from < to});
+        }
+        const auto at = [&](std::size_t i) {
+            return mesh.vertices[static_cast<std::size_t>(face[i])] - mesh.vertices.front();
+        };
+        volume += dot(at(0), cross(at(0) - at(1), at(2) - at(1)));
     }
-    std::ranges::sort(edges);
+    sort_stably(edges, {}, &Edge::ends);
+    bool agree = true;
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i;
-        while (end < edges.size() && edges[end] == edges[i]) ++end;
-        if ((end - i) % 2 != 0) return false;
+        int forwards = 0;
+        for (; end < edges.size() && edges[end].ends == edges[i].ends; ++end)
+            forwards += edges[end].forwards ? 1 : -1;
+        if ((end - i) % 2 != 0) return Closure::none;
+        agree = agree && forwards == 0;
         i = end;
     }
-    return !edges.empty();
+    if (edges.empty()) return Closure::none;
+    if (!agree || volume == 0) return Closure::unoriented;
+    return volume > 0 ? Closure::outwards : Closure::inwards;
+}
+
+Closure turned_over(Closure mesh) {
+    if (mesh == Closure::outwards) return Closure::inwards;
+    return mesh == Closure::inwards ? Closure::outwards : mesh;
 }
 
 }  // namespace candelabra

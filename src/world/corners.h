@@ -2,6 +2,7 @@
 // The corners of triangles that are placed in a world. Used by flatten() and for hits.
 #pragma once
 
+#include "shape/face_normal.h"
 #include "shape/mesh.h"
 #include "shape/triangle.h"
 #include "world/world.h"
@@ -25,13 +26,6 @@ inline CornerNormals placed(const CornerNormals& n, const Transform* transform) 
 
 inline CornerNormals units(const CornerNormals& n) {
     return {unit(n.normal1), unit(n.normal2), unit(n.normal3)};
-}
-
-/// Unit normal of a smooth triangle itself, on its outer side: as in POV-Ray, the side to which the
-/// normals of its corners point together. 0 if it has no area.
-inline Vec3 outer_normal(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals) {
-    const Vec3 own = triangle_normal(corners[0], corners[1], corners[2]);
-    return dot(own, normals[0] + normals[1] + normals[2]) < 0 ? -own : own;
 }
 
 /// A single smooth triangle.

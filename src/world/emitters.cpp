@@ -50,15 +50,20 @@ std::optional<RectangleEmitter> placed_rectangle(const PlacedShape& placed) {
     return at_right_angles(found.side1, found.side2) ? std::optional(found) : std::nullopt;
 }
 
+SealedSide sealed_by(Closure mesh) {
+    if (mesh == Closure::outwards) return SealedSide::inner;
+    return mesh == Closure::inwards ? SealedSide::outer : SealedSide::none;
+}
+
 class Emitters {
 public:
     Emitters(const World& world, bool guided)
         : world_(world), renders_(guided), guides_left_(guided ? max_guides : 0) {}
 
     /// Cylinders and cones with uneven emission get a guide to their bright parts instead of their
-    /// formula.
-    Emitter of(const Luminaire& look) {
-        const Emitter plain = by_shape(look);
+    /// formula. `face_of`: of the mesh of a triangle.
+    Emitter of(const Luminaire& look, Closure face_of) {
+        const Emitter plain = by_shape(look, face_of);
         if (!look.varying || guides_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||
             face_count(plain) > 0)
             return plain;
@@ -68,7 +73,7 @@ public:
     }
 
 private:
-    Emitter by_shape(const Luminaire& look) {
+    Emitter by_shape(const Luminaire& look, Closure face_of) {
         // Through the near side of what is clear its far side is seen, which formulas leave out.
         const bool clear = world_.material(look.primitive).transparent;
         return world_.geometry.visit_primitive(
@@ -77,8 +82,8 @@ private:
                 if (clear) return alone({Sphere{s.centre, s.radius}, nullptr, {}}, look);
                 return SphereEmitter{s.centre, s.radius};
             },
-            [](const TrianglePrimitive& t) -> Emitter {
-                return TriangleEmitter{t.corner1, t.corner2, t.corner3};
+            [&](const TrianglePrimitive& t) -> Emitter {
+                return TriangleEmitter{t.corner1, t.corner2, t.corner3, sealed_by(face_of)};
             },
             [&](const PlacedShape& placed) -> Emitter {
                 const bool hides = visit_shape(
@@ -89,12 +94,20 @@ private:
                     placed.shape);
                 if (const auto rectangle = placed_rectangle(placed)) return *rectangle;
                 if (surface_area(placed.shape) > 0 && !(clear && hides))
-                    return AreaEmitter{placed.shape, placed.transform};
+                    return AreaEmitter{placed.shape, placed.transform, sealed_side(placed.shape)};
                 return alone(placed, look);
             },
             [&](const PlacedComposite& placed, std::uint32_t leaf) -> Emitter {
                 return composite(placed.composite, leaf, look);
             });
+    }
+
+    SealedSide sealed_side(const BuiltShape& shape) {
+        const auto* mesh = std::get_if<Shared<BuiltMesh>>(&shape);
+        if (!mesh) return SealedSide::none;
+        const auto [found, added] = closures_.try_emplace(shared_content(shape));
+        if (added) found->second = closure(*(*mesh)->mesh);
+        return sealed_by(found->second);
     }
 
     Handle<Composite> of_one(const BuiltShape& shape, const Handle<Transform>& transform) {
@@ -131,6 +144,7 @@ private:
     const World& world_;
     bool renders_;
     int guides_left_;
+    std::unordered_map<const void*, Closure> closures_;  ///< of meshes, by their content
     /// Shapes in their own space, by the address of the content that their copies share.
     std::unordered_map<const void*, std::optional<CompositeEmitter>> originals_;
 };
@@ -171,7 +185,7 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
         luminaire.primitive = world.geometry.primitive(glow.kind, glow.index);
         set_radiance(world, luminaire);
         if (luminaire.radiance == Vec3(0)) continue;
-        luminaire.emitter = emitters.of(luminaire);
+        luminaire.emitter = emitters.of(luminaire, glow.closure);
         if (emitting_area(luminaire.emitter) > 0) {
             world.lights.luminaires.push_back(std::move(luminaire));
             world.provenance.statement_of_luminaire.push_back(glow.statement);

@@ -3,6 +3,7 @@
 // complete.
 #pragma once
 
+#include "shape/watertight.h"
 #include "text/diagnostic.h"
 #include "world/world.h"
 
@@ -15,6 +16,7 @@ struct GlowingPrimitive {
     std::uint32_t index;      ///< among the primitives of its kind
     Span span;                ///< of the object
     std::uint32_t statement;  ///< in Provenance::light_statements
+    Closure closure = Closure::none;  ///< of the mesh whose face it is
 };
 
 /// Fills WorldLights::luminaires and Provenance::statement_of_luminaire, and warns of luminaires

@@ -224,7 +224,7 @@ private:
         lamp_ = here.lamp != 0 || !own || !own->has_flux()
                     ? here.lamp
                     : lamps_.begin(own, here.transform, span);
-        sealed_ = false;
+        closure_ = Closure::none;
     }
 
     /// Adds the lights of a light group where the group stands.
@@ -294,9 +294,13 @@ private:
     void add_mesh(const Mesh& mesh, const Transform* transform,
                   const std::vector<std::uint32_t>& materials, Span span) {
         const bool sided = world_.appearance.materials[materials.front()].inner != nullptr;
-        sealed_ = lamp_ != 0 && is_watertight(mesh);
         // Reflection does not change the outer side of a mesh.
         const bool mirrored = transform && transform->determinant() < 0;
+        const auto emits = [&](std::uint32_t material) { return materials_.emits(material); };
+        if (std::ranges::any_of(materials, emits)) {
+            closure_ = closure(mesh);
+            if (mirrored) closure_ = turned_over(closure_);
+        }
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             MeshFace f{face(mesh, i), face_uvs(mesh, i),
                        mesh.looks.empty() ? Face{-1, -1, -1} : mesh.looks[i]};
@@ -454,10 +458,10 @@ private:
 
     void note_luminaire(PrimitiveKind kind, std::size_t index, std::uint32_t material, Span span) {
         note_volume(kind, index, material, span);
-        if (materials_.emits(material)) lamps_.add(lamp_, kind, index, sealed_);
+        if (materials_.emits(material)) lamps_.add(lamp_, kind, index, closure_ != Closure::none);
         if (materials_.glows(material))
             glowing_.push_back(
-                {kind, static_cast<std::uint32_t>(index), span, statements_.number()});
+                {kind, static_cast<std::uint32_t>(index), span, statements_.number(), closure_});
     }
 
     World& world_;
@@ -469,7 +473,7 @@ private:
     std::vector<std::uint32_t> leaf_lamps_;
     StatedLamps lamps_;
     std::uint32_t lamp_ = 0;                 ///< of the next primitives, in lamps_; 0: none
-    bool sealed_ = false;                    ///< they are faces of a closed mesh
+    Closure closure_ = Closure::none;        ///< the mesh whose faces they are
     std::vector<GlowingPrimitive> glowing_;  ///< surfaces
     std::vector<GlowingPrimitive> filled_;   ///< with media that light the scene
     bool idle_volume_said_ = false;

@@ -2,7 +2,10 @@
 #include "world/lit_surface.h"
 
 #include "base/circle.h"
+#include "luminaire/composite.h"
+#include "luminaire/leaf_sides.h"
 #include "shape/area.h"
+#include "shape/face_normal.h"
 #include "shape/watertight.h"
 
 #include <algorithm>
@@ -32,7 +35,7 @@ Vec2 spread(int i) {
 
 bool is_open(const Cylinder& c) { return c.open; }
 bool is_open(const Cone& c) { return c.open; }
-bool is_open(const BuiltMesh& m) { return !is_watertight(*m.mesh); }
+bool is_open(const BuiltMesh& m) { return closure(*m.mesh) == Closure::none; }
 template <ShapeKind T>
 bool is_open(const T&) {
     return !std::is_same_v<T, Sphere> && !std::is_same_v<T, Cuboid>;
@@ -105,12 +108,9 @@ LitSurface of_triangle(const TrianglePrimitive& t, const SurfaceUse& use) {
     return result;
 }
 
-/// Whether the normals of a shape are for shading, and not those of its surface.
+/// Whether the normals of a shape are for shading, and the surface has no faces that know theirs.
 bool has_shading_normals(const JuliaFractal&) { return true; }
-bool has_shading_normals(const SmoothTriangle&) { return true; }
 bool has_shading_normals(const BuiltHeightField& h) { return h.smooth; }
-bool has_shading_normals(const BuiltMesh& m) { return !m.mesh->normals.empty(); }
-bool has_shading_normals(const BuiltBicubicPatch&) { return true; }
 template <ShapeKind T>
 bool has_shading_normals(const T&) {
     return false;
@@ -118,8 +118,8 @@ bool has_shading_normals(const T&) {
 
 /// The normal of the surface where a line meets a leaf: two lines beside it meet it, too. At an
 /// edge, and where the line is very grazing, it is the normal of the meeting.
-Vec3 surface_normal(const Composite& whole, const Ray& line, const Composite::Meeting& met,
-                    double apart) {
+Vec3 found_normal(const Composite& whole, const Ray& line, const Composite::Meeting& met,
+                  double apart) {
     constexpr double steepest = 50;
     const Vec3 own = unit(met.normal);
     const auto [x, y] = perpendiculars(line.direction);
@@ -161,7 +161,8 @@ struct Lines {
 /// Where lines cross a leaf, a piece has the area that a line stands for over the cosine of its
 /// normal. Along three axes at right angles the squares of the cosines add up to 1, so that each
 /// crossing counts by its cosine, and none is large.
-LitSurface by_lines(const Composite& whole, std::uint32_t leaf) {
+LitSurface by_lines(const Handle<Composite>& composite, std::uint32_t leaf) {
+    const Composite& whole = *composite;
     LitSurface result;
     const Box box = whole.leaf_bounds(leaf);
     if (box.empty()) return result;
@@ -171,6 +172,8 @@ LitSurface by_lines(const Composite& whole, std::uint32_t leaf) {
     const bool shaded =
         visit_shape([](const auto& s) { return has_shading_normals(s); }, whole.leaf(leaf).shape);
     const Lines lines{box.centre(), 0.5 * length(box.size()) * (1 + 1e-9), away};
+    const LeafSides sides(whole, leaf, lines.radius);
+    result.open = !composite_emitter(composite, leaf, false).closed;
     // No face of a shape is likely to lie along these axes.
     const Vec3 first = unit(Vec3(0.6245, 0.5432, 0.5611));
     const auto [second, third] = perpendiculars(first);
@@ -185,25 +188,18 @@ LitSurface by_lines(const Composite& whole, std::uint32_t leaf) {
         for (const Vec3& axis : {first, second, third})
             for (int i = 0; i < lines_of_batch; ++i) {
                 const Ray line = lines.at(axis, batches * lines_of_batch + i);
-                double nearest = INFINITY;
-                bool from_inside = false;
                 whole.all(
-                    line, Interval{0}, [](std::uint32_t) { return true; },
+                    line, Interval{0}, [&](std::uint32_t each) { return each == leaf; },
                     [&](const Composite::Meeting& met) {
-                        const Vec3 normal =
-                            shaded && met.leaf == leaf
-                                ? surface_normal(whole, line, met, 1e-5 * lines.radius)
-                                : unit(met.normal);
-                        const double cosine = dot(normal, line.direction);
-                        if (met.t < nearest) {
-                            nearest = met.t;
-                            from_inside = cosine > 0;
-                        }
-                        if (met.leaf != leaf) return;
-                        result.pieces.push_back({line.at(met.t), normal, std::abs(cosine)});
-                        batch += std::abs(cosine);
+                        Vec3 normal = shaded ? found_normal(whole, line, met, 1e-5 * lines.radius)
+                                             : surface_normal(whole.leaf(leaf), met);
+                        const bool turned =
+                            (dot(normal, line.direction) > 0) != sides.leaves(line, met);
+                        if (turned) normal = -normal;
+                        const double cosine = std::abs(dot(normal, line.direction));
+                        result.pieces.push_back({line.at(met.t), normal, cosine, turned});
+                        batch += cosine;
                     });
-                result.open = result.open || from_inside;
             }
         sum += batch;
         squares += batch * batch;
@@ -224,7 +220,7 @@ LitSurface of_placed(const World& world, const PlacedShape& placed, const Surfac
     if (surface_area(placed.shape) > 0) return of_area(placed.shape, placed.transform.get(), use);
     CompositeBuilder builder(world.rules.settings.index);
     const PartRef part = builder.add({placed.shape, placed.transform});
-    return by_lines(builder.finish(part), 0);
+    return by_lines(make_handle<Composite>(builder.finish(part)), 0);
 }
 
 }  // namespace
@@ -238,7 +234,7 @@ LitSurface lit_surface(const World& world, PrimitiveIndex primitive, const Surfa
         [&](const TrianglePrimitive& t) { return of_triangle(t, use); },
         [&](const PlacedShape& placed) { return of_placed(world, placed, use); },
         [&](const PlacedComposite& placed, std::uint32_t leaf) {
-            return by_lines(*placed.composite, leaf);
+            return by_lines(placed.composite, leaf);
         });
 }
 

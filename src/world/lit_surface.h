@@ -15,6 +15,7 @@ struct SurfacePiece {
     Vec3 position;
     Vec3 normal;  ///< unit, outwards
     double area;
+    bool turned = false;  ///< whether the outer side of its texture is on the inside
 };
 
 struct LitSurface {

@@ -2,8 +2,8 @@
 // The nearest surface on a ray.
 #include "base/work_watch.h"
 #include "index/asked.h"
+#include "shape/face_normal.h"
 #include "shape/leaf_pack.h"
-#include "world/corners.h"
 #include "world/item_hits.h"
 #include "world/precedence.h"
 #include "world/world.h"
@@ -25,28 +25,6 @@ double rounding_in(const Ray& ray, double t, const Vec3& normal) {
 /// The next larger number after a positive one.
 double next_up(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
-/// The outer normal of the flat face that a crossing of a smooth shape belongs to; 0 for crossings
-/// that have the normal of the surface itself.
-struct FaceNormal {
-    std::uint32_t part;
-
-    template <class T>
-    Vec3 operator()(const T&) const {
-        return Vec3(0);
-    }
-    Vec3 operator()(const SmoothTriangle& t) const {
-        return outer_normal({t.corner1, t.corner2, t.corner3},
-                            {unit(t.normal1), unit(t.normal2), unit(t.normal3)});
-    }
-    Vec3 operator()(const BuiltMesh& built) const {
-        const MeshTriangle met = face(*built.mesh, part);
-        return outer_normal(met.corners, met.normals);
-    }
-    Vec3 operator()(const BuiltBicubicPatch& patch) const {
-        return outer_normal(patch.facets[part].corners, patch.facets[part].normals);
-    }
-};
-
 /// Whether a ray of this kind does not see an object.
 bool left_out(const Material& m, RayKind kind) {
     if (kind == RayKind::light) return false;
@@ -63,7 +41,7 @@ Hit complete(const Geometry& geometry, const Ray& ray, const MetSurface& found) 
     const CornerNormals* smooth = nullptr;
     const Vec3 shown = unit(found.normal);
     const auto real = [&](const BuiltShape& shape, const Handle<Transform>& place, bool turned) {
-        const Vec3 face = visit_shape(FaceNormal{found.part}, shape);
+        const Vec3 face = face_normal(shape, found.part);
         const Vec3 there = unit(place ? place->normal(face) : face);
         return there == Vec3(0) ? shown : turned ? -there : there;
     };

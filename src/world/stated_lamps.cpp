@@ -34,11 +34,15 @@ void include(Emitted& sum, const LitSurface& surface, FunctionRef<double(const V
     for (const Side side : {Side::outer, Side::inner}) {
         if (side == Side::inner && !surface.open) continue;
         sum.area += surface.area;
+        const auto light_of = [&](const SurfacePiece& piece) {
+            const bool outer = (side == Side::outer) != piece.turned;
+            return light(piece.position, outer ? Side::outer : Side::inner);
+        };
         if (even && !surface.pieces.empty())
-            sum.light += surface.area * light(surface.pieces.front().position, side);
+            sum.light += surface.area * light_of(surface.pieces.front());
         else
             for (const SurfacePiece& piece : surface.pieces)
-                sum.light += piece.area * light(piece.position, side);
+                sum.light += piece.area * light_of(piece);
         if (facets && surface.round) sum.body.round += surface.area;
         if (facets && !surface.round)
             for (const SurfacePiece& piece : surface.pieces)

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 seconds=${1:-60}
-all=(lexer parser evaluate scene http lsp data photometry ini options relight picture mesh model density font state develop)
+all=(lexer parser evaluate scene http lsp data photometry road ini options relight picture mesh model density font state develop)
 targets=("${@:2}")
 [ ${#targets[@]} -gt 0 ] || targets=("${all[@]}")
 build=${BUILD_DIR:-build-fuzz}
@@ -20,12 +20,14 @@ for target in "${targets[@]}"; do
     case $target in
         lexer | parser | evaluate) seeds=(tests/diagnostics examples/lights) ;;
         photometry) seeds=(tests/photometry/files) ;;
+        road) seeds=(tests/meter/files) ;;
         picture | mesh | model | density | font | state | develop) seeds=("$build/tests/fuzz/seeds/$target") ;;
         *) seeds=("tests/fuzz/$target") ;;
     esac
     case $target in
         lexer | parser | evaluate | scene) words=$build/tests/fuzz/words.dict ;;
         picture | mesh | model | density | font | state) words=tests/fuzz/files.dict ;;
+        road) words=tests/fuzz/data.dict ;;
         *) words=tests/fuzz/$target.dict ;;
     esac
     # The program itself leaks nothing that grows; looking for leaks costs half of the speed, and keeping the stacks of all

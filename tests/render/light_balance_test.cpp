@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace candelabra {
@@ -22,6 +23,28 @@ const std::string in_metres =
     "camera { location <5, 5, -9> } ";
 const std::string ball = "sphere { 2*y, 0.5 finish { emission 3 } } ";
 constexpr double of_ball = 3 * 4 * pi * 0.25;  ///< its luminance times its area
+
+/// The normals of a smooth ball point outwards, or inwards where its faces are turned over.
+const std::string balls =
+    "#macro Ball(Smooth, Turned) #local N = 6; #local S = 0.7; "
+    "#macro At(I, J) #if (I = 0 | I = N) (I = 0 ? y : -y) #else #local F = pi*mod(J, 2*N)/N; "
+    "<sin(pi*I/N)*cos(F), cos(pi*I/N), sin(pi*I/N)*sin(F)> #end #end "
+    "#macro Side(A, B, C) #local P = (Turned ? C : A); #local R = (Turned ? A : C); "
+    "#local D = (Turned ? -1 : 1); #if (Smooth) smooth_triangle { S*P, D*P, S*B, D*B, S*R, D*R "
+    "} #else triangle { S*P, S*B, S*R } #end #end "
+    "#for (I, 0, N - 1) #for (J, 0, 2*N - 1) "
+    "#if (I < N - 1) Side(At(I, J), At(I + 1, J), At(I + 1, J + 1)) #end "
+    "#if (I > 0) Side(At(I, J), At(I + 1, J + 1), At(I, J + 1)) #end "
+    "#end #end inside_vector y #end ";
+
+/// The script with a mesh in the place of each BALL; all of its braces are closed but the last one.
+std::string with_balls(std::string script, bool smooth, bool turned) {
+    const std::string mesh =
+        std::string("mesh { Ball(") + (smooth ? "1, " : "0, ") + (turned ? "1) " : "0) ");
+    for (std::size_t at = 0; (at = script.find("BALL", at)) != std::string::npos;)
+        script.replace(at, 4, mesh);
+    return balls + script;
+}
 
 Shot remembered(const std::string& script) {
     CompileOptions options;
@@ -168,6 +191,46 @@ TEST_CASE("lamps of any shape send the flux that they state", "[render]") {
     }
 }
 
+TEST_CASE("meshes send the flux that they state, however they are cut and wound", "[render]") {
+    struct Row {
+        const char* shape;   ///< with the mesh, which has no last brace, and its own last brace
+        bool keeps = false;  ///< a part of the light meets the lamp itself
+    };
+    const Row rows[] = {
+        {"BALL"},
+        {"BALL scale <-1, 1, 2>"},
+        {"BALL interior_texture { pigment { rgb 0 } }"},
+        {"intersection { BALL } box { -1, 1 }"},
+        {"intersection { BALL } box { -1, <0.1, 1, 1> }"},
+        {"intersection { BALL } box { -1, <0.1, 1, 1> } scale <1, 1, -2>"},
+        {"intersection { BALL } box { <-0.3, -1, -1>, <0.3, 1, 1> }"},
+        {"intersection { BALL } plane { y, 0.2 }"},
+        {"intersection { BALL } BALL translate 0.3*x }"},
+        {"difference { BALL } sphere { 0.6*x, 0.5 }", true},
+        {"difference { BALL } box { <0, 0, 0>, 1 }", true},
+        {"difference { box { -0.8, 0.8 } BALL }", true},
+        {"merge { BALL } sphere { 0.4*x, 0.5 }", true},
+        {"BALL clipped_by { plane { x, 0.2 } }", true},
+    };
+    for (const Row& row : rows)
+        for (const auto& [smooth, turned] :
+             {std::pair{false, false}, {false, true}, {true, false}, {true, true}}) {
+            const std::string shape = row.shape;
+            // A texture of the inner side is outside on a mesh that is turned over.
+            if (turned && shape.find("interior_texture") != std::string::npos) continue;
+            BalanceSettings settings;
+            settings.error = 0.01;
+            const LampBalance found =
+                balance(with_balls(shape + " luminaire { flux lumen(1000) } }", smooth, turned),
+                        settings)
+                    .all;
+            const MeterValue sent = lumens(found.sent), kept = lumens(found.of(LightEnd::surfaces));
+            CAPTURE(row.shape, smooth, turned, sent.error);
+            CHECK(std::abs(sent.value - 1000) < 1 + 2 * sent.error);
+            CHECK((kept.value > 1) == row.keeps);
+        }
+}
+
 TEST_CASE("each statement of lamps and of objects has its light", "[render]") {
     const std::string script =
         "#for (I, 1, 3) sphere { <4*I, 2, 0>, 0.5 finish { emission I } } #end "
@@ -184,6 +247,38 @@ TEST_CASE("each statement of lamps and of objects has its light", "[render]") {
     CHECK(absorbed == Approx(found.all.of(LightEnd::surfaces).value));
     CHECK(std::ranges::is_sorted(found.objects, std::greater{},
                                  [](const ObjectBalance& each) { return each.absorbed.value; }));
+}
+
+TEST_CASE("meters around a cut mesh receive the light that leaves it", "[render]") {
+    // The faces of a box, each with a meter inside.
+    const std::string meters =
+        "#for (I, 0, 3) meter { corner vrotate(<-2, -2, 2>, 90*I*y) along vrotate(4*x, 90*I*y) "
+        "across 4*y counts <8, 8> direction vrotate(-z, 90*I*y) } #end "
+        "#for (I, -1, 1, 2) meter { corner <-2, 2*I, -2> along 4*x across 4*z counts <8, 8> "
+        "direction -I*y } #end global_settings { integrator { path_traced } } ";
+    for (const char* shape : {"intersection { BALL } box { -1, <0.1, 1, 1> }",
+                              "difference { BALL } box { <0, 0, 0>, 1 }"})
+        for (const char* chance : {"", "no_luminaire "})
+            for (const bool turned : {false, true}) {
+                const std::string script =
+                    with_balls(meters + shape + " luminaire { flux lumen(1000) } " + chance + "}",
+                               true, turned);
+                const LightBalance found = balance(with_balls(
+                    std::string(shape) + " luminaire { flux lumen(1000) } }", true, turned));
+                const double leaves =
+                    lumens(found.all.sent).value - lumens(found.all.of(LightEnd::surfaces)).value;
+                MeasureSettings samples;
+                samples.samples = 64;
+                double received = 0, squares = 0;
+                for (const MeterReading& each :
+                     measure(remembered(script), scene_of(in_metres + script).meters, samples))
+                    received += 16 * each.summary.mean.value,
+                        squares += std::pow(16 * each.summary.mean.error, 2);
+                const double error = std::sqrt(squares);
+                CAPTURE(shape, chance, turned, received, leaves, error);
+                CHECK(std::abs(received - leaves) < 3 + 1.5 * error);
+                CHECK(error < 80);
+            }
 }
 
 TEST_CASE("a floor absorbs what its meter receives", "[render]") {

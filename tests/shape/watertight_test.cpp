@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <utility>
+
 namespace candelabra {
 
 namespace {
@@ -14,14 +16,16 @@ Mesh pyramid() {
     return mesh;
 }
 
+bool encloses(const Mesh& mesh) { return closure(mesh) != Closure::none; }
+
 }  // namespace
 
 TEST_CASE("a mesh is watertight if each edge has its two faces", "[shape]") {
-    CHECK(is_watertight(pyramid()));
-    CHECK_FALSE(is_watertight(Mesh()));
+    CHECK(encloses(pyramid()));
+    CHECK_FALSE(encloses(Mesh()));
     Mesh open = pyramid();
     open.faces.pop_back();
-    CHECK_FALSE(is_watertight(open));
+    CHECK_FALSE(encloses(open));
 }
 
 TEST_CASE("corners in the same place are one, and faces without area do not count", "[shape]") {
@@ -34,7 +38,20 @@ TEST_CASE("corners in the same place are one, and faces without area do not coun
         apart.faces.push_back({first, first + 1, first + 2});
     }
     apart.faces.push_back({0, 0, 1});
-    CHECK(is_watertight(apart));
+    CHECK(encloses(apart));
+}
+
+TEST_CASE("windings tell where the normals of a closed mesh point", "[shape]") {
+    Mesh mesh = pyramid();
+    const Closure found = closure(mesh);
+    const auto [a, b, c] = face(mesh, 0).corners;
+    // The first face is the bottom, z = 0.
+    CHECK(found == (triangle_normal(a, b, c).z < 0 ? Closure::outwards : Closure::inwards));
+    for (Face& face : mesh.faces) std::swap(face[0], face[1]);
+    CHECK(closure(mesh) == turned_over(found));
+    CHECK(turned_over(closure(mesh)) == found);
+    std::swap(mesh.faces[2][0], mesh.faces[2][1]);
+    CHECK(closure(mesh) == Closure::unoriented);
 }
 
 }  // namespace candelabra
