@@ -17,6 +17,9 @@ namespace {
 constexpr int samples_of_place = 4;
 /// Cost of a light path with its reflected luminaires, in rays.
 constexpr double rays_of_light_path = 6;
+/// Cost of a sample with reflected luminaires, over that of its rays: the choice among them, and
+/// the cells of a light octree that are made anew for each generation.
+constexpr double cost_of_choice = 1.4;
 /// Cost of a camera ray, with shading and the weights of luminaires, in shadow rays.
 constexpr double cost_of_camera_ray = 1.2;
 /// Maximum number of shadow rays for each draw among lights.
@@ -129,7 +132,8 @@ bool paths_pay(const PilotNoise& reflected, const PilotNoise& paths, double send
     const auto rays = [](const PilotNoise& noise) {
         return static_cast<double>(noise.rays) / (samples_of_place * noise.places);
     };
-    return paths.of_light * rays(paths) < reflected.of_light * (rays(reflected) + sending);
+    return paths.of_light * rays(paths) <
+           reflected.of_light * (cost_of_choice * rays(reflected) + sending);
 }
 
 bool is_quiet(const PilotNoise& noise) {
@@ -138,19 +142,18 @@ bool is_quiet(const PilotNoise& noise) {
 
 Pilot pilot(const Shot& shot, const RenderSettings& settings, const std::optional<SentLight>& sent,
             const std::function<bool()>& cancelled) {
-    const bool tries = shot.world->facts.light_is_drawn && !shot.view.camera.mesh;
+    const bool has_pixels = !shot.view.camera.mesh;
+    const bool tries = shot.world->facts.light_is_drawn && has_pixels;
+    const auto with_rays = [&](const std::optional<SentLight>& way) {
+        if (settings.shadow_rays > 0) return Pilot{settings.shadow_rays};
+        return tries ? tried(shot, settings, way, cancelled) : Pilot{1};
+    };
     const auto* traced = std::get_if<PathTraced>(&shot.world->rules.settings.integrator);
-    if (!tries || !traced || traced->reflected_luminaires || !sent || !sent->reflected) {
-        if (settings.shadow_rays > 0) return {settings.shadow_rays};
-        return tries ? tried(shot, settings, sent, cancelled) : Pilot{1};
-    }
+    const bool left_open = traced && !traced->reflected_luminaires && sent && sent->reflected;
+    if (!left_open || !has_pixels) return with_rays(sent);
     SentLight without = *sent;
     without.reflected = nullptr;
-    const auto with_rays = [&](const SentLight& way) {
-        return settings.shadow_rays > 0 ? Pilot{settings.shadow_rays}
-                                        : tried(shot, settings, way, cancelled);
-    };
-    const Pilot reflected = with_rays(*sent);
+    const Pilot reflected = with_rays(sent);
     Pilot by_paths = with_rays(without);
     by_paths.by_paths = true;
     const PilotNoise of_reflected =

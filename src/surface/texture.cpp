@@ -257,7 +257,8 @@ bool has_other_light(const Texture& texture) {
         const Reflection& mirror = f.reflection;
         return !is_even_on_each_side(f) || f.phong != 0 || f.specular != 0 ||
                f.ambient != Vec3(0) || mirror.least != Vec3(0) || mirror.greatest != Vec3(0) ||
-               f.subsurface.translucency != Vec3(0);
+               f.subsurface.translucency != Vec3(0) || (f.no_luminaire && f.emission != Vec3(0)) ||
+               glm::min(f.emission, Vec3(0)) != Vec3(0);
     });
 }
 

@@ -95,8 +95,8 @@ bool takes_from_behind(const Texture&);
 /// Whether one of its finishes is a microfacet material.
 bool scatters(const Texture&);
 
-/// Whether one of its finishes sends light to other surfaces other than by diffuse reflection: by
-/// highlights, mirrors, or an ambient part.
+/// Whether one of its finishes sends light to other surfaces other than by diffuse reflection or as
+/// a luminaire: by highlights, mirrors, an ambient part, or emission that is no luminaire.
 bool has_other_light(const Texture&);
 
 /// Whether one of its finishes has a second diffuse value.

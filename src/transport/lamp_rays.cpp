@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace candelabra {
@@ -24,12 +25,16 @@ std::vector<double> intensities(const WorldLights& lights) {
 
 }  // namespace
 
-LampRays::LampRays(const World& world) : world_(world), places_(intensities(world.lights)) {}
+LampRays::LampRays(const World& world) : world_(world) {
+    const std::vector<double> all = intensities(world.lights);
+    places_ = WeightedPlaces(all);
+    power_ = std::accumulate(all.begin(), all.end(), 0.0);
+}
 
-std::optional<LampRay> LampRays::draw(const Key& key, double share,
+std::optional<LampRay> LampRays::draw(const Key& key, double choice, double share,
                                       FunctionRef<double(const Luminaire&)> inner) const {
     const double places = static_cast<double>(places_.total());
-    const auto place = static_cast<std::uint64_t>(uniform(key, Purpose::light_choice) * places);
+    const auto place = static_cast<std::uint64_t>(choice * places);
     const LightIndex light = places_.at(std::min(place, places_.total() - 1));
     const Luminaire& luminaire = world_.lights.luminaires[light];
     const double chance = static_cast<double>(places_.of(light)) / places;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/function_ref.h"
+#include "base/random.h"
 #include "base/weighted_places.h"
 #include "luminaire/luminaire.h"
 #include "transport/path.h"
@@ -28,15 +29,24 @@ public:
     /// Whether there are luminaires with light.
     bool any() const { return places_.total() > 0; }
 
-    /// Draws a ray; nothing if no point of the luminaire is drawn. `share` is a factor on its
-    /// power, and `inner` the fraction of a luminaire's rays on its inner side, as in emit().
-    /// Precondition: any().
-    std::optional<LampRay> draw(const Key&, double share,
+    /// About the light of all luminaires: colour of light times area, as luminance.
+    double power() const { return power_; }
+
+    /// Draws a ray; nothing if no point of the luminaire is drawn. `choice` is in [0, 1), and
+    /// chooses the luminaire; `share` is a factor on its power, and `inner` the fraction of a
+    /// luminaire's rays on its inner side, as in emit(). Precondition: any().
+    std::optional<LampRay> draw(const Key&, double choice, double share,
                                 FunctionRef<double(const Luminaire&)> inner) const;
+    /// The same, where the key chooses.
+    std::optional<LampRay> draw(const Key& key, double share,
+                                FunctionRef<double(const Luminaire&)> inner) const {
+        return draw(key, uniform(key, Purpose::light_choice), share, inner);
+    }
 
 private:
     const World& world_;
     WeightedPlaces places_;  ///< luminaires, weighted by their intensity
+    double power_ = 0;
 };
 
 }  // namespace candelabra

@@ -22,6 +22,9 @@ enum class AirOnWay : std::uint8_t {
     none
 };
 
+/// Distance of light from behind everything.
+inline constexpr double far_away = 1e20;
+
 /// A straight line to a light.
 struct WayOfLight {
     Ray ray;               ///< its direction is a unit vector

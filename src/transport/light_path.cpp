@@ -2,15 +2,19 @@
 #include "transport/light_path.h"
 
 #include "base/cosine_direction.h"
+#include "lighting/draw.h"
 #include "scattering/bsdf.h"
 #include "surface/lambertian.h"
 #include "transport/light_left.h"
 #include "transport/path_steps.h"
 #include "transport/sight.h"
+#include "transport/source_light.h"
 #include "transport/subsurface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace candelabra {
 
@@ -20,6 +24,11 @@ namespace {
 constexpr double min_light_survival = 0.05;
 /// Minimum cosine of incidence. Light below it is invisible, and would lead to a division by zero.
 constexpr double grazing_cosine = 1e-6;
+/// Distance from what is seen within which reflected light is worth little more, as a fraction of
+/// the lit region's radius.
+constexpr double close_to_seen = 0.2;
+
+double square(double x) { return x * x; }
 
 /// The way of light that has come to the vertex from a point, as a shadow ray goes it.
 WayOfLight way_back(const Vertex& vertex, const Vec3& from) {
@@ -41,11 +50,53 @@ bool is_lambertian(const World& world, const Vertex& vertex, const Shading& s) {
 }
 
 LightPaths::LightPaths(const Shot& shot, int max_reflections)
+    : LightPaths(shot, max_reflections, seen_places(shot)) {}
+
+LightPaths::LightPaths(const Shot& shot, int max_reflections, std::vector<SeenPlace> seen)
     : shot_(shot),
       world_(*shot.world),
       rules_(shading_rules(world_)),
+      seen_(std::move(seen)),
       lamp_rays_(world_),
-      max_reflections_(max_reflections) {}
+      source_rays_(world_.lights.sources, LitRegion::of(shot, seen_)),
+      sky_rays_(world_, LitRegion::of(shot, seen_)),
+      power_(lamp_rays_.power() + source_rays_.power() + sky_rays_.power()),
+      max_reflections_(max_reflections) {
+    if (!seen_.empty()) learn();
+}
+
+/// Finds which starts of paths bring light to what is seen.
+void LightPaths::learn() {
+    const double near = square(close_to_seen * LitRegion::of(shot_, seen_).radius);
+    const auto worth = [&](const Found& found, const Key& key) {
+        double sum = 0;
+        std::uint32_t number = 0;
+        for (const ReflectedLuminaire& each : found) {
+            const Key own = key.branched(Branch::reflected, number++);
+            const auto places = static_cast<double>(seen_.size());
+            const SeenPlace& place =
+                seen_[static_cast<std::size_t>(uniform(own, Purpose::pixel_x) * places)];
+            if (!sees(world_, place, each.position, each.normal, each.tolerance)) continue;
+            const Vec3 offset = each.position - place.position;
+            const double away2 = dot(offset, offset);
+            const double cosines = dot(offset, place.normal) * -dot(offset, each.normal) / away2;
+            sum += luminance(glm::abs(each.power)) * cosines / (away2 + near);
+        }
+        return sum;
+    };
+    Found found;
+    source_rays_.learn([&](const SourceRays::Drawn& drawn, const Key& key) {
+        found.clear();
+        from_source(drawn, key, 1, found);
+        return worth(found, key);
+    });
+    if (!(sky_rays_.power() > 0)) return;
+    sky_rays_.learn([&](const SkyRays::Drawn& drawn, const Key& key) {
+        found.clear();
+        from_sky(drawn, key, 1, found);
+        return worth(found, key);
+    });
+}
 
 /// A light path that has arrived at a vertex.
 struct LightPaths::Lit {
@@ -54,40 +105,111 @@ struct LightPaths::Lit {
     Vec3 power;  ///< colour of light times area perpendicular to the ray
     int reflections = 0;
     Lamp lamp = Lamp::sky();
+    Vec3 front = Vec3(0);  ///< radiance, on the side of the ray, times area
+    Vec3 back = Vec3(0);   ///< the same on the other side
 };
 
-void LightPaths::follow(const Key& key, double share,
-                        std::vector<ReflectedLuminaire>& found) const {
-    auto drawn = lamp_rays_.draw(
-        key, share, [&](const Luminaire& luminaire) { return shot_.inner_rays(luminaire); });
-    if (!drawn) return;
-    const LightIndex light = drawn->light;
-    const Luminaire& luminaire = world_.lights.luminaires[light];
-    PathState& path = drawn->path;
-    const Vec3 begin = path.ray.origin;
-    // Attenuates light to each surface on the way as a shadow ray from that surface would.
+void LightPaths::follow(const Key& key, double share, Found& found) const {
+    const double of_luminaires = lamp_rays_.power() / power_,
+                 of_sources = source_rays_.power() / power_;
+    double choice = uniform(key, Purpose::light_choice);
+    if (choice < of_luminaires)
+        return from_luminaire(key, choice / of_luminaires, share / of_luminaires, found);
+    choice -= of_luminaires;
+    if (choice < of_sources || sky_rays_.power() == 0)
+        return from_source(source_rays_.draw(choice / of_sources, place_on_light(key)), key,
+                           share / of_sources, found);
+    from_sky(sky_rays_.draw(key), key, share * power_ / sky_rays_.power(), found);
+}
+
+/// Follows light from surface to surface on a straight line. at_surface(path, vertex) returns
+/// whether the line goes on behind the vertex.
+template <class AtSurface>
+void LightPaths::walk(PathState path, const AtSurface& at_surface) const {
+    const Key key = path.key;
     for (int met = 0; met < max_surfaces_along; ++met) {
         path.key = key.branched(Branch::light_path, static_cast<std::uint32_t>(met));
         Hit hit;
         if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit)) return;
         const Vertex vertex =
             vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
+        if (!at_surface(path, vertex)) return;
+        path.media = interface_at(world_, path.media, hit.primitive, path.band).behind;
+        path.ray.origin = vertex.position();
+        path.tolerance = vertex.tolerance();
+    }
+}
+
+void LightPaths::from_luminaire(const Key& key, double choice, double share, Found& found) const {
+    const auto drawn = lamp_rays_.draw(key, choice, share, [&](const Luminaire& luminaire) {
+        return shot_.inner_rays(luminaire);
+    });
+    if (!drawn) return;
+    const Luminaire& luminaire = world_.lights.luminaires[drawn->light];
+    const Vec3 begin = drawn->path.ray.origin;
+    // Attenuates light to each surface on the way as a shadow ray from that surface would.
+    walk(drawn->path, [&](const PathState& path, const Vertex& vertex) {
         const WayOfLight way = way_back(vertex, begin);
         const Vec3 left = light_left(world_, way, path.key);
         if (left != Vec3(0)) {
             const Vec3 seen =
                 radiance_seen(world_, {luminaire, way.ray, way.tolerance, way.distance});
-            if (seen == Vec3(0)) return;
+            if (seen == Vec3(0)) return false;
             const Vec3 by_lamp = left_by_lamp(world_, luminaire, way, path.key);
-            go_on({path, vertex, drawn->power_of_one * left * by_lamp * seen, 0,
-                   Lamp::luminaire(light)},
-                  found);
+            Lit lit{path, vertex, drawn->power_of_one * left * by_lamp * seen, 0,
+                    Lamp::luminaire(drawn->light)};
+            if (reflect(lit)) go_on(std::move(lit), found);
         }
-        if (world_.passed(hit, path.ray) == Vec3(0)) return;
-        path.media = interface_at(world_, path.media, hit.primitive, path.band).behind;
-        path.ray.origin = vertex.position();
-        path.tolerance = vertex.tolerance();
-    }
+        return world_.passed(vertex.hit, path.ray) != Vec3(0);
+    });
+}
+
+void LightPaths::from_sky(const SkyRays::Drawn& drawn, const Key& key, double share,
+                          Found& found) const {
+    walk(start(key, drawn.ray), [&](const PathState& path, const Vertex& vertex) {
+        const WayOfLight way{.ray = {vertex.position(), -path.ray.direction},
+                             .tolerance = vertex.tolerance(),
+                             .distance = far_away,
+                             .ends = false,
+                             .around = vertex.around};
+        Lit lit{path, vertex, share * drawn.power * light_left(world_, way, path.key)};
+        if (lit.power != Vec3(0) && reflect(lit)) go_on(std::move(lit), found);
+        return world_.passed(vertex.hit, path.ray) != Vec3(0);
+    });
+}
+
+/// Light of a source that has a grid, a disc or no shadow may also light what lies behind a surface
+/// on the straight line from its location: half of the lines go on there.
+void LightPaths::from_source(const SourceRays::Drawn& drawn, const Key& key, double share,
+                             Found& found) const {
+    const PointLight& light = world_.lights.sources[drawn.number];
+    const bool by_line = !light.is_area() && light.disc_edge == 1 && !light.shadowless;
+    const Ray& ray = drawn.ray.ray;
+    const std::uint32_t group = world_.lights.reach[drawn.number].group;
+    const double ahead = dot(light.location - ray.origin, ray.direction);
+    walk(start(key, ray), [&](const PathState& path, const Vertex& vertex) {
+        const double way = dot(vertex.position() - ray.origin, ray.direction);
+        if (world_.reaches(group, *vertex.material)) {
+            const double area = share * drawn.ray.area_after(way);
+            const Vec3 colour = incidence(light, light.location, vertex.position()).colour;
+            Lit lit{path, vertex, area * colour, 0, Lamp::source(drawn.number)};
+            if (reflect_source(drawn.number, area, lit)) go_on(std::move(lit), found);
+        }
+        // Nothing before the plane of a parallel light casts a shadow.
+        if (way < ahead || world_.passed(vertex.hit, path.ray) != Vec3(0)) return true;
+        if (by_line || uniform(path.key, Purpose::light_roulette) < 0.5) return false;
+        share *= 2;
+        return true;
+    });
+}
+
+PathState LightPaths::start(const Key& key, const Ray& ray) const {
+    PathState path;
+    path.ray = ray;
+    path.kind = RayKind::gathering;
+    path.key = key;
+    path.media = world_.containing(ray.origin);
+    return path;
 }
 
 /// Radiance that the even layers show on the side of the vertex, equal in all directions, for light
@@ -103,37 +225,81 @@ Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
     return sum;
 }
 
+/// The same by light of a source, as it arrives at the vertex.
+Vec3 LightPaths::reflected_of_source(std::uint32_t number, const PathState& path,
+                                     const Vertex& vertex) const {
+    LightLedger uncounted;
+    Vec3 sum(0);
+    for (const VisibleTexture& each : visible_textures(world_, vertex))
+        LayerStack(world_, path, vertex, each.layers).visit([&](const LayerStack::Seen& layer) {
+            if (!is_even_on_each_side(world_, vertex, layer.shading)) return;
+            const Bsdf bsdf(layer.shading, rules_);
+            const LitLayer lit{.vertex = vertex,
+                               .scatterer = bsdf,
+                               .light = all_sources,
+                               .highlights = false,
+                               .samples_grids = true};
+            sum += each.weight * layer.through *
+                   light_of_source(number, 1, {world_, lit, false, uncounted}, path.key);
+        });
+    return sum;
+}
+
 /// The place of a vertex as it is seen from the other side.
 Vertex LightPaths::other_side(const PathState& path, const Vertex& vertex) const {
     const Ray back{vertex.position() + path.ray.direction, -path.ray.direction};
     return vertex_at(world_, back, vertex.hit, vertex.around);
 }
 
+/// Finds what the vertex reflects on both sides. Returns false if that is nothing.
+bool LightPaths::reflect(Lit& lit) const {
+    const double cosine = -dot(lit.path.ray.direction, lit.vertex.shading.geometric_normal);
+    if (cosine < grazing_cosine) return false;
+    lit.front = lit.power * reflected(lit.path, lit.vertex) / cosine;
+    lit.back = lit.vertex.material->lit_from_behind
+                   ? lit.power * reflected(lit.path, other_side(lit.path, lit.vertex)) / cosine
+                   : Vec3(0);
+    return lit.front != Vec3(0) || lit.back != Vec3(0);
+}
+
+/// The same for light of a source. `area`: perpendicular to the ray, for which it stands.
+bool LightPaths::reflect_source(std::uint32_t number, double area, Lit& lit) const {
+    const double cosine =
+        std::abs(dot(lit.path.ray.direction, lit.vertex.shading.geometric_normal));
+    if (cosine < grazing_cosine) return false;
+    lit.front = area / cosine * reflected_of_source(number, lit.path, lit.vertex);
+    // With `area_illumination` the grid decides which side is lit.
+    if (!lit.vertex.material->lit_from_behind && !world_.lights.sources[number].area_illumination)
+        return lit.front != Vec3(0);
+    PathState behind = lit.path;
+    if (lit.vertex.material->transparent)
+        behind.media =
+            interface_at(world_, behind.media, lit.vertex.hit.primitive, behind.band).behind;
+    Vertex seen = other_side(lit.path, lit.vertex);
+    seen.around = {behind.media.data(), behind.media.size()};
+    lit.back = area / cosine * reflected_of_source(number, behind, seen);
+    return lit.front != Vec3(0) || lit.back != Vec3(0);
+}
+
 /// Follows the path from surface to surface as long as they reflect it.
-void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
+void LightPaths::go_on(Lit lit, Found& found) const {
     while (++lit.reflections <= max_reflections_) {
-        const Vec3 normal = lit.vertex.shading.geometric_normal;
-        const double cosine = -dot(lit.path.ray.direction, normal);
-        if (cosine < grazing_cosine) return;
-        const auto leave = [&](const Vertex& seen) {
-            const Vec3 power = lit.power * reflected(lit.path, seen) / cosine;
+        const auto leave = [&](const Vec3& power, const Vec3& normal) {
             if (power != Vec3(0))
-                found.push_back({seen.position(), seen.shading.geometric_normal, power,
-                                 seen.tolerance(), lit.reflections, lit.lamp});
-            return power;
+                found.push_back({lit.vertex.position(), normal, power, lit.vertex.tolerance(),
+                                 lit.reflections, lit.lamp});
         };
-        const Vec3 front = leave(lit.vertex);
-        const Vec3 back = lit.vertex.material->lit_from_behind
-                              ? leave(other_side(lit.path, lit.vertex))
-                              : Vec3(0);
-        const double in_front = max_component(glm::abs(front)),
-                     behind = max_component(glm::abs(back)), all = in_front + behind;
-        if (all == 0) return;
+        const Vec3 normal = lit.vertex.shading.geometric_normal;
+        leave(lit.front, normal);
+        leave(lit.back, -normal);
+        const double in_front = max_component(glm::abs(lit.front)),
+                     behind = max_component(glm::abs(lit.back)), all = in_front + behind;
         const double survival =
             std::clamp(all / max_component(glm::abs(lit.power)), min_light_survival, 1.0);
         if (uniform(lit.path.key, Purpose::roulette) >= survival) return;
         const bool passes = uniform(lit.path.key, Purpose::way_choice) * all < behind;
-        lit.power = (passes ? back : front) / (survival * ((passes ? behind : in_front) / all));
+        lit.power =
+            (passes ? lit.back : lit.front) / (survival * ((passes ? behind : in_front) / all));
         const Vec2 u{uniform(lit.path.key, Purpose::bounce_u),
                      uniform(lit.path.key, Purpose::bounce_v)};
         lit.path = passes ? gathering_path_behind(world_, lit.path, lit.vertex,
@@ -144,9 +310,9 @@ void LightPaths::go_on(Lit lit, std::vector<ReflectedLuminaire>& found) const {
         const Vec3 from = lit.path.ray.origin;
         lit.vertex =
             vertex_at(world_, lit.path.ray, hit, {lit.path.media.data(), lit.path.media.size()});
-        if (!world_.facts.dims_between) continue;
-        lit.power *= light_left(world_, way_back(lit.vertex, from), lit.path.key);
-        if (lit.power == Vec3(0)) return;
+        if (world_.facts.dims_between)
+            lit.power *= light_left(world_, way_back(lit.vertex, from), lit.path.key);
+        if (lit.power == Vec3(0) || !reflect(lit)) return;
     }
 }
 

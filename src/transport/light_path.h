@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light paths that start at luminaires. They leave a reflected luminaire at each diffuse surface
-// that reflects their light, and continue from there.
+// Light paths that start at luminaires, light sources and a sky that is a luminaire. They leave a
+// reflected luminaire at each diffuse surface that reflects their light, and continue from there.
 #pragma once
 
 #include "transport/lamp_rays.h"
 #include "transport/layer_stack.h"
+#include "transport/sky_rays.h"
+#include "transport/source_rays.h"
 #include "world/shot.h"
 
 #include <vector>
@@ -33,23 +35,51 @@ public:
     /// `max_reflections`: the most diffuse reflections after which light still counts.
     LightPaths(const Shot&, int max_reflections);
 
-    /// Whether there are luminaires from which light can be followed.
-    bool any() const { return lamp_rays_.any(); }
+    /// Whether there is light that can be followed.
+    bool any() const { return power_ > 0; }
 
     /// Follows one path, and adds its reflected luminaires. `share` is a factor on their power.
+    /// Precondition: any().
     void follow(const Key&, double share, std::vector<ReflectedLuminaire>&) const;
 
-private:
-    struct Lit;
+    /// The same paths with another number of reflections.
+    LightPaths with_reflections(int most) const {
+        LightPaths other = *this;
+        other.max_reflections_ = most;
+        return other;
+    }
 
-    void go_on(Lit, std::vector<ReflectedLuminaire>&) const;
+    /// Places that the camera sees, to which the starts of paths lead most light.
+    const std::vector<SeenPlace>& seen() const { return seen_; }
+
+private:
+    LightPaths(const Shot&, int max_reflections, std::vector<SeenPlace>);
+
+    struct Lit;
+    using Found = std::vector<ReflectedLuminaire>;
+
+    void learn();
+    void from_luminaire(const Key&, double choice, double share, Found&) const;
+    void from_source(const SourceRays::Drawn&, const Key&, double share, Found&) const;
+    void from_sky(const SkyRays::Drawn&, const Key&, double share, Found&) const;
+    template <class AtSurface>
+    void walk(PathState, const AtSurface&) const;
+    PathState start(const Key&, const Ray&) const;
+    void go_on(Lit, Found&) const;
+    bool reflect(Lit&) const;
     Vec3 reflected(const PathState&, const Vertex&) const;
+    Vec3 reflected_of_source(std::uint32_t number, const PathState&, const Vertex&) const;
+    bool reflect_source(std::uint32_t number, double area, Lit&) const;
     Vertex other_side(const PathState&, const Vertex&) const;
 
     const Shot& shot_;
     const World& world_;
     ShadingRules rules_;
+    std::vector<SeenPlace> seen_;
     LampRays lamp_rays_;
+    SourceRays source_rays_;
+    SkyRays sky_rays_;
+    double power_;  ///< about the light of all of them
     int max_reflections_;
 };
 

@@ -34,7 +34,7 @@ PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& want
       ends_(shot, wanted.clear_sky, wanted.from_anywhere),
       ledger_(empty_ledger(world_, wanted.counts_lights, wanted.keeps_lamps)),
       max_bounces_(std::get<PathTraced>(world_.rules.settings.integrator).bounces),
-      chance_of_covered_(world_.facts.is_lit_by_luminaires_only ? chance_of_shine : 1) {}
+      chance_of_covered_(world_.facts.is_lit_by_lamps_only ? chance_of_shine : 1) {}
 
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = begin(ray, key);
@@ -140,8 +140,10 @@ bool PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex, cons
 /// too, a random part of the paths continues in search of it.
 bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double distance) const {
     if (path.taken.cosine > 0) {
-        const double there = std::abs(dot(path.ray.direction, unit(hit.normal)));
-        const double share = reflected_.share(hit.position, path.taken.cosine, there, distance);
+        const Vec3 normal = unit(hit.normal);
+        const double there = -dot(path.ray.direction, normal);
+        const double share = reflected_.share(hit.position, there < 0 ? -normal : normal,
+                                              path.taken.cosine, std::abs(there), distance);
         path.taken.by_reflected = uniform(path.key, Purpose::near_reflection) < share;
         path.taken.cosine = 0;
     }
@@ -172,14 +174,9 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
     };
     Vec3 light(0);
     if (path.taken.by_reflected && is_even_on_each_side(world_, vertex, s)) {
-        // What the diffuse part reflects of luminaires has been counted.
-        EachKindOnce once;
+        // What the diffuse part reflects has been counted.
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
-        light +=
-            direct_light_(lit(highlights, once.take({LightKind::luminaires})), path.key, ledger_);
-        const LightKinds others =
-            once.take({LightKind::sources, LightKind::drawn_sources, LightKind::sky});
-        light += direct_light_(lit(whole, others), path.key, ledger_);
+        light += direct_light_(lit(highlights, all_light), path.key, ledger_);
     } else if (!scatters_inside(world_, s)) {
         light += direct_light_(lit(whole, all_light), path.key, ledger_);
         if (reflected_ && is_lambertian(world_, vertex, s) && path.bounces < max_bounces_)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/photon_shooter.h"
 
-#include "base/circle.h"
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "lighting/draw.h"
@@ -26,41 +25,6 @@ constexpr double min_share = 0.05;
 constexpr std::size_t max_lamp_pairs = std::size_t{1} << 24;
 /// Ray tolerance of a luminaire's photons, as a fraction of their distance or of the ball's radius.
 constexpr double away_from_lamp = 1e-7;
-
-/// Samples a unit direction in a cone, uniformly per steradian.
-Vec3 direction_in_cone(const Vec3& axis, double cosine, const Vec2& u) {
-    return unit(turned_from(axis, 1 - u.x * (1 - cosine), 2 * pi * u.y));
-}
-
-/// Samples a point of a disc around 0, uniformly.
-Vec3 point_in_disc(const Vec3& axis, double radius, const Vec2& u) {
-    const auto [x, y] = perpendiculars(axis);
-    const double away = radius * std::sqrt(u.x), angle = 2 * pi * u.y;
-    return away * on_circle(angle, x, y);
-}
-
-bool meets_ball(const Ray& ray, const Vec3& centre, double radius) {
-    const Vec3 offset = centre - ray.origin;
-    const double along = dot(offset, ray.direction), away2 = dot(offset, offset);
-    return away2 <= radius * radius ||
-           (along > 0 && away2 - along * along <= radius * radius * (1 + 1e-9));
-}
-
-/// A cone, given by its axis.
-struct LightCone {
-    Vec3 axis;
-    double cosine;  ///< of its half angle
-
-    double steradians() const { return 2 * pi * (1 - cosine); }
-};
-
-/// Returns the cone of directions from a point to a ball; all directions if the point is inside.
-LightCone cone_to(const Vec3& from, const PhotonTarget& target) {
-    const Vec3 offset = target.centre - from;
-    const double away2 = dot(offset, offset), radius2 = target.radius * target.radius;
-    if (away2 <= radius2) return {Vec3(0, 0, 1), -1};
-    return {offset / std::sqrt(away2), std::sqrt(1 - radius2 / away2)};
-}
 
 /// Approximate light of a light source at a target.
 double light_at(const PointLight& light, const PhotonTarget& target) {
@@ -110,7 +74,7 @@ struct Entry {
 /// Samples a point of the cap: uniformly in its projection along the axis if the projection shows
 /// all of the cap, otherwise uniformly per steradian.
 Entry draw_entry(const LightCone& cap, const Vec2& u) {
-    if (cap.cosine < 0) return {direction_in_cone(cap.axis, cap.cosine, u), 1 / cap.steradians()};
+    if (cap.cosine < 0) return {direction_in_cone(cap, u), 1 / cap.steradians()};
     const double seen = 1 - cap.cosine * cap.cosine;
     const Vec3 aside = point_in_disc(cap.axis, std::sqrt(seen), u);
     const double height = std::sqrt(std::fmax(1 - dot(aside, aside), 0));
@@ -130,12 +94,6 @@ double share_inside(const Luminaire& luminaire, const PhotonTarget& target) {
 }
 
 }  // namespace
-
-Vec3 PhotonShot::power_after(double way) const {
-    if (!source) return power;
-    const Vec3 colour = incidence(*source, place, ray.at(way)).colour;
-    return colour * (source->along_axis() ? extent : extent * way * way);
-}
 
 PhotonShooter::PhotonShooter(const Shot& shot) : shot_(shot), world_(*shot.world) {
     for (std::uint32_t target = 0; target < world_.photon_targets.size(); ++target) {
@@ -205,62 +163,28 @@ std::optional<PhotonShot> PhotonShooter::shoot(const Aim& aim, const Key& key) c
         return aim.kind == Aim::inner ? from_inside(aim.lamp, target, shot, key)
                                       : from_luminaires(target, shot, key);
     }
-    shot.lamp = Lamp::source(aim.lamp);
-    shot.ways = ways_of_source(world_, aim.lamp);
-    shot.light_group = world_.lights.reach[aim.lamp].group;
-    const PointLight& light = world_.lights.sources[aim.lamp];
-    shot.source = &light;
-    shot.place = light.location;
-    if (light.is_area() && world_.lights.reach[aim.lamp].photons_of_grid) {
-        const auto place = [&](double u, int size) {
+    return from_source(aim.lamp, target, shot, key);
+}
+
+std::optional<PhotonShot> PhotonShooter::from_source(std::uint32_t number,
+                                                     const PhotonTarget& target, PhotonShot shot,
+                                                     const Key& key) const {
+    shot.lamp = Lamp::source(number);
+    shot.ways = ways_of_source(world_, number);
+    shot.light_group = world_.lights.reach[number].group;
+    const PointLight& light = world_.lights.sources[number];
+    Vec3 place = light.location;
+    if (light.is_area() && world_.lights.reach[number].photons_of_grid) {
+        const auto chosen = [&](double u, int size) {
             return std::floor(u * static_cast<double>(size));
         };
-        shot.place = grid_point(light, place(uniform(key, Purpose::jitter_u), light.size1),
-                                place(uniform(key, Purpose::jitter_v), light.size2),
-                                unit(light.location - target.centre));
+        place = grid_point(light, chosen(uniform(key, Purpose::jitter_u), light.size1),
+                           chosen(uniform(key, Purpose::jitter_v), light.size2),
+                           unit(light.location - target.centre));
     }
-    return light.along_axis() ? from_plane(light, target, shot, key)
-                              : from_point(light, target, shot, key);
-}
-
-/// Samples a ray in the narrower one of two cones: that to the ball, and the light's own.
-std::optional<PhotonShot> PhotonShooter::from_point(const PointLight& light,
-                                                    const PhotonTarget& target, PhotonShot shot,
-                                                    const Key& key) const {
-    LightCone drawn = cone_to(shot.place, target);
-    bool own = false;
-    if (light.kept_to() == cone) {
-        const double dark = std::clamp(light.falloff.value_or(45), 0.0, 90.0);
-        const LightCone shape{axis_of(light), math::cos(dark * radians_per_degree)};
-        own = shape.cosine > drawn.cosine;
-        if (own) drawn = shape;
-    }
-    shot.extent = drawn.steradians();
-    shot.ray = {shot.place, direction_in_cone(drawn.axis, drawn.cosine, place_on_light(key))};
-    if (own && !meets_ball(shot.ray, target.centre, target.radius)) return std::nullopt;
-    return shot;
-}
-
-/// Samples a ray of parallel light, which starts in the plane through the light.
-std::optional<PhotonShot> PhotonShooter::from_plane(const PointLight& light,
-                                                    const PhotonTarget& target, PhotonShot shot,
-                                                    const Key& key) const {
-    const Vec3 along = unit(light.point_at - shot.place);
-    double radius = target.radius;
-    Vec3 middle = target.centre;
-    bool own = false;
-    if (light.kept_to() == parallel_beam) {
-        const double beam = std::fmax(light.falloff.value_or(1), 0);
-        own = beam < radius;
-        if (own) {
-            radius = beam;
-            middle = light.location;
-        }
-    }
-    const Vec3 point = middle + point_in_disc(along, radius, place_on_light(key));
-    shot.extent = pi * radius * radius;
-    shot.ray = {point - dot(point - shot.place, along) * along, along};
-    if (own && !meets_ball(shot.ray, target.centre, target.radius)) return std::nullopt;
+    shot.of_source = ray_into({target.centre, target.radius}, light, place, place_on_light(key));
+    if (!shot.of_source) return std::nullopt;
+    shot.ray = shot.of_source->ray;
     return shot;
 }
 

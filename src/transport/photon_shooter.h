@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "transport/source_rays.h"
 #include "world/shot.h"
 
 #include <optional>
@@ -23,16 +24,10 @@ struct PhotonShot {
     PhotonWays ways = {};           ///< the lamp's photon settings
     std::uint32_t light_group = 0;  ///< of a light source
     Vec3 power = Vec3(0);           ///< of a luminaire's photon: colour of light times area
-    /// Of a light source's photon: solid angle in steradians, or area if all of its light is
-    /// parallel.
-    double extent = 0;
-    const PointLight* source = nullptr;
-    Vec3 place = Vec3(0);  ///< of the source: the light of its grid that emits the photon
+    std::optional<SourceRay> of_source = {};  ///< of a light source's photon
 
-    /// Colour of light times area, after a path of that length. Light of a source does not fade
-    /// unless the source says so: the power in a fixed solid angle grows with the square of the
-    /// length.
-    Vec3 power_after(double way) const;
+    /// Colour of light times area, after a path of that length.
+    Vec3 power_after(double way) const { return of_source ? of_source->power_after(way) : power; }
 };
 
 class PhotonShooter {
@@ -66,10 +61,8 @@ private:
     void add(Aim);
     void aim_sources(std::uint32_t target);
     void aim_luminaires(std::uint32_t target);
-    std::optional<PhotonShot> from_point(const PointLight&, const PhotonTarget&, PhotonShot,
-                                         const Key&) const;
-    std::optional<PhotonShot> from_plane(const PointLight&, const PhotonTarget&, PhotonShot,
-                                         const Key&) const;
+    std::optional<PhotonShot> from_source(std::uint32_t number, const PhotonTarget&, PhotonShot,
+                                          const Key&) const;
     std::optional<PhotonShot> from_luminaires(const PhotonTarget&, PhotonShot, const Key&) const;
     std::optional<PhotonShot> from_inside(LightIndex, const PhotonTarget&, PhotonShot,
                                           const Key&) const;

@@ -34,9 +34,10 @@ Vec3 ReflectedLight::operator()(const ArrivingLight& at, int reflections, const 
     return sum;
 }
 
-double ReflectedLight::share(const Vec3& from, double cosine, double other_cosine,
-                             double distance) const {
-    return share_within(source().bound(from), cosine * other_cosine / (distance * distance));
+double ReflectedLight::share(const Vec3& from, const Vec3& normal, double cosine,
+                             double other_cosine, double distance) const {
+    return share_within(source().bound(from, normal),
+                        cosine * other_cosine / (distance * distance));
 }
 
 /// Light of one reflected luminaire. Clear surfaces occlude it, too: paths go through these by

@@ -17,9 +17,11 @@ public:
     /// clamped to its bound.
     Vec3 operator()(const ArrivingLight&, int reflections, const Key&);
 
-    /// Fraction of the light from a place of one surface to another that comes from reflected
-    /// luminaires, given the cosines to their normals and the distance.
-    double share(const Vec3& from, double cosine, double other_cosine, double distance) const;
+    /// Fraction of the light from a place of one surface, on the side of the unit normal, to
+    /// another that comes from reflected luminaires, given the cosines to their normals and the
+    /// distance.
+    double share(const Vec3& from, const Vec3& normal, double cosine, double other_cosine,
+                 double distance) const;
 
 private:
     Vec3 from(const LightPick&, const ReflectedSet&, const ArrivingLight&, const Key&) const;

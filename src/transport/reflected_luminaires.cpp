@@ -27,6 +27,11 @@ constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
 /// Maximum fraction of a uniformly lit surface's light that one reflected luminaire may contribute,
 /// by their number in the whole scene and by that about it: "Indirect light".
 constexpr double kappa = 1.0 / 16, kappa_there = 1.0 / 10;
+/// Number of places from which each of the pilot's reflected luminaires is looked for.
+constexpr std::uint32_t trials_of_each = 4;
+/// Fraction of the seen places from which a reflected luminaire is visible below which it is chosen
+/// less often than its light suggests.
+constexpr double well_seen = 0.15;
 /// See LightScene: "Indirect light".
 constexpr double even_share = 0.05;
 /// Length of the bent normal: for the strategy, a reflected luminaire shines on both sides, and a
@@ -43,7 +48,7 @@ LightBounds bounds_of(const ReflectedLuminaire& luminaire, double radius) {
     };
     LightBounds result =
         bounds(TriangleEmitter{corner(1, 0), corner(-0.5, height), corner(-0.5, -height)},
-               luminance(luminaire.power / area));
+               luminance(glm::abs(luminaire.power) / area));
     result.bent_normal = lean * luminaire.normal;
     return result;
 }
@@ -51,10 +56,14 @@ LightBounds bounds_of(const ReflectedLuminaire& luminaire, double radius) {
 /// Reflected luminaires as the strategy chooses among them. Their occlusion is not surveyed.
 class ReflectedChoices final : public ChoosableLights {
 public:
-    ReflectedChoices(std::span<const ReflectedLuminaire> luminaires, double radius) {
+    ReflectedChoices(std::span<const ReflectedLuminaire> luminaires, double radius,
+                     const SeenShare& seen) {
         bounds_.reserve(luminaires.size());
-        for (const ReflectedLuminaire& each : luminaires)
-            bounds_.push_back(bounds_of(each, radius));
+        for (const ReflectedLuminaire& each : luminaires) {
+            ReflectedLuminaire counted = each;
+            counted.power *= std::fmin(seen.at(each.position, each.normal) / well_seen, 1);
+            bounds_.push_back(bounds_of(counted, radius));
+        }
     }
     std::size_t size() const override { return bounds_.size(); }
     LightBounds bounds(LightIndex light) const override { return bounds_[light]; }
@@ -79,8 +88,7 @@ std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const Shot& shot, i
     const World& world = *shot.world;
     const auto* wanted = std::get_if<PathTraced>(&world.rules.settings.integrator);
     if (!wanted || wanted->reflected_luminaires == 0 || wanted->bounces == 0 ||
-        world.lights.luminaires.empty() || world.rules.quality < quality_full ||
-        !world.photon_targets.empty())
+        world.rules.quality < quality_full || !world.photon_targets.empty())
         return nullptr;
     auto made = std::make_shared<ReflectedLuminaires>(shot, paths_of(*wanted, shot),
                                                       wanted->bounces, seed, threads);
@@ -96,7 +104,11 @@ ReflectedLuminaires::ReflectedLuminaires(const Shot& shot, std::uint32_t count, 
       seed_(mix(static_cast<std::uint64_t>(seed) + 0x5ef1)),
       threads_(threads),
       generations_(kept_generations) {
-    if (paths_.any()) find_bound();
+    if (!paths_.any()) return;
+    const std::vector<ReflectedLuminaire> tried =
+        sent(paths_.with_reflections(std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
+    find_bound(tried);
+    if (any()) find_seen(tried);
 }
 
 /// Returns all reflected luminaires of a random stream, in the order of their paths.
@@ -113,9 +125,7 @@ std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& path
 
 /// Finds the bound from light paths that light nothing else. In the whole scene, the scale is the
 /// median distance between successive reflections of a path.
-void ReflectedLuminaires::find_bound() {
-    const std::vector<ReflectedLuminaire> tried =
-        sent(LightPaths(shot_, std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
+void ReflectedLuminaires::find_bound(const std::vector<ReflectedLuminaire>& tried) {
     std::vector<double> distances;
     std::vector<Vec3> positions;
     for (std::size_t i = 0; i < tried.size(); ++i) {
@@ -133,16 +143,39 @@ void ReflectedLuminaires::find_bound() {
     density_ = ReflectionDensity(std::move(positions));
 }
 
+/// Finds from how many of the places that the camera sees reflected light is visible.
+void ReflectedLuminaires::find_seen(const std::vector<ReflectedLuminaire>& tried) {
+    const std::vector<SeenPlace>& places = paths_.seen();
+    if (places.empty()) return;
+    std::vector<SeenShare::Trial> trials(tried.size());
+    run_parallel(tried.size(), threads_, [&](std::size_t i) {
+        const ReflectedLuminaire& each = tried[i];
+        double seen = 0;
+        for (std::uint32_t n = 0; n < trials_of_each; ++n) {
+            const Key key{mix(seed_ + i), n, 0, 0};
+            const auto place = static_cast<std::size_t>(uniform(key, Purpose::pixel_x) *
+                                                        static_cast<double>(places.size()));
+            seen += sees(*shot_.world, places[place], each.position, each.normal, each.tolerance);
+        }
+        trials[i] = {each.position, each.normal, seen / trials_of_each};
+    });
+    seen_ = SeenShare(trials);
+}
+
 ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     ReflectedSet set;
     set.list = sent(paths_, count_, mix(seed_ ^ mix(number + 1)));
-    for (const ReflectedLuminaire& each : set.list) set.bounds.push_back(bound(each.position));
+    std::erase_if(set.list, [&](const ReflectedLuminaire& each) {
+        return bound(each.position, each.normal) == 0;
+    });
+    for (const ReflectedLuminaire& each : set.list)
+        set.bounds.push_back(bound(each.position, each.normal));
     const double radius = 1 / std::sqrt(greatest_bound_);
     // Occlusion is not surveyed, as a generation is soon over. The surfaces that they light are
     // those on which they lie.
     LightOctree octree;
     octree.alone = true;
-    LightScene scene{std::make_shared<ReflectedChoices>(set.list, radius)};
+    LightScene scene{std::make_shared<ReflectedChoices>(set.list, radius, seen_)};
     scene.even = even_share;
     const Projection& camera = shot_.view.camera;
     if (!camera.parallel) scene.eye = camera.location;

@@ -9,6 +9,7 @@
 #include "transport/generations.h"
 #include "transport/light_path.h"
 #include "transport/reflection_density.h"
+#include "transport/seen_share.h"
 
 #include <cmath>
 
@@ -38,20 +39,28 @@ public:
 
     /// Whether light is reflected from surface to surface at all.
     bool any() const { return !density_.empty(); }
-    /// Bound of the geometry term of reflected luminaires at a place of a surface; light beyond it
-    /// is found by paths. So none of them counts for more than a small part of the light that the
-    /// scene, and the surface about it, sends out. Precondition: any().
-    double bound(const Vec3& place) const {
-        return std::fmin(greatest_bound_, per_density_ * density_.at(place));
+    /// Bound of the geometry term of reflected luminaires at a place of a surface, on the side of
+    /// the unit normal; light beyond it is found by paths. So none of them counts for more than a
+    /// small part of the light that the scene, and the surface about it, sends out. It is 0 where
+    /// the camera sees next to nothing that the place lights: reflected luminaires there would
+    /// mostly be chosen in vain. Precondition: any().
+    double bound(const Vec3& place, const Vec3& normal) const {
+        return seen_.at(place, normal) < least_seen
+                   ? 0
+                   : std::fmin(greatest_bound_, per_density_ * density_.at(place));
     }
     /// Number of light paths in a generation.
     std::uint32_t count() const { return count_; }
 
 private:
+    /// Minimum fraction of what the camera sees from which a reflected luminaire must be visible.
+    static constexpr double least_seen = 0.04;
+
     std::vector<ReflectedLuminaire> sent(const LightPaths&, std::uint32_t count,
                                          std::uint64_t stream) const;
     ReflectedSet made(std::uint32_t number) const;
-    void find_bound();
+    void find_bound(const std::vector<ReflectedLuminaire>& tried);
+    void find_seen(const std::vector<ReflectedLuminaire>& tried);
 
     const Shot& shot_;
     int max_reflections_;
@@ -61,10 +70,11 @@ private:
     int threads_;
     ReflectionDensity density_;  ///< of light paths that light nothing else
     double greatest_bound_ = 0, per_density_ = 0;
+    SeenShare seen_;
     Generations<ReflectedSet> generations_;
 };
 
-/// Null where the scene does not ask for any, or no luminaire lights it.
+/// Null where the scene does not ask for any, or no light is reflected from surface to surface.
 std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const Shot&, int seed, int threads);
 
 }  // namespace candelabra

@@ -8,9 +8,6 @@ namespace candelabra {
 
 namespace {
 
-/// Distance beyond all objects.
-constexpr double far_away = 1e20;
-
 /// As in POV-Ray, a clear surface does not dim light of a source if it lies no further than this,
 /// along the way of light, behind another one that does, or from either end. So glasses that touch
 /// each other, and things in a glass, are not darker for it.

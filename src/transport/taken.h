@@ -15,8 +15,8 @@ struct Taken {
     /// Photons light the surface or the medium that the ray leaves: they bring what their targets
     /// send there.
     bool from_targets = false;
-    /// Reflected luminaires have taken the light of luminaires that reaches the ray by way of
-    /// diffuse surfaces only.
+    /// Reflected luminaires have taken the light of luminaires, light sources and a sky that is a
+    /// luminaire, as far as it reaches the ray by way of diffuse surfaces only.
     bool by_reflected = false;
     /// Where the ray leaves a surface that reflected luminaires light, its cosine to the normal
     /// there: the next hit decides whether they have taken its light. 0 for other rays.

@@ -28,10 +28,11 @@ void answer_about_light(const World& world, WorldFacts& facts) {
     facts.gathers_light = rules.settings.radiosity.on && rules.quality >= quality_full;
     facts.has_indirect_light = facts.gathers_light || path_traced;
     facts.keeps_energy = path_traced;
-    facts.is_lit_by_luminaires_only =
-        world.lights.sources.empty() && !world.sky.sphere && !world.sky.daylight &&
-        world.sky.background.radiance() == Vec3(0) && !facts.dims_between;
-    facts.has_other_light = world.appearance.any_other_light || !facts.is_lit_by_luminaires_only;
+    const Sky& sky = world.sky;
+    const bool other_sky =
+        sky.light.empty() && (sky.sphere || sky.daylight || sky.background.radiance() != Vec3(0));
+    facts.is_lit_by_lamps_only = !other_sky && !facts.dims_between;
+    facts.has_other_light = world.appearance.any_other_light || !facts.is_lit_by_lamps_only;
 }
 
 void answer_about_chance(const World& world, WorldFacts& facts) {

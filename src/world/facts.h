@@ -25,9 +25,10 @@ struct WorldFacts {
     /// Surfaces with `conserve_energy` take what they reflect from all other light: only from what
     /// is seen behind them otherwise, as in POV-Ray.
     bool keeps_energy = false;
-    /// There are no light sources, no sky that may shine, and no air or media.
-    bool is_lit_by_luminaires_only = false;
-    /// Surfaces receive other light than that of luminaires by way of diffuse surfaces.
+    /// There is no sky that may shine without being a luminaire, and no air or media.
+    bool is_lit_by_lamps_only = false;
+    /// Surfaces receive other light than that of luminaires, light sources and such a sky by way of
+    /// diffuse surfaces.
     bool has_other_light = false;
 
     /// Some lights are sampled at random.

@@ -82,6 +82,30 @@ TEST_CASE("light that clear surfaces let pass is as a shadow ray finds it", "[tr
     CHECK(shut == Vec3(0));
 }
 
+TEST_CASE("paths of sources and of the sky have the power that these send", "[transport]") {
+    const auto floor_lit = [](const std::string& light) {
+        const Shot shot = shot_of(
+            "#version 3.7; #default { finish { ambient 0 } } camera { location <0, 3, -4> "
+            "look_at 0 } disc { 0, y, 1 pigment { rgb 1 } finish { diffuse 1 } }" +
+            light);
+        return power_after(sent_into(shot, 1, 60000), 1).x;
+    };
+    using std::numbers::pi;
+    CHECK(floor_lit("light_source { 100*y, 2 parallel point_at 0 }") ==
+          Approx(2 * pi).epsilon(0.03));
+    CHECK(floor_lit("light_source { 1e7*y, 2 }") == Approx(2 * pi).epsilon(0.03));
+    // On both sides.
+    CHECK(floor_lit("sky_sphere { pigment { rgb 2 } luminaire }") == Approx(4 * pi).epsilon(0.04));
+    // A light below the disc lights its other side.
+    CHECK(floor_lit("light_source { -1e7*y, 2 }") == Approx(2 * pi).epsilon(0.03));
+    // Half of the grid is hidden.
+    const double shaded = floor_lit(
+        "light_source { 5*y, 2 area_light 4*x, z, 2, 2 } box { <0.01, 2, -9>, <9, 2.1, 9> }");
+    const double open = floor_lit("light_source { 5*y, 2 area_light 4*x, z, 2, 2 }");
+    CHECK(shaded < 0.9 * open);
+    CHECK(shaded > 0.3 * open);
+}
+
 TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in all directions",
           "[transport]") {
     const SharedWorld world = world_of("sphere { 0, 1 }");

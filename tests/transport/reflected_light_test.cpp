@@ -38,6 +38,24 @@ Estimate estimate(const std::string& script, std::uint32_t generations, const Ra
     return estimate(shot_of(script), generations, ray);
 }
 
+/// Checks that two places are as bright with reflected luminaires as by paths alone.
+void check_same(const char* name, const std::string& scene, std::uint32_t generations) {
+    const Vec3 eye(0.3, 1.4, -2.5);
+    const Shot by_paths = shot_of(with_reflected(0, 4) + scene),
+               with_luminaires = shot_of(with_reflected(300, 4) + scene);
+    for (const Vec3& towards : {Vec3(-1.2, 0, -0.5), Vec3(0.6, 0.5, 1.9)}) {
+        const Ray ray{eye, unit(towards - eye)};
+        const Estimate traced = estimate(by_paths, generations, ray),
+                       reflected = estimate(with_luminaires, generations, ray);
+        CAPTURE(name, towards.x, traced.mean.x, reflected.mean.x);
+        for (int i = 0; i < 3; ++i) {
+            const double sigma = std::hypot(traced.deviation[i], reflected.deviation[i]);
+            CHECK(std::abs(traced.mean[i] - reflected.mean[i]) < 4 * sigma);
+            CHECK(sigma < 0.06 * traced.mean[i]);
+        }
+    }
+}
+
 }  // namespace
 
 TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
@@ -77,7 +95,8 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
         {"other light",
          bare_room +
              "sphere { <1.2, 0.6, 0>, 0.4 pigment { rgb 1 } finish { emission 1 no_luminaire } }"
-             "light_source { <2, 2, -2>, 0.6 }"},
+             "light_source { <2, 2, -2>, 0.6 }",
+         300},  // enough to see light lost that glows without being a luminaire
         {"looks that depend on the direction of the ray",
          "box { <-3, 0, -3>, <3, 3, 3> pigment { aoi color_map { [0.5 rgb <0.9, 0.2, 0.1>] "
          "[0.9 rgb <0.3, 0.7, 0.9>] } } }"
@@ -102,23 +121,70 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
              "box { <-2.8, 1, 0.5>, <0, 2.2, 2.5> hollow pigment { rgbt 1 } interior { media { "
              "scattering { 1, 0.5 } } } }"},
     };
-    const Vec3 eye(0.3, 1.4, -2.5);
-    for (const Row& row : rows) {
-        const std::string room = lamps_in_room + row.scene;
-        const Shot by_paths = shot_of(with_reflected(0, 4) + room),
-                   with_luminaires = shot_of(with_reflected(300, 4) + room);
-        for (const Vec3& towards : {Vec3(-1.2, 0, -0.5), Vec3(0.6, 0.5, 1.9)}) {
-            const Ray ray{eye, unit(towards - eye)};
-            const Estimate traced = estimate(by_paths, row.generations, ray),
-                           reflected = estimate(with_luminaires, row.generations, ray);
-            CAPTURE(row.name, towards.x);
-            for (int i = 0; i < 3; ++i) {
-                const double sigma = std::hypot(traced.deviation[i], reflected.deviation[i]);
-                CHECK(std::abs(traced.mean[i] - reflected.mean[i]) < 4 * sigma);
-                CHECK(sigma < 0.06 * traced.mean[i]);
-            }
-        }
-    }
+    for (const Row& row : rows) check_same(row.name, lamps_in_room + row.scene, row.generations);
+}
+
+TEST_CASE("reflected light of sources and of the sky is what path tracing gives", "[transport]") {
+    struct Row {
+        const char* name;
+        std::string scene;
+        std::uint32_t generations = 60;
+    };
+    const std::string yard =
+        "plane { y, 0 pigment { rgb 0.6 } } box { <-1, 0, 0>, <0, 2, 1> pigment { rgb <0.8, 0.6, "
+        "0.4> } } box { <1.5, 0, -1>, <1.7, 3, 3> pigment { rgb 0.8 } } ";
+    const std::string open_room =
+        "difference { box { <-3.2, -0.2, -3.2>, <3.2, 3.2, 3.2> } box { <-3, 0, -3>, <3, 3, 3> } "
+        "box { <2, 0.5, -1.5>, <4, 2.8, 1.5> } pigment { rgb <0.8, 0.7, 0.6> } } "
+        "box { <-1, 0, 0>, <0, 1, 1> pigment { rgb <0.3, 0.4, 0.8> } } ";
+    const Row rows[] = {
+        {"a point and a lamp", bare_room + lamps_in_room + "light_source { <1, 2, -1>, 1 }"},
+        {"points that fade, one of them dim",
+         bare_room + "light_source { <1, 2.9, -1>, <1, 2, 3> fade_distance 0.5 fade_power 2 } "
+                     "light_source { <-2, 1, -1>, 0.02 }"},
+        {"a spot and a cylinder",
+         bare_room +
+             "light_source { <1, 2.8, -1>, 4 spotlight point_at <-1, 0, 1> radius 10 falloff 25 } "
+             "light_source { <-2, 2.8, -1>, 3 cylinder point_at <-2, 0, -0.9> radius 0.3 falloff "
+             "0.6 }"},
+        {"an area light with a grid, by itself and as area_illumination",
+         bare_room + "light_source { <1.2, 2.9, -1>, 1 area_light x, z, 4, 4 jitter } "
+                     "light_source { <-1.5, 1.9, -1>, 0.5 area_light y, 2*z, 3, 5 "
+                     "area_illumination }"},
+        {"a round area light that turns to what it lights",
+         bare_room + "light_source { <1.2, 2, -1>, 1 area_light x, y, 5, 5 circular orient } "
+                     "box { <0.5, 1.2, -1.4>, <1.9, 1.25, -0.6> pigment { rgb 0.5 } }"},
+        {"parallel light through a window",
+         open_room + "light_source { <30, 20, -5>, 2 parallel point_at 0 }"},
+        {"a distant point through a window", open_room + "light_source { <3000, 2000, -500>, 2 }"},
+        {"light that casts no shadow and light of a group",
+         bare_room + "light_source { <1, 5, -1>, 0.5 shadowless } "
+                     "light_group { light_source { <-1, 2, -1>, 1 } sphere { <1.5, 0.8, 0.5>, 0.6 "
+                     "pigment { rgb 0.8 } } global_lights on }"},
+        {"a lamp that looks like something, and panes",
+         bare_room +
+             "light_source { <1, 2, -1>, 1 looks_like { sphere { 0, 0.2 pigment { rgb 1 } finish { "
+             "emission 1 diffuse 0 } } } } "
+             "box { <-3, 1.5, -0.1>, <3, 1.6, 3> pigment { rgbt <0.5, 0.5, 0.9, 0.6> } } "
+             "disc { <0, 1.5, 1.5>, z, 1 pigment { rgb 0.8 } finish { diffuse 0.4, 0.4 } }"},
+        {"light through a window of its own",
+         bare_room + "light_source { <1, 2.8, -1>, 2 projected_through { disc { <1, 1.5, -1>, y, "
+                     "0.5 } } }",
+         270},  // few light paths pass it
+        {"many sources",
+         bare_room + "#for (I, 0, 149) light_source { <mod(I, 15) * 0.35 - 2.5, 2.5, floor(I / 15) "
+                     "* 0.5 - 2.3>, 0.012 } #end"},
+        {"fog and a source", bare_room +
+                                 "light_source { <1, 2, -1>, 1 media_attenuation on } fog { "
+                                 "distance 4 rgb <0.1, 0.2, 0.3> }"},
+        {"a sky that is a luminaire over a yard",
+         yard + "sky_sphere { pigment { gradient y color_map { [0 rgb <0.9, 0.7, 0.5>] [1 rgb "
+                "<0.2, 0.4, 0.9>] } } luminaire }"},
+        {"a sky through a window, with a lamp",
+         lamps_in_room + open_room + "sky_sphere { pigment { rgb <2, 3, 5> } luminaire }", 200},
+        {"daylight with its sun", open_room + "sky_luminance { clear sun <35, 90> }", 120},
+    };
+    for (const Row& row : rows) check_same(row.name, row.scene, row.generations);
 }
 
 TEST_CASE("a closed room that glows everywhere is as bright with reflected luminaires",

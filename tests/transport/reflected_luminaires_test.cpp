@@ -12,7 +12,10 @@
 namespace candelabra {
 
 TEST_CASE("a generation does not depend on the number of threads", "[transport]") {
-    const Shot shot = shot_of(with_reflected(3000, 4) + lamps_in_room + bare_room);
+    const Shot shot = shot_of(with_reflected(3000, 4) + lamps_in_room + bare_room +
+                              "light_source { <1, 2, -1>, 1 area_light x, z, 3, 3 jitter } "
+                              "light_source { <1, 9, -1>, 1 shadowless } "
+                              "sky_sphere { pigment { rgb 1 } luminaire }");
     const auto set = [&](int threads) {
         const auto all = reflected_luminaires_of(shot, 5, threads);
         REQUIRE(all);
@@ -30,7 +33,7 @@ TEST_CASE("a generation does not depend on the number of threads", "[transport]"
     }
 }
 
-TEST_CASE("reflected luminaires are there where a scene asks for them and has luminaires",
+TEST_CASE("reflected luminaires are there where a scene asks for them and light is reflected",
           "[transport]") {
     const auto there = [](const std::string& script) {
         return reflected_luminaires_of(shot_of(script), 0, 1) != nullptr;
@@ -39,6 +42,13 @@ TEST_CASE("reflected luminaires are there where a scene asks for them and has lu
     CHECK_FALSE(there(with_reflected(0, 2) + lamps_in_room + bare_room));
     CHECK_FALSE(there(with_reflected(100, 0) + lamps_in_room + bare_room));
     CHECK_FALSE(there(with_reflected(100, 2) + bare_room));
+    CHECK(there(with_reflected(100, 2) + bare_room + "light_source { <1, 2, -1>, 1 }"));
+    CHECK_FALSE(there(with_reflected(100, 2) + bare_room + "light_source { <1, 2, -1>, 0 }"));
+    const std::string yard =
+        "camera { location <0, 2, -5> look_at 0 } plane { y, 0 pigment { rgb 1 } } "
+        "box { -1, 1 pigment { rgb 1 } } sky_sphere { pigment { rgb 1 } ";
+    CHECK(there(with_reflected(100, 2) + yard + "luminaire }"));
+    CHECK_FALSE(there(with_reflected(100, 2) + yard + "}"));
     // A single surface, whose light reaches no other.
     CHECK_FALSE(there(with_reflected(100, 2) + lamps_in_room + "plane { y, 0 pigment { rgb 1 } }"));
     CHECK(there(with_reflected(100, 2) + lamps_in_room + bare_room + "fog { distance 9 rgb 0.1 }"));

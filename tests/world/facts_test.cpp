@@ -16,7 +16,7 @@ TEST_CASE("questions about a scene are answered once it is compiled", "[world]")
     CHECK_FALSE(plain.has_air);
     CHECK_FALSE(plain.has_media);
     CHECK_FALSE(plain.notes_solids);
-    CHECK_FALSE(plain.is_lit_by_luminaires_only);
+    CHECK(plain.is_lit_by_lamps_only);
     CHECK_FALSE(plain.left_to_chance);
     SECTION("of air and media") {
         const WorldFacts foggy = world_of(ground + "fog { distance 9 rgb 1 }")->facts;
@@ -37,7 +37,14 @@ TEST_CASE("questions about a scene are answered once it is compiled", "[world]")
     SECTION("of light") {
         const WorldFacts lamp =
             world_of(ground + "sphere { y, 0.1 pigment { rgb 1 } finish { emission 1 } }")->facts;
-        CHECK(lamp.is_lit_by_luminaires_only);
+        CHECK(lamp.is_lit_by_lamps_only);
+        const auto by_lamps = [&](const std::string& sky) {
+            return world_of(ground + sky)->facts.is_lit_by_lamps_only;
+        };
+        CHECK(by_lamps("sky_sphere { pigment { rgb 1 } luminaire }"));
+        CHECK_FALSE(by_lamps("sky_sphere { pigment { rgb 1 } }"));
+        CHECK_FALSE(by_lamps("background { rgb 1 }"));
+        CHECK_FALSE(by_lamps("fog { distance 9 rgb 1 }"));
         CHECK(lamp.light_is_drawn);
         CHECK(lamp.differs_by_light);
         CHECK(lamp.left_to_chance);

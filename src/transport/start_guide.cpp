@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/start_guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace candelabra {
+
+namespace {
+
+constexpr double guided = 0.5;
+/// The greatest number below 1.
+constexpr double below_one = 1 - 0x1p-53;
+
+}  // namespace
+
+double StartTrials::sum() const { return std::accumulate(worth_.begin(), worth_.end(), 0.0); }
+
+StartGuide::StartGuide(const StartTrials& trials) {
+    const double all = trials.sum();
+    if (!(all > 0) || !std::isfinite(all)) return;
+    constexpr double even = (1 - guided) / StartTrials::cells;
+    std::array<double, StartTrials::cells> weights{};
+    std::ranges::transform(trials.worth_, weights.begin(),
+                           [&](double worth) { return even + guided * worth / all; });
+    cells_ = WeightedPlaces(weights);
+}
+
+StartGuide::Drawn StartGuide::draw(const Vec2& u) const {
+    if (cells_.size() == 0) return {u, 1};
+    const double total = static_cast<double>(cells_.total()), place = u.x * total;
+    const std::uint32_t cell =
+        cells_.at(std::min(static_cast<std::uint64_t>(place), cells_.total() - 1));
+    const double of_cell = static_cast<double>(cells_.of(cell));
+    const double inside =
+        std::clamp((place - static_cast<double>(cells_.before(cell))) / of_cell, 0.0, below_one);
+    return {StartTrials::place(cell, {inside, u.y}), total / (of_cell * StartTrials::cells)};
+}
+
+}  // namespace candelabra

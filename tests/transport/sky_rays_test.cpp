@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/sky_rays.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+namespace candelabra {
+
+TEST_CASE("rays of the sky bring its light to any place", "[transport]") {
+    const SharedWorld world = world_of(
+        "#version 3.7; sky_sphere { pigment { gradient y color_map { [0.5 rgb 0] [0.5 rgb <1, 2, "
+        "4>] } scale 2 translate -1 } luminaire }");
+    const LitRegion region{Vec3(0), 1, 1e5};
+    const SkyRays rays(*world, region);
+    REQUIRE(rays.power() > 0);
+    // A disc that faces the bright half gets pi times its radiance.
+    for (const Vec3& middle : {Vec3(0), Vec3(3, 1, 0)}) {
+        Vec3 sum(0);
+        constexpr std::uint32_t count = 400000;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const SkyRays::Drawn drawn = rays.draw({7, i, 0, 0});
+            const Ray& ray = drawn.ray;
+            const double way = (middle.y - ray.origin.y) / ray.direction.y;
+            if (ray.direction.y < 0 && length(ray.at(way) - middle) < 0.8)
+                sum += drawn.power / static_cast<double>(count);
+        }
+        const double area = std::numbers::pi * 0.8 * 0.8;
+        CAPTURE(middle.x);
+        CHECK(sum.x == Approx(area).epsilon(0.05));
+        CHECK(sum.z == Approx(4 * area).epsilon(0.05));
+    }
+    CHECK(SkyRays(*world_of("#version 3.7; background { rgb 1 }"), region).power() == 0);
+}
+
+}  // namespace candelabra
