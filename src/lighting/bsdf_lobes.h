@@ -11,13 +11,28 @@
 
 namespace candelabra {
 
-/// A lobe in which a surface reflects more light than elsewhere. Of light of colour 1 whose
-/// direction has a given cosine with the axis, it reflects peak / (1 + sharpness (1 - cosine) /
-/// 2)^2. Facets (GGX) do this exactly, and other highlights approximately. A white diffuse surface
-/// reflects the cosine with its normal.
+/// A lobe in which a surface reflects more light than elsewhere: peak / (1 + sharpness x)^2 of light
+/// of colour 1, where x is the squared sine of an angle. Facets (GGX) do this exactly, and other
+/// highlights approximately. A white diffuse surface reflects the cosine with its normal.
 struct Highlight {
-    Vec3 axis = Vec3(0);  ///< unit
+    /// Unit. With a viewer: the normal, and the angle is that between it and the half vector of
+    /// light and viewer, so that the lobe is narrow across the plane of a flat view. Without: the
+    /// brightest direction, and the angle is half of that between it and the light.
+    Vec3 axis = Vec3(0);
     double peak = 0, sharpness = 0;
+    Vec3 viewer = Vec3(0);  ///< unit direction to the viewer; 0: none
+
+    /// Reflected light of colour 1 from a unit direction.
+    double reflected(const Vec3& to_light) const {
+        const double cosine = dot(axis, to_light);
+        double x = (1 - cosine) / 2;
+        if (viewer != Vec3(0)) {
+            const Vec3 half = unit(to_light + viewer);
+            x = 1 - dot(axis, half) * dot(axis, half);
+        }
+        const double fallen = 1 + sharpness * x;
+        return peak / (fallen * fallen);
+    }
 };
 
 struct BsdfLobes {

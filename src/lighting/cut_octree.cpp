@@ -196,15 +196,21 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
         ray_ = survey->ray_of(choice);
     }
     if (octree_.state_->even > 0 && !survey) cut_->share_evenly(octree_.state_->even, weights_);
-    if (query.lobes.count > 0) cut_->weigh_answers(receiver_, query.lobes, weights_);
+    if (query.lobes.count > 0 && weights_.total > 0) {
+        const double arriving = weights_.total;
+        cut_->weigh_answers(receiver_, query.lobes, weights_);
+        response_ = weights_.total / arriving;
+    }
     if (!bsdf_) return;  // directions are not wanted
     const bool as_scattered = survey && survey->as_scattered;
     if (!as_scattered && by_direction > 0) {
         survey->outlook->weigh(receiver_, outlook_);
         if (!(outlook_.total > 0)) by_direction = 0;
     }
-    by_surface_ =
-        as_scattered ? 1 : tuning::max_by_surface * std::sqrt(bsdf_->specular_probability);
+    // The more of the expected light highlights reflect, the more their directions find.
+    double shining = bsdf_->specular_probability;
+    if (response_) shining = std::fmax(shining, 1 - query.lobes.diffuse / *response_);
+    by_surface_ = as_scattered ? 1 : tuning::max_by_surface * std::sqrt(shining);
     by_outlook_ = (1 - by_surface_) * by_direction;
     if (cut_->has_both_laws() && weights_.total > 0) keep_for_sources();
     by_choice_ = 1 - (by_surface_ + by_outlook_);
@@ -235,7 +241,7 @@ double BuiltCutOctree::At::pdf(const Vec3& direction, double expected, double of
 
 std::optional<LightEstimate> BuiltCutOctree::At::estimate() const {
     if (!cut_) return std::nullopt;
-    return LightEstimate{ray_ ? ray_->irradiance : weights_.total * cut_->unit(), ray_};
+    return LightEstimate{ray_ ? ray_->irradiance : weights_.total * cut_->unit(), ray_, response_};
 }
 
 void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {

@@ -73,6 +73,7 @@ private:
     CutWeights weights_;
     LightGuide::Weights outlook_;  ///< if directions are sampled from it
     std::optional<LightEstimate::ShadowRay> ray_ = {};
+    std::optional<double> response_ = {};
     /// Fractions of the shadow rays.
     double by_surface_ = 0, by_outlook_ = 0, by_choice_ = 1;
     bool takes_sky_ = false;

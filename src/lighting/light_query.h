@@ -44,6 +44,9 @@ struct LightEstimate {
     };
     double light;  ///< irradiance, as luminance, as far as it is known which light arrives
     std::optional<ShadowRay> ray = {};
+    /// Radiance of colour 1 that a surface with highlights sends to its viewer for light of colour
+    /// 1: the mean over the light that is expected, by its directions. None: not known.
+    std::optional<double> response = {};
 };
 
 /// A strategy's answer at a receiver.

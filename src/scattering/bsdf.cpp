@@ -70,21 +70,25 @@ void Bsdf::add(Lobe::Kind kind, double extent, double light) {
 BsdfLobes Bsdf::lobes() const {
     BsdfLobes result{diffuse_, {}, count_};
     const double cosine = std::fmax(-dot(shading_.view, shading_.normal), 1e-3);
-    const Vec3 axis = facets_ ? facets_->mirrored_view() : mirrored(shading_.view, shading_.normal);
     for (std::size_t i = 0; i < count_; ++i) {
         const auto& [kind, extent, share] = lobes_[i];
         const double light = share * highlights_ / specular_probability_;
-        // The half vector turns half as far as the light, so its cosine changes by a quarter as
-        // much.
-        double sharpness = extent, peak = light * (extent + 1) / 2;
-        if (kind == Lobe::about_normal) {
-            sharpness = extent / 4;
-            peak = light * (extent + 1) / (8 * cosine);
-        } else if (kind == Lobe::facets) {
-            sharpness = (1 - extent * extent) / (extent * extent);
-            peak = light * facets_->mirrored_peak(extent);
+        Highlight& h = result.highlights[i];
+        switch (kind) {
+            case Lobe::about_mirrored:
+                h = {mirrored(shading_.view, shading_.normal), light * (extent + 1) / 2, extent};
+                break;
+            case Lobe::about_normal:
+                // A power of a cosine falls off as fast as the square of this falls off in the sine.
+                h = {shading_.normal, light * (extent + 1) / (8 * cosine), extent / 4,
+                     -shading_.view};
+                break;
+            case Lobe::facets:
+                const auto [normal, viewer] = facets_->seen_facets();
+                h = {normal, light * facets_->mirrored_peak(extent),
+                     (1 - extent * extent) / (extent * extent), viewer};
+                break;
         }
-        result.highlights[i] = {axis, peak, sharpness};
     }
     return result;
 }

@@ -21,7 +21,7 @@ constexpr double max_specular = 0.08;
 
 /// Width from which on luminaires are sampled for a lobe as well. In narrower lobes most samples of
 /// small lamps miss, and scattered rays alone are less noisy (tests/bench/README.md).
-constexpr double narrow = 0.015;
+constexpr double narrow = 0.008;
 
 /// Cosines of light, viewer and facet normal for one surface; all are above 0.
 struct FacetGeometry {
@@ -222,8 +222,9 @@ double Microfacets::mirrored_peak(double width) const {
     return reflected(width, {viewer_, viewer_, 1, viewer_});
 }
 
-Vec3 Microfacets::mirrored_view() const {
-    return lifted(mirrored(view_, normal_), geometric_normal_);
+Microfacets::SeenFacets Microfacets::seen_facets() const {
+    if (dot(mirrored(view_, normal_), geometric_normal_) > 0) return {normal_, -view_};
+    return {mirrored(normal_, geometric_normal_), -mirrored(view_, geometric_normal_)};
 }
 
 std::optional<Scattered> Microfacets::scatter(double choice, Vec2 place) const {

@@ -65,8 +65,12 @@ public:
     /// response() by facets of this width for light from the mirrored view direction, if they
     /// reflect all of it.
     double mirrored_peak(double width) const;
-    /// That direction.
-    Vec3 mirrored_view() const;
+    /// The mean facet's normal, and the unit direction to the viewer. If the normal is bent so far
+    /// that the mirrored view leads into the real surface, both are mirrored by it: light is.
+    struct SeenFacets {
+        Vec3 normal, viewer;
+    };
+    SeenFacets seen_facets() const;
 
     /// Draws from the lobes and from the light that goes from facet to facet, but not from the
     /// base. Arguments are uniform in [0, 1). Returns nothing as draw_mirrored() does.

@@ -110,7 +110,8 @@ ChosenLight::Found ChosenLight::operator()(const ArrivingLight& at, const Key& k
             if (expected && scatterer.in_air()) {
                 count = rays_at(expected->noise, at, scatterer.phase().mean());
             } else if (expected) {
-                const Vec3 straight = straight_response(layer, key);
+                const Vec3 straight =
+                    estimate->response ? Vec3(*estimate->response) : straight_response(layer, key);
                 chance = chance_of_asking(*expected, layer, straight, before);
                 if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return found;
                 count = rays_at(expected->noise, at, straight);

@@ -105,14 +105,15 @@ TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
     std::vector<Luminaire> luminaires;
     Draw draw(6);
     for (int i = 0; i < 60; ++i)
-        luminaires.push_back(glowing(SphereEmitter{draw.point(5), 0.01}, 1));
+        luminaires.push_back(glowing(SphereEmitter{draw.point(5), 0.001}, 1));
     const LightTree tree(*choices(luminaires));
     const LightCut cut(tree, *choices(luminaires), cell, {1e-9, 64});
     REQUIRE(cut.entries() == 60);
     for (int i = 0; i < 100; ++i) {
         const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};
-        BsdfLobes gloss{
-            0.3, {Highlight{draw.direction(), 0.5, 40}, Highlight{draw.direction(), 5, 900}}, 2};
+        const Vec3 normal = draw.direction(), viewer = draw.direction();
+        BsdfLobes gloss{0.3, {Highlight{draw.direction(), 0.5, 40}}, 2};
+        gloss.highlights[1] = i % 2 ? Highlight{normal, 5, 300, viewer} : Highlight{normal, 5, 900};
         CutWeights weights, plain;
         cut.weigh(point, plain);
         weights = plain;
@@ -123,10 +124,7 @@ TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
             const Vec3 direction = unit(b.centre - point.position);
             const double cosine = std::abs(dot(direction, point.normal));
             double answer = gloss.diffuse;
-            for (const Highlight& h : gloss.highlights) {
-                const double fallen = 1 + h.sharpness * (1 - dot(h.axis, direction)) / 2;
-                answer += h.peak / (fallen * fallen * cosine);
-            }
+            for (const Highlight& h : gloss.highlights) answer += h.reflected(direction) / cosine;
             sum += weights.weight[entry];
             CHECK((weights.weight[entry] > 0) == (plain.weight[entry] > 0));
             if (cosine > 0.1)

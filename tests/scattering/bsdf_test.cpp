@@ -298,7 +298,7 @@ TEST_CASE("light takes the same way back", "[scattering]") {
 }
 
 TEST_CASE("surfaces without highlights, or that leave them to reflection, draw none", "[render]") {
-    const Look dull(looks().front()), mirror(facets(0.1, 1)), shiny(highlights(0, 1, 40, 0, 0.05));
+    const Look dull(looks().front()), mirror(facets(0.05, 1)), shiny(highlights(0, 1, 40, 0, 0.05));
     CHECK(Bsdf(dull.shading, ShadingRules()).specular_probability() == 0);
     CHECK(Bsdf(mirror.shading, ShadingRules()).specular_probability() == 0);
     CHECK(Bsdf(shiny.shading, ShadingRules()).specular_probability() > 0.5);
@@ -316,16 +316,33 @@ TEST_CASE("what the choice of luminaires knows of highlights is near what they a
             const Vec3 d = unit(mirrored + 0.3 * draw.between(0, 1) * draw.direction());
             if (d.y < 0.1) continue;
             double sum = known.diffuse * d.y;
-            for (std::size_t k = 0; k < known.count; ++k) {
-                const Highlight& h = known.highlights[k];
-                const double fallen = 1 + h.sharpness * (1 - dot(h.axis, d)) / 2;
-                sum += h.peak / (fallen * fallen);
-            }
+            for (std::size_t k = 0; k < known.count; ++k) sum += known.highlights[k].reflected(d);
             const double answer = bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0).x;
             CAPTURE(finish.phong, finish.specular, finish.microfacet.roughness, d.x, d.y, d.z);
             CHECK(sum > 0.3 * answer);
             CHECK(sum < 5 * answer + 0.05);
         }
+    }
+}
+
+TEST_CASE("a highlight of a flat view is as narrow across as it is answered", "[render]") {
+    const double low = 0.1;
+    for (const double roughness : {0.2, 0.3, 0.4}) {
+        const Look look(facets(roughness, 1), unit(Vec3(1, -low, 0)));
+        const Bsdf bsdf(look.shading, ShadingRules());
+        const BsdfLobes known = bsdf.lobes();
+        REQUIRE(known.count == 1);
+        const auto ratio = [&](double up, double across) {
+            const Vec3 d = unit(Vec3(1, low + up, across));
+            const double answer = bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0).x;
+            return (known.diffuse * d.y + known.highlights[0].reflected(d)) / answer;
+        };
+        const double straight = ratio(0, 0);
+        CAPTURE(roughness, straight);
+        for (const double across : {0.01, 0.03, 0.1})
+            CHECK(ratio(0, across) == Approx(straight).epsilon(0.3));
+        for (const double up : {0.01, 0.03, 0.1})
+            CHECK(ratio(up, 0) == Approx(straight).epsilon(0.6));
     }
 }
 
