@@ -11,9 +11,9 @@
 
 namespace candelabra {
 
-/// A lobe in which a surface reflects more light than elsewhere: peak / (1 + sharpness x)^2 of light
-/// of colour 1, where x is the squared sine of an angle. Facets (GGX) do this exactly, and other
-/// highlights approximately. A white diffuse surface reflects the cosine with its normal.
+/// A lobe in which a surface reflects more light than elsewhere: peak / (1 + sharpness x)^2 of
+/// light of colour 1, where x is the squared sine of an angle. Facets (GGX) do this exactly, and
+/// other highlights approximately. A white diffuse surface reflects the cosine with its normal.
 struct Highlight {
     /// Unit. With a viewer: the normal, and the angle is that between it and the half vector of
     /// light and viewer, so that the lobe is narrow across the plane of a flat view. Without: the

@@ -143,8 +143,8 @@ void weigh_rows(const EntryColumns& c, std::size_t count, const Place& place, co
     }
 }
 
-/// A highlight: see Highlight. With a viewer, `along` and `across` are perpendicular to the axis, in
-/// the viewer's plane and across it.
+/// A highlight: see Highlight. With a viewer, `along` and `across` are perpendicular to the axis,
+/// in the viewer's plane and across it.
 struct Peak {
     Single axis, viewer, along, across;
     float peak, sharpness;

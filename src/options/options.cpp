@@ -291,6 +291,11 @@ private:
         return message(row.keyword, "=", value);
     }
 
+    /// The value without quotes around it. Lines of INI files have lost theirs before.
+    std::string_view plain(std::string_view value) const {
+        return depth_ > 0 ? value : unquoted(value);
+    }
+
     void read_switch(std::string_view argument) {
         const std::string_view text = argument.substr(1);
         if (same_letters(text, "h")) {  // the shortest switch for help in POV-Ray
@@ -303,8 +308,7 @@ private:
         if (find_named(&OptionRow::word, text) || !row)
             return fail(argument, "there is no such option", help_for(argument));
         std::optional<std::string> value;
-        if (text.size() > row->letters.size())
-            value = unquoted(text.substr(row->letters.size()));
+        if (text.size() > row->letters.size()) value = plain(text.substr(row->letters.size()));
         if (row->takes == Takes::sign && value)
             return fail(argument, "there is no such option", help_for(argument));
         if (row->takes == Takes::value && !value && next_is_value()) value = arguments_[next_++];
@@ -338,7 +342,7 @@ private:
                 argument, "there is no such keyword",
                 near.empty() ? message("if it is a file: `./", printable(argument), "`") : near);
         }
-        const std::string text(unquoted(argument.substr(equals + 1)));
+        const std::string text(plain(argument.substr(equals + 1)));
         if (row->takes == Takes::value) {
             if (text.empty() && !may_be_empty(*row)) return without_value(argument);
             if (row->store == store::include_ini) return read_included(argument, text);

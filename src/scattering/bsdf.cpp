@@ -79,7 +79,8 @@ BsdfLobes Bsdf::lobes() const {
                 h = {mirrored(shading_.view, shading_.normal), light * (extent + 1) / 2, extent};
                 break;
             case Lobe::about_normal:
-                // A power of a cosine falls off as fast as the square of this falls off in the sine.
+                // Near the axis the power of a cosine falls off by half of its exponent times the
+                // squared sine, and a lobe by twice its sharpness times that.
                 h = {shading_.normal, light * (extent + 1) / (8 * cosine), extent / 4,
                      -shading_.view};
                 break;

@@ -49,6 +49,15 @@ TEST_CASE("quotes around a whole value are not part of it, as in POV-Ray") {
     CHECK(quoted.render.width == 80);
     CHECK(quoted.library_paths == std::vector<std::string>{"lib"});
     CHECK(options_of({"+Ia\"b\".pov"}).scene == "a\"b\".pov");
+    // A line of an INI file has one pair of quotes, which a name within may have as well.
+    for (const std::string name : {"'c.png'", "\"c.png\"", "''"}) {
+        const std::string text = ini_line("Output_File_Name=" + name) + "\n";
+        Diagnostics diagnostics;
+        const std::vector<std::string_view> words = {"a.ini"};
+        const Reader reader([&](const std::string&) { return std::optional(text); });
+        CHECK(read_options(words, diagnostics, reader).output == name);
+        CHECK(diagnostics.all().empty());
+    }
     // The quotes of a declared string say that it is one.
     const Options declared = options_of({"Declare=Name=\"a\""});
     CHECK(declared.declares == std::vector<Declaration>{{"Name", "a"}});
