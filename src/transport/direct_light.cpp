@@ -27,8 +27,7 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     if (!layer.scatterer.answers_light()) return sum;
     const ArrivingLight at = arriving(layer, ledger);
     if (layer.light.has_any(all_sources)) sum = sources_(at, key);
-    if (photons_ && !layer.scatterer.in_air() && layer.collects())
-        sum += light_of_photons(photons_->on_surfaces, at, key);
+    sum += by_photons(layer, key, ledger);
     bool sky = layer.light.has(LightKind::sky) && !world_.sky.light.empty();
     if (const LightKinds kinds = chosen_.kinds_at(layer); kinds.has_any(all_light)) {
         const ChosenLight::Found found = chosen_(at, key, kinds, sum);
@@ -38,6 +37,11 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     if (!sky) return sum;
     for (int i = 0; i < rays_; ++i) sum += from_sky(at, key.part(rays_, i), rays_);
     return sum;
+}
+
+Vec3 DirectLight::by_photons(const LitLayer& layer, const Key& key, LightLedger& ledger) const {
+    if (!photons_ || layer.scatterer.in_air() || !layer.collects()) return Vec3(0);
+    return light_of_photons(photons_->on_surfaces, arriving(layer, ledger), key);
 }
 
 Vec3 DirectLight::from_source(std::uint32_t number, double weight, const LitLayer& layer,

@@ -18,6 +18,8 @@ public:
         : world_(*shot.world), rays_(rays.usual), sources_(shot, rays.usual), chosen_(shot, rays) {}
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
+    /// The light that photons bring alone.
+    Vec3 by_photons(const LitLayer&, const Key&, LightLedger&) const;
     /// The same by one light source, times a weight.
     Vec3 from_source(std::uint32_t number, double weight, const LitLayer&, const Key&,
                      LightLedger&) const;

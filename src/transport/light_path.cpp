@@ -151,7 +151,7 @@ void LightPaths::from_luminaire(const Key& key, double choice, double share, Fou
     walk(drawn->path, [&](const PathState& path, const Vertex& vertex) {
         const WayOfLight way = way_back(vertex, begin);
         const Vec3 left = light_left(world_, way, path.key);
-        if (left != Vec3(0)) {
+        if (left != Vec3(0) && !is_brought(way, vertex)) {
             const Vec3 seen =
                 radiance_seen(world_, {luminaire, way.ray, way.tolerance, way.distance});
             if (seen == Vec3(0)) return false;
@@ -173,7 +173,8 @@ void LightPaths::from_sky(const SkyRays::Drawn& drawn, const Key& key, double sh
                              .ends = false,
                              .around = vertex.around};
         Lit lit{path, vertex, share * drawn.power * light_left(world_, way, path.key)};
-        if (lit.power != Vec3(0) && reflect(lit)) go_on(std::move(lit), found);
+        if (lit.power != Vec3(0) && !is_brought(way, vertex) && reflect(lit))
+            go_on(std::move(lit), found);
         return world_.passed(vertex.hit, path.ray) != Vec3(0);
     });
 }
@@ -201,6 +202,12 @@ void LightPaths::from_source(const SourceRays::Drawn& drawn, const Key& key, dou
         share *= 2;
         return true;
     });
+}
+
+/// Whether photons bring this light, as it goes through one of their targets.
+bool LightPaths::is_brought(const WayOfLight& way, const Vertex& vertex) const {
+    return !world_.photon_targets.empty() && vertex.material->photons.collects &&
+           target_between(world_, ways_of_luminaires, way.ray, way.tolerance, way.distance);
 }
 
 PathState LightPaths::start(const Key& key, const Ray& ray) const {
@@ -239,8 +246,10 @@ Vec3 LightPaths::reflected_of_source(std::uint32_t number, const PathState& path
                                .light = all_sources,
                                .highlights = false,
                                .samples_grids = true};
-            sum += each.weight * layer.through *
-                   light_of_source(number, 1, {world_, lit, false, uncounted}, path.key);
+            sum +=
+                each.weight * layer.through *
+                light_of_source(number, 1, {world_, lit, !world_.photon_targets.empty(), uncounted},
+                                path.key);
         });
     return sum;
 }

@@ -5,6 +5,7 @@
 
 #include "transport/lamp_rays.h"
 #include "transport/layer_stack.h"
+#include "transport/light_left.h"
 #include "transport/sky_rays.h"
 #include "transport/source_rays.h"
 #include "world/shot.h"
@@ -66,6 +67,7 @@ private:
     void walk(PathState, const AtSurface&) const;
     PathState start(const Key&, const Ray&) const;
     void go_on(Lit, Found&) const;
+    bool is_brought(const WayOfLight&, const Vertex&) const;
     bool reflect(Lit&) const;
     Vec3 reflected(const PathState&, const Vertex&) const;
     Vec3 reflected_of_source(std::uint32_t number, const PathState&, const Vertex&) const;

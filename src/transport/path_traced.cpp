@@ -174,9 +174,12 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
     };
     Vec3 light(0);
     if (path.taken.by_reflected && is_even_on_each_side(world_, vertex, s)) {
-        // What the diffuse part reflects has been counted.
+        // What the diffuse part reflects has been counted, except for what photons bring.
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
         light += direct_light_(lit(highlights, all_light), path.key, ledger_);
+        LitLayer diffuse = lit(whole, all_light);
+        diffuse.highlights = false;
+        light += direct_light_.by_photons(diffuse, path.key, ledger_);
     } else if (!scatters_inside(world_, s)) {
         light += direct_light_(lit(whole, all_light), path.key, ledger_);
         if (reflected_ && is_lambertian(world_, vertex, s) && path.bounces < max_bounces_)

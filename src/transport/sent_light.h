@@ -6,6 +6,8 @@
 #include "transport/photons.h"
 #include "transport/reflected_luminaires.h"
 
+#include <algorithm>
+
 namespace candelabra {
 
 struct SentLight {
@@ -20,7 +22,9 @@ struct SentLight {
 
     /// Number of consecutive samples that are served from memory.
     std::uint32_t samples_at_once() const {
-        return reflected ? ReflectedLuminaires::samples_at_once : Photons::samples_at_once;
+        if (!reflected) return Photons::samples_at_once;
+        return photons ? std::min(Photons::samples_at_once, ReflectedLuminaires::samples_at_once)
+                       : ReflectedLuminaires::samples_at_once;
     }
     explicit operator bool() const { return photons || reflected; }
 };

@@ -25,7 +25,7 @@ struct WorldFacts {
     /// Surfaces with `conserve_energy` take what they reflect from all other light: only from what
     /// is seen behind them otherwise, as in POV-Ray.
     bool keeps_energy = false;
-    /// There is no sky that may shine without being a luminaire, and no air or media.
+    /// There is no sky that may shine without being a luminaire, no air or media, and no photons.
     bool is_lit_by_lamps_only = false;
     /// Surfaces receive other light than that of luminaires, light sources and such a sky by way of
     /// diffuse surfaces.

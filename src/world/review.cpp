@@ -212,10 +212,6 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                                 "media"));
     const auto* path_traced = std::get_if<PathTraced>(&world.rules.settings.integrator);
     if (!path_traced) return;
-    if (path_traced->reflected_luminaires.value_or(0) > 0 && !world.photon_targets.empty())
-        diagnostics.add(warning(Fault::no_effect, {},
-                                "`reflected_luminaires` has no effect in a scene with photons: "
-                                "paths find all reflected light there"));
     if (world.rules.settings.radiosity.on)
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`radiosity` has no effect with path_traced, which follows all "

@@ -177,6 +177,17 @@ TEST_CASE("reflected light of sources and of the sky is what path tracing gives"
         {"fog and a source", bare_room +
                                  "light_source { <1, 2, -1>, 1 media_attenuation on } fog { "
                                  "distance 4 rgb <0.1, 0.2, 0.3> }"},
+        {"photons through a glass and from a mirror",
+         bare_room + lamps_in_room +
+             "light_source { <1, 2.5, -1>, 1 } global_settings { photons { count 3000 } } "
+             "sphere { <0.9, 1.2, -0.8>, 0.5 pigment { rgbt <0.9, 1, 0.9, 0.95> } interior { ior "
+             "1.5 } photons { target refraction on reflection on } } "
+             "box { <2.8, 0.5, -2>, <2.9, 2.5, 2> pigment { rgb 0.2 } finish { reflection 0.8 } "
+             "photons { target reflection on } } "
+             "box { <-2.5, 0, -2>, <-1.5, 0.5, 1> pigment { rgb 0.7 } finish { phong 0.5 } photons "
+             "{ "
+             "collect off } }",
+         200},
         {"a sky that is a luminaire over a yard",
          yard + "sky_sphere { pigment { gradient y color_map { [0 rgb <0.9, 0.7, 0.5>] [1 rgb "
                 "<0.2, 0.4, 0.9>] } } luminaire }"},
