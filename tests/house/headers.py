@@ -90,10 +90,11 @@ def main():
         sys.exit(__doc__)
     build = Path(sys.argv[1]).resolve()
     compiler = os.environ.get("CXX", "g++")
-    free_type = subprocess.run(["pkg-config", "--cflags", "freetype2"], capture_output=True, text=True, check=False)
+    cache = (build / "CMakeCache.txt").read_text()
+    free_type = re.search(r"^FREETYPE_INCLUDE_DIR_freetype2:PATH=(.+)$", cache, re.MULTILINE)
     flags = ["-std=c++20", "-w", f"-I{SOURCE}", f"-I{build}/grammar", '-DCANDELABRA_VERSION=""',
              '-DCANDELABRA_SOURCE_STDLIB=""', "-DCANDELABRA_JPEG",
-             *(free_type.stdout.split() or ["-I/usr/include/freetype2"])]
+             f"-I{free_type[1] if free_type else '/usr/include/freetype2'}"]
     texts = read_headers()
     with tempfile.TemporaryDirectory() as folder:
         # Standard headers are all there, for speed; includes_test.cpp looks after them.
