@@ -97,11 +97,16 @@ class Numbers:
         """The values of a grid at their places, with the least and the greatest marked."""
         along, across = meter["counts"]
         values = [point["value"] for point in meter["points"]]
-        least, greatest = min(values), max(values)
+        # Points inside of objects have no value.
+        known = [value for value in values if value is not None]
+        least, greatest = min(known, default=None), max(known, default=None)
         rows = []
         for j in reversed(range(across)):
             cells = ""
             for value in values[j * along:(j + 1) * along]:
+                if value is None:
+                    cells += "<td>–</td>"
+                    continue
                 mark = ' class="least"' if value == least else ' class="greatest"' if value == greatest else ""
                 cells += f"<td{mark}>{rounded(value)}</td>"
             rows.append(f"<tr>{cells}</tr>")

@@ -77,16 +77,16 @@ union {
     #for (I, 0, 3) box { <-0.03, 0, -0.03>, <0.03, 0.72, 0.03> translate <(mod(I, 2) - 0.5)*1.66, 0, (int(I/2) - 0.5)*0.72> } #end
     texture { Oak } translate <3.4, 0, 1.7>
 }
-// a book, a bowl of apples, a vase
-box { <-0.11, 0.75, -0.15>, <0.11, 0.775, 0.15> rotate 20*y translate <2.9, 0, 1.6> pigment { rgb <0.55, 0.1, 0.08> } }
+// a book, a bowl of apples, a vase, between the points of the meter
+box { <-0.11, 0.75, -0.15>, <0.11, 0.775, 0.15> rotate 20*y translate <2.8, 0, 1.56> pigment { rgb <0.55, 0.1, 0.08> } }
 difference {
     sphere { 0, 0.17 scale <1, 0.55, 1> }
     sphere { 0, 0.155 scale <1, 0.55, 1> }
     box { <-1, 0.02, -1>, <1, 1, 1> }
-    translate <3.55, 0.85, 1.75> pigment { rgb 0.85 } finish { specular 0.4 roughness 0.01 }
+    translate <3.4, 0.85, 1.84> pigment { rgb 0.85 } finish { specular 0.4 roughness 0.01 }
 }
 #for (I, 0, 4)
-    sphere { 0, 0.042 translate 0.075*x rotate 72*I*y translate <3.55, 0.84, 1.75>
+    sphere { 0, 0.042 translate 0.075*x rotate 72*I*y translate <3.4, 0.84, 1.84>
         pigment { rgb <0.6 - 0.06*I, 0.12 + 0.09*I, 0.05> } finish { specular 0.3 roughness 0.03 } }
 #end
 lathe { cubic_spline 7, <0, -0.01>, <0.05, 0>, <0.075, 0.08>, <0.045, 0.2>, <0.03, 0.24>, <0.045, 0.28>, <0.05, 0.3>

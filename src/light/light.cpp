@@ -4,6 +4,7 @@
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "base/transform.h"
+#include "light/spreading.h"
 #include "photometry/light_colour.h"
 #include "photometry/web_fields.h"
 #include "vocabulary/schema.h"
@@ -131,10 +132,16 @@ double in_beam(const PointLight& light, double away) {
     return share;
 }
 
-/// Steradians that a light with full strength in all directions of its cone would fill to have the
-/// same flux.
+}  // namespace
+
+bool has_flux(const PointLight& light) {
+    return !light.along_axis() && light.fades_from_source && light.fade_distance == 0 &&
+           light.fade_power == 2;
+}
+
 double filled_steradians(const PointLight& light) {
     using std::numbers::pi;
+    if (light.web) return light.web->flux() / light.web->greatest();
     if (light.kept_to() != cone) return 4 * pi;
     const LightConeShape shape = cone_shape(light);
     constexpr int parts = 4096;  // even, for Simpson's rule
@@ -152,7 +159,16 @@ double filled_steradians(const PointLight& light) {
     return 2 * pi * sum;
 }
 
-}  // namespace
+SpreadCone cone_around(const PointLight& light) {
+    if (light.web) {
+        const AimedWeb web = light.aimed ? *light.aimed : AimedWeb(light);
+        return {web.aim(), math::cos(web.dark())};
+    }
+    if (light.kept_to() != cone) return {Vec3(0, 1, 0), -1};
+    const LightConeShape shape = cone_shape(light);
+    const double edge = shape.bright > 0 ? std::fmin(shape.bright, shape.dark) : 0;
+    return {shape.axis, std::fmax(edge, 0)};
+}
 
 std::string measure(PointLight& light) {
     if (!light.is_measured()) return {};
@@ -170,9 +186,7 @@ std::string measure(PointLight& light) {
     if (light.colour == Vec3(0)) light.colour = Vec3(1);
     const double luminance = light_luminance(light.colour);
     if (!(luminance > 0)) return "the colour of a light with an `intensity` must not be negative";
-    const double steradians = light.web    ? light.web->flux() * light.per_candela / greatest
-                              : light.flux ? filled_steradians(light)
-                                           : 1;
+    const double steradians = light.web || light.flux ? filled_steradians(light) : 1;
     if (!(steradians > 0)) return "the cone of this light is empty, so it cannot have a `flux`";
     const double most = light.flux ? *light.flux / steradians : light.intensity.value_or(greatest);
     light.colour *= most / luminance;

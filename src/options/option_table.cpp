@@ -345,7 +345,7 @@ constexpr auto listed = std::to_array<OptionRow>({
                 "measures the light at the scene's meters; CSV or JSON by the ending; see METERS")),
     that(Touches::writes,
          option(none, "", "", "light-balance", value, "file", store::light_balance,
-                "follows the light of all luminaires to its ends on surfaces, in the air and "
+                "follows the light of all lamps to its ends on surfaces, in the air and "
                 "outside of the scene, in lumens; CSV or JSON by the ending")),
     option(none, "", "", "until", value, "error", store::until,
            "error at which --measure ends, such as 'lux 1%'; 2% of all without it"),

@@ -5,6 +5,7 @@
 #include "output/light_report.h"
 #include "text/message.h"
 #include "text/printable.h"
+#include "transport/flux_rays.h"
 
 #include <nlohmann/json.hpp>
 
@@ -70,16 +71,34 @@ std::string line_of(const BalancedScene& scene, const LampBalance& lamps, const 
 }  // namespace
 
 void review_balance(const World& world, Diagnostics& diagnostics) {
-    if (world.lights.luminaires.empty())
-        diagnostics.add(error(Fault::missing, {},
-                              "the scene has no luminaire whose light could be "
-                              "followed")
-                            .with_help("finish { emission 5 } makes an object a luminaire; light "
-                                       "sources and skies have no flux"));
-    else if (!world.lights.sources.empty() || !world.sky.light.empty())
+    std::size_t sources = 0, left_out = 0;
+    Span first;
+    for (std::uint32_t i = 0; i < world.lights.sources.size(); ++i) {
+        if (sends_flux(world, i)) {
+            ++sources;
+            continue;
+        }
+        const Provenance& from = world.provenance;
+        if (left_out++ == 0) first = from.light_statements[from.statement_of_light[i]];
+    }
+    if (world.lights.luminaires.empty() && sources == 0) {
+        diagnostics.add(
+            error(Fault::missing, {}, "the scene has no lamp whose light could be followed")
+                .with_help("finish { emission 5 } makes an object a luminaire, and "
+                           "light_source { 2*y, 1 flux lumen(800) } has a flux"));
+        return;
+    }
+    if (left_out > 0)
+        diagnostics.add(
+            warning(
+                Fault::no_effect, first,
+                message(left_out, left_out == 1 ? " light source has" : " light sources have",
+                        " no flux, and ", left_out == 1 ? "is" : "are", " left out of the balance"))
+                .with_help("a source with `flux`, `intensity`, `ies` or `ldt` has one; parallel "
+                           "light, light without shadows and light of light groups have none"));
+    if (!world.sky.light.empty())
         diagnostics.add(warning(Fault::no_effect, {},
-                                "light of light sources and of the sky is left out of the balance: "
-                                "they have no flux"));
+                                "light of the sky is left out of the balance: it has no flux"));
 }
 
 std::string balance_as_csv(const BalancedScene& scene) {

@@ -28,7 +28,10 @@ std::string label(const MeasuredScene& scene, std::size_t i) {
 std::optional<MeterValue> flux_of(const Meter& meter, const MeterReading& reading) {
     if (meter.measures() != Quantity::illuminance || reading.area == 0) return std::nullopt;
     const MeterValue& mean = reading.summary.mean;
-    return MeterValue{mean.value * reading.area, mean.error * reading.area};
+    // No light gets through the parts of the grid that are inside of objects.
+    const auto places = static_cast<double>(reading.values.size());
+    const double open = reading.area * (1 - static_cast<double>(reading.left_out.size()) / places);
+    return MeterValue{mean.value * open, mean.error * open};
 }
 
 Json place_json(const MeterReading& reading, std::size_t i) {
@@ -147,12 +150,29 @@ void review_readings(const MeasuredScene& scene, const MeterGoal& goal, Diagnost
                             cell(100 * goal.error), " % was asked for: it ended after ",
                             reading.samples, " samples of each point"))
                     .with_help("--until 10% asks for less; --time gives more time"));
+        dark -= std::min(dark, reading.left_out.size());
         if (dark > 0 && unit_of(meter.measures()) == "lx")
             diagnostics.add(
                 warning(Fault::no_effect, {},
                         message("no light reaches ", dark, dark == 1 ? " point" : " points", " of ",
                                 name))
-                    .with_help("a meter inside of an object, or in its surface, reads nothing"));
+                    .with_help("a meter inside of a mesh, or in a surface, reads nothing"));
+    }
+}
+
+void review_places(const MeasuredScene& scene, Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < scene.meters.size(); ++i) {
+        const MeterReading& reading = scene.readings[i];
+        const std::size_t count = reading.left_out.size();
+        if (count == 0) continue;
+        diagnostics.add(
+            warning(Fault::no_effect, {},
+                    message(count, count == 1 ? " point" : " points", " of `",
+                            printable(label(scene, i)), count == 1 ? "` is" : "` are",
+                            " inside of objects, and left out: ",
+                            place_text(reading.places[reading.left_out.front()].position)))
+                .with_help("put the meter above what stands there, or leave these objects out "
+                           "where light is measured"));
     }
 }
 
@@ -166,6 +186,10 @@ std::string readings_as_csv(const MeasuredScene& scene) {
         for (std::size_t k = 0; k < reading.values.size(); ++k) {
             const Vec3& at = reading.places[k].position;
             const auto [value, error] = reading.values[k];
+            if (std::ranges::binary_search(reading.left_out, k)) {
+                text += message(begin, ',', k + 1, ',', at.x, ',', at.y, ',', at.z, ",,,\n");
+                continue;
+            }
             text += message(begin, ',', k + 1, ',', at.x, ',', at.y, ',', at.z, ',', cell(value),
                             ',', cell(value - error), ',', cell(value + error), '\n');
         }
@@ -204,8 +228,11 @@ std::string readings_as_json(const MeasuredScene& scene) {
             json["area_m2"] = reading.area;
         }
         Json points = Json::array();
-        for (std::size_t k = 0; k < reading.values.size(); ++k)
+        for (std::size_t k = 0; k < reading.values.size(); ++k) {
             points.push_back(place_json(reading, k));
+            if (std::ranges::binary_search(reading.left_out, k))
+                points.back()["value"] = points.back()["error"] = nullptr;
+        }
         json["points"] = std::move(points);
         all["meters"].push_back(std::move(json));
     }

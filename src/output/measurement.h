@@ -33,6 +33,9 @@ struct MeasuredScene {
 /// Warns of results that are not as exact as the goal wants, and of points that no light reaches.
 void review_readings(const MeasuredScene&, const MeterGoal&, Diagnostics&);
 
+/// Warns of points inside of objects, which count in no summary and have no value in tables.
+void review_places(const MeasuredScene&, Diagnostics&);
+
 /// Returns a row for each point, with the bounds of the 95 % interval.
 std::string readings_as_csv(const MeasuredScene&);
 /// The same, with what follows of all points of each meter.

@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "photometry/light_colour.h"
+#include "transport/flux_rays.h"
 #include "transport/lamp_rays.h"
 #include "transport/light_left.h"
 #include "transport/surface_lobes.h"
@@ -46,7 +47,14 @@ public:
           world_(*shot.world),
           rules_(shading_rules(world_)),
           up_(up),
-          lamp_rays_(world_) {
+          lamp_rays_(world_),
+          flux_rays_(world_) {
+        // A luminaire sends four times its mean intensity, in luminance times area.
+        double luminaires = 0;
+        for (const Luminaire& luminaire : world_.lights.luminaires)
+            luminaires += 4 * bounds(luminaire).intensity;
+        if (flux_rays_.light() > 0)
+            of_sources_ = flux_rays_.light() / (flux_rays_.light() + luminaires);
         std::map<Place, std::uint32_t> numbers;
         for (const Span& span : world_.provenance.object_spans) {
             const auto [found, fresh] =
@@ -56,21 +64,31 @@ public:
         }
     }
 
-    bool any() const { return lamp_rays_.any(); }
+    bool any() const { return lamp_rays_.any() || of_sources_ > 0; }
     /// The statements that made objects, in the order of BalanceSums::objects.
     const std::vector<Span>& statements() const { return statements_; }
 
     void follow(const Key& key, BalanceSums& sums) const {
+        if (of_sources_ > 0 && uniform(key, Purpose::light_representative) < of_sources_)
+            return follow_source(key, sums);
+        if (!lamp_rays_.any()) return;
         auto drawn = lamp_rays_.draw(
             key, 1, [&](const Luminaire& luminaire) { return inner_rays(luminaire); });
         if (!drawn) return;
         PathState& path = drawn->path;
-        path.throughput =
-            drawn->power_of_one * leaving(world_.lights.luminaires[drawn->light], path);
+        path.throughput = drawn->power_of_one / (1 - of_sources_) *
+                          leaving(world_.lights.luminaires[drawn->light], path);
         go_on(std::move(path), world_.provenance.statement_of_luminaire[drawn->light], sums);
     }
 
 private:
+    void follow_source(const Key& key, BalanceSums& sums) const {
+        auto drawn = flux_rays_.draw(key);
+        if (!drawn) return;
+        drawn->path.throughput = drawn->power / of_sources_;
+        go_on(std::move(drawn->path), world_.provenance.statement_of_light[drawn->source], sums);
+    }
+
     using Place = std::pair<std::uint32_t, std::uint32_t>;
 
     /// Fraction of the rays on the inner side. Light that cannot leave its lamp is left out, unless
@@ -97,6 +115,13 @@ private:
             const bool meets = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
             dim_by_air(path, meets ? length(hit.position - path.ray.origin) : INFINITY, meets,
                        statement, sums);
+            if (meets && straight(path) && world_.material(hit.primitive).no_shadow) {
+                // The light of a lamp passes it, as that of shadow rays does.
+                path.media = interface_at(world_, path.media, hit.primitive, path.band).behind;
+                path.ray.origin = hit.position;
+                path.tolerance = hit.tolerance;
+                if (met < most_surfaces) continue;
+            }
             const double light = light_luminance(path.throughput);
             if (!meets || met == most_surfaces)
                 return sums.add(statement, meets ? LightEnd::unknown : way_out(path), light);
@@ -118,11 +143,13 @@ private:
         path.dim(left);
     }
 
+    /// Whether the path is still that of light right from its lamp.
+    static bool straight(const PathState& path) { return path.depth == 0 && path.bounces == 0; }
+
     LightEnd way_out(const PathState& path) const {
-        const bool straight = path.depth == 0 && path.bounces == 0;
         if (dot(path.ray.direction, up_) > 0)
-            return straight ? LightEnd::above : LightEnd::above_reflected;
-        return straight ? LightEnd::below : LightEnd::below_reflected;
+            return straight(path) ? LightEnd::above : LightEnd::above_reflected;
+        return straight(path) ? LightEnd::below : LightEnd::below_reflected;
     }
 
     /// Continues the path in one of the ways on from a surface. Returns false if it ends.
@@ -156,6 +183,8 @@ private:
     ShadingRules rules_;
     Vec3 up_;
     LampRays lamp_rays_;
+    FluxRays flux_rays_;
+    double of_sources_ = 0;  ///< fraction of the paths that start at light sources
     std::vector<Span> statements_;
     std::vector<std::uint32_t> statement_of_;  ///< of each of Provenance::object_spans
 };
@@ -218,10 +247,9 @@ bool is_known(const LightBalance& balance, double error) {
 }
 
 /// The paths of a batch after which a balance ends.
-std::uint32_t last_paths(const World& world, int samples) {
+std::uint32_t last_paths(std::size_t lamps, int samples) {
     if (samples <= 0) return most_paths;
-    const std::uint64_t all =
-        std::uint64_t{world.lights.luminaires.size()} * static_cast<std::uint64_t>(samples);
+    const std::uint64_t all = std::uint64_t{lamps} * static_cast<std::uint64_t>(samples);
     const std::uint64_t of_batch = all / batch_count + (all % batch_count > 0 ? 1 : 0);
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(of_batch, most_stated_paths));
 }
@@ -238,7 +266,13 @@ LightBalance balance_of_light(const Shot& shot, const BalanceSettings& settings)
     }
     LightBalance result;
     std::uint32_t done = 0;
-    const std::uint32_t last = last_paths(*shot.world, settings.samples);
+    // The number of lamps of each statement.
+    std::vector<std::size_t> lamps(provenance.light_statements.size(), 0);
+    for (const std::uint32_t statement : provenance.statement_of_luminaire) ++lamps[statement];
+    for (std::uint32_t i = 0; i < provenance.statement_of_light.size(); ++i)
+        if (sends_flux(*shot.world, i)) ++lamps[provenance.statement_of_light[i]];
+    const std::size_t all = std::accumulate(lamps.begin(), lamps.end(), std::size_t{0});
+    const std::uint32_t last = last_paths(all, settings.samples);
     for (std::uint32_t level = std::min(first_paths, last); paths.any();
          level = std::min(2 * level, last)) {
         run_parallel(batch_count, settings.threads, [&](std::size_t batch) {
@@ -254,10 +288,8 @@ LightBalance balance_of_light(const Shot& shot, const BalanceSettings& settings)
         if (enough || level == last || (settings.ended && settings.ended())) break;
     }
     result.lamps.resize(provenance.light_statements.size());
-    for (const std::uint32_t statement : provenance.statement_of_luminaire) {
-        ++result.lamps[statement].lamps;
-        ++result.all.lamps;
-    }
+    for (std::size_t i = 0; i < lamps.size(); ++i) result.lamps[i].lamps = lamps[i];
+    result.all.lamps = all;
     return result;
 }
 

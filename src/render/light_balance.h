@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the light of luminaires ends: on surfaces, in the air, or outside of the scene. Light paths
-// start at the luminaires, and every reflection is followed, whatever the scene's integrator does.
+// Where the light of lamps ends: on surfaces, in the air, or outside of the scene. Light paths
+// start at luminaires and at light sources with a flux, and every reflection is followed, whatever
+// the scene's integrator does.
 #pragma once
 
 #include "meter/interval.h"
@@ -56,14 +57,14 @@ struct BalanceSettings {
     /// The error of all ends of the light of each statement, relative to all light, at which the
     /// balance is done.
     double error = 0.005;
-    /// Paths of each luminaire in the mean, rounded up to equal batches; 0: as many as the error
+    /// Paths of each lamp in the mean, rounded up to equal batches; 0: as many as the error
     /// needs.
     int samples = 0;
     /// True: stop after the round of paths under way.
     std::function<bool()> ended = {};
 };
 
-/// Light of light sources and of the sky is left out: they have no flux.
+/// The light of the sky is left out, and that of light sources without a flux: see sends_flux().
 LightBalance balance_of_light(const Shot&, const BalanceSettings&);
 
 }  // namespace candelabra

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -256,12 +257,50 @@ private:
     LightLedger ledger_;
 };
 
+/// Finds the points inside of solids that have neither the eye nor a lamp inside, as rooms have.
+/// Meshes do not count.
+class Solids {
+public:
+    explicit Solids(const Shot& shot) : shot_(shot), world_(*shot.world) {}
+
+    bool bury(const Vec3& point) {
+        bool buried = false;
+        // Any line out of a solid meets its surface.
+        const Ray way_out{point, unit(Vec3(0.61, 0.53, 0.59))};
+        world_.along(way_out, 0, RayKind::light, [&](const Hit& hit, double) {
+            buried = world_.contains_point(hit.primitive, point) && !is_room(hit.primitive);
+            return !buried;
+        });
+        return buried;
+    }
+
+private:
+    bool is_room(PrimitiveIndex solid) {
+        const auto [known, fresh] = rooms_.try_emplace(solid, false);
+        if (!fresh) return known->second;
+        const auto holds = [&](const Vec3& place) { return world_.contains_point(solid, place); };
+        return known->second =
+                   holds(shot_.view.camera.location) ||
+                   std::ranges::any_of(
+                       world_.lights.sources,
+                       [&](const PointLight& source) { return holds(source.location); }) ||
+                   std::ranges::any_of(world_.lights.luminaires, [&](const Luminaire& luminaire) {
+                       return holds(bounds(luminaire).centre);
+                   });
+    }
+
+    const Shot& shot_;
+    const World& world_;
+    std::map<PrimitiveIndex, bool> rooms_;
+};
+
 /// A meter at work.
 struct Task {
     const Meter& meter;
     std::uint64_t first_key;  ///< of its places
     MeterReading reading;
     std::vector<std::array<Sums, batch_count>> sums;  ///< of each place
+    std::vector<bool> buried = {};                    ///< whether each place is in a solid
     /// Of each half of the batches: sums of each place and column.
     std::array<std::vector<double>, 2> by_column = {};
     double scale = 1;  ///< factor on results
@@ -297,8 +336,32 @@ struct Task {
             values[i] = value(all);
             reading.values[i] = with_interval(values[i], batches[i]);
         }
-        reading.summary = summary_of(values, batches);
+        summarise(values, batches);
         reading.samples = std::uint64_t{batch_count} * of_batch;
+    }
+
+    /// Makes the summary of the places that could have a meter.
+    void summarise(const std::vector<double>& values, const std::vector<Batches>& batches) {
+        std::vector<std::size_t> numbers;
+        std::vector<double> counted;
+        std::vector<Batches> counted_batches;
+        reading.left_out.clear();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (buried[i] && values[i] == 0 && reading.values[i].error == 0) {
+                reading.left_out.push_back(i);
+                continue;
+            }
+            numbers.push_back(i);
+            counted.push_back(values[i]);
+            counted_batches.push_back(batches[i]);
+        }
+        if (counted.empty()) {
+            reading.summary = summary_of(values, batches);
+            return;
+        }
+        reading.summary = summary_of(counted, counted_batches);
+        reading.summary.least = numbers[reading.summary.least];
+        reading.summary.greatest = numbers[reading.summary.greatest];
     }
 
     /// Makes the halves of the reading.
@@ -333,11 +396,14 @@ public:
         const World& world = *shot.world;
         const double metres = world.rules.settings.light_units().metres;
         std::uint64_t key = 0;
+        Solids solids(shot);
         for (const Meter& meter : meters) {
             Task task{meter, key, {}, {}};
             task.reading.places = places_of(meter, metres);
             task.reading.area = length(cross(meter.along, meter.across)) * metres * metres;
             task.sums.resize(task.reading.places.size());
+            for (const MeterPlace& place : task.reading.places)
+                task.buried.push_back(solids.bury(place.position));
             task.scale = scale_of(meter, world);
             for (auto& each : task.by_column) each.resize(task.sums.size() * settings.lamps.count);
             key += task.sums.size();

@@ -48,7 +48,9 @@ struct MeterHalf {
 struct MeterReading {
     std::vector<MeterPlace> places;
     std::vector<MeterValue> values;  ///< of each place, in the unit of the quantity
-    MeterSummary summary;
+    MeterSummary summary;            ///< of the places that are not left out; of all, if all are
+    /// Numbers of the dark places inside of solids, which no meter could be put into.
+    std::vector<std::size_t> left_out;
     double area = 0;        ///< of its grid in square metres; 0: it has none
     std::uint64_t samples;  ///< of each place
     bool reached = false;   ///< whether all values are as good as they were to be

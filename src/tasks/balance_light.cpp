@@ -19,6 +19,7 @@ int balance_light(SceneSteps& steps) {
     if (!world) return exit_status::scene;
     const Shot shot = steps.shot(world);
     review_balance(*world, steps.diagnostics());
+    review_moments(shot, steps.options(), steps.diagnostics());
     if (steps.say_diagnostics()) return exit_status::scene;
     settings.seed = steps.options().render.seed;
     settings.threads = steps.options().render.threads;

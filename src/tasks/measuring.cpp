@@ -27,6 +27,10 @@ bool is_of_pictures(const OptionRow& row) {
            std::ranges::find(switches, row.letters) != switches.end();
 }
 
+std::string name_of_task(const Options& options) {
+    return options.task == Task::balance ? "--light-balance" : "--measure";
+}
+
 }  // namespace
 
 std::function<bool()> ends_measuring(const SceneSteps& steps, bool& stopped) {
@@ -50,7 +54,7 @@ MeasureSettings measure_settings(const SceneSteps& steps, bool& stopped) {
 }
 
 void check_measuring(const Options& options, Diagnostics& diagnostics) {
-    const std::string name = options.task == Task::balance ? "--light-balance" : "--measure";
+    const std::string name = name_of_task(options);
     for (const auto& [row, given] : options.given)
         if (row && is_of_pictures(*row))
             diagnostics.add(warning(
@@ -72,6 +76,14 @@ void check_measuring(const Options& options, Diagnostics& diagnostics) {
     if (options.denoise)
         diagnostics.add(error(Fault::option, {},
                               name + " reports light as it is, and --denoise changes pictures"));
+}
+
+void review_moments(const Shot& shot, const Options& options, Diagnostics& diagnostics) {
+    if (shot.moments() > 1)
+        diagnostics.add(warning(Fault::no_effect, {},
+                                message("the scene moves while its shutter is open, and ",
+                                        name_of_task(options), " measures when it opens"))
+                            .with_help("each frame of an animation has a table of its own"));
 }
 
 bool measures_as_json(const Options& options) {

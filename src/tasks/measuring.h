@@ -20,6 +20,9 @@ MeasureSettings measure_settings(const SceneSteps&, bool& stopped);
 /// Reports what does not go together with measuring, which includes balances of light.
 void check_measuring(const Options&, Diagnostics&);
 
+/// Warns of a scene that moves while its shutter is open: what is measured is its first moment.
+void review_moments(const Shot&, const Options&, Diagnostics&);
+
 /// Whether the table is to be JSON; otherwise it is CSV.
 bool measures_as_json(const Options&);
 

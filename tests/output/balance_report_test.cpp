@@ -64,10 +64,16 @@ TEST_CASE("a balance tells which light it leaves out", "[output]") {
     Shell shell;
     shell.write("sources.pov", "#version 3.7; light_source { 9*y, 1 } plane { y, 0 }");
     CHECK(shell({shell.path("sources.pov"), "--light-balance", shell.path("a.csv")}) == 1);
-    CHECK(has(shell.err, "the scene has no luminaire whose light could be followed"));
+    CHECK(has(shell.err, "the scene has no lamp whose light could be followed"));
     shell.write("both.pov", bulbs + "light_source { 9*y, 1 }");
     CHECK(shell({shell.path("both.pov"), "--light-balance", shell.path("a.csv")}) == 0);
-    CHECK(has(shell.err, "light of light sources and of the sky is left out of the balance"));
+    CHECK(has(shell.err, "1 light source has no flux, and is left out of the balance"));
+    shell.write("sky.pov", bulbs +
+                               "light_source { 9*y, 1 flux lumen(100) } "
+                               "sky_luminance { overcast sun <40, 180> }");
+    CHECK(shell({shell.path("sky.pov"), "--light-balance", shell.path("a.csv")}) == 0);
+    CHECK(has(shell.err, "light of the sky is left out of the balance: it has no flux"));
+    CHECK_FALSE(has(shell.err, "light source"));
     CHECK(shell({shell.path("both.pov"), "--light-balance", shell.path("a.txt")}) == 2);
     CHECK(has(shell.err, "--light-balance light.csv, or light.json"));
     CHECK(shell({shell.path("both.pov"), "--light-balance", shell.path("a.csv"), "--until",

@@ -41,6 +41,21 @@ TEST_CASE("meters are measured into a table") {
     CHECK(shell.out == csv);
 }
 
+TEST_CASE("tables have no value of points inside of objects, and a warning names them") {
+    Shell shell;
+    shell.write("a.pov", lit_room + "box { <-0.1, -0.1, 0.9>, <0.1, 0.1, 1.1> }");
+    REQUIRE(shell({shell.path("a.pov"), "--measure", shell.path("a.csv")}) == 0);
+    CHECK(
+        has(shell.err, "1 point of `desk, \"big\"` is inside of objects, and left out: <0, 0, 1>"));
+    CHECK(has(shell.content("a.csv"), ",illuminance,lx,2,0,0,1,,,\n"));
+    REQUIRE(shell({shell.path("a.pov"), "--measure", shell.path("a.json"), "--samples", "16"}) ==
+            0);
+    CHECK(has(shell.err, "is inside of objects"));
+    const auto desk = nlohmann::json::parse(shell.content("a.json"))["meters"][0];
+    CHECK(desk["points"][1]["value"].is_null());
+    CHECK(desk["min"]["value"].get<double>() > 0);
+}
+
 TEST_CASE("meters are measured for programs") {
     Shell shell;
     shell.write("a.pov", lit_room);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
+#include <vector>
 
 namespace candelabra {
 
@@ -427,6 +428,59 @@ TEST_CASE("a grid tells its flux, and how long it was measured", "[render]") {
     CHECK(rounds == 3);
     CHECK(ended[0].samples == 16 * 16);
     CHECK_FALSE(ended[0].reached);
+}
+
+TEST_CASE("points inside of objects are left out, and those of rooms and of glass are not",
+          "[render]") {
+    const std::string lamp = "light_source { 3*y, 1 intensity candela(100) } ";
+    const std::string row = "meter { points { 3, <-1, 0.1, 0>, <0, 0.1, 0>, <1, 0.1, 0> } } ";
+    struct Row {
+        const char* name;
+        const char* objects;
+        std::vector<std::size_t> left_out;
+    };
+    const Row rows[] = {
+        {"nothing", "", {}},
+        {"a book", "box { <-0.2, 0, -0.2>, <0.2, 0.3, 0.2> }", {1}},
+        {"half a ball", "difference { sphere { 0, 0.5 } box { <-1, -1, -1>, <1, 0, 1> } }", {1}},
+        {"a shadow", "box { <-0.2, 0.2, -0.2>, <0.2, 0.3, 0.2> }", {}},
+        {"glass", "box { <-0.2, 0, -0.2>, <0.2, 0.3, 0.2> pigment { rgbt 1 } }", {}},
+        {"a room", "box { -4, 4 } box { <-1.2, 0.2, -0.2>, <0.2, 0.3, 0.2> }", {}},
+        {"all", "box { <-2, 0, -1>, <2, 1, 1> }", {0, 1, 2}},
+    };
+    for (const Row& each : rows) {
+        const MeterReading reading = read_meters(lamp + row + each.objects).at(0);
+        CAPTURE(each.name);
+        CHECK(reading.left_out == each.left_out);
+        if (each.left_out.size() == 1) {
+            CHECK(reading.summary.min.value == Approx(reading.values[0].value));
+            CHECK(reading.summary.uo.value == Approx(1));
+            CHECK(reading.summary.greatest != 1);
+        }
+    }
+    CHECK(read_meters(lamp + row + "box { <-2, 0, -1>, <2, 1, 1> }").at(0).summary.mean.value == 0);
+}
+
+TEST_CASE("a caustic on a meter is the same with photons and without", "[render]") {
+    const std::string script =
+        "sphere { 4*y, 0.6 finish { emission 100 } pigment { rgb 1 } } "
+        "sphere { 1.5*y, 0.8 pigment { rgbt 1 } finish { reflection { 0, 1 fresnel } } interior { "
+        "ior 1.5 } PHOTONS } "
+        "meter { corner <-0.2, 0, -0.2> along 0.4*x across 0.4*z counts <3, 3> } ";
+    const auto mean = [&](const std::string& settings, const std::string& photons, int samples) {
+        std::string made = settings + script;
+        made.replace(made.find("PHOTONS"), 7, photons);
+        MeasureSettings to;
+        to.samples = samples;
+        return read_meters(made, to).at(0).summary.mean;
+    };
+    const MeterValue paths = mean("", "", 4096),
+                     photons = mean("global_settings { photons { count 1000 } } ",
+                                    "photons { target reflection on refraction on }", 4096);
+    CAPTURE(paths.value, paths.error, photons.value, photons.error);
+    CHECK(paths.error < 0.05 * paths.value);
+    CHECK(photons.error < 0.05 * photons.value);
+    CHECK(std::abs(paths.value - photons.value) < 1.5 * (paths.error + photons.error));
 }
 
 }  // namespace candelabra
