@@ -259,7 +259,7 @@ private:
             lamps.push_back({*file.image(before + name), factor});
         }
         relight(negative.light, lamps);
-        if (std::ranges::any_of(lamps, [](const auto& lamp) { return lamp.factor != Vec3(1); }))
+        if (std::ranges::any_of(lamps, [](const auto& lamp) { return lamp.factor != Rgb(1); }))
             negative.smooth = Image();
         return true;
     }

@@ -56,7 +56,7 @@ std::optional<SharedPicture> shared_show(const std::string& lights, const ShowFi
                             " lamps is too long for a page"),
                     "fewer frames, or a film: candelabra relight --movie");
     const int threads = options.render.threads;
-    const std::vector<Vec3> usual(records->lamps.size(), Vec3(1));
+    const std::vector<Rgb> usual(records->lamps.size(), Rgb(1));
     const Image whole = relit(*records, usual, threads);
     const auto room = static_cast<double>(most_bytes_of_page(whole));
     SharedPicture made;

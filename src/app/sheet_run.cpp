@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Radiance between the pictures: dark, and lighter than a night.
-const Vec3 backing(0.03);
+const Rgb backing(0.03);
 
 /// Pixels between two pictures.
 int gap(int width) { return std::max(width / 64, 2); }

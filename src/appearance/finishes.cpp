@@ -49,7 +49,7 @@ public:
             const auto value = converted(block_, element, FieldType::rgb,
                                          {[] { return std::string("`reflection` of `finish`"); },
                                           [] { return usage(Reflection::vocabulary); }});
-            if (value) reflection_.least = reflection_.greatest = std::get<Vec3>(*value);
+            if (value) reflection_.least = reflection_.greatest = rgb_of(std::get<Vec3>(*value));
             return true;
         }
         const bool named =
@@ -96,7 +96,7 @@ private:
         inner.read(element.body, fields);
         if (fields.positional_given() < 2) {
             made.greatest = made.least;
-            if (made.fresnel && fields.given("fresnel")) made.least = Vec3(0);
+            if (made.fresnel && fields.given("fresnel")) made.least = Rgb(0);
         }
         block_.broken |= inner.broken;
         reflection_ = made;
@@ -219,7 +219,7 @@ bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     ItemReader fields(block, *block.item, &interior);
     MediaReader media(block, interior.media);
     block.read(element.body, declared, fields, media);
-    const auto emits = [](const Media& each) { return each.emission != Vec3(0); };
+    const auto emits = [](const Media& each) { return each.emission != Rgb(0); };
     if (interior.luminaire && fields.given("luminaire") &&
         std::ranges::none_of(interior.media, emits))
         block.report(warning(Fault::no_effect, element.word_span,

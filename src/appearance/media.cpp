@@ -54,7 +54,7 @@ public:
     bool take(const Element& element) {
         if (element.kind != Element::Kind::block || element.word != "density"_word) return false;
         Pigment density;
-        density.colour.rgb = Vec3(1);
+        density.colour.rgb = Rgb(1);
         block_.broken |= !read_density(block_.binder, element, density);
         media_.densities.push_back(std::move(density));
         return true;

@@ -43,7 +43,7 @@ const ColouringWords& colouring_words(const OpenBlock& block) {
 Pigment first_colouring(const Binder& binder, const ColouringWords& words) {
     if (words.block != density_words.block) return binder.default_texture->pigment;
     Pigment even;
-    even.colour.rgb = Vec3(1);
+    even.colour.rgb = Rgb(1);
     return even;
 }
 
@@ -164,7 +164,7 @@ private:
         const auto* channel = tree && node != no_node ? tree->get_if<node::Channel>(node) : nullptr;
         if (!channel) return false;
         Colour& colour = draft_.colour;
-        const std::array<double*, 5> amounts = {&colour.rgb.x, &colour.rgb.y, &colour.rgb.z,
+        const std::array<double*, 5> amounts = {&colour.rgb.r, &colour.rgb.g, &colour.rgb.b,
                                                 &colour.filter, &colour.transmit};
         constexpr auto words =
             std::array{"red"_word, "green"_word, "blue"_word, "filter"_word, "transmit"_word};

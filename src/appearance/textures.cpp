@@ -346,7 +346,7 @@ Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& belo
     if (!transparent(*above)) {
         // Reflections of the layers below remain visible.
         const Reflection& lower = below->finish.reflection;
-        if (!below->choice && !below->below && lower.least == Vec3(0) && lower.greatest == Vec3(0))
+        if (!below->choice && !below->below && lower.least == Rgb(0) && lower.greatest == Rgb(0))
             return above;
     }
     if (below->choice) {

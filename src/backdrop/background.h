@@ -11,11 +11,11 @@ struct Background {
     Colour colour;
 
     /// Radiance in a picture without alpha: transmit dims it, filter has no effect.
-    Vec3 radiance() const { return colour.rgb * (1 - colour.transmit); }
+    Rgb radiance() const { return colour.rgb * (1 - colour.transmit); }
     /// Radiance of camera rays in a picture with alpha, without the transparent fraction.
-    Vec3 covering() const { return colour.rgb * colour.opacity(); }
+    Rgb covering() const { return colour.rgb * colour.opacity(); }
     /// Radiance of all other rays, such as in mirrors, in a picture with alpha.
-    Vec3 mirrored() const { return colour.rgb; }
+    Rgb mirrored() const { return colour.rgb; }
 };
 
 }  // namespace candelabra

@@ -166,7 +166,7 @@ DaylightSky::DaylightSky(const Daylight& day, const LightUnits& units)
     const double whole = model_.illuminance(above);
     const double overhead = model_.luminance(1, math::sin(above));
     scale_ = day.zenith ? *day.zenith / overhead : whole > 0 ? pi * diffuse / whole : 0;
-    sunlight_ = direct > 0 ? direct * sun_colour(above) : Vec3(0);
+    sunlight_ = direct > 0 ? direct * sun_colour(above) : Rgb(0);
     ground_ = day.ground * (scale_ * whole / pi + direct * std::fmax(rise, 0));
     const int type = sky_type(day);
     const bool clear = day.is_perez() ? weather_of(day, above).clearness >= least_blue_clearness
@@ -180,15 +180,15 @@ double DaylightSky::sun_edge() {
     return edge;
 }
 
-Vec3 DaylightSky::radiance(const Vec3& direction) const {
+Rgb DaylightSky::radiance(const Vec3& direction) const {
     const double rise = dot(direction, up_);
     if (rise < 0) return ground_ * hue_;
     const double there = scale_ * model_.luminance(rise, dot(direction, sun_));
     return there * (blue_ ? blue_sky_colour(there * white_) : hue_);
 }
 
-Vec3 DaylightSky::disc(const Vec3& direction) const {
-    if (sunlight_ == Vec3(0) || dot(direction, sun_) < sun_edge()) return Vec3(0);
+Rgb DaylightSky::disc(const Vec3& direction) const {
+    if (sunlight_ == Rgb(0) || dot(direction, sun_) < sun_edge()) return Rgb(0);
     const double sine = math::sin(sun_radius);
     return sunlight_ / (sine * sine);
 }

@@ -3,6 +3,7 @@
 // is as the scene states it; a DaylightSky is prepared for rays.
 #pragma once
 
+#include "base/rgb.h"
 #include "photometry/light_units.h"
 #include "photometry/sky_models.h"
 #include "vocabulary/item_info.h"
@@ -50,27 +51,27 @@ public:
     DaylightSky(const Daylight&, const LightUnits&);
 
     /// Radiance from a unit direction, without the sun.
-    Vec3 radiance(const Vec3& direction) const;
+    Rgb radiance(const Vec3& direction) const;
 
     /// The unit direction to the middle of the sun.
     const Vec3& sun() const { return sun_; }
     /// The sun's light as the colour of a light source; black if there is none.
-    const Vec3& sunlight() const { return sunlight_; }
+    const Rgb& sunlight() const { return sunlight_; }
     /// Cosine of half of the angle that its disc fills.
     static double sun_edge();
     /// Radiance of its disc in a unit direction, black beside it.
-    Vec3 disc(const Vec3& direction) const;
+    Rgb disc(const Vec3& direction) const;
 
 private:
-    Vec3 colour_of(double radiance) const;
+    Rgb colour_of(double radiance) const;
 
     SkyModel model_;
     Vec3 up_, sun_;
-    Vec3 sunlight_ = Vec3(0);
+    Rgb sunlight_ = Rgb(0);
     double scale_ = 0;    ///< radiance over the model's luminance
     double ground_ = 0;   ///< radiance
     double white_;        ///< cd/m2 of radiance 1
-    Vec3 hue_ = Vec3(1);  ///< of the sky, if it is not blue
+    Rgb hue_ = Rgb(1);    ///< of the sky, if it is not blue
     bool blue_ = false;   ///< whether it has colours by its luminance
 };
 

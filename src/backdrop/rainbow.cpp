@@ -64,7 +64,7 @@ std::optional<Veil> veil_of(const Rainbow& rainbow, const Ray& ray, double dista
     const double kept = std::max(math::exp(-distance / rainbow.distance),
                                  fade * (1 - colour.transmit) + colour.transmit);
     const double own = 1 - kept, tint = colour.filter * own;
-    return Veil{kept * (Vec3(1 - tint) + tint * colour.rgb), own * colour.rgb};
+    return Veil{kept * (Rgb(1 - tint) + tint * colour.rgb), own * colour.rgb};
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::string problem(const Rainbow& rainbow) {
 }
 
 Veil veil_of(std::span<const Rainbow> rainbows, const Ray& ray, double distance, double chance) {
-    Veil sum{Vec3(0), Vec3(0)};
+    Veil sum{Rgb(0), Rgb(0)};
     double count = 0;
     for (const Rainbow& rainbow : rainbows) {
         const auto one = veil_of(rainbow, ray, distance, chance);

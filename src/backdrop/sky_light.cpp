@@ -23,8 +23,8 @@ constexpr double cell_angle = 4 * pi / (row_count * column_count);
 /// Fraction of the directions that are drawn uniformly.
 constexpr double even_share = 0.1;
 
-double brightness(const Vec3& seen) {
-    const double sum = std::max(seen.x, 0.0) + std::max(seen.y, 0.0) + std::max(seen.z, 0.0);
+double brightness(const Rgb& seen) {
+    const double sum = std::max(seen.r, 0.0) + std::max(seen.g, 0.0) + std::max(seen.b, 0.0);
     return std::isfinite(sum) ? sum : 0;
 }
 
@@ -42,7 +42,7 @@ double along(const DrawnShare& drawn, int count) {
 
 }  // namespace
 
-SkyLight::SkyLight(FunctionRef<Vec3(const Vec3& direction)> radiance) {
+SkyLight::SkyLight(FunctionRef<Rgb(const Vec3& direction)> radiance) {
     rows_.reserve(row_count);
     columns_.reserve(static_cast<std::size_t>(row_count) * column_count);
     double all = 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/function_ref.h"
+#include "base/rgb.h"
 #include "base/vector.h"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ public:
     SkyLight() = default;
     /// `radiance` is evaluated at two points of each cell of a map of longitudes and latitudes.
     /// Directions in which the map misses light are drawn too, but rarely.
-    explicit SkyLight(FunctionRef<Vec3(const Vec3& direction)> radiance);
+    explicit SkyLight(FunctionRef<Rgb(const Vec3& direction)> radiance);
 
     bool empty() const { return rows_.empty(); }
 

@@ -14,16 +14,16 @@ const ItemInfo SkySphere::vocabulary = described<SkySphere>([] {
          "0.9>] } } }",
          "sky_sphere { pigment { gradient y color_map { [0 rgb 1] [1 rgb <0.3, 0.5, 0.9>] } } "
          "emission 2 luminaire }"},
-        as_colour(F{"emission", &SkySphere::emission, item, "brightness of all pigments together"}),
+        F{"emission", &SkySphere::emission, item, "brightness of all pigments together"},
         F{"luminaire", &SkySphere::luminaire, flag,
           "lights the scene, from the directions where it is bright"});
 });
 
 namespace {
 
-Vec3 by_old_rules(const SkySphere& sky, const Vec3& direction, const Vec3& background,
-                  const PatternScene& scene) {
-    Vec3 sum(0), tint(1);
+Rgb by_old_rules(const SkySphere& sky, const Vec3& direction, const Rgb& background,
+                 const PatternScene& scene) {
+    Rgb sum(0), tint(1);
     double filter = 1, transmit = 1, passing = 1;
     for (std::size_t i = sky.pigments.size(); i-- > 0;) {
         const Colour colour = evaluate(sky.pigments[i], direction, scene);
@@ -33,15 +33,15 @@ Vec3 by_old_rules(const SkySphere& sky, const Vec3& direction, const Vec3& backg
         transmit *= colour.transmit;
         passing = std::abs(filter) + std::abs(transmit);
     }
-    return sum * sky.emission + background * (tint * filter + Vec3(transmit));
+    return sum * sky.emission + background * (tint * filter + Rgb(transmit));
 }
 
 }  // namespace
 
-Vec3 radiance(const SkySphere& sky, const Vec3& direction, const Vec3& background,
-              const PatternScene& scene, bool old_rules) {
+Rgb radiance(const SkySphere& sky, const Vec3& direction, const Rgb& background,
+             const PatternScene& scene, bool old_rules) {
     if (old_rules) return by_old_rules(sky, direction, background, scene);
-    Vec3 sum(0), passing(1);
+    Rgb sum(0), passing(1);
     for (std::size_t i = sky.pigments.size(); i-- > 0;) {
         const Colour colour = evaluate(sky.pigments[i], direction, scene);
         sum += passing * colour.opacity() * colour.rgb * sky.emission;

@@ -3,6 +3,7 @@
 // renderer where a ray meets nothing.
 #pragma once
 
+#include "base/rgb.h"
 #include "surface/pigment.h"
 
 #include <vector>
@@ -11,7 +12,7 @@ namespace candelabra {
 
 struct SkySphere {
     std::vector<Pigment> pigments;  ///< the last one is on top
-    Vec3 emission = Vec3(1);        ///< factor of all of them
+    Rgb emission = Rgb(1);          ///< factor of all of them
     bool luminaire = false;         ///< whether it lights the scene
 
     static const ItemInfo vocabulary;
@@ -19,7 +20,7 @@ struct SkySphere {
 
 /// Radiance from a unit direction, over the background's. `old_rules` selects the blending of
 /// pigments in languages before 3.7.
-Vec3 radiance(const SkySphere&, const Vec3& direction, const Vec3& background, const PatternScene&,
-              bool old_rules);
+Rgb radiance(const SkySphere&, const Vec3& direction, const Rgb& background, const PatternScene&,
+             bool old_rules);
 
 }  // namespace candelabra

@@ -2,7 +2,7 @@
 // A picture in memory: linear radiances, row by row from the top.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 
 #include <cstddef>
 #include <vector>
@@ -12,18 +12,18 @@ namespace candelabra {
 struct Image {
     int width = 0;
     int height = 0;
-    std::vector<Vec3> pixels;
+    std::vector<Rgb> pixels;
 
     Image() = default;
     Image(int w, int h)
         : width(w),
           height(h),
-          pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), Vec3(0)) {}
-    Vec3& at(int x, int y) {
+          pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), Rgb(0)) {}
+    Rgb& at(int x, int y) {
         return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(x)];
     }
-    const Vec3& at(int x, int y) const {
+    const Rgb& at(int x, int y) const {
         return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(x)];
     }

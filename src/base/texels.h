@@ -19,15 +19,14 @@ struct Texels {
     std::vector<float> alpha;   ///< one per pixel; empty: opaque
     std::vector<std::uint16_t> numbers;  ///< colour index of each pixel; empty: no table
     std::vector<Colour> table;
-    Vec3 greatest = Vec3(0);  ///< maximum of all values, per channel; set by measure()
+    Rgb greatest;  ///< maximum of all values, per channel; set by measure()
 
     /// Sets the greatest values.
     void measure() {
-        for (const Colour& colour : table) greatest = glm::max(greatest, colour.rgb);
+        for (const Colour& colour : table) greatest = max(greatest, colour.rgb);
         const auto step = static_cast<std::size_t>(channels);
         for (std::size_t i = 0; i + step <= values.size(); i += step)
-            greatest =
-                glm::max(greatest, Vec3(values[i], values[i + step / 2], values[i + step - 1]));
+            greatest = max(greatest, Rgb(values[i], values[i + step / 2], values[i + step - 1]));
     }
 
     bool transparent() const { return !alpha.empty(); }

@@ -71,7 +71,7 @@ public:
     }
     void finish() {
         if (block_.broken || !map_.empty()) return;
-        map_.push_back({0, {Vec3(0), 0, 1}});
+        map_.push_back({0, {Rgb(0), 0, 1}});
         block_.report(warning(Fault::missing, block_.span,
                               "this rainbow is not seen: `rainbow` needs a `color_map`")
                           .with_help(block_.help()));

@@ -130,7 +130,7 @@ void settings_in_scene(SceneContent& content, const Element& element) {
 
 Value density_value(Binder& binder, const Element& element) {
     Pigment made;
-    made.colour.rgb = Vec3(1);
+    made.colour.rgb = Rgb(1);
     return read_density(binder, element, made) ? Value(make_handle<Pigment>(std::move(made)))
                                                : Value(Absence::broken);
 }

@@ -9,8 +9,8 @@ namespace {
 
 Handle<Texture> modern_texture() {
     Texture made;
-    made.pigment.colour.rgb = Vec3(1);
-    made.finish.ambient = Vec3(0);
+    made.pigment.colour.rgb = Rgb(1);
+    made.finish.ambient = Rgb(0);
     return make_handle<Texture>(std::move(made));
 }
 

@@ -23,12 +23,12 @@ double mean_shown(const std::vector<double>& luminances, double stops) {
 
 }  // namespace
 
-double srgb_luminance(const Vec3& c) { return dot(c, Vec3(0.2126, 0.7152, 0.0722)); }
+double srgb_luminance(const Rgb& c) { return c.r * 0.2126 + c.g * 0.7152 + c.b * 0.0722; }
 
 double stops_asked_by(const Image& image, double key) {
     std::vector<double> lit;
     lit.reserve(image.pixels.size());
-    for (const Vec3& pixel : image.pixels) {
+    for (const Rgb& pixel : image.pixels) {
         const double light = srgb_luminance(pixel);
         constexpr double most = 1e15;
         lit.push_back(light > 0 ? std::fmin(light, most) : 0);

@@ -9,7 +9,7 @@
 namespace candelabra {
 
 /// Returns the luminance of a linear sRGB colour.
-double srgb_luminance(const Vec3&);
+double srgb_luminance(const Rgb&);
 
 /// Returns the exposure in stops. With E = 2^stops, the mean of E L / (1 + E L) over the luminances
 /// L of the pixels is that of a grey of luminance `key`, so each pixel counts as one at most. Dark

@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-DisplayValue Contrast::shown(const Vec3& colour, double clear) const {
+DisplayValue Contrast::shown(const Rgb& colour, double clear) const {
     DisplayValue shown{colour, clear};
     for (int i = 0; i < 3; ++i)
         shown.colour[i] = from_linear(exposure * to_linear(colour[i], assumed_gamma), gamma);
@@ -15,8 +15,8 @@ DisplayValue Contrast::shown(const Vec3& colour, double clear) const {
 }
 
 bool Contrast::between(const DisplayValue& a, const DisplayValue& b) const {
-    const Vec3 difference = glm::abs(a.colour - b.colour);
-    return difference.x + difference.y + difference.z + std::abs(a.clear - b.clear) >= threshold;
+    const Rgb difference = abs(a.colour - b.colour);
+    return difference.r + difference.g + difference.b + std::abs(a.clear - b.clear) >= threshold;
 }
 
 Contrast contrast_of(const RenderSettings& settings, double assumed_gamma, double exposure) {

@@ -2,14 +2,14 @@
 // How two pixels are compared by the rules of antialiasing that POV-Ray has.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 #include "scene/settings.h"
 
 namespace candelabra {
 
 /// The value of a pixel for comparisons with others.
 struct DisplayValue {
-    Vec3 colour = Vec3(0);
+    Rgb colour = Rgb(0);
     double clear = 0;  ///< transparency, if the picture has an alpha channel
 };
 
@@ -20,7 +20,7 @@ struct Contrast {
     double gamma;          ///< of the compared colours
     double exposure = 1;   ///< factor on the radiance for display
 
-    DisplayValue shown(const Vec3& colour, double clear) const;
+    DisplayValue shown(const Rgb& colour, double clear) const;
     bool between(const DisplayValue&, const DisplayValue&) const;
 };
 

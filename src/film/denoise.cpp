@@ -30,25 +30,27 @@ constexpr double no_weight = 16;
 constexpr double same = 1e-10;
 
 struct DenoisedPixel {
-    Vec3 light;            ///< divided by the albedo
-    Vec3 shown, variance;  ///< the same, compressed as for display, and the variance of that
-    Vec3 albedo, normal;
+    Rgb light;            ///< divided by the albedo
+    Rgb shown, variance;  ///< the same, compressed as for display, and the variance of that
+    Rgb albedo;
+    Vec3 normal;
     double depth;
 };
 
 /// Returns the difference of two pixels beyond that due to noise; negative if it is smaller.
 double difference(const DenoisedPixel& p, const DenoisedPixel& q) {
-    const Vec3 apart = p.shown - q.shown;
-    const Vec3 explained = p.variance + glm::min(p.variance, q.variance);
-    const Vec3 beyond =
-        (apart * apart - explained) / (variance_unit * (p.variance + q.variance) + Vec3(same));
-    return (beyond.x + beyond.y + beyond.z) / 3;
+    const Rgb apart = p.shown - q.shown;
+    const Rgb explained = p.variance + min(p.variance, q.variance);
+    const Rgb beyond =
+        (apart * apart - explained) / (variance_unit * (p.variance + q.variance) + Rgb(same));
+    return (beyond.r + beyond.g + beyond.b) / 3;
 }
 
 /// Returns the difference of their surfaces as a negative exponent of the weight.
 double surface_difference(const DenoisedPixel& p, const DenoisedPixel& q, int steps) {
-    const Vec3 albedo = p.albedo - q.albedo, normal = p.normal - q.normal;
-    double sum = dot(albedo, albedo) / (2 * albedo_deviation * albedo_deviation) +
+    const Rgb albedo = p.albedo - q.albedo, albedo2 = albedo * albedo;
+    const Vec3 normal = p.normal - q.normal;
+    double sum = (albedo2.r + albedo2.g + albedo2.b) / (2 * albedo_deviation * albedo_deviation) +
                  dot(normal, normal) / normal_unit;
     if (std::isinf(p.depth) != std::isinf(q.depth)) return no_weight;
     if (!std::isinf(p.depth))
@@ -73,7 +75,7 @@ public:
           last_(std::min(bottom + patch, size.height)),
           apart_(place(0, last_, first_)),
           across_(apart_.size()),
-          sums_(place(0, bottom, top), Vec3(0)),
+          sums_(place(0, bottom, top), Rgb(0)),
           sums_of_parts_(parts.size(), sums_),
           weights_(sums_.size(), 0) {}
 
@@ -85,11 +87,11 @@ public:
             }
     }
 
-    Vec3 mean(int x, int y) const {
+    Rgb mean(int x, int y) const {
         const std::size_t at = place(x, y, top_);
         return sums_[at] / weights_[at];
     }
-    Vec3 mean_of_part(std::size_t part, int x, int y) const {
+    Rgb mean_of_part(std::size_t part, int x, int y) const {
         const std::size_t at = place(x, y, top_);
         return sums_of_parts_[part][at] / weights_[at];
     }
@@ -151,35 +153,35 @@ private:
     int top_, bottom_;  ///< the filtered rows
     int first_, last_;  ///< including adjacent rows
     std::vector<double> apart_, across_;
-    std::vector<Vec3> sums_;
-    std::vector<std::vector<Vec3>> sums_of_parts_;
+    std::vector<Rgb> sums_;
+    std::vector<std::vector<Rgb>> sums_of_parts_;
     std::vector<double> weights_;
 };
 
-Vec3 divisor(const NoisyPicture& noisy, std::size_t pixel) {
-    return noisy.albedo.pixels[pixel] + Vec3(min_albedo);
+Rgb divisor(const NoisyPicture& noisy, std::size_t pixel) {
+    return noisy.albedo.pixels[pixel] + Rgb(min_albedo);
 }
 
 std::vector<DenoisedPixel> pixels_of(const NoisyPicture& noisy) {
     std::vector<DenoisedPixel> pixels;
     pixels.reserve(noisy.light.pixels.size());
     for (std::size_t i = 0; i < noisy.light.pixels.size(); ++i) {
-        const Vec3 by = divisor(noisy, i);
-        const Vec3 reflected = noisy.light.pixels[i] - noisy.glow.pixels[i];
-        const Vec3 slope = 1.0 / (Vec3(1) + noisy.exposure * glm::max(reflected, Vec3(0)));
-        const Vec3 light = reflected / by;
+        const Rgb by = divisor(noisy, i);
+        const Rgb reflected = noisy.light.pixels[i] - noisy.glow.pixels[i];
+        const Rgb slope = Rgb(1) / (Rgb(1) + noisy.exposure * max(reflected, Rgb(0)));
+        const Rgb light = reflected / by;
         pixels.push_back({light, light * slope,
                           noisy.variance.pixels[i] * slope * slope * slope * slope / (by * by),
-                          noisy.albedo.pixels[i], noisy.normal.pixels[i], noisy.depth[i]});
+                          noisy.albedo.pixels[i], vec3_of(noisy.normal.pixels[i]), noisy.depth[i]});
     }
     return pixels;
 }
 
 /// The share of a pixel's light that is filtered, per channel.
-Vec3 filtered_share(const NoisyPicture& noisy, std::size_t pixel) {
-    const Vec3& light = noisy.light.pixels[pixel];
-    const Vec3& glow = noisy.glow.pixels[pixel];
-    Vec3 share(1);
+Rgb filtered_share(const NoisyPicture& noisy, std::size_t pixel) {
+    const Rgb& light = noisy.light.pixels[pixel];
+    const Rgb& glow = noisy.glow.pixels[pixel];
+    Rgb share(1);
     for (int c = 0; c < 3; ++c)
         if (light[c] > 0) share[c] = std::clamp(1 - glow[c] / light[c], 0.0, 1.0);
     return share;
@@ -192,10 +194,10 @@ QuietPicture denoised(const NoisyPicture& noisy, int threads) {
     QuietPicture made{noisy.light, noisy.parts};
     std::vector<Image> divided = noisy.parts;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const Vec3 filtered = filtered_share(noisy, i);
+        const Rgb filtered = filtered_share(noisy, i);
         for (std::size_t k = 0; k < divided.size(); ++k) {
             divided[k].pixels[i] *= filtered / divisor(noisy, i);
-            made.parts[k].pixels[i] *= Vec3(1) - filtered;
+            made.parts[k].pixels[i] *= Rgb(1) - filtered;
         }
     }
     const Image& size = noisy.light;
@@ -208,7 +210,7 @@ QuietPicture denoised(const NoisyPicture& noisy, int threads) {
         rows.add_all();
         for (int y = top; y < bottom; ++y)
             for (int x = 0; x < size.width; ++x) {
-                const Vec3 by = noisy.albedo.at(x, y) + Vec3(min_albedo);
+                const Rgb by = noisy.albedo.at(x, y) + Rgb(min_albedo);
                 made.light.at(x, y) = noisy.glow.at(x, y) + by * rows.mean(x, y);
                 for (std::size_t k = 0; k < divided.size(); ++k)
                     made.parts[k].at(x, y) += by * rows.mean_of_part(k, x, y);

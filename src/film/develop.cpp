@@ -18,7 +18,7 @@ namespace candelabra {
 namespace {
 
 void make_single_precision(Image& image) {
-    for (Vec3& pixel : image.pixels)
+    for (Rgb& pixel : image.pixels)
         for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(pixel[c]);
 }
 
@@ -55,15 +55,15 @@ double chance_of(int seed, std::size_t pixel, int channel) {
 
 }  // namespace
 
-Vec3 compressed(const Vec3& sample, double factor) {
-    const Vec3 light = glm::max(sample, Vec3(0));
+Rgb compressed(const Rgb& sample, double factor) {
+    const Rgb light = max(sample, Rgb(0));
     const double most = factor * max_component(light);
     // An infinite light becomes 1 / factor.
-    if (!(most < 1e30)) return Vec3(std::isnan(most) ? 0 : 1 / factor);
+    if (!(most < 1e30)) return Rgb(std::isnan(most) ? 0 : 1 / factor);
     return light / (1 + most);
 }
 
-Vec3 expanded(const Vec3& mean, double factor) {
+Rgb expanded(const Rgb& mean, double factor) {
     constexpr double least = 1e-9;
     return mean / std::max(1 - factor * max_component(mean), least);
 }
@@ -72,19 +72,19 @@ double exposure_of(const Negative& negative, const FilmSettings& film) {
     return film.exposure + (film.auto_exposure ? stops_asked_by(negative.light, film.key) : 0);
 }
 
-Vec3 contrasted(const Vec3& light, double contrast) {
+Rgb contrasted(const Rgb& light, double contrast) {
     if (contrast == 1) return light;
     constexpr double middle_grey = 0.18;
     const auto one = [&](double channel) {
         return channel > 0 ? middle_grey * math::pow(channel / middle_grey, contrast) : 0;
     };
-    return {one(light.x), one(light.y), one(light.z)};
+    return {one(light.r), one(light.g), one(light.b)};
 }
 
-Vec3 saturated(const Vec3& shown, double saturation) {
+Rgb saturated(const Rgb& shown, double saturation) {
     if (saturation == 1) return shown;
-    const Vec3 grey(srgb_luminance(shown));
-    return glm::clamp(grey + saturation * (shown - grey), Vec3(0), Vec3(1));
+    const Rgb grey(srgb_luminance(shown));
+    return clamp(grey + saturation * (shown - grey), Rgb(0), Rgb(1));
 }
 
 double vignetted(double share, double distance) {
@@ -111,12 +111,12 @@ PixelDeveloper::PixelDeveloper(const FilmSettings& film, double stops, int width
       exposure_(math::exp2(stops)),
       balance_(white_balance(film.white_balance)) {}
 
-Vec3 PixelDeveloper::operator()(const Vec3& light, double alpha, int x, int y) const {
+Rgb PixelDeveloper::operator()(const Rgb& light, double alpha, int x, int y) const {
     const double falls = vignetted_at(film_.vignette, width_, height_, x, y);
     const bool clear = alpha > 0 && alpha < 1;
-    const Vec3 exposed = balance_(light * (exposure_ * falls));
-    const Vec3 lit = contrasted(clear ? exposed / alpha : exposed, film_.contrast);
-    Vec3 shown = saturated(respond(curve_, lit), film_.saturation);
+    const Rgb exposed = balance_(light * (exposure_ * falls));
+    const Rgb lit = contrasted(clear ? exposed / alpha : exposed, film_.contrast);
+    Rgb shown = saturated(respond(curve_, lit), film_.saturation);
     const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                        static_cast<std::size_t>(x);
     for (int c = 0; c < 3 && film_.grain > 0; ++c)

@@ -24,8 +24,8 @@ struct Negative {
 /// Compresses a sample to less than 1 / factor in its greatest channel; expanded() is the inverse
 /// for a mean of such samples. Where a lamp covers half a pixel, the result is about 1 / factor,
 /// however bright the lamp.
-Vec3 compressed(const Vec3& sample, double factor);
-Vec3 expanded(const Vec3& mean, double factor);
+Rgb compressed(const Rgb& sample, double factor);
+Rgb expanded(const Rgb& mean, double factor);
 
 /// Returns the exposure in stops, including automatic exposure.
 double exposure_of(const Negative&, const FilmSettings&);
@@ -44,10 +44,10 @@ double grained(double shown, double size, double chance);
 
 /// Returns light with another contrast: each channel to the power of `contrast`, with a grey of
 /// 0.18 kept. Negative light becomes 0 unless the contrast is 1.
-Vec3 contrasted(const Vec3& light, double contrast);
+Rgb contrasted(const Rgb& light, double contrast);
 
 /// Returns a displayed colour at another distance from the grey of its luminance, within 0 and 1.
-Vec3 saturated(const Vec3& shown, double saturation);
+Rgb saturated(const Rgb& shown, double saturation);
 
 /// Maps the light in the pixels of a picture of some size to what a display shows of it, as
 /// develop() does after the glare.
@@ -57,7 +57,7 @@ public:
     PixelDeveloper(const FilmSettings& film, double stops, int width, int height);
 
     /// `light` is premultiplied by alpha, which is from 0 to 1.
-    Vec3 operator()(const Vec3& light, double alpha, int x, int y) const;
+    Rgb operator()(const Rgb& light, double alpha, int x, int y) const;
 
 private:
     const FilmSettings& film_;

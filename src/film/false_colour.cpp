@@ -27,11 +27,11 @@ constexpr std::array<std::array<double, 3>, 8> scale_colours = {{{0.08, 0.05, 0.
 constexpr std::array<double, 3> beyond = {1.0, 0.45, 0.40}, nothing = {0.35, 0.35, 0.35};
 constexpr std::array<double, 3> paper = {1, 1, 1}, ink = {0.1, 0.1, 0.1};
 
-Vec3 linear_of(const std::array<double, 3>& encoded) {
+Rgb linear_of(const std::array<double, 3>& encoded) {
     return {srgb_decode(encoded[0]), srgb_decode(encoded[1]), srgb_decode(encoded[2])};
 }
 
-Vec3 colour_of(double value, double most) {
+Rgb colour_of(double value, double most) {
     if (!std::isfinite(value)) return linear_of(nothing);
     if (value > most) return linear_of(beyond);
     const double place = std::clamp(value / most, 0.0, 1.0) * (scale_colours.size() - 1);
@@ -63,7 +63,7 @@ void add_isolines(const Image& values, double most, Image& picture) {
     IsolineLook look;
     look.size = std::max(1, values.width / 480);
     // Dark lines on light colours, and light ones on dark colours.
-    look.colour = [&](double value) { return Vec3(value > 0.55 * most ? 0.02 : 0.8); };
+    look.colour = [&](double value) { return Rgb(value > 0.55 * most ? 0.02 : 0.8); };
     look.text = number_text;
     const double shortest = 4.0 * letter_height * look.size;
     draw_isolines(isolines_of(calmed(values), step_of(most), most, shortest), look, values.height,
@@ -110,8 +110,8 @@ double round_upward(double value) {
 
 double fitting_scale(const Image& values) {
     std::vector<double> sorted;
-    for (const Vec3& pixel : values.pixels)
-        if (std::isfinite(pixel.x)) sorted.push_back(pixel.x);
+    for (const Rgb& pixel : values.pixels)
+        if (std::isfinite(pixel.r)) sorted.push_back(pixel.r);
     if (sorted.empty()) return 1;
     const auto high = sorted.begin() + static_cast<std::ptrdiff_t>(0.99 * (sorted.size() - 1));
     put_nth(sorted.begin(), high, sorted.end());
@@ -126,7 +126,7 @@ Image false_coloured(const Image& values, const FalseColours& wanted) {
     std::ranges::fill(picture.pixels, linear_of(paper));
     for (int y = 0; y < values.height; ++y)
         for (int x = 0; x < values.width; ++x)
-            picture.at(x, y) = colour_of(values.at(x, y).x, most);
+            picture.at(x, y) = colour_of(values.at(x, y).r, most);
     if (wanted.isolines) add_isolines(values, most, picture);
     add_scale(picture, values.height, most, wanted.unit);
     return picture;

@@ -11,7 +11,7 @@
 
 namespace candelabra {
 
-void PixelSum::add(const Vec3& sample, bool subtracted, double exposure) {
+void PixelSum::add(const Rgb& sample, bool subtracted, double exposure) {
     for (int i = 0; i < 3; ++i) {
         const auto channel = static_cast<std::size_t>(i);
         radiance[channel].add(subtracted ? -sample[i] : sample[i]);
@@ -37,9 +37,9 @@ void PixelSum::add(const PixelSum& other) {
     shadow_rays += other.shadow_rays;
 }
 
-Vec3 PixelSum::mean() const {
-    if (!(weight() > 0)) return Vec3(0);
-    return Vec3(radiance[0].value(), radiance[1].value(), radiance[2].value()) / weight();
+Rgb PixelSum::mean() const {
+    if (!(weight() > 0)) return Rgb(0);
+    return Rgb(radiance[0].value(), radiance[1].value(), radiance[2].value()) / weight();
 }
 
 double PixelSum::variance(std::size_t channel) const {

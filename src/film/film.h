@@ -25,13 +25,13 @@ struct PixelSum {
     std::uint32_t negative = 0;     ///< number of samples subtracted where the filter is negative
 
     /// `negative`: subtracts the sample. `exposure`: the factor on the radiance for display.
-    void add(const Vec3& sample, bool negative = false, double exposure = 1);
+    void add(const Rgb& sample, bool negative = false, double exposure = 1);
     void add(const PixelSum& other);
     /// Returns the divisor that turns sums into means; 0 if there are no samples.
     double weight() const { return samples - 2.0 * negative; }
     /// Returns the mean for a sum of the samples, or 0 without samples.
     double mean_of(double sum) const { return weight() > 0 ? sum / weight() : 0; }
-    Vec3 mean() const;
+    Rgb mean() const;
     /// Standard deviation of one sample in display values, summed over the channels. Needs two
     /// samples.
     double deviation() const;

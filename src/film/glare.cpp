@@ -14,7 +14,7 @@ namespace candelabra {
 namespace {
 
 /// Mean wavelengths of the channels, in nanometres.
-const Vec3 wavelengths(611, 549, 465);
+const Rgb wavelengths(611, 549, 465);
 constexpr double middle_wavelength = 549;
 
 /// Field of view in degrees for pictures whose camera is unknown.
@@ -61,7 +61,7 @@ ComplexPlane picture_plane(const Image& image, std::size_t width, std::size_t he
     ComplexPlane plane(width, height);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            const Vec3& pixel = image.at(x, y);
+            const Rgb& pixel = image.at(x, y);
             plane.at(static_cast<std::size_t>(x), static_cast<std::size_t>(y)) = {
                 finite(pixel[first]), second < 3 ? finite(pixel[second]) : 0};
         }
@@ -76,7 +76,7 @@ ComplexPlane kernel_plane(const GlareKernel& kernel, std::size_t width, std::siz
     const int down = kernel.height() - 1, right = kernel.width() - 1;
     run_parallel(static_cast<std::size_t>(down) + 1, threads, [&](std::size_t dy) {
         for (int dx = -right; dx <= right; ++dx) {
-            const Vec3 share = kernel.at(dx, static_cast<int>(dy));
+            const Rgb share = kernel.at(dx, static_cast<int>(dy));
             const Complex both{share[first], second < 3 ? share[second] : 0};
             const std::size_t x =
                 dx < 0 ? width - static_cast<std::size_t>(-dx) : static_cast<std::size_t>(dx);
@@ -139,8 +139,8 @@ GlareKernel::GlareKernel(const Glare& glare, int width, int height, int threads)
         return sum;
     });
     scales_.veil = glare_.veil > 0 ? glare_.veil / all.veil : 0;
-    if (glare_.halo > 0) scales_.halo = glare_.halo / all.halo;
-    if (glare_.star > 0) scales_.star = glare_.star / all.star;
+    if (glare_.halo > 0) scales_.halo = Rgb(glare_.halo) / all.halo;
+    if (glare_.star > 0) scales_.star = Rgb(glare_.star) / all.star;
 }
 
 void GlareKernel::add_point(double dx, double dy, Parts& parts) const {
@@ -184,10 +184,10 @@ GlareKernel::Parts GlareKernel::parts_at(int dx, int dy) const {
     return {parts.veil * share, parts.halo * share, parts.star * share};
 }
 
-Vec3 GlareKernel::at(int dx, int dy) const {
+Rgb GlareKernel::at(int dx, int dy) const {
     const Parts parts = parts_at(dx, dy);
     const double stays = dx == 0 && dy == 0 ? 1 - glare_.share() : 0;
-    return Vec3(stays + parts.veil * scales_.veil) + parts.halo * scales_.halo +
+    return Rgb(stays + parts.veil * scales_.veil) + parts.halo * scales_.halo +
            parts.star * scales_.star;
 }
 

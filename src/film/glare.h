@@ -26,7 +26,7 @@ public:
 
     /// Returns the fraction that arrives at an offset to the right and down, in pixels; they sum to
     /// 1.
-    Vec3 at(int dx, int dy) const;
+    Rgb at(int dx, int dy) const;
     /// Returns the fraction of all light that is scattered.
     double scattered() const { return glare_.share(); }
     int width() const { return width_; }
@@ -36,7 +36,7 @@ private:
     /// Unnormalised parts of the kernel.
     struct Parts {
         double veil = 0;
-        Vec3 halo = Vec3(0), star = Vec3(0);
+        Rgb halo = Rgb(0), star = Rgb(0);
 
         Parts& operator+=(const Parts&);
     };

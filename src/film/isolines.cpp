@@ -195,9 +195,8 @@ public:
                 for (int x = box.left; x < box.right; ++x) cover_[number(x, y)] = 0;
         for (std::size_t i = 0; i < cover_.size(); ++i)
             if (cover_[i] > 0)
-                picture_.pixels[i] =
-                    glm::mix(picture_.pixels[i], look_.colour(lines[line_[i]].value),
-                             static_cast<double>(cover_[i]));
+                picture_.pixels[i] = mix(picture_.pixels[i], look_.colour(lines[line_[i]].value),
+                                         static_cast<double>(cover_[i]));
         for (const auto& [box, line] : labels)
             write_text(picture_, {box.left + margin(), box.top + margin()}, look_.text(line->value),
                        look_.size, look_.colour(line->value));
@@ -214,8 +213,7 @@ private:
         const double half = 0.35 + 0.25 * look_.size;
         for (std::size_t k = 0; k + 1 < line.points.size(); ++k) {
             const Vec2 a = line.points[k], b = line.points[k + 1];
-            const Vec2 low = glm::min(a, b) - Vec2(half + 1),
-                       high = glm::max(a, b) + Vec2(half + 1);
+            const Vec2 low = min(a, b) - Vec2(half + 1), high = max(a, b) + Vec2(half + 1);
             for (int y = std::max(static_cast<int>(low.y), 0);
                  y < std::min(static_cast<int>(high.y) + 1, height_); ++y)
                 for (int x = std::max(static_cast<int>(low.x), 0);
@@ -276,7 +274,7 @@ private:
 
 NumberField calmed(const Image& values) {
     const NumberField given =
-        made_field(values.width, values.height, [&](int x, int y) { return values.at(x, y).x; });
+        made_field(values.width, values.height, [&](int x, int y) { return values.at(x, y).r; });
     NumberField field = made_field(values.width, values.height,
                                    [&](int x, int y) { return middle_around(given, x, y); });
     // The middle of nine numbers differs from the one in the middle by the noise only, also on a

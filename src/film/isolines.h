@@ -40,7 +40,7 @@ std::vector<Isoline> isolines_of(const NumberField&, double step, double most, d
 
 struct IsolineLook {
     int size = 1;  ///< of letters and lines; see write_text()
-    std::function<Vec3(double value)> colour;
+    std::function<Rgb(double value)> colour;
     std::function<std::string(double value)> text;
 };
 

@@ -47,8 +47,7 @@ int text_width(std::string_view text, int size) {
     return letter_step * size * static_cast<int>(text.size());
 }
 
-void write_text(Image& picture, PixelPlace at, std::string_view text, int size,
-                const Vec3& colour) {
+void write_text(Image& picture, PixelPlace at, std::string_view text, int size, const Rgb& colour) {
     for (const char c : text) {
         const auto letter = std::ranges::find(letters, c, &Letter::character);
         for (int row = 0; letter != letters.end() && row < letter_height * size; ++row)

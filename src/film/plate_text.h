@@ -20,6 +20,6 @@ int text_width(std::string_view text, int size);
 
 /// Writes digits, `.`, `-`, `+`, `/`, `%`, `e` and the letters of `lx` and `cd/m2`; others are
 /// blank. `at`: the upper left corner. What lies outside of the picture is left out.
-void write_text(Image&, PixelPlace at, std::string_view text, int size, const Vec3& colour);
+void write_text(Image&, PixelPlace at, std::string_view text, int size, const Rgb& colour);
 
 }  // namespace candelabra

@@ -44,23 +44,23 @@ double bent(double x, double way, double room, double power) {
     return scale * steep / math::pow(1 + math::pow(steep, power), 1 / power);
 }
 
-Vec3 mixed(const Vec3& c, double share) {
-    return (1 - share) * c + Vec3(share * (c.x + c.y + c.z) / 3);
+Rgb mixed(const Rgb& c, double share) {
+    return (1 - share) * c + Rgb(share * (c.r + c.g + c.b) / 3);
 }
 
 /// Light whose channels are finite, so that they can be compared by division.
 constexpr double agx_most = 1e30;
 
-Vec3 agx(const Vec3& exposure) {
+Rgb agx(const Rgb& exposure) {
     const auto [mixed_in, taken_back, kept_in_proportion, half_kept_exposure] = agx_mixing;
-    const Vec3 light = glm::clamp(exposure, Vec3(0), Vec3(agx_most));
-    Vec3 made = mixed(light, mixed_in);
+    const Rgb light = clamp(exposure, Rgb(0), Rgb(agx_most));
+    Rgb made = mixed(light, mixed_in);
     for (int i = 0; i < 3; ++i) made[i] = agx_curve(made[i]);
-    const double grey = (made.x + made.y + made.z) / 3;
-    made = (made - Vec3(taken_back * grey)) / (1 - taken_back);
+    const double grey = (made.r + made.g + made.b) / 3;
+    made = (made - Rgb(taken_back * grey)) / (1 - taken_back);
     const double brightest = max_component(light);
     if (brightest == 0) return made;
-    const Vec3 in_proportion = agx_curve(brightest) / brightest * light;
+    const Rgb in_proportion = agx_curve(brightest) / brightest * light;
     const double share = kept_in_proportion / (1 + brightest / half_kept_exposure);
     return made + share * (in_proportion - made);
 }
@@ -86,14 +86,14 @@ double agx_curve(double exposure) {
     return math::pow(std::clamp(shown, 0.0, 1.0), curve_gamma);
 }
 
-Vec3 respond(ResponseCurve curve, const Vec3& exposure) {
-    Vec3 known = exposure;
+Rgb respond(ResponseCurve curve, const Rgb& exposure) {
+    Rgb known = exposure;
     for (int i = 0; i < 3; ++i)
         if (std::isnan(known[i])) known[i] = 0;
     if (curve == ResponseCurve::filmic)
-        known = {filmic_curve(known.x), filmic_curve(known.y), filmic_curve(known.z)};
+        known = {filmic_curve(known.r), filmic_curve(known.g), filmic_curve(known.b)};
     if (curve == ResponseCurve::agx) known = agx(known);
-    return glm::clamp(known, Vec3(0), Vec3(1));
+    return clamp(known, Rgb(0), Rgb(1));
 }
 
 }  // namespace candelabra

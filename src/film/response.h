@@ -2,7 +2,7 @@
 // Response curves from unbounded exposure to display values. All of them preserve a grey of 0.18.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 #include "camera/film_settings.h"
 
 namespace candelabra {
@@ -19,7 +19,7 @@ namespace candelabra {
 /// curve's value in its greatest channel and the proportions of the light; its share falls from 0.7
 /// to half of that at an exposure of 16. So small saturated lamps keep their colour, and very
 /// bright lights become white whatever their colour.
-Vec3 respond(ResponseCurve, const Vec3& exposure);
+Rgb respond(ResponseCurve, const Rgb& exposure);
 
 /// The numbers of agx. Shares of each channel that are mixed from all channels before the curve and
 /// unmixed after it; the greatest share of the colour that has the proportions of the light; the

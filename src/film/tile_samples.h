@@ -2,7 +2,7 @@
 // What a sample rule needs of the renderer while a tile is made.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 #include "film/render_state.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace candelabra {
 
 /// The values of one ray, or the mean of several.
 struct PixelSample {
-    Vec3 colour = Vec3(0);
+    Rgb colour = Rgb(0);
     double clear = 0;  ///< transparency to compare, if the picture has an alpha channel
     std::vector<double> extra = {};  ///< the film's further sums
     std::uint32_t shadow_rays = 0;

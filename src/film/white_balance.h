@@ -2,7 +2,7 @@
 // White balance: the light that appears white, as with film for lamps or for daylight.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 
 namespace candelabra {
 
@@ -10,7 +10,9 @@ namespace candelabra {
 struct ColourMatrix {
     Vec3 red = Vec3(1, 0, 0), green = Vec3(0, 1, 0), blue = Vec3(0, 0, 1);  ///< rows
 
+    /// Of values of any three kinds, such as XYZ.
     Vec3 operator()(const Vec3& c) const { return {dot(red, c), dot(green, c), dot(blue, c)}; }
+    Rgb operator()(const Rgb& c) const { return rgb_of((*this)(vec3_of(c))); }
 };
 
 /// Returns the chromaticity x, y of a black body from 1000 to 15000 kelvins, after M. Krystek, "An

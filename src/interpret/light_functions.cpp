@@ -24,10 +24,10 @@ Value light_amount(FunctionCall& call, double (LightUnits::*convert)(double) con
 }
 
 /// A colour in the gamma of the scene's colours.
-Value as_colour_of_scene(FunctionCall& call, Vec3 rgb) {
+Value as_colour_of_scene(FunctionCall& call, Rgb rgb) {
     const double gamma = call.world.evaluator->working_gamma();
     for (int channel = 0; channel < 3; ++channel) rgb[channel] = from_linear(rgb[channel], gamma);
-    return Numbers::vector(rgb);
+    return Numbers::vector(vec3_of(rgb));
 }
 
 bool within(FunctionCall& call, double low, double high, std::string_view what) {

@@ -38,7 +38,7 @@ struct Numbers {
     static Numbers scalar(double value) { return {{value}, 1}; }
     static Numbers vector(const Vec3& v) { return {{v.x, v.y, v.z}, 3}; }
     static Numbers colour(const Colour& c) {
-        return {{c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit}, 5};
+        return {{c.rgb.r, c.rgb.g, c.rgb.b, c.filter, c.transmit}, 5};
     }
 
     bool is_scalar() const { return count == 1; }
@@ -46,7 +46,7 @@ struct Numbers {
     /// With at least n components: one number is copied to all, others get zeros.
     Numbers promoted(int n) const;
     Vec3 vec3() const { return {at[0], at[1], at[2]}; }
-    Colour to_colour() const { return {vec3(), at[3], at[4]}; }
+    Colour to_colour() const { return {{at[0], at[1], at[2]}, at[3], at[4]}; }
 
     friend bool operator==(const Numbers&, const Numbers&) = default;
 };

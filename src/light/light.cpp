@@ -43,8 +43,7 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
          "global_settings { photometry { white 100 } } light_source { <0, 3, 0>, rgb 1 ies "
          "\"gems.gltf\" profile 0 multiplier 0.5 }"},
         F{"location", &PointLight::location, positional, "where it is"},
-        maybe(as_colour(
-            F{"colour", &PointLight::colour, positional, "colour of the light, of any strength"})),
+        maybe(F{"colour", &PointLight::colour, positional, "colour of the light, of any strength"}),
         chooses("spotlight", &PointLight::beam, cone, "shines in a cone"),
         chooses("cylinder", &PointLight::beam, parallel_beam, "shines in a beam of equal width"),
         F{"parallel", &PointLight::parallel, flag, "all its light has one direction"},
@@ -183,7 +182,7 @@ std::string measure(PointLight& light) {
     if (light.fade_distance != 0 || (light.fade_power != 0 && light.fade_power != 2))
         return "a light with an `intensity` or a `flux` falls with the square of the distance: it "
                "takes no `fade_distance` and no `fade_power`";
-    if (light.colour == Vec3(0)) light.colour = Vec3(1);
+    if (light.colour == Rgb(0)) light.colour = Rgb(1);
     const double luminance = light_luminance(light.colour);
     if (!(luminance > 0)) return "the colour of a light with an `intensity` must not be negative";
     const double steradians = light.web || light.flux ? filled_steradians(light) : 1;
@@ -229,12 +228,12 @@ void settle(PointLight& light) {
 Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point) {
     const Vec3 offset = from - point;
     const double distance = length(offset);
-    if (distance == 0) return {Vec3(0, 1, 0), 0, Vec3(0)};
+    if (distance == 0) return {Vec3(0, 1, 0), 0, Rgb(0)};
     Incidence result{offset / distance, distance, light.colour};
     if (light.kept_to() == cone && !light.along_axis()) {
         const LightConeShape shape = light.shape ? *light.shape : cone_shape(light);
         result.colour *= in_cone(light, shape, -dot(shape.axis, result.direction));
-        if (result.colour == Vec3(0)) return result;
+        if (result.colour == Rgb(0)) return result;
     }
     if (light.along_axis()) {
         if (light.kept_to() == parallel_beam) {

@@ -3,6 +3,7 @@
 // not use this module.)
 #pragma once
 
+#include "base/rgb.h"
 #include "photometry/aimed_web.h"
 #include "vocabulary/kinds.h"
 
@@ -32,7 +33,7 @@ struct LightConeShape {
 /// matter.
 struct PointLight : WebPlace {
     Vec3 location = Vec3(0);
-    Vec3 colour = Vec3(0);
+    Rgb colour = Rgb(0);
     int beam = all_around;
     bool parallel = false;  ///< all light comes along the axis
     Vec3 point_at = Vec3(0, 0, 1);
@@ -101,7 +102,7 @@ PointLight transformed(PointLight, const Transform&);
 struct Incidence {
     Vec3 direction;       ///< unit, from the point towards the light
     double distance = 0;  ///< not above 0: nothing can occlude the light
-    Vec3 colour = Vec3(0);
+    Rgb colour = Rgb(0);
 };
 
 /// Light from one of the light's points: `from` is the location, or another point of its grid.

@@ -99,10 +99,9 @@ std::vector<BrightFace> faces_of(const Emitter& emitter) {
 
 }  // namespace
 
-double luminance(const Vec3& radiance) {
-    const Vec3 shining(std::fmax(radiance.x, 0), std::fmax(radiance.y, 0),
-                       std::fmax(radiance.z, 0));
-    if (shining == Vec3(0)) return 0;
+double luminance(const Rgb& radiance) {
+    const Rgb shining(std::fmax(radiance.r, 0), std::fmax(radiance.g, 0), std::fmax(radiance.b, 0));
+    if (shining == Rgb(0)) return 0;
     // Wide enough for any scene, and narrow enough that products with lengths stay in the range of
     // a double.
     return std::fmin(std::fmax(grey(shining), 1e-100), 1e100);

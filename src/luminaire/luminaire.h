@@ -5,6 +5,7 @@
 
 #include "base/box.h"
 #include "base/function_ref.h"
+#include "base/rgb.h"
 #include "base/transform.h"
 #include "base/vector.h"
 #include "luminaire/falloff.h"
@@ -115,7 +116,7 @@ struct Luminaire {
     Emitter emitter;
     /// Maximum radiance anywhere on it, on either side, per channel; for volumes, the maximum
     /// emitted along a line through them.
-    Vec3 radiance;
+    Rgb radiance;
     bool varying = false;    ///< whether the radiance changes over the surface
     bool two_faced = false;  ///< whether the two sides differ in radiance
     bool one_sided = false;  ///< whether one of the sides emits nothing
@@ -152,7 +153,7 @@ struct LightBounds {
 };
 
 /// Luminance for choosing luminaires: grey(), but above 0 if any channel is.
-double luminance(const Vec3& radiance);
+double luminance(const Rgb& radiance);
 
 LightBounds bounds(const Luminaire&);
 

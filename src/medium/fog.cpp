@@ -77,27 +77,27 @@ double share_left(const Fog& fog, const Ray& ray, double distance, NoiseGenerato
 }
 
 /// Transmittance coloured by the fog's filter.
-Vec3 tinted(const Fog& fog, double share) {
-    return share * (Vec3(1 - fog.colour.filter) + fog.colour.filter * fog.colour.rgb);
+Rgb tinted(const Fog& fog, double share) {
+    return share * (Rgb(1 - fog.colour.filter) + fog.colour.filter * fog.colour.rgb);
 }
 
 }  // namespace
 
-Vec3 left_by(std::span<const Fog> fogs, const Ray& ray, double distance, NoiseGenerator generator) {
-    Vec3 all(1);
+Rgb left_by(std::span<const Fog> fogs, const Ray& ray, double distance, NoiseGenerator generator) {
+    Rgb all(1);
     for (const Fog& fog : fogs) {
         if (fog.distance <= 0) continue;
-        if (is_black(fog)) return Vec3(0);
+        if (is_black(fog)) return Rgb(0);
         all *= tinted(fog, share_left(fog, ray, distance, generator));
     }
     return all;
 }
 
 Veil veil_of(std::span<const Fog> fogs, const Ray& ray, double distance, NoiseGenerator generator) {
-    Vec3 own(0), behind(1);
+    Rgb own(0), behind(1);
     for (const Fog& fog : fogs) {
         if (fog.distance <= 0) continue;
-        if (is_black(fog)) return {Vec3(0), Vec3(0)};
+        if (is_black(fog)) return {Rgb(0), Rgb(0)};
         const double share = share_left(fog, ray, distance, generator);
         own += (1 - share) * fog.colour.rgb;
         behind *= tinted(fog, share);

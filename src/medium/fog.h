@@ -31,7 +31,7 @@ struct Fog {
 
 /// Transmittance of all fogs along the ray up to a distance, without the light they add. It is 0 in
 /// a black fog.
-Vec3 left_by(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
+Rgb left_by(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
 
 /// Transmittance and added radiance of all fogs along the ray, from its origin to a distance, which
 /// may be infinite. In a black fog both are 0.

@@ -21,8 +21,7 @@ const ItemInfo Interior::vocabulary = described<Interior>([] {
           "way by which light is dimmed to half; 0: it is not", at_least(0)},
         F{"fade_power", &Interior::fade_power, item,
           "how fast it is dimmed; from 1000 on exponentially, as nature does", at_least(0)},
-        as_colour(
-            F{"fade_color", &Interior::fade_color, item, "colour of light that has gone far"}),
+        F{"fade_color", &Interior::fade_color, item, "colour of light that has gone far"},
         F{"caustics", &Interior::caustics, item,
           "brightens shadows where light passes the surface straight on; 0: not"},
         F{"dispersion", &Interior::dispersion, item,
@@ -42,12 +41,12 @@ bool moves(const Interior& interior) {
     return std::ranges::any_of(interior.media, [](const Media& m) { return !m.homogeneous(); });
 }
 
-Vec3 attenuation(const Interior& interior, double distance) {
-    if (std::abs(interior.fade_distance) < 1e-10) return Vec3(1);
+Rgb attenuation(const Interior& interior, double distance) {
+    if (std::abs(interior.fade_distance) < 1e-10) return Rgb(1);
     const double way = distance / interior.fade_distance;
-    const Vec3& kept = interior.fade_color;
-    if (interior.fade_power >= 1000) return math::exp((kept - Vec3(1)) * way);
-    return kept + (Vec3(1) - kept) / (1 + math::pow(way, interior.fade_power));
+    const Rgb& kept = interior.fade_color;
+    if (interior.fade_power >= 1000) return math::exp((kept - Rgb(1)) * way);
+    return kept + (Rgb(1) - kept) / (1 + math::pow(way, interior.fade_power));
 }
 
 }  // namespace candelabra

@@ -2,6 +2,7 @@
 // The interior of a solid: how it refracts light, and how light fades and scatters there.
 #pragma once
 
+#include "base/rgb.h"
 #include "medium/media.h"
 #include "vocabulary/item_info.h"
 
@@ -11,7 +12,7 @@ struct Interior {
     double ior = 0;            ///< 0: index of the air, and no dispersion
     double fade_distance = 0;  ///< 0: no attenuation
     double fade_power = 0;
-    Vec3 fade_color = Vec3(0);
+    Rgb fade_color = Rgb(0);
     double caustics = 0;    ///< strength of bright spots in shadows; 0: none
     double dispersion = 1;  ///< ratio of the refractive indices of violet and red
     int dispersion_samples = 7;
@@ -32,6 +33,6 @@ constexpr double caustics_power = 45;
 
 /// Transmittance of a distance inside, per channel. From a fade_power of 1000 on it falls
 /// exponentially, else as 1 / (1 + (distance / fade_distance)^fade_power).
-Vec3 attenuation(const Interior&, double distance);
+Rgb attenuation(const Interior&, double distance);
 
 }  // namespace candelabra

@@ -139,10 +139,10 @@ public:
 
 private:
     /// Emission along the whole segment, if the coefficients are constant.
-    Vec3 whole(const Vec3& e) const {
-        const Vec3& x = first_.extinction;
+    Rgb whole(const Rgb& e) const {
+        const Rgb& x = first_.extinction;
         const double way = stretch_.distance;
-        return {emitted(e.x, x.x, way), emitted(e.y, x.y, way), emitted(e.z, x.z, way)};
+        return {emitted(e.r, x.r, way), emitted(e.g, x.g, way), emitted(e.b, x.b, way)};
     }
 
     void walk() {
@@ -157,7 +157,7 @@ private:
     }
 
     void add_places(double from, double to, int count, bool far) {
-        const double rate = (first_.extinction.x + first_.extinction.y + first_.extinction.z) / 3;
+        const double rate = (first_.extinction.r + first_.extinction.g + first_.extinction.b) / 3;
         const bool thins = even_ && rate * (to - from) > 1e-6;
         const Spread spread(thins ? Spread::Kind::exponential
                             : far ? Spread::Kind::ratios
@@ -188,18 +188,18 @@ private:
 
     void add(double distance, double way) {
         if (even_) {
-            const Vec3 left = math::exp(-distance * first_.extinction);
+            const Rgb left = math::exp(-distance * first_.extinction);
             result_.places.push_back({distance, way * left, first_.scattering});
             if (stretch_.shows) add_emission(distance, way * left, first_);
             return;
         }
         const MediumPoint here = pass_to(distance);
         add_emission(distance, way * left_, here);
-        if (here.scattering != Vec3(0))
+        if (here.scattering != Rgb(0))
             result_.places.push_back({distance, way * left_, here.scattering});
     }
 
-    void add_emission(double distance, const Vec3& weight, const MediumPoint& here) {
+    void add_emission(double distance, const Rgb& weight, const MediumPoint& here) {
         if (!stretch_.shows) {
             emitted_ += weight * here.emission;
             of_luminaires_ += weight * here.luminaires;
@@ -208,7 +208,7 @@ private:
         const Vec3 point = ray_.at(distance);
         for (std::size_t i = 0; i < media_.size(); ++i) {
             const Media& each = *media_[i];
-            if (each.emission != Vec3(0) && (*stretch_.shows)(i, point))
+            if (each.emission != Rgb(0) && (*stretch_.shows)(i, point))
                 (each.luminaire ? of_luminaires_ : emitted_) +=
                     weight * density(each, point, scene_) * each.emission;
         }
@@ -220,7 +220,7 @@ private:
         left_ *= segment_transmittance(media_, {ray_, passed_, distance, before_, here.extinction},
                                        greatest_, scene_, random_);
         opaque_ = !survives(left_, random_);
-        if (opaque_) left_ = Vec3(0);
+        if (opaque_) left_ = Rgb(0);
         passed_ = distance;
         before_ = here.extinction;
         return here;
@@ -237,7 +237,7 @@ private:
     MediaMarch& result_;
     double passed_ = 0;
     bool opaque_ = false;  ///< nothing arrives from further on
-    Vec3 before_ = first_.extinction, left_ = Vec3(1), emitted_ = Vec3(0), of_luminaires_ = Vec3(0);
+    Rgb before_ = first_.extinction, left_ = Rgb(1), emitted_ = Rgb(0), of_luminaires_ = Rgb(0);
 };
 
 }  // namespace
@@ -245,7 +245,7 @@ private:
 void march(MediaView media, const MediaStretch& stretch, const PatternScene& scene, const Key& key,
            MediaMarch& result) {
     result.veil = {};
-    result.of_luminaires = Vec3(0);
+    result.of_luminaires = Rgb(0);
     result.places.clear();
     if (media.empty() || !(stretch.distance > 0)) return;
     Marcher(media, stretch, scene, key, result).go();

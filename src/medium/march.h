@@ -6,6 +6,7 @@
 #include "base/function_ref.h"
 #include "base/random.h"
 #include "base/ray.h"
+#include "base/rgb.h"
 #include "base/short_list.h"
 #include "medium/media.h"
 #include "medium/veil.h"
@@ -19,13 +20,13 @@ struct MediaPlace {
     double distance = 0;
     /// Weight of the radiance scattered there per unit of length: the transmittance between viewer
     /// and point, times the length that the point represents.
-    Vec3 weight = Vec3(0);
-    Vec3 scattering = Vec3(0);  ///< coefficient, without phase functions
+    Rgb weight = Rgb(0);
+    Rgb scattering = Rgb(0);  ///< coefficient, without phase functions
 };
 
 struct MediaMarch {
     Veil veil;                     ///< adds the emission
-    Vec3 of_luminaires = Vec3(0);  ///< the part of the emission that belongs to luminaires
+    Rgb of_luminaires = Rgb(0);    ///< the part of the emission that belongs to luminaires
     /// Empty if nothing is scattered. The sum over the places of weight times a function of the
     /// distance is an unbiased estimate of the integral of that function times the transmittance.
     ShortList<MediaPlace, 64> places;

@@ -20,8 +20,8 @@ const ItemInfo Scattering::vocabulary = described<Scattering>([] {
         F{"type", &Scattering::type, positional,
           "1: to all sides, 2: haze, 3: murky air, 4: as the sky does (Rayleigh), 5: by its "
           "eccentricity (Henyey and Greenstein)"},
-        as_colour(F{"colour", &Scattering::colour, positional,
-                    "light that is scattered along one unit of length"}),
+        F{"colour", &Scattering::colour, positional,
+          "light that is scattered along one unit of length"},
         F{"extinction", &Scattering::extinction, item,
           "how much of what is scattered is missing behind; 0: nothing"},
         F{"eccentricity", &Scattering::eccentricity, item,
@@ -40,10 +40,8 @@ const ItemInfo Media::vocabulary = described<Media>([] {
          "media { emission 0.05 method 3 aa_level 3 aa_threshold 0.1 confidence 0.9 variance 1/128 "
          "ratio 0.9 }",
          "media { scattering { 1, 0.05 } collect on }"},
-        as_colour(F{"absorption", &Media::absorption, item,
-                    "light that is lost along one unit of length"}),
-        as_colour(
-            F{"emission", &Media::emission, item, "light that is added along one unit of length"}),
+        F{"absorption", &Media::absorption, item, "light that is lost along one unit of length"},
+        F{"emission", &Media::emission, item, "light that is added along one unit of length"},
         F{"method", &Media::method, item, "POV-Ray's way of sampling; without effect",
           between(1, 3)},
         F{"intervals", &Media::intervals, item, "effort: as POV-Ray divides a ray", at_least(1)},
@@ -123,16 +121,16 @@ Media transformed(Media media, const Transform& transform) {
     return media;
 }
 
-Vec3 density(const Media& media, const Vec3& point, const PatternScene& scene) {
-    Vec3 product(1);
+Rgb density(const Media& media, const Vec3& point, const PatternScene& scene) {
+    Rgb product(1);
     count_work(1);
     for (const Pigment& each : media.densities) product *= evaluate(each, point, scene).rgb;
     return product;
 }
 
-Vec3 max_density(const Media& media) {
-    Vec3 product(1);
-    for (const Pigment& each : media.densities) product *= glm::max(brightest(each), Vec3(0));
+Rgb max_density(const Media& media) {
+    Rgb product(1);
+    for (const Pigment& each : media.densities) product *= max(brightest(each), Rgb(0));
     return product;
 }
 
@@ -140,7 +138,7 @@ MediumPoint coefficients(MediaView media, const Vec3& point, const PatternScene&
                          LightInAir light) {
     MediumPoint sum;
     for (const Media* each : media) {
-        const Vec3 here = density(*each, point, scene);
+        const Rgb here = density(*each, point, scene);
         sum.extinction += here * each->extinction();
         (each->luminaire ? sum.luminaires : sum.emission) += here * each->emission;
         if (each->scatters(light)) sum.scattering += here * each->scattering.colour;
@@ -148,8 +146,8 @@ MediumPoint coefficients(MediaView media, const Vec3& point, const PatternScene&
     return sum;
 }
 
-Vec3 scattered(MediaView media, const Vec3& point, const PatternScene& scene, double cosine) {
-    Vec3 sum(0);
+Rgb scattered(MediaView media, const Vec3& point, const PatternScene& scene, double cosine) {
+    Rgb sum(0);
     for (const Media* each : media)
         if (each->scatters())
             sum += density(*each, point, scene) * each->scattering.colour *

@@ -6,6 +6,7 @@
 // whose integral is 1, as light of colour 1 has an irradiance of pi.
 #pragma once
 
+#include "base/rgb.h"
 #include "surface/pigment.h"
 #include "vocabulary/item_info.h"
 
@@ -29,7 +30,7 @@ enum class LightInAir {
 /// How a medium scatters light.
 struct Scattering {
     int type = 1;             ///< see PhaseKind
-    Vec3 colour = Vec3(0);    ///< scattering coefficient, per unit of length; any sign
+    Rgb colour = Rgb(0);      ///< scattering coefficient, per unit of length; any sign
     double extinction = 1;    ///< fraction of the scattered light that the ray loses; any sign
     double eccentricity = 0;  ///< of type 5: above 0, light scatters forward
     bool multiple = false;    ///< whether paths scatter light repeatedly
@@ -52,8 +53,8 @@ double unit_of_light(const Scattering&);
 
 /// One medium. The product of all its densities, per channel, multiplies all three coefficients.
 struct Media {
-    Vec3 absorption = Vec3(0);  ///< per unit of length; any sign
-    Vec3 emission = Vec3(0);    ///< radiance per unit of length; any sign
+    Rgb absorption = Rgb(0);  ///< per unit of length; any sign
+    Rgb emission = Rgb(0);    ///< radiance per unit of length; any sign
     Scattering scattering;
     std::vector<Pigment> densities;  ///< in the space around the medium; none: 1 everywhere
     // POV-Ray's sampling parameters. They give the effort, and do not change the expected image.
@@ -73,14 +74,14 @@ struct Media {
 
     static const ItemInfo vocabulary;
 
-    bool scatters() const { return scattering.colour != Vec3(0); }
+    bool scatters() const { return scattering.colour != Rgb(0); }
     /// Whether it scatters that light.
     bool scatters(LightInAir light) const {
         return scatters() && (scattering.multiple ? light != LightInAir::once_only
                                                   : light != LightInAir::repeatedly_only);
     }
     /// Extinction coefficient at a density of 1, per unit of length.
-    Vec3 extinction() const { return absorption + scattering.extinction * scattering.colour; }
+    Rgb extinction() const { return absorption + scattering.extinction * scattering.colour; }
     /// Whether its density is constant.
     bool homogeneous() const;
     /// Whether its effect on a ray is estimated by random samples.
@@ -92,19 +93,19 @@ struct Media {
 Media transformed(Media, const Transform&);
 
 /// Product of the densities at a point. Filter, transmit and limits are ignored.
-Vec3 density(const Media&, const Vec3& point, const PatternScene&);
+Rgb density(const Media&, const Vec3& point, const PatternScene&);
 /// Upper bound of the product of the densities, per channel, provided that none is below 0.
-Vec3 max_density(const Media&);
+Rgb max_density(const Media&);
 
 /// Media that fill the same space. Their coefficients add up.
 using MediaView = std::span<const Media* const>;
 
 /// Coefficients of media at a point, per unit of length.
 struct MediumPoint {
-    Vec3 extinction = Vec3(0);
-    Vec3 emission = Vec3(0);    ///< radiance, without that of luminaires
-    Vec3 luminaires = Vec3(0);  ///< radiance emitted by luminaires
-    Vec3 scattering = Vec3(0);  ///< without phase functions
+    Rgb extinction = Rgb(0);
+    Rgb emission = Rgb(0);    ///< radiance, without that of luminaires
+    Rgb luminaires = Rgb(0);  ///< radiance emitted by luminaires
+    Rgb scattering = Rgb(0);  ///< without phase functions
 };
 /// `light` is what may be scattered.
 MediumPoint coefficients(MediaView, const Vec3& point, const PatternScene&,
@@ -112,6 +113,6 @@ MediumPoint coefficients(MediaView, const Vec3& point, const PatternScene&,
 
 /// Radiance per unit of length that media at a point scatter towards the viewer, for light of
 /// colour 1 at this cosine (see phase()).
-Vec3 scattered(MediaView, const Vec3& point, const PatternScene&, double cosine);
+Rgb scattered(MediaView, const Vec3& point, const PatternScene&, double cosine);
 
 }  // namespace candelabra

@@ -28,13 +28,13 @@ constexpr double kept_terms = 2;
 
 /// Transmittance by ratio tracking (Novak, Selle and Jarosz, "Residual Ratio Tracking for
 /// Estimating Attenuation in Participating Media", 2014).
-Vec3 tracked(MediaView media, const MediaSegment& segment, double greatest,
-             const PatternScene& scene, RandomStream& random) {
-    Vec3 left(1);
+Rgb tracked(MediaView media, const MediaSegment& segment, double greatest,
+            const PatternScene& scene, RandomStream& random) {
+    Rgb left(1);
     double t = segment.from;
     while ((t -= math::log1p(-random.next()) / greatest) < segment.to) {
-        left *= Vec3(1) - coefficients(media, segment.ray.at(t), scene).extinction / greatest;
-        if (!survives(left, random)) return Vec3(0);
+        left *= Rgb(1) - coefficients(media, segment.ray.at(t), scene).extinction / greatest;
+        if (!survives(left, random)) return Rgb(0);
     }
     return left;
 }
@@ -44,7 +44,7 @@ Vec3 tracked(MediaView media, const MediaSegment& segment, double greatest,
 double max_extinction(MediaView media) {
     double sum = 0;
     for (const Media* each : media)
-        sum += max_component(glm::abs(each->extinction()) * max_density(*each));
+        sum += max_component(abs(each->extinction()) * max_density(*each));
     return sum;
 }
 
@@ -52,53 +52,52 @@ bool homogeneous(MediaView media) {
     return std::ranges::all_of(media, [](const Media* each) { return each->homogeneous(); });
 }
 
-bool survives(Vec3& left, RandomStream& random) {
+bool survives(Rgb& left, RandomStream& random) {
     constexpr double little = 0.01, chance = 0.1;
-    if (max_component(glm::abs(left)) >= little) return true;
+    if (max_abs_component(left) >= little) return true;
     if (random.next() >= chance) return false;
     left /= chance;
     return true;
 }
 
-Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double greatest,
-                           const PatternScene& scene, RandomStream& random) {
+Rgb segment_transmittance(MediaView media, const MediaSegment& segment, double greatest,
+                          const PatternScene& scene, RandomStream& random) {
     const double way = segment.to - segment.from, depth = greatest * way;
-    if (!(depth > 0)) return Vec3(1);
+    if (!(depth > 0)) return Rgb(1);
     if (depth > max_tracked)
         return math::exp(-0.5 * way * (segment.extinction_from + segment.extinction_to));
     if (depth > max_series) return tracked(media, segment, greatest, scene, random);
-    const Vec3 pivot = -0.5 * way * (segment.extinction_from + segment.extinction_to);
-    const double expected = std::fmax(max_component(glm::abs(pivot)), share_of_greatest * depth);
+    const Rgb pivot = -0.5 * way * (segment.extinction_from + segment.extinction_to);
+    const double expected = std::fmax(max_abs_component(pivot), share_of_greatest * depth);
     const double points = std::ceil(std::clamp(points_per_depth * expected, 1.0, max_points));
     const auto estimate = [&] {
         const double shift = random.next();
-        Vec3 sum(0);
+        Rgb sum(0);
         for (double i = 0; i < points; ++i) {
             const double t = segment.from + way * (i + shift) / points;
             sum += coefficients(media, segment.ray.at(t), scene).extinction;
         }
         return -way / points * sum;
     };
-    Vec3 sum(1), term(1);
+    Rgb sum(1), term(1);
     double goes_on = std::min(1.0, depth / thin);
     for (double order = 1; random.next() < goes_on; ++order) {
         term *= (estimate() - pivot) / (order * goes_on);
         sum += term;
-        goes_on =
-            std::min(order < long_series ? 1.0 : 0.5, kept_terms * max_component(glm::abs(term)));
+        goes_on = std::min(order < long_series ? 1.0 : 0.5, kept_terms * max_abs_component(term));
     }
     return math::exp(pivot) * sum;
 }
 
-Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const PatternScene& scene,
-                   const Key& key) {
+Rgb transmittance(MediaView media, const Ray& ray, const Interval& way, const PatternScene& scene,
+                  const Key& key) {
     const double length = way.max - way.min, greatest = max_extinction(media);
-    if (!(greatest > 0)) return Vec3(1);
-    const Vec3 first = coefficients(media, ray.at(way.min), scene).extinction;
+    if (!(greatest > 0)) return Rgb(1);
+    const Rgb first = coefficients(media, ray.at(way.min), scene).extinction;
     if (homogeneous(media)) return math::exp(-length * first);
     const double parts = std::ceil(std::clamp(std::sqrt(greatest * length), 1.0, max_parts));
     RandomStream random(key, Purpose::media_transmittance);
-    Vec3 left(1);
+    Rgb left(1);
     MediaSegment segment{ray, way.min, way.min, first, first};
     for (double i = 1; i <= parts; ++i) {
         segment.from = segment.to;
@@ -106,7 +105,7 @@ Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const P
         segment.to = way.min + length * i / parts;
         segment.extinction_to = coefficients(media, ray.at(segment.to), scene).extinction;
         left *= segment_transmittance(media, segment, greatest, scene, random);
-        if (!survives(left, random)) return Vec3(0);
+        if (!survives(left, random)) return Rgb(0);
     }
     return left;
 }

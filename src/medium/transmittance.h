@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "base/ray.h"
+#include "base/rgb.h"
 #include "medium/media.h"
 
 namespace candelabra {
@@ -13,7 +14,7 @@ namespace candelabra {
 struct MediaSegment {
     const Ray& ray;
     double from, to;
-    Vec3 extinction_from, extinction_to;  ///< per unit of length
+    Rgb extinction_from, extinction_to;  ///< per unit of length
 };
 
 /// Upper bound of the extinction of all media together, over all channels, unless a density is
@@ -31,13 +32,13 @@ bool homogeneous(MediaView);
 /// The variance is 0 if the extinction is constant. A segment of thousands of minimum mean free
 /// paths, such as one to the end of the air, is evaluated at its ends alone. `greatest` is
 /// max_extinction().
-Vec3 segment_transmittance(MediaView, const MediaSegment&, double greatest, const PatternScene&,
-                           RandomStream&);
+Rgb segment_transmittance(MediaView, const MediaSegment&, double greatest, const PatternScene&,
+                          RandomStream&);
 
 /// Russian roulette at low transmittance: returns whether `left` survives, and rescales it if so.
-bool survives(Vec3& left, RandomStream&);
+bool survives(Rgb& left, RandomStream&);
 
 /// The same between two points of a ray at any distance from each other.
-Vec3 transmittance(MediaView, const Ray&, const Interval&, const PatternScene&, const Key&);
+Rgb transmittance(MediaView, const Ray&, const Interval&, const PatternScene&, const Key&);
 
 }  // namespace candelabra

@@ -2,15 +2,15 @@
 // Effect of a medium without scattering samples on the radiance from behind it.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 
 namespace candelabra {
 
 struct Veil {
-    Vec3 transmittance = Vec3(1);
-    Vec3 added = Vec3(0);  ///< radiance
+    Rgb transmittance = Rgb(1);
+    Rgb added = Rgb(0);  ///< radiance
 
-    Vec3 through(const Vec3& behind) const { return added + transmittance * behind; }
+    Rgb through(const Rgb& behind) const { return added + transmittance * behind; }
     /// Returns the combination of both, with this one in front.
     Veil before(const Veil& other) const {
         return {transmittance * other.transmittance, through(other.added)};

@@ -47,15 +47,15 @@ const ItemInfo Radiosity::vocabulary = described<Radiosity>([] {
         F{"load_file", &Radiosity::load_file, item, of_cache});
 });
 
-Vec3 gathered_light(const Radiosity& r, const Vec3& radiance) {
-    Vec3 light = radiance;
+Rgb gathered_light(const Radiosity& r, const Rgb& radiance) {
+    Rgb light = radiance;
     const double brightest = max_component(light);
     if (r.max_sample > 0 && brightest > r.max_sample) light *= r.max_sample / brightest;
     return reflected_light(r, light);
 }
 
-Vec3 reflected_light(const Radiosity& r, const Vec3& light) {
-    return r.brightness * glm::mix(light, Vec3(grey(light)), r.gray_threshold);
+Rgb reflected_light(const Radiosity& r, const Rgb& light) {
+    return r.brightness * mix(light, Rgb(grey(light)), r.gray_threshold);
 }
 
 }  // namespace candelabra

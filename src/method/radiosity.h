@@ -3,6 +3,7 @@
 // cache, so the parameters of the cache have no effect.
 #pragma once
 
+#include "base/rgb.h"
 #include "vocabulary/item_info.h"
 
 #include <string>
@@ -36,8 +37,8 @@ struct Radiosity {
 
 /// Returns the gathered part of the radiance from one direction: bounded by `max_sample`, scaled by
 /// `brightness` and partly turned grey.
-Vec3 gathered_light(const Radiosity&, const Vec3& radiance);
+Rgb gathered_light(const Radiosity&, const Rgb& radiance);
 /// The same without the bound, for light whose directions are not known.
-Vec3 reflected_light(const Radiosity&, const Vec3& light);
+Rgb reflected_light(const Radiosity&, const Rgb& light);
 
 }  // namespace candelabra

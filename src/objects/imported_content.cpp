@@ -140,13 +140,13 @@ Content read_mesh(OpenBlock& block, const Found& file) {
 void use_profile(PointLight& light, const WebPlace& profile, const LightUnits& units) {
     const double factor = light_luminance(light.colour);
     if (!profile.web || !(factor > 0)) {
-        light.colour = Vec3(0);
+        light.colour = Rgb(0);
         return;
     }
     static_cast<WebPlace&>(light) = profile;
     light.multiplier = factor;
     light.per_candela = units.intensity(factor);
-    if (!measure(light).empty()) light.colour = Vec3(0);
+    if (!measure(light).empty()) light.colour = Rgb(0);
 }
 
 PlacedLight placed_light(const ImportedLight& from, const ImportedContent& content,
@@ -174,7 +174,7 @@ PlacedLight placed_light(const ImportedLight& from, const ImportedContent& conte
         light.radius = std::clamp(from.inner / radians_per_degree, 0.0, *light.falloff);
     }
     light.intensity = units.intensity(light_luminance(light.colour));
-    if (!measure(light).empty()) light.colour = Vec3(0);
+    if (!measure(light).empty()) light.colour = Rgb(0);
     return placed;
 }
 

@@ -51,7 +51,7 @@ Vec2 means(const Texels& texels) {
 
 }  // namespace
 
-Vec3 ImportedLooks::in_scene(const std::array<double, 3>& stated) const {
+Rgb ImportedLooks::in_scene(const std::array<double, 3>& stated) const {
     const double gamma = block_.binder.working_gamma.value_or(1);
     const auto channel = [&](double value) {
         return from_linear(model_.encoded ? srgb_decode(value) : value, gamma);
@@ -102,7 +102,7 @@ const ImportedLooks::Shown& ImportedLooks::shown(int picture, TexelCoding::Decod
     return known;
 }
 
-Pigment ImportedLooks::pigment(int picture, const Vec3& factor, const ImportedMaterial& material,
+Pigment ImportedLooks::pigment(int picture, const Rgb& factor, const ImportedMaterial& material,
                                double transmit) {
     Pigment made;
     made.colour.rgb = factor;
@@ -147,7 +147,7 @@ Bump ImportedLooks::bumps(const ImportedMaterial& material) {
 
 Finish ImportedLooks::finish(const ImportedMaterial& material) {
     Finish made;
-    made.ambient = Vec3(0);
+    made.ambient = Rgb(0);
     made.diffuse = 1;
     if (!material.facets) {
         if (material.specular <= 0 || material.shininess <= 0) return made;
@@ -169,9 +169,9 @@ Finish ImportedLooks::finish(const ImportedMaterial& material) {
 
 /// Adds light to a texture whose pigment and finish are complete.
 void ImportedLooks::glow(const ImportedMaterial& material, Texture& texture) {
-    const Vec3 light = in_scene(material.emission);
-    if (light == Vec3(0)) return;
-    Vec3& colour = texture.pigment.colour.rgb;
+    const Rgb light = in_scene(material.emission);
+    if (light == Rgb(0)) return;
+    Rgb& colour = texture.pigment.colour.rgb;
     if (material.emission_picture < 0 && !texture.pigment.pattern) {
         for (int i = 0; i < 3; ++i) {
             if (light[i] > 0) colour[i] = std::max(colour[i], least_colour);
@@ -182,7 +182,7 @@ void ImportedLooks::glow(const ImportedMaterial& material, Texture& texture) {
     // The light of a texture is that of its pigment, so the one picture shows both.
     if (material.emission_picture != material.picture) {
         if (material.picture >= 0) ++left_out_.dim;
-        texture.pigment = pigment(material.emission_picture, Vec3(1), material, 0);
+        texture.pigment = pigment(material.emission_picture, Rgb(1), material, 0);
         texture.finish.diffuse = 0;
         texture.finish.microfacet.on = false;
     }
@@ -197,9 +197,9 @@ ImportedLook ImportedLooks::look(const ImportedMaterial& material) {
                                                   : std::clamp(material.opacity, 0.0, 1.0);
     const double through = std::clamp(material.transmission, 0.0, 1.0);
     Texture texture;
-    Vec3 colour = glm::max(in_scene(material.colour), Vec3(0));
+    Rgb colour = max(in_scene(material.colour), Rgb(0));
     // Files of Phong materials often leave the colour black where there is a picture.
-    if (!material.facets && material.picture >= 0 && colour == Vec3(0)) colour = Vec3(1);
+    if (!material.facets && material.picture >= 0 && colour == Rgb(0)) colour = Rgb(1);
     texture.pigment = pigment(material.picture, colour, material, 1 - opacity);
     if (!texture.pigment.pattern) texture.pigment.colour.filter = opacity * through;
     texture.finish = finish(material);

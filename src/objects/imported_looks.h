@@ -2,6 +2,7 @@
 // Materials of imported models as textures and interiors. Called by imported_content.cpp.
 #pragma once
 
+#include "base/rgb.h"
 #include "imports/imported_model.h"
 #include "meshing/model_import.h"
 #include "reading/block.h"
@@ -43,11 +44,11 @@ private:
     /// A picture of the model, coded for colours or as stored; null after a diagnostic.
     const Shown& shown(int picture, TexelCoding::Decode);
     std::optional<Found> find(const ImportedFile&, int number);
-    Pigment pigment(int picture, const Vec3& factor, const ImportedMaterial&, double transmit);
+    Pigment pigment(int picture, const Rgb& factor, const ImportedMaterial&, double transmit);
     Bump bumps(const ImportedMaterial&);
     Finish finish(const ImportedMaterial&);
     void glow(const ImportedMaterial&, Texture&);
-    Vec3 in_scene(const std::array<double, 3>& stated) const;
+    Rgb in_scene(const std::array<double, 3>& stated) const;
 
     OpenBlock& block_;
     const ImportedModel& model_;

@@ -122,7 +122,7 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
             error(Fault::misplaced, element.word_span, std::move(wrong))
                 .with_help("light_source { 2*y rgb kelvin(2700) intensity candela(1000) }"));
     if (is_aimless(placed.light)) {
-        placed.light.colour = Vec3(0);
+        placed.light.colour = Rgb(0);
         block.report(warning(Fault::degenerate, element.word_span,
                              "this light lights nothing: `point_at` is its own location")
                          .with_help(block.help()));

@@ -44,7 +44,7 @@ std::optional<Numbers> vector_of(std::string_view text) {
 /// Returns the colour whose red, green and blue the vector has.
 std::optional<Numbers> colour_of(const std::optional<Numbers>& vector) {
     if (!vector || vector->count != 3) return std::nullopt;
-    return Numbers::colour({vector->vec3(), 0, 0});
+    return Numbers::colour({rgb_of(vector->vec3()), 0, 0});
 }
 
 std::optional<Numbers> vector_of(const Json& json) {

@@ -13,7 +13,7 @@ namespace candelabra {
 namespace {
 
 /// Returns the mean of three consecutive sums.
-Vec3 mean_of(const Film& film, std::size_t pixel, std::size_t first) {
+Rgb mean_of(const Film& film, std::size_t pixel, std::size_t first) {
     const PixelSum& sums = film.pixels()[pixel];
     const auto extra = film.extra(pixel).subspan(first, 3);
     return {sums.mean_of(extra[0].value()), sums.mean_of(extra[1].value()),
@@ -58,10 +58,10 @@ QuietFilm denoised_film(const Film& film, const FilmFiles& files) {
     if (aovs.lights) noisy.parts.assign(files.lights.size(), noisy.variance);
     for (std::size_t i = 0; i < film.pixels().size(); ++i) {
         noisy.glow.pixels[i] = mean_of(film, i, aovs.first_glow());
-        const Vec3 mean = noisy.light.pixels[i] - noisy.glow.pixels[i];
+        const Rgb mean = noisy.light.pixels[i] - noisy.glow.pixels[i];
         const double samples = film.pixels()[i].samples;
         noisy.variance.pixels[i] =
-            glm::max(mean_of(film, i, aovs.first_square()) - mean * mean, Vec3(0)) /
+            max(mean_of(film, i, aovs.first_square()) - mean * mean, Rgb(0)) /
             std::max(samples - 1, 1.0);
         noisy.albedo.pixels[i] = mean_of(film, i, aovs.albedo());
         noisy.normal.pixels[i] = mean_of(film, i, aovs.normal());
@@ -81,9 +81,9 @@ QuietFilm denoised_film(const Film& film, const FilmFiles& files) {
     return quiet;
 }
 
-void film_row(const Film& film, int y, std::span<Vec3> pixels, std::span<double> alpha) {
+void film_row(const Film& film, int y, std::span<Rgb> pixels, std::span<double> alpha) {
     if (y < film.first_row() || y >= film.last_row()) {
-        std::ranges::fill(pixels, Vec3(0));
+        std::ranges::fill(pixels, Rgb(0));
         std::ranges::fill(alpha, 0);
         return;
     }

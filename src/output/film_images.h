@@ -2,6 +2,7 @@
 // Images of the sums that a film gathers besides the picture. Called by the writers of files.
 #pragma once
 
+#include "base/rgb.h"
 #include "film/develop.h"
 
 #include <cstddef>
@@ -31,7 +32,7 @@ QuietFilm denoised_film(const Film&, const FilmFiles&);
 
 /// Sets the pixels of a row of the undeveloped picture, and their alpha unless that is empty. To be
 /// called from the top: it lets go of the film behind it.
-void film_row(const Film&, int y, std::span<Vec3> pixels, std::span<double> alpha);
+void film_row(const Film&, int y, std::span<Rgb> pixels, std::span<double> alpha);
 
 /// Returns the alpha of each pixel of a film that has it.
 std::vector<double> alpha_of(const Film&);

@@ -24,7 +24,7 @@ Image displayed(Image light, const FilmFiles& files) {
         light = develop({std::move(light), {}, {}}, files.film, files.threads);
         gamma = 1;
     }
-    for (Vec3& pixel : light.pixels)
+    for (Rgb& pixel : light.pixels)
         for (int c = 0; c < 3; ++c)
             pixel[c] = from_linear(to_linear(std::clamp(pixel[c], 0.0, 1.0), gamma), srgb_gamma);
     return light;
@@ -51,8 +51,7 @@ std::vector<double> changes_without(const Film& film, const FilmFiles& given) {
         for (std::size_t i = 0; i < rest.pixels.size(); ++i) rest.pixels[i] -= off.pixels[i];
         rest = displayed(std::move(rest), files);
         for (std::size_t i = 0; i < rest.pixels.size(); ++i)
-            changes[k] =
-                std::fmax(changes[k], max_component(glm::abs(whole.pixels[i] - rest.pixels[i])));
+            changes[k] = std::fmax(changes[k], max_abs_component(whole.pixels[i] - rest.pixels[i]));
     }
     return changes;
 }

@@ -223,7 +223,7 @@ private:
                     [&](std::size_t i) { return light(i, k, c); });
         for (std::size_t c = 0; c < 3; ++c)
             add(message("light.rest.", rgb[c]), [&](std::size_t i) {
-                const Vec3 whole = quiet_ ? quiet_->light.pixels[i] : film_.pixels()[i].mean();
+                const Rgb whole = quiet_ ? quiet_->light.pixels[i] : film_.pixels()[i].mean();
                 double rest = whole[static_cast<int>(c)];
                 for (std::size_t k = 0; k < files_.lights.size(); ++k) rest -= light(i, k, c);
                 return rest;
@@ -321,7 +321,7 @@ bool write_flat(Negative negative, const FilmFiles& files, Diagnostics& diagnost
 /// The same of the film as it is, row by row.
 bool write_flat(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
     if (is_developed(files)) return write_developed(negative_of(film, files), files, diagnostics);
-    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> alpha) {
+    const auto row = [&](int y, std::span<Rgb> pixels, std::span<double> alpha) {
         film_row(film, y, pixels, alpha);
     };
     return write_picture(PictureRows{film.width(), film.height(), files.alpha, row}, files.path,
@@ -362,7 +362,7 @@ std::vector<std::uint8_t> shown_bytes(Negative negative, const FilmFiles& given)
     const std::vector<double> alpha = negative.alpha;
     const Image shown = develops ? develop(std::move(negative), files.film, files.threads)
                                  : std::move(negative.light);
-    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> opaque) {
+    const auto row = [&](int y, std::span<Rgb> pixels, std::span<double> opaque) {
         const std::size_t first = static_cast<std::size_t>(y) * pixels.size();
         std::ranges::copy(std::span(shown.pixels).subspan(first, pixels.size()), pixels.begin());
         if (!opaque.empty())
@@ -391,13 +391,13 @@ std::size_t bytes_to_write(const FilmFiles& files) {
     if (is_developed(files)) {
         const std::size_t images =
             (files.film.smooths_edges() ? 2 : 1) + (files.film.glares ? 5 : 0);
-        flat += images * sizeof(Vec3) + (files.alpha ? 2 * sizeof(double) : 0);
+        flat += images * sizeof(Rgb) + (files.alpha ? 2 * sizeof(double) : 0);
     }
     // The images that the denoiser takes and makes.
     constexpr std::size_t images_of_denoiser = 12;
     const std::size_t lights = files.aovs().lights ? 2 * files.lights.size() : 0;
     const std::size_t quiet =
-        files.denoise || files.draft ? (images_of_denoiser + lights) * sizeof(Vec3) : 0;
+        files.denoise || files.draft ? (images_of_denoiser + lights) * sizeof(Rgb) : 0;
     if (layers_path(files).empty()) return flat + quiet;
     const std::size_t planes = 4 + files.aovs().count(files.lights.size());
     return std::max(flat, with_encoded * planes * sizeof(float)) + quiet;

@@ -25,7 +25,7 @@ bool add_up(const LightFile& file, const std::string& before, const std::vector<
             const Image& picture) {
     constexpr double tolerance = 1e-3;
     if (std::ranges::find(names, "rest") == names.end()) return true;
-    std::vector<Vec3> sums(picture.pixels.size(), Vec3(0));
+    std::vector<Rgb> sums(picture.pixels.size(), Rgb(0));
     for (const std::string& name : names) {
         const Image light = *file.image(before + name);
         for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += light.pixels[i];

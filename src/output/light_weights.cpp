@@ -27,12 +27,12 @@ constexpr std::size_t max_file_bytes = std::size_t{64} << 20;
 constexpr std::string_view weight_rule =
     "a weight is a number from 0 on, a colour, or both: 4, #ff8800, or 4,#ff8800";
 
-std::optional<Vec3> colour_of(std::string_view text) {
+std::optional<Rgb> colour_of(std::string_view text) {
     if (!text.starts_with('#') || (text.size() != 4 && text.size() != 7) ||
         !std::ranges::all_of(text.substr(1), is_hex_digit))
         return std::nullopt;
     const auto encoded = csv_colour(text);
-    return Vec3(srgb_decode(encoded[0]), srgb_decode(encoded[1]), srgb_decode(encoded[2]));
+    return Rgb(srgb_decode(encoded[0]), srgb_decode(encoded[1]), srgb_decode(encoded[2]));
 }
 
 std::optional<double> strength_of(std::string_view text) {
@@ -41,14 +41,14 @@ std::optional<double> strength_of(std::string_view text) {
 }
 
 /// The factor that JSON gives a lamp: a number, a text, or an object.
-std::optional<Vec3> factor_in(const WeightJson& json) {
+std::optional<Rgb> factor_in(const WeightJson& json) {
     if (json.is_string()) return lamp_factor(json.get<std::string>());
     if (json.is_number()) {
         const auto strength = json.get<double>();
-        return strength >= 0 ? std::optional(Vec3(strength)) : std::nullopt;
+        return strength >= 0 ? std::optional(Rgb(strength)) : std::nullopt;
     }
     if (!json.is_object() || json.empty()) return std::nullopt;
-    Vec3 factor(1);
+    Rgb factor(1);
     for (const auto& [name, value] : json.items()) {
         const bool colour = name == "colour" || name == "color";
         if (!(colour ? value.is_string() : name == "strength" && value.is_number()))
@@ -60,7 +60,7 @@ std::optional<Vec3> factor_in(const WeightJson& json) {
     return factor;
 }
 
-void set(LightFactors& factors, std::string name, const Vec3& factor) {
+void set(LightFactors& factors, std::string name, const Rgb& factor) {
     const auto found = std::ranges::find(factors, name, &LightFactors::value_type::first);
     if (found != factors.end())
         found->second = factor;
@@ -75,9 +75,9 @@ bool fail_to_weigh(std::string text, std::string help, Diagnostics& diagnostics)
 
 }  // namespace
 
-std::optional<Vec3> lamp_factor(std::string_view text) {
+std::optional<Rgb> lamp_factor(std::string_view text) {
     std::optional<double> strength;
-    std::optional<Vec3> colour;
+    std::optional<Rgb> colour;
     constexpr std::string_view gaps = ", \t";
     while (true) {
         text.remove_prefix(std::min(text.find_first_not_of(gaps), text.size()));
@@ -93,7 +93,7 @@ std::optional<Vec3> lamp_factor(std::string_view text) {
             return std::nullopt;
     }
     if (!strength && !colour) return std::nullopt;
-    return strength.value_or(1) * colour.value_or(Vec3(1));
+    return strength.value_or(1) * colour.value_or(Rgb(1));
 }
 
 bool LightWeights::add(std::string_view text, Diagnostics& diagnostics) {
@@ -192,12 +192,12 @@ LightFactors LightWeights::of(std::size_t frame) const {
 void relight(Image& picture, std::span<const LampLight> lamps) {
     constexpr double rounding = 2 * std::numeric_limits<float>::epsilon();
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        Vec3 sum = picture.pixels[i], size = glm::abs(sum);
+        Rgb sum = picture.pixels[i], size = abs(sum);
         for (const LampLight& lamp : lamps) {
-            if (lamp.factor == Vec3(1)) continue;
-            const Vec3 more = (lamp.factor - Vec3(1)) * lamp.light.pixels[i];
+            if (lamp.factor == Rgb(1)) continue;
+            const Rgb more = (lamp.factor - Rgb(1)) * lamp.light.pixels[i];
             sum += more;
-            size += glm::abs(more);
+            size += abs(more);
         }
         if (sum == picture.pixels[i]) continue;
         for (int c = 0; c < 3; ++c)

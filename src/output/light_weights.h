@@ -18,11 +18,11 @@ namespace candelabra {
 
 /// Factors on the light of lamps by the names of their layers, without `light.`. Each name stands
 /// once.
-using LightFactors = std::vector<std::pair<std::string, Vec3>>;
+using LightFactors = std::vector<std::pair<std::string, Rgb>>;
 
 /// The factor in a text: a number from 0 on, a colour such as #ff8800, or both with a comma or a
 /// blank between. Nothing if it is wrong.
-std::optional<Vec3> lamp_factor(std::string_view text);
+std::optional<Rgb> lamp_factor(std::string_view text);
 
 class LightWeights {
 public:
@@ -53,7 +53,7 @@ private:
 /// The light of one lamp in a picture.
 struct LampLight {
     Image light;
-    Vec3 factor = Vec3(1);
+    Rgb factor = Rgb(1);
 };
 
 /// Replaces the light of the lamps in the picture by as much as their factors say. Factors of 1

@@ -84,7 +84,7 @@ void review_meters(const World& world, std::span<const Meter> meters, Diagnostic
                                 "surfaces light nothing")
                             .with_help("global_settings { integrator { path_traced } }"));
     if (any(is(Quantity::daylight_factor)) && world.sky.daylight &&
-        world.sky.daylight->sunlight() != Vec3(0))
+        world.sky.daylight->sunlight() != Rgb(0))
         diagnostics.add(warning(Fault::no_effect, {},
                                 "daylight factors are for a sky without sun, but this one has it")
                             .with_help("sky_luminance { overcast ... }, or `direct 0`"));

@@ -55,7 +55,7 @@ const ItemInfo ImageMap::vocabulary = described<ImageMap>([] {
          "pigment { image_map { png \"test.png\" once offset <0.2, 0.1> premultiplied off } }",
          "pigment { image_map { png \"test.png\" tint rgb <1, 0.6, 0.3> alpha_cutoff 0.5 } }",
          "pigment { image_map { \"gems.gltf\" picture 0 } }"},
-        as_colour(F{"tint", &ImageMap::tint, item, "all colours are multiplied by it"}),
+        F{"tint", &ImageMap::tint, item, "all colours are multiplied by it"},
         F{"alpha_cutoff", &ImageMap::alpha_cutoff, item,
           "the picture is clear where its alpha is below this, and opaque elsewhere", at_least(0)});
 });
@@ -112,14 +112,14 @@ struct Mixture {
         filter += other.filter;
         return *this;
     }
-    Colour colour() const { return {Vec3(rgbt.x, rgbt.y, rgbt.z), filter, rgbt.w}; }
+    Colour colour() const { return {Rgb(rgbt.x, rgbt.y, rgbt.z), filter, rgbt.w}; }
 };
 
 Mixture texel(const Texels& texels, int x, int y) {
     const std::size_t at = texels.at(x, y);
     if (!texels.numbers.empty()) {
         const Colour& c = texels.table[texels.numbers[at]];
-        return {Vec4(c.rgb.x, c.rgb.y, c.rgb.z, c.transmit), c.filter};
+        return {Vec4(c.rgb.r, c.rgb.g, c.rgb.b, c.transmit), c.filter};
     }
     const double transmit = texels.alpha.empty() ? 0 : 1 - double{texels.alpha[at]};
     if (texels.channels == 1) {
@@ -268,7 +268,7 @@ std::optional<int> number_at(const PictureMap& map, const Vec2& place) {
 /// single precision as in POV-Ray.
 int texture_number_at(const PictureMap& map, const Vec2& place) {
     if (const auto number = number_at(map, place)) return *number;
-    const auto red = static_cast<float>(sampled(map, place).rgb.x);
+    const auto red = static_cast<float>(sampled(map, place).rgb.r);
     constexpr float last = 65535;
     return static_cast<int>(std::fmin(std::fmax(red * 255.0F, 0.0F), last));
 }
@@ -293,7 +293,7 @@ std::array<double, 3> heights_at(const BumpMap& map, const std::array<Vec2, 3>& 
 namespace {
 
 /// Multiplies the colours, and sets alpha to 0 or 1 if there is a cutoff.
-void change(Texels& made, const Vec3& tint, const std::optional<double>& cutoff) {
+void change(Texels& made, const Rgb& tint, const std::optional<double>& cutoff) {
     const auto is_there = [&](double opacity) { return opacity >= *cutoff; };
     if (cutoff && *cutoff <= 0) made.alpha.clear();
     if (cutoff)
@@ -302,7 +302,7 @@ void change(Texels& made, const Vec3& tint, const std::optional<double>& cutoff)
         colour.rgb *= tint;
         if (cutoff) colour.transmit = is_there(1 - colour.transmit) ? 0 : 1;
     }
-    const bool grey = tint.x == tint.y && tint.y == tint.z;
+    const bool grey = tint.r == tint.g && tint.g == tint.b;
     if (made.channels == 1 && !grey) {
         std::vector<float> coloured;
         coloured.reserve(3 * made.values.size());
@@ -315,14 +315,14 @@ void change(Texels& made, const Vec3& tint, const std::optional<double>& cutoff)
         const auto channel = static_cast<int>(i % channels);
         made.values[i] = static_cast<float>(made.values[i] * tint[channel]);
     }
-    made.greatest = Vec3(0);
+    made.greatest = Rgb(0);
     made.measure();
 }
 
 }  // namespace
 
 void ImageMap::adjust() {
-    if (tint != Vec3(1) || alpha_cutoff) change(texels.edit(), tint, alpha_cutoff);
+    if (tint != Rgb(1) || alpha_cutoff) change(texels.edit(), tint, alpha_cutoff);
     for (const Adjustment& each : adjustments) {
         if (each.number < 0) (each.filter ? filter : transmit) = each.amount;
         if (texels->table.empty()) continue;
@@ -359,7 +359,7 @@ std::optional<Vec3> bump_at(const BumpMap& map, const Vec3& point, double height
 std::optional<Vec3> direction_at(const BumpMap& map, const Vec3& point) {
     const auto place = place_on(map, point);
     if (!place) return std::nullopt;
-    return 2.0 * sampled(map, *place).rgb - Vec3(1);
+    return 2.0 * vec3_of(sampled(map, *place).rgb) - Vec3(1);
 }
 
 double evaluate(const ImageMap& map, const Vec3& point) { return grey_at(map, point); }
@@ -370,7 +370,7 @@ double evaluate(const ImagePattern& map, const Vec3& point) {
     if (!place) return 0;
     const Colour colour = sampled(map, *place);
     const bool clear = map.texels->transparent() || !map.texels->numbers.empty();
-    return std::clamp(clear ? colour.transmit : colour.rgb.x, 0.0, 1.0);
+    return std::clamp(clear ? colour.transmit : colour.rgb.r, 0.0, 1.0);
 }
 
 double evaluate(const BumpMap& map, const Vec3& point) { return grey_at(map, point); }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/handle.h"
+#include "base/rgb.h"
 #include "base/texels.h"
 #include "vocabulary/item_info.h"
 
@@ -34,7 +35,7 @@ struct ImageMap : PictureMap {
         double amount = 0;
     };
     std::vector<Adjustment> adjustments;
-    Vec3 tint = Vec3(1);                 ///< factor of all colours
+    Rgb tint = Rgb(1);                   ///< factor of all colours
     std::optional<double> alpha_cutoff;  ///< alpha is 0 below it, else 1; 0: there is none
     double filter = 0, transmit = 0;  ///< added to every texel if there is no table
 

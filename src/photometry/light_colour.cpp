@@ -92,12 +92,12 @@ Vec2 spectral_chromaticity(double nanometres) { return chromaticity(matching(nan
 
 double spectral_efficacy(double nanometres) { return most_efficacy * matching(nanometres).y; }
 
-Vec3 colour_of_chromaticity(const Vec2& xy) {
+Rgb colour_of_chromaticity(const Vec2& xy) {
     const Vec3 xyz(xy.x / xy.y, 1, (1 - xy.x - xy.y) / xy.y);
-    const Vec3 rgb = glm::max(Vec3(dot(xyz, Vec3(3.2409699, -1.5373832, -0.4986108)),
-                                   dot(xyz, Vec3(-0.9692436, 1.8759675, 0.0415551)),
-                                   dot(xyz, Vec3(0.0556301, -0.2039770, 1.0569715))),
-                              Vec3(0));
+    const Rgb rgb = max(Rgb(dot(xyz, Vec3(3.2409699, -1.5373832, -0.4986108)),
+                            dot(xyz, Vec3(-0.9692436, 1.8759675, 0.0415551)),
+                            dot(xyz, Vec3(0.0556301, -0.2039770, 1.0569715))),
+                        Rgb(0));
     return rgb / light_luminance(rgb);
 }
 

@@ -224,18 +224,18 @@ double air_mass(double sun_height) {
                 0.50572 * math::pow(degrees + 6.07995, -1.6364));
 }
 
-Vec3 blue_sky_colour(double luminance) {
+Rgb blue_sky_colour(double luminance) {
     const double reciprocal = -132.1 + 59.77 * math::log10(std::fmax(luminance, 1e-3));
     return daylight_colour(1e6 / std::clamp(reciprocal, 1e6 / max_daylight, 1e6 / min_daylight));
 }
 
-Vec3 sun_colour(double sun_height) {
+Rgb sun_colour(double sun_height) {
     // Rayleigh scattering, and haze of 0.05 by Angstrom's formula, at the wavelengths of Rec. 709
     // in micrometres.
     constexpr std::array wavelengths = {0.61, 0.55, 0.465};
     constexpr double outside = 5778, haze = 0.05;
     const double mass = air_mass(sun_height);
-    Vec3 colour = planck_colour(outside);
+    Rgb colour = planck_colour(outside);
     for (int i = 0; i < 3; ++i) {
         const double length = wavelengths[static_cast<std::size_t>(i)];
         const double depth = 0.008735 * math::pow(length, -4.08) + haze * math::pow(length, -1.3);

@@ -3,6 +3,7 @@
 // formulas of CIE, Perez and IES.
 #pragma once
 
+#include "base/rgb.h"
 #include "base/vector.h"
 
 namespace candelabra {
@@ -55,7 +56,7 @@ double air_mass(double sun_height);
 
 /// Colour of a part of a clear sky by its luminance in cd/m2 (Chain, Dumortier and Fontoynont), and
 /// of the sun by its height. Linear Rec. 709 with luminance 1.
-Vec3 blue_sky_colour(double luminance);
-Vec3 sun_colour(double sun_height);
+Rgb blue_sky_colour(double luminance);
+Rgb sun_colour(double sun_height);
 
 }  // namespace candelabra

@@ -101,8 +101,8 @@ double logarithm(double value) {
 void fill_planes(const Image& image, std::span<Coefficients> planes) {
     for (Coefficients& plane : planes) plane.resize(image.pixels.size());
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const Vec3& v = image.pixels[i];
-        const double red = logarithm(v.x), green = logarithm(v.y), blue = logarithm(v.z);
+        const Rgb& v = image.pixels[i];
+        const double red = logarithm(v.r), green = logarithm(v.g), blue = logarithm(v.b);
         planes[0][i] = static_cast<float>((red + 2 * green + blue) / 4);
         planes[1][i] = static_cast<float>(red - blue);
         planes[2][i] = static_cast<float>(green - (red + blue) / 2);

@@ -116,7 +116,7 @@ std::optional<Texels> read_texels(const Found& file, const TexelCoding& coding,
         for (const auto& [red, green, blue, alpha] : facts.table) {
             const double share = coding.premultiplied && alpha > 0 ? alpha / 255.0 : 1;
             texels.table.push_back(
-                {Vec3(value(red), value(green), value(blue)) / share, 0, 1 - alpha / 255.0});
+                {Rgb(value(red), value(green), value(blue)) / share, 0, 1 - alpha / 255.0});
         }
         if (!opaque) texels.alpha = std::move(stored.alpha);
         texels.measure();
@@ -149,7 +149,7 @@ std::optional<Image> read_picture(const std::string& path, Diagnostics& diagnost
         const auto value = [&](std::size_t channel) {
             return decoded(stored.values[channels * i + std::min(channel, channels - 1)], stored);
         };
-        image.pixels[i] = Vec3(value(0), value(1), value(2));
+        image.pixels[i] = Rgb(value(0), value(1), value(2));
     }
     return image;
 }

@@ -46,21 +46,21 @@ float representable(double value, const PictureFormat& format) {
 
 /// Divides a pixel by its alpha, for integer formats, which store unmultiplied colours. The alpha
 /// of a pixel that is brighter than its alpha allows is raised, as in POV-Ray 3.7.
-Vec3 divided(const Vec3& pixel, double& alpha) {
+Rgb divided(const Rgb& pixel, double& alpha) {
     alpha = std::max(alpha, std::min(grey(pixel), 1.0));
-    return alpha > 0 ? pixel / alpha : Vec3(0);
+    return alpha > 0 ? pixel / alpha : Rgb(0);
 }
 
 /// Appends the interleaved channels of a row.
 template <class Value, class Convert>
-void add_channels(std::span<const Vec3> pixels, std::span<const double> alpha, bool in_grey,
+void add_channels(std::span<const Rgb> pixels, std::span<const double> alpha, bool in_grey,
                   const Convert& convert, std::vector<Value>& result) {
     constexpr bool whole = std::is_integral_v<Value>;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         double opaque = alpha.empty() ? 1 : alpha[i];
         // Alpha above 1 may occur in input files. Not-a-number becomes 0.
         if (whole) opaque = std::fmin(1, std::fmax(0, opaque));
-        const Vec3 pixel = whole && !alpha.empty() ? divided(pixels[i], opaque) : pixels[i];
+        const Rgb pixel = whole && !alpha.empty() ? divided(pixels[i], opaque) : pixels[i];
         if (in_grey)
             result.push_back(convert(grey(pixel)));
         else
@@ -85,7 +85,7 @@ std::vector<Value> channels_of(const PictureRows& rows, const PictureFormat& for
                                const Convert& convert) {
     std::vector<Value> result;
     result.reserve(pixels_of(rows) * static_cast<std::size_t>(channels_of(rows, format)));
-    std::vector<Vec3> pixels(static_cast<std::size_t>(rows.width));
+    std::vector<Rgb> pixels(static_cast<std::size_t>(rows.width));
     std::vector<double> alpha(rows.alpha ? pixels.size() : 0);
     for (int y = 0; y < rows.height; ++y) {
         rows.row(y, pixels, alpha);
@@ -207,7 +207,7 @@ unsigned quantised(double value, unsigned most, const PictureFormat& format) {
 }
 
 Image linear(Image image, const PictureFormat& format) {
-    for (Vec3& pixel : image.pixels)
+    for (Rgb& pixel : image.pixels)
         for (int c = 0; c < 3; ++c) pixel[c] = representable(pixel[c], format);
     return image;
 }
@@ -221,7 +221,7 @@ std::optional<std::string> encode(const PictureRows& rows, const PictureFormat& 
 
 std::optional<std::string> encode(const Image& image, const PictureFormat& format,
                                   Diagnostics& diagnostics, std::span<const double> alpha) {
-    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> opaque) {
+    const auto row = [&](int y, std::span<Rgb> pixels, std::span<double> opaque) {
         const std::size_t first = static_cast<std::size_t>(y) * pixels.size();
         std::ranges::copy(std::span(image.pixels).subspan(first, pixels.size()), pixels.begin());
         if (!opaque.empty()) std::ranges::copy(alpha.subspan(first, pixels.size()), opaque.begin());

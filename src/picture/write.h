@@ -73,7 +73,7 @@ struct PictureRows {
     bool alpha = false;
     /// Sets the pixels of a row. If there is alpha, also sets its values, by which the pixel's
     /// colours have been multiplied; otherwise these are empty. Called for all rows from the top.
-    FunctionRef<void(int y, std::span<Vec3> pixels, std::span<double> alpha)> row;
+    FunctionRef<void(int y, std::span<Rgb> pixels, std::span<double> alpha)> row;
 };
 
 /// Encodes the picture as a file of that format; returns nothing, with a diagnostic, if the picture

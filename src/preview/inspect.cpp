@@ -39,8 +39,8 @@ std::vector<PrimaryHit> sights(const RenderedPicture& shown, int width, int heig
 }
 
 /// Returns a colour that distinguishes a number from its neighbours.
-Vec3 colour_of(std::uint32_t number) {
-    if (number == 0) return Vec3(0);
+Rgb colour_of(std::uint32_t number) {
+    if (number == 0) return Rgb(0);
     const std::uint64_t bits = mix(number);
     const auto channel = [&](int shift) {
         return 0.1 + 0.9 * static_cast<double>(bits >> shift & 0xff) / 255;
@@ -70,7 +70,7 @@ Image depths(const RenderedPicture& shown, const Detail& detail) {
     for (const PrimaryHit& each : seen)
         if (each.met) nearest = std::min(nearest, each.distance);
     for (std::size_t i = 0; i < seen.size(); ++i)
-        if (seen[i].met) image.pixels[i] = Vec3(nearest / seen[i].distance);
+        if (seen[i].met) image.pixels[i] = Rgb(nearest / seen[i].distance);
     return image;
 }
 
@@ -82,7 +82,7 @@ Image of_film(const RenderedPicture& shown, const Detail& detail, const Value& v
     for (const PixelSum& pixel : shown.film.pixels()) most = std::max(most, value(pixel));
     for (int y = 0; y < image.height && most > 0; ++y)
         for (int x = 0; x < image.width; ++x)
-            image.at(x, y) = Vec3(value(shown.film.at(x * step, y * step)) / most);
+            image.at(x, y) = Rgb(value(shown.film.at(x * step, y * step)) / most);
     return image;
 }
 
@@ -99,7 +99,7 @@ constexpr auto all_views = std::to_array<NamedView>({
     {"normal", true,
      [](const RenderedPicture& shown, const Detail& detail) {
          return of_sights(shown, detail,
-                          [](const PrimaryHit& seen) { return 0.5 * (seen.normal + 1.0); });
+                          [](const PrimaryHit& seen) { return rgb_of(0.5 * (seen.normal + 1.0)); });
      }},
     {"depth", true, depths},
     {"object", true,
@@ -141,7 +141,7 @@ std::string lights_of(const RenderedPicture& shown, const PicturePoint& at) {
     for (key.sample = 0; key.sample < tries; ++key.sample) {
         const Vec2 place{uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)};
         all += grey(integrator.radiance(ray_through(shown.shot, at, place, key), key));
-        take_lights(integrator.ledger(), [&](std::size_t statement, const Vec3& light) {
+        take_lights(integrator.ledger(), [&](std::size_t statement, const Rgb& light) {
             share[statement] += grey(light);
         });
     }
@@ -184,7 +184,8 @@ std::string what_is_under(const RenderedPicture& shown, int x, int y) {
     const Film& film = shown.film;
     if (x < 0 || y < 0 || x >= film.width() || y >= film.height()) return {};
     const PicturePoint at{x, y, film.width(), film.height()};
-    std::string text = message("<", x, ", ", y, ">: rgb ", vector_text(film.at(x, y).mean()), "\n");
+    std::string text =
+        message("<", x, ", ", y, ">: rgb ", vector_text(vec3_of(film.at(x, y).mean())), "\n");
     const World& world = *shown.shot.world;
     const PrimaryHit seen = primary_hit(world, middle_ray(shown.shot, at));
     if (seen.object > 0)

@@ -74,9 +74,9 @@ double distance_ahead(const World& world, const RenderSettings& settings) {
     return std::max(1.0, length(view.camera.location));
 }
 
-Vec3 mean_of(const Image& image) {
-    Vec3 sum(0);
-    for (const Vec3& pixel : image.pixels) sum += pixel;
+Rgb mean_of(const Image& image) {
+    Rgb sum(0);
+    for (const Rgb& pixel : image.pixels) sum += pixel;
     return image.pixels.empty() ? sum : sum / static_cast<double>(image.pixels.size());
 }
 

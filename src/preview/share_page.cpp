@@ -73,7 +73,7 @@ PageJson film_json(const SharedPicture& picture) {
                      {"contrast", film.contrast},
                      {"saturation", film.saturation}};
     PageJson& luminance = json["luminance"];
-    for (const Vec3& primary : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+    for (const Rgb& primary : {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1)})
         luminance.push_back(srgb_luminance(primary));
     if (film.white_balance != 0) {
         const ColourMatrix matrix = white_balance(film.white_balance);

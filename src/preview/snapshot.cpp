@@ -36,18 +36,17 @@ struct Source {
     double compressed = 0;  ///< exposure factor of compressed samples; 0: not compressed
 };
 
-Vec3 value_of(const Film& film, std::size_t pixel, const Source& source) {
+Rgb value_of(const Film& film, std::size_t pixel, const Source& source) {
     const PixelSum& sums = film.pixels()[pixel];
     const auto extra = film.extra(pixel).subspan(source.first, 3);
-    const Vec3 mean{sums.mean_of(extra[0].value()), sums.mean_of(extra[1].value()),
-                    sums.mean_of(extra[2].value())};
+    const Rgb mean{sums.mean_of(extra[0].value()), sums.mean_of(extra[1].value()),
+                   sums.mean_of(extra[2].value())};
     return source.compressed > 0 ? expanded(mean, source.compressed) : mean;
 }
 
 const Dimmer* dimmer_of(const Look& look, const std::string& name) {
     const auto found = look.lamps.find(name);
-    return found == look.lamps.end() || found->second.factor() == Vec3(1) ? nullptr
-                                                                          : &found->second;
+    return found == look.lamps.end() || found->second.factor() == Rgb(1) ? nullptr : &found->second;
 }
 
 /// Quantises values to bytes by a table of the thresholds between them.
@@ -86,10 +85,10 @@ private:
 
 bool Look::relights() const {
     return std::ranges::any_of(lamps,
-                               [](const auto& each) { return each.second.factor() != Vec3(1); });
+                               [](const auto& each) { return each.second.factor() != Rgb(1); });
 }
 
-Vec3 spread_out(const Image& coarse, const Image& whole, int x, int y) {
+Rgb spread_out(const Image& coarse, const Image& whole, int x, int y) {
     const double u = (x + 0.5) * coarse.width / whole.width - 0.5,
                  v = (y + 0.5) * coarse.height / whole.height - 0.5;
     const double left = std::floor(u), top = std::floor(v);
@@ -97,9 +96,9 @@ Vec3 spread_out(const Image& coarse, const Image& whole, int x, int y) {
         return coarse.at(std::clamp(static_cast<int>(column), 0, coarse.width - 1),
                          std::clamp(static_cast<int>(row), 0, coarse.height - 1));
     };
-    const Vec3 above = glm::mix(at(left, top), at(left + 1, top), u - left);
-    const Vec3 below = glm::mix(at(left, top + 1), at(left + 1, top + 1), u - left);
-    return glm::mix(above, below, v - top);
+    const Rgb above = mix(at(left, top), at(left + 1, top), u - left);
+    const Rgb below = mix(at(left, top + 1), at(left + 1, top + 1), u - left);
+    return mix(above, below, v - top);
 }
 
 LightSnapshot snapshot_of(const Film& film, const Aovs& aovs, const FilmSettings& settings,
@@ -160,7 +159,7 @@ Image relit(const LightSnapshot& snapshot, const std::vector<std::string>& names
     for (std::size_t k = 0; k < std::min(snapshot.lights.size(), names.size()); ++k) {
         const Dimmer* const dimmer = dimmer_of(look, names[k]);
         if (!dimmer) continue;
-        const Vec3 more = dimmer->factor() - Vec3(1);
+        const Rgb more = dimmer->factor() - Rgb(1);
         for (std::size_t i = 0; i < image.pixels.size(); ++i)
             image.pixels[i] += more * snapshot.lights[k].pixels[i];
     }
@@ -227,22 +226,22 @@ std::optional<std::string> exr_of(const LightSnapshot& snapshot, const SnapshotC
         made.texts.emplace_back("ImageDescription", context.format.description);
     const FilmSettings film = film_with(context.film, look);
     if (film.on) made.texts.emplace_back(film_text_name, to_text(film));
-    const auto add = [&](const std::string& before, const Image& image, const Vec3& factor) {
+    const auto add = [&](const std::string& before, const Image& image, const Rgb& factor) {
         static constexpr auto letters = std::array{"R", "G", "B"};
         for (int c = 0; c < 3; ++c) {
             ChannelPlane plane{before + letters[static_cast<std::size_t>(c)], false, {}};
             plane.bits.reserve(image.pixels.size());
-            for (const Vec3& pixel : image.pixels)
+            for (const Rgb& pixel : image.pixels)
                 plane.bits.push_back(
                     std::bit_cast<std::uint32_t>(static_cast<float>(factor[c] * pixel[c])));
             made.planes.push_back(std::move(plane));
         }
     };
-    add("", linear(relit(snapshot, context.names, look), context.format), Vec3(1));
+    add("", linear(relit(snapshot, context.names, look), context.format), Rgb(1));
     for (std::size_t k = 0; k < std::min(snapshot.lights.size(), context.names.size()); ++k) {
         const Dimmer* const dimmer = dimmer_of(look, context.names[k]);
         add(message("light.", context.names[k], "."), snapshot.lights[k],
-            dimmer ? dimmer->factor() : Vec3(1));
+            dimmer ? dimmer->factor() : Rgb(1));
     }
     return encode(made, diagnostics);
 }

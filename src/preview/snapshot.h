@@ -4,6 +4,7 @@
 // used by the developer's thread.
 #pragma once
 
+#include "base/rgb.h"
 #include "film/develop.h"
 #include "picture/write.h"
 #include "transport/aovs.h"
@@ -21,9 +22,9 @@ class Film;
 /// Factors on the light of a statement's lamps, set by the page.
 struct Dimmer {
     double strength = 1;
-    Vec3 colour = Vec3(1);
+    Rgb colour = Rgb(1);
 
-    Vec3 factor() const { return strength * colour; }
+    Rgb factor() const { return strength * colour; }
     friend bool operator==(const Dimmer&, const Dimmer&) = default;
 };
 
@@ -64,7 +65,7 @@ LightSnapshot snapshot_of(const Film&, const Aovs&, const FilmSettings&, bool wi
                           const LightSnapshot* coarse = nullptr);
 
 /// Interpolates a smaller picture bilinearly at a pixel of the whole picture.
-Vec3 spread_out(const Image& coarse, const Image& whole, int x, int y);
+Rgb spread_out(const Image& coarse, const Image& whole, int x, int y);
 
 /// Returns the means of squares of step x step pixels.
 LightSnapshot reduced(const LightSnapshot&, int step);

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+Json json_of(const Rgb& c) { return {c.r, c.g, c.b}; }
 
 Json json_of(const FilmSettings& film) {
     return {{"on", film.on},

@@ -3,6 +3,7 @@
 // picture with its state. All functions are thread-safe.
 #pragma once
 
+#include "base/rgb.h"
 #include "camera/orbit.h"
 #include "console/heard.h"
 #include "editor/knobs.h"
@@ -26,7 +27,7 @@ struct Wishes {
 /// A statement that makes lights, for the page's list.
 struct LampLine {
     std::string name, statement;
-    Vec3 shown = Vec3(0);  ///< mean light that it adds to the picture; 0 until known
+    Rgb shown = Rgb(0);  ///< mean light that it adds to the picture; 0 until known
 };
 
 /// The state of the picture.

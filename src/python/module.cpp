@@ -482,14 +482,14 @@ public:
         if (factors.ndim() != 2 || factors.shape(1) != 3 ||
             factors.shape(0) != static_cast<py::ssize_t>(records_->lamps.size()))
             throw py::value_error("there is one colour for each lamp");
-        std::vector<Vec3> each;
+        std::vector<Rgb> each;
         for (py::ssize_t i = 0; i < factors.shape(0); ++i)
             each.emplace_back(factors.at(i, 0), factors.at(i, 1), factors.at(i, 2));
         std::vector<float> values;
         unlocked([&] {
             const Image image = relighting_->picture(each);
             values.reserve(3 * image.pixels.size());
-            for (const Vec3& pixel : image.pixels)
+            for (const Rgb& pixel : image.pixels)
                 for (int c = 0; c < 3; ++c) values.push_back(finite_float(pixel[c]));
         });
         return array_of(std::move(values), {records_->height, records_->width, 3});
@@ -506,7 +506,7 @@ private:
 py::object factor_of(const std::string& text) {
     const auto factor = lamp_factor(text);
     if (!factor) return py::none();
-    return py::make_tuple(factor->x, factor->y, factor->z);
+    return py::make_tuple(factor->r, factor->g, factor->b);
 }
 
 }  // namespace

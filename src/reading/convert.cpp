@@ -62,7 +62,7 @@ const double* offender(const Range& range, const FieldValue& value) {
     if (const auto* x = std::get_if<double>(&value)) return find(x, 1);
     if (const auto* v = std::get_if<Vec2>(&value)) return find(&v->x, 2);
     if (const auto* v = std::get_if<Vec3>(&value)) return find(&v->x, 3);
-    if (const auto* c = std::get_if<Colour>(&value)) return find(&c->rgb.x, 3);
+    if (const auto* c = std::get_if<Colour>(&value)) return find(&c->rgb.r, 3);
     return nullptr;
 }
 
@@ -133,7 +133,7 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
         case FieldType::rgb:
             return numbers->promoted(3).vec3();
         case FieldType::colour:
-            return numbers->is_scalar() ? Colour{Vec3(numbers->at[0])}
+            return numbers->is_scalar() ? Colour{Rgb(numbers->at[0])}
                                         : numbers->promoted(5).to_colour();
         case FieldType::numbers:
             return std::vector<double>(numbers->at.begin(), numbers->at.begin() + numbers->count);

@@ -115,14 +115,14 @@ public:
 
     std::size_t count() const override { return data_.frames(); }
 
-    void set(std::size_t frame, std::vector<Vec3>& factors) const override {
+    void set(std::size_t frame, std::vector<Rgb>& factors) const override {
         const char* const values = data_.bytes.data() + frame * data_.channels;
         const auto light = [&](std::uint32_t at) {
             return at == unwired ? 0.0 : light_[static_cast<unsigned char>(values[at])];
         };
         for (const Wire& wire : wires_)
-            factors[wire.lamp] = Vec3(light(wire.at[0]), light(wire.at[1]), light(wire.at[2])) +
-                                 Vec3(light(wire.at[3]));
+            factors[wire.lamp] = Rgb(light(wire.at[0]), light(wire.at[1]), light(wire.at[2])) +
+                                 Rgb(light(wire.at[3]));
     }
 
 private:

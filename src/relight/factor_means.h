@@ -2,7 +2,7 @@
 // Means of the factors on lamps over nodes of the list of lamps.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 #include "relight/lamp_list.h"
 
 #include <array>
@@ -15,15 +15,15 @@ namespace candelabra {
 /// Red, green and blue.
 using Channels = std::array<float, 3>;
 
-inline Channels channels(const Vec3& factor) {
-    return {static_cast<float>(factor.x), static_cast<float>(factor.y),
-            static_cast<float>(factor.z)};
+inline Channels channels(const Rgb& factor) {
+    return {static_cast<float>(factor.r), static_cast<float>(factor.g),
+            static_cast<float>(factor.b)};
 }
 
 /// Means of the factors over ranges of lamps, by the powers of the lamps.
 class FactorMeans {
 public:
-    FactorMeans(const LampList& lamps, std::span<const Vec3> factors) : sums_(1) {
+    FactorMeans(const LampList& lamps, std::span<const Rgb> factors) : sums_(1) {
         sums_.reserve(factors.size() + 1);
         for (std::size_t i = 0; i < factors.size(); ++i) {
             const double power = lamps.powers()[i];
@@ -34,7 +34,7 @@ public:
         }
     }
 
-    Vec3 operator()(const LampRange& range) const {
+    Rgb operator()(const LampRange& range) const {
         const Sum &first = sums_[range.first], &last = sums_[range.last];
         return (last.light - first.light) / (last.power - first.power);
     }
@@ -42,7 +42,7 @@ public:
 private:
     struct Sum {
         double power = 0;
-        Vec3 light = Vec3(0);
+        Rgb light = Rgb(0);
     };
     std::vector<Sum> sums_;
 };

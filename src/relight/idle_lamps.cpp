@@ -33,9 +33,9 @@ public:
 
     bool glares() const { return film_.on && film_.glares && film_.glare.share() > 0; }
 
-    Vec3 operator()(const Vec3& light, int x, int y) const {
-        const Vec3 linear = developer_ ? (*developer_)(light, 1, x, y) : light;
-        Vec3 shown(0);
+    Rgb operator()(const Rgb& light, int x, int y) const {
+        const Rgb linear = developer_ ? (*developer_)(light, 1, x, y) : light;
+        Rgb shown(0);
         for (int c = 0; c < 3; ++c)
             shown[c] = from_linear(std::clamp(linear[c], 0.0, 1.0), srgb_gamma);
         return shown;
@@ -73,7 +73,7 @@ public:
         // A lamp that a ray met has two entries in a pixel, and may be in a node as well.
         for (std::size_t i = 0; i < tile.own.size();) {
             const LampEntry& entry = tile.own[i];
-            Vec3 light(0);
+            Rgb light(0);
             for (; i < tile.own.size() && tile.own[i].lamp == entry.lamp &&
                    tile.own[i].pixel == entry.pixel;
                  ++i)
@@ -106,22 +106,22 @@ private:
         int left, top;
     };
 
-    static Vec3 light_of(const TileRecords& tile, std::size_t node, std::size_t pixel) {
+    static Rgb light_of(const TileRecords& tile, std::size_t node, std::size_t pixel) {
         const std::uint16_t* const light = tile.light.data() + node * 3 * tile_pixels + pixel;
-        Vec3 sum(0);
+        Rgb sum(0);
         for (int c = 0; c < 3; ++c)
             sum[c] = static_cast<double>(
                 from_half(light[static_cast<std::size_t>(c) * tile_pixels]) * tile.scale);
         return sum;
     }
 
-    bool changes(const Corner& corner, std::size_t pixel, const Vec3& off) const {
+    bool changes(const Corner& corner, std::size_t pixel, const Rgb& off) const {
         const int x = corner.left + static_cast<int>(pixel) % light_tile,
                   y = corner.top + static_cast<int>(pixel) / light_tile;
-        if (off == Vec3(0) || x >= light_.width || y >= light_.height) return false;
-        const Vec3& light = light_.at(x, y);
-        const Vec3 change = display_(light, x, y) - display_(light - off, x, y);
-        return max_component(glm::abs(change)) >= 1.0 / 255;
+        if (off == Rgb(0) || x >= light_.width || y >= light_.height) return false;
+        const Rgb& light = light_.at(x, y);
+        const Rgb change = display_(light, x, y) - display_(light - off, x, y);
+        return max_abs_component(change) >= 1.0 / 255;
     }
 
     const LightRecords& records_;
@@ -153,7 +153,7 @@ std::vector<bool> idle_lamps(const LightRecords& records, const std::vector<bool
                              int threads) {
     std::vector<bool> idle(lit);
     idle.flip();
-    const Image light = relit(records, std::vector<Vec3>(records.lamps.size(), Vec3(1)), threads);
+    const Image light = relit(records, std::vector<Rgb>(records.lamps.size(), Rgb(1)), threads);
     Search search(records, light);
     if (search.glares()) return idle;
     run_parallel(records.tiles.size(), threads, [&](std::size_t tile) { search.look_at(tile); });

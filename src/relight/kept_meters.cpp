@@ -53,12 +53,12 @@ KeptMeters kept_meters(std::span<const Meter> meters, std::span<const MeterReadi
 }
 
 std::vector<double> relit_readings(const KeptMeters& kept, const KeptMeter& meter,
-                                   const LampList& lamps, std::span<const Vec3> factors) {
+                                   const LampList& lamps, std::span<const Rgb> factors) {
     const FactorMeans means(lamps, factors);
     std::vector<double> values;
     for (const float rest : meter.rest) values.push_back(static_cast<double>(rest));
     for (std::size_t n = 0; n < kept.nodes.size(); ++n) {
-        const Vec3 mean = means(kept.nodes[n]);
+        const Rgb mean = means(kept.nodes[n]);
         for (std::size_t k = 0; k < values.size(); ++k)
             for (std::size_t c = 0; c < 3; ++c)
                 values[k] += mean[static_cast<int>(c)] *

@@ -3,6 +3,7 @@
 // What is no sum of the light of lamps, such as a rating of glare, is not kept.
 #pragma once
 
+#include "base/rgb.h"
 #include "base/vector.h"
 #include "relight/lamp_list.h"
 #include "render/measure.h"
@@ -43,6 +44,6 @@ KeptMeters kept_meters(std::span<const Meter>, std::span<const MeterReading>,
 
 /// The reading of each point of a meter, with these factors on the lamps.
 std::vector<double> relit_readings(const KeptMeters&, const KeptMeter&, const LampList&,
-                                   std::span<const Vec3> factors);
+                                   std::span<const Rgb> factors);
 
 }  // namespace candelabra

@@ -28,11 +28,11 @@ std::vector<double> powers_before(const LampList& lamps) {
     return before;
 }
 
-void LampDensity::add(const LampRange& range, const Vec3& light) {
+void LampDensity::add(const LampRange& range, const Rgb& light) {
     if (range.size() == 1) return singles_.push_back({range.first, light});
-    const Vec3 slope = light / (before_[range.last] - before_[range.first]);
-    steps_.push_back({range.first, slope, Vec3(0)});
-    steps_.push_back({range.last, -slope, Vec3(0)});
+    const Rgb slope = light / (before_[range.last] - before_[range.first]);
+    steps_.push_back({range.first, slope, Rgb(0)});
+    steps_.push_back({range.last, -slope, Rgb(0)});
 }
 
 void LampDensity::settle() {
@@ -61,7 +61,7 @@ void LampDensity::sum_singles() {
     sort_stably(singles_, {}, &Single::lamp);
     std::size_t count = 0;
     for (std::size_t i = 0; i < singles_.size();) {
-        Single sum{singles_[i].lamp, Vec3(0)};
+        Single sum{singles_[i].lamp, Rgb(0)};
         double size = 0;
         for (; i < singles_.size() && singles_[i].lamp == sum.lamp; ++i) {
             sum.light += singles_[i].light;
@@ -74,8 +74,8 @@ void LampDensity::sum_singles() {
     singles_.resize(count);
 }
 
-Vec3 LampDensity::light_before(std::uint32_t place) const {
-    Vec3 light(0);
+Rgb LampDensity::light_before(std::uint32_t place) const {
+    Rgb light(0);
     const auto step = std::ranges::upper_bound(steps_, place, {}, &Step::at);
     if (step != steps_.begin())
         light += step[-1].light + step[-1].slope * (before_[place] - before_[step[-1].at]);
@@ -84,7 +84,7 @@ Vec3 LampDensity::light_before(std::uint32_t place) const {
     return light;
 }
 
-Vec3 LampDensity::light(const LampRange& range) const {
+Rgb LampDensity::light(const LampRange& range) const {
     return light_before(range.last) - light_before(range.first);
 }
 

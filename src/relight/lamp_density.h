@@ -3,7 +3,7 @@
 // lamps. So light that tiles keep by different nodes can be added, and divided anew.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 #include "relight/lamp_list.h"
 
 #include <cstddef>
@@ -21,29 +21,29 @@ public:
     /// `before`: powers_before(); it must outlive the light.
     explicit LampDensity(std::span<const double> before) : before_(before) {}
 
-    void add(const LampRange&, const Vec3& light);
+    void add(const LampRange&, const Rgb& light);
 
     /// To be called between the last add() and the first question.
     void settle();
 
     /// The light of the lamps of a range.
-    Vec3 light(const LampRange&) const;
+    Rgb light(const LampRange&) const;
     /// Whether its lamps share the light of the range by their powers.
     bool is_even(const LampRange&) const;
 
 private:
     struct Step {
         std::uint32_t at;  ///< place from which on...
-        Vec3 slope;        ///< ...there is so much light for a unit of power,
-        Vec3 light;        ///< and so much before it; both are sums after settle()
+        Rgb slope;         ///< ...there is so much light for a unit of power,
+        Rgb light;         ///< and so much before it; both are sums after settle()
     };
     struct Single {
         std::uint32_t lamp;
-        Vec3 light;  ///< after settle(): with that of all before it
+        Rgb light;  ///< after settle(): with that of all before it
     };
 
     void sum_singles();
-    Vec3 light_before(std::uint32_t place) const;
+    Rgb light_before(std::uint32_t place) const;
 
     std::span<const double> before_;
     std::vector<Step> steps_;

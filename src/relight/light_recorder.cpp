@@ -65,7 +65,7 @@ void LightRecorder::add(int x, int y, std::span<const LampPart> parts, bool nega
     for (const LampPart& part : parts) {
         const std::uint32_t lamp = lamps_.place_of(part.lamp);
         tile.add(lamp, pixel, negative ? -part.light : part.light, part.seen);
-        if (part.light != Vec3(0)) lit_[lamp].store(true, std::memory_order_relaxed);
+        if (part.light != Rgb(0)) lit_[lamp].store(true, std::memory_order_relaxed);
     }
     if (tile.crowded()) tile.settle(made_.lamps, room_, seed_of(number));
 }

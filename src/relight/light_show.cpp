@@ -34,13 +34,13 @@ public:
 
     std::size_t count() const override { return rows; }
 
-    void set(std::size_t frame, std::vector<Vec3>& factors) const override {
+    void set(std::size_t frame, std::vector<Rgb>& factors) const override {
         const Factor* cell = cells.data() + frame * columns.size();
         for (const std::vector<std::uint32_t>& lamps : columns) {
             const Factor& factor = *cell++;
             if (!(factor[0] >= 0)) continue;
             for (const std::uint32_t lamp : lamps)
-                factors[lamp] = Vec3(factor[0], factor[1], factor[2]);
+                factors[lamp] = Rgb(factor[0], factor[1], factor[2]);
         }
     }
 
@@ -55,7 +55,7 @@ class CueFrames final : public ShowFrames {
 public:
     struct Cue {
         double time = 0, fade = 0;
-        std::vector<std::pair<std::uint32_t, Vec3>> looks;
+        std::vector<std::pair<std::uint32_t, Rgb>> looks;
     };
 
     std::size_t count() const override {
@@ -65,18 +65,18 @@ public:
         return static_cast<std::size_t>(std::floor(end * rate + rounding)) + 1;
     }
 
-    void set(std::size_t frame, std::vector<Vec3>& factors) const override {
+    void set(std::size_t frame, std::vector<Rgb>& factors) const override {
         struct Fade {
-            Vec3 from, to;
+            Rgb from, to;
             double begin = 0, length = 0;
 
-            Vec3 at(double time) const {
+            Rgb at(double time) const {
                 const double share = length > 0 ? (time - begin) / length : 1;
                 return share >= 1 ? to : from + share * (to - from);
             }
         };
         std::vector<Fade> fades;
-        for (const Vec3& factor : factors) fades.push_back({factor, factor});
+        for (const Rgb& factor : factors) fades.push_back({factor, factor});
         const double now = static_cast<double>(frame) / rate;
         constexpr double rounding = 1e-9;
         for (const Cue& cue : cues) {
@@ -181,12 +181,12 @@ private:
         for (std::size_t i = 0; i < cells_.size(); ++i) {
             if (!counts[i]) continue;
             const std::string_view cell = bare(cells_[i]);
-            const auto factor = cell.empty() ? std::optional(Vec3(-1)) : lamp_factor(cell);
+            const auto factor = cell.empty() ? std::optional(Rgb(-1)) : lamp_factor(cell);
             if (!factor)
                 return fail_at(row, message("`", printable(cell), "` is no value of a lamp"),
                                value_rule);
-            made.cells.push_back({static_cast<float>(factor->x), static_cast<float>(factor->y),
-                                  static_cast<float>(factor->z)});
+            made.cells.push_back({static_cast<float>(factor->r), static_cast<float>(factor->g),
+                                  static_cast<float>(factor->b)});
         }
         return true;
     }
@@ -280,8 +280,8 @@ bool LightShow::set(std::string_view text, Diagnostics& diagnostics) {
     return true;
 }
 
-std::vector<Vec3> LightShow::factors(std::size_t frame) const {
-    std::vector<Vec3> factors(names_.lamps().size(), Vec3(1));
+std::vector<Rgb> LightShow::factors(std::size_t frame) const {
+    std::vector<Rgb> factors(names_.lamps().size(), Rgb(1));
     if (frames_) frames_->set(frame, factors);
     for (const Fixed& fixed : fixed_)
         for (const std::uint32_t lamp : fixed.lamps) factors[lamp] = fixed.factor;

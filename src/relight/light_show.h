@@ -2,7 +2,7 @@
 // What lamps do in the frames of a show: factors on their light, from options and from files.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 #include "relight/lamp_names.h"
 #include "text/diagnostic.h"
 
@@ -26,7 +26,7 @@ public:
 
     virtual std::size_t count() const = 0;
     /// Sets factors by the places of lamps. `frame` is below count().
-    virtual void set(std::size_t frame, std::vector<Vec3>& factors) const = 0;
+    virtual void set(std::size_t frame, std::vector<Rgb>& factors) const = 0;
 };
 
 /// Reads a table: its header names lamps and ranges of lamps, each of which has a column for each
@@ -57,12 +57,12 @@ public:
     /// Number of frames; 0: one picture that is no frame.
     std::size_t frames() const { return frames_ ? frames_->count() : 0; }
     /// The factors of all lamps by their places; 1 is a lamp as it was rendered.
-    std::vector<Vec3> factors(std::size_t frame) const;
+    std::vector<Rgb> factors(std::size_t frame) const;
 
 private:
     struct Fixed {
         std::vector<std::uint32_t> lamps;
-        Vec3 factor;
+        Rgb factor;
     };
 
     LampNames names_;

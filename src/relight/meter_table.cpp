@@ -9,7 +9,7 @@
 
 namespace candelabra {
 
-std::string relit_readings(const LightRecords& records, std::span<const Vec3> factors,
+std::string relit_readings(const LightRecords& records, std::span<const Rgb> factors,
                            std::string_view begin) {
     std::string rows;
     const KeptMeters& kept = records.meters;

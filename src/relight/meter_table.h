@@ -2,6 +2,7 @@
 // The readings of meters under other powers of lamps, as CSV.
 #pragma once
 
+#include "base/rgb.h"
 #include "relight/light_records.h"
 
 #include <span>
@@ -13,7 +14,7 @@ namespace candelabra {
 inline constexpr std::string_view relit_readings_head = "meter,quantity,unit,point,x,y,z,value\n";
 
 /// Returns a row for each point of each meter, each with `begin` before it.
-std::string relit_readings(const LightRecords&, std::span<const Vec3> factors,
+std::string relit_readings(const LightRecords&, std::span<const Rgb> factors,
                            std::string_view begin);
 
 }  // namespace candelabra

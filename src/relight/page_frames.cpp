@@ -14,8 +14,8 @@ std::optional<PageFrames> page_frames(const LightShow& show, std::size_t most_by
     if (lamps > 0 && made.count > most_bytes / lamps) return std::nullopt;
     double most = 0;
     for (std::size_t frame = 0; frame < made.count; ++frame)
-        for (const Vec3& factor : show.factors(frame)) {
-            made.grey &= factor.x == factor.y && factor.y == factor.z;
+        for (const Rgb& factor : show.factors(frame)) {
+            made.grey &= factor.r == factor.g && factor.g == factor.b;
             most = std::max(most, max_abs_component(factor));
         }
     if (most > 0) made.scale = most;
@@ -24,7 +24,7 @@ std::optional<PageFrames> page_frames(const LightShow& show, std::size_t most_by
     std::vector<unsigned> before(lamps * channels);
     made.bytes.reserve(before.size() * made.count);
     for (std::size_t frame = 0; frame < made.count; ++frame) {
-        const std::vector<Vec3> factors = show.factors(frame);
+        const std::vector<Rgb> factors = show.factors(frame);
         for (std::size_t i = 0; i < before.size(); ++i) {
             constexpr double greatest = 255;
             const double factor = factors[i / channels][static_cast<int>(i % channels)];

@@ -36,10 +36,10 @@ constexpr double dark_share = 0.05;
 struct Dot {
     std::size_t pixel = 0;
     std::uint32_t lamp = 0;
-    Vec3 light = Vec3(0);
+    Rgb light = Rgb(0);
 };
 
-void append_light(std::string& bytes, const Vec3& light) {
+void append_light(std::string& bytes, const Rgb& light) {
     constexpr double per_stop = 2048, gain = 64, most = 65535;
     for (int c = 0; c < 3; ++c) {
         const double code = light[c] > 0 ? per_stop * math::log2(1 + gain * light[c]) : 0;
@@ -67,7 +67,7 @@ public:
     PageRecords made(std::size_t most_dots) {
         PageRecords page;
         page.strong = strong();
-        const std::vector<Vec3> usual(records_.lamps.size(), Vec3(1));
+        const std::vector<Rgb> usual(records_.lamps.size(), Rgb(1));
         page.layers = {relit(records_, usual, threads_), rest()};
         Image& crowd = page.layers[0];
         for (std::size_t i = 0; i < crowd.pixels.size(); ++i)
@@ -135,14 +135,14 @@ private:
         return image;
     }
 
-    static Vec3 light_of(const LampEntry& entry) {
+    static Rgb light_of(const LampEntry& entry) {
         return {static_cast<double>(entry.light[0]), static_cast<double>(entry.light[1]),
                 static_cast<double>(entry.light[2])};
     }
 
     /// The light of a node in a pixel of its tile.
-    static Vec3 light_of(const TileRecords& tile, std::size_t node, std::size_t pixel) {
-        Vec3 light;
+    static Rgb light_of(const TileRecords& tile, std::size_t node, std::size_t pixel) {
+        Rgb light;
         for (std::size_t c = 0; c < 3; ++c)
             light[static_cast<int>(c)] =
                 static_cast<double>(from_half(tile.light[(3 * node + c) * tile_pixels + pixel])) *
@@ -154,7 +154,7 @@ private:
         LampDensity& cell = cells_[number];
         for_tiles(number, [&](const TileRecords& tile, int, int) {
             for (std::size_t n = 0; n < tile.nodes.size(); ++n) {
-                Vec3 light(0);
+                Rgb light(0);
                 for (std::size_t i = 0; i < tile_pixels; ++i) light += light_of(tile, n, i);
                 // Samples of single lamps say how the lamps of the node share it.
                 for (const LampEntry& entry : tile.residual)
@@ -215,7 +215,7 @@ private:
         std::vector<LampDensity> cells = cells_;
         for (LampDensity& cell : cells) cell.settle();
         double mean = 0;
-        for (const Vec3& pixel : crowd.pixels)
+        for (const Rgb& pixel : crowd.pixels)
             mean += max_abs_component(pixel) / static_cast<double>(crowd.pixels.size());
         // What cells leave untold of each lamp: in all, and at most in one pixel.
         struct Untold {
@@ -227,10 +227,10 @@ private:
         for_own([&](std::size_t number, const Dot& dot) {
             Untold& lamp = lamps[dot.lamp];
             if (lamp.most < 0) return;
-            const Vec3 all = cells[number].light({0, records_.lamps.size()});
-            const Vec3 share = cells[number].light({dot.lamp, dot.lamp + 1});
-            const Vec3& here = crowd.pixels[dot.pixel];
-            Vec3 off = dot.light;
+            const Rgb all = cells[number].light({0, records_.lamps.size()});
+            const Rgb share = cells[number].light({dot.lamp, dot.lamp + 1});
+            const Rgb& here = crowd.pixels[dot.pixel];
+            Rgb off = dot.light;
             for (int c = 0; c < 3; ++c)
                 if (all[c] > 0) off[c] -= here[c] * share[c] / all[c];
             const double difference =
@@ -268,7 +268,7 @@ private:
             for (const Dot& dot : dots) seen.pixels[dot.pixel] += dot.light;
             const Image around = spread(seen, kernel, threads_);
             for (Image& layer : layers) layer = spread(layer, kernel, threads_);
-            const Vec3 own = kernel.at(0, 0);
+            const Rgb own = kernel.at(0, 0);
             for (std::size_t i = 0; i < seen.pixels.size(); ++i)
                 layers[0].pixels[i] += around.pixels[i] - own * seen.pixels[i];
             scatter(kernel, dots);
@@ -290,7 +290,7 @@ private:
         struct Source {
             std::size_t cell;
             std::uint32_t lamp;
-            Vec3 light;
+            Rgb light;
         };
         std::vector<Source> sources;
         for (const Dot& dot : dots) sources.push_back({cell_of(dot.pixel), dot.lamp, dot.light});
@@ -309,7 +309,7 @@ private:
             const int column = static_cast<int>(number) % columns_,
                       row = static_cast<int>(number) / columns_;
             std::size_t from = cells_.size();
-            Vec3 share(0);
+            Rgb share(0);
             for (const Source& each : sources) {
                 if (each.cell != from) {
                     from = each.cell;
@@ -334,11 +334,11 @@ private:
 
     std::string cell_bytes(const LampDensity& cell) const {
         std::vector<LampRange> nodes = divided(cell, records_.lamps, most_cell_nodes);
-        std::vector<Vec3> lights;
-        Vec3 all(0);
+        std::vector<Rgb> lights;
+        Rgb all(0);
         for (const LampRange& node : nodes) {
             // Samples may give a node less than nothing.
-            lights.push_back(glm::max(cell.light(node), Vec3(0)));
+            lights.push_back(max(cell.light(node), Rgb(0)));
             all += lights.back();
         }
         std::string bytes;

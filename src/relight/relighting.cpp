@@ -68,7 +68,7 @@ void Relighting::add_light(std::size_t number, const FactorMeans& means,
     std::vector<Channels> mean_of_node;
     for (std::size_t n = 0; n < tile.nodes.size(); ++n) {
         if (is_smooth(tile) && tile.nodes[n].size() > 1) continue;
-        const Vec3 mean = means(tile.nodes[n]);
+        const Rgb mean = means(tile.nodes[n]);
         mean_of_node.push_back(channels(mean));
         add_node(tile.light.data() + n * 3 * tile_pixels,
                  channels(mean * static_cast<double>(tile.scale)), planes);
@@ -84,11 +84,11 @@ void Relighting::add_light(std::size_t number, const FactorMeans& means,
     }
 }
 
-Image Relighting::picture(std::span<const Vec3> factors) const {
+Image Relighting::picture(std::span<const Rgb> factors) const {
     const FactorMeans means(records_.lamps, factors);
     std::vector<Channels> short_factors;
     short_factors.reserve(factors.size());
-    for (const Vec3& factor : factors) short_factors.push_back(channels(factor));
+    for (const Rgb& factor : factors) short_factors.push_back(channels(factor));
     SmoothCrowds::Fit fit;
     if (crowds_) fit = crowds_->fitted(means, short_factors);
     Image image(records_.width, records_.height);
@@ -102,7 +102,7 @@ Image Relighting::picture(std::span<const Vec3> factors) const {
     return image;
 }
 
-Image relit(const LightRecords& records, std::span<const Vec3> factors, int threads) {
+Image relit(const LightRecords& records, std::span<const Rgb> factors, int threads) {
     return Relighting(records, 0, threads).picture(factors);
 }
 

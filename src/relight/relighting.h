@@ -23,7 +23,7 @@ public:
 
     /// Returns the picture with these factors on the lamps, by their places in the list; 1 is a
     /// lamp as it was rendered.
-    Image picture(std::span<const Vec3> factors) const;
+    Image picture(std::span<const Rgb> factors) const;
 
 private:
     bool is_smooth(const TileRecords& tile) const { return crowds_ && !tile.seen_in_nodes; }
@@ -38,6 +38,6 @@ private:
 };
 
 /// Returns a picture whose pixels have the right expected values.
-Image relit(const LightRecords&, std::span<const Vec3> factors, int threads);
+Image relit(const LightRecords&, std::span<const Rgb> factors, int threads);
 
 }  // namespace candelabra

@@ -100,15 +100,15 @@ std::optional<TileLight> TileLight::take(std::string_view& bytes, std::uint32_t 
     return tile;
 }
 
-void TileLight::add(std::uint32_t lamp, std::size_t pixel, const Vec3& light, bool seen) {
-    const double size = std::abs(light.x) + std::abs(light.y) + std::abs(light.z);
+void TileLight::add(std::uint32_t lamp, std::size_t pixel, const Rgb& light, bool seen) {
+    const double size = std::abs(light.r) + std::abs(light.g) + std::abs(light.b);
     constexpr double most = 1e30;
     if (!(size > 0) || !(size < most)) return;
     fresh_.push_back(
         {lamp,
          static_cast<std::uint8_t>(pixel),
          seen,
-         {static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z)}});
+         {static_cast<float>(light.r), static_cast<float>(light.g), static_cast<float>(light.b)}});
 }
 
 TileLight::Node* TileLight::node_of(std::uint32_t lamp) {
@@ -216,7 +216,7 @@ void TileLight::shrink(const LampList& lamps, std::size_t room, std::uint64_t se
 TileRecords TileLight::finished(const LampList& lamps, const TilePixels& pixels, std::size_t room,
                                 std::uint64_t seed) {
     settle(lamps, room, seed);
-    std::array<Vec3, tile_pixels> light{}, size{};
+    std::array<Rgb, tile_pixels> light{}, size{};
     const auto count = [&](std::size_t pixel, std::size_t channel, float value) {
         const int c = static_cast<int>(channel);
         light[pixel][c] += static_cast<double>(value);

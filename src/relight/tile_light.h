@@ -3,7 +3,7 @@
 // too much memory is summed by nodes of lamps.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 #include "relight/tile_records.h"
 
 #include <array>
@@ -20,13 +20,13 @@ namespace candelabra {
 /// The pixels of a tile when all samples have been made.
 struct TilePixels {
     std::array<double, tile_pixels> weight{};  ///< divisor of sums; 0: no samples
-    std::array<Vec3, tile_pixels> mean{};      ///< of all light
+    std::array<Rgb, tile_pixels> mean{};       ///< of all light
 };
 
 class TileLight {
 public:
     /// Takes light of a lamp, by its place in the list. What is not finite is left out.
-    void add(std::uint32_t lamp, std::size_t pixel, const Vec3& light, bool seen);
+    void add(std::uint32_t lamp, std::size_t pixel, const Rgb& light, bool seen);
 
     /// Whether so much has been added that settle() should be called.
     bool crowded() const { return fresh_.size() >= most_fresh; }

@@ -81,7 +81,7 @@ WorldLamps world_lamps(const World& world, const std::vector<std::string>& names
     }
     for (std::size_t i = 0; i < lamps.of_source.size(); ++i) {
         const PointLight& source = world.lights.sources[i];
-        add(made.statement_of_light[i], source.location, luminance(glm::abs(source.colour)),
+        add(made.statement_of_light[i], source.location, luminance(abs(source.colour)),
             lamps.of_source[i]);
     }
     if (!world.sky.light.empty()) add(made.statement_of_sky, Vec3(0), 1, lamps.of_sky);

@@ -98,7 +98,7 @@ private:
     }
 
     /// Radiance with which the path leaves its luminaire.
-    Vec3 leaving(const Luminaire& luminaire, const PathState& path) const {
+    Rgb leaving(const Luminaire& luminaire, const PathState& path) const {
         Hit hit;
         double free = bounds(luminaire).radius;
         if (world_.first_hit(path.ray, path.tolerance, path.kind, hit))
@@ -109,8 +109,8 @@ private:
     }
 
     void go_on(PathState path, std::uint32_t statement, BalanceSums& sums) const {
-        const double begun = max_component(glm::abs(path.throughput));
-        for (int met = 0; path.throughput != Vec3(0); ++met) {
+        const double begun = max_abs_component(path.throughput);
+        for (int met = 0; path.throughput != Rgb(0); ++met) {
             Hit hit;
             const bool meets = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
             dim_by_air(path, meets ? length(hit.position - path.ray.origin) : INFINITY, meets,
@@ -125,7 +125,7 @@ private:
             const double light = light_luminance(path.throughput);
             if (!meets || met == most_surfaces)
                 return sums.add(statement, meets ? LightEnd::unknown : way_out(path), light);
-            if (!scatter(path, hit, begun, met)) path.throughput = Vec3(0);
+            if (!scatter(path, hit, begun, met)) path.throughput = Rgb(0);
             const double absorbed = light - light_luminance(path.throughput);
             sums.add(statement, LightEnd::surfaces, absorbed);
             if (!statement_of_.empty())
@@ -137,9 +137,9 @@ private:
                     BalanceSums& sums) const {
         if (!world_.facts.dims_between) return;
         const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
-        const Vec3 left = left_in_air(world_, {path.ray, {0, distance}, solids, meets},
-                                      path.key.branched(Branch::medium));
-        sums.add(statement, LightEnd::air, light_luminance((Vec3(1) - left) * path.throughput));
+        const Rgb left = left_in_air(world_, {path.ray, {0, distance}, solids, meets},
+                                     path.key.branched(Branch::medium));
+        sums.add(statement, LightEnd::air, light_luminance((Rgb(1) - left) * path.throughput));
         path.dim(left);
     }
 
@@ -170,7 +170,7 @@ private:
         const auto& [lobe, chance] = *chosen;
         double survival = 1;
         if (met >= first_chance) {
-            const double left = max_component(glm::abs(path.throughput * lobe.share)) / chance;
+            const double left = max_abs_component(path.throughput * lobe.share) / chance;
             survival = std::clamp(left / begun, least_survival, 1.0);
         }
         if (survival < 1 && uniform(path.key, Purpose::roulette) >= survival) return false;

@@ -77,13 +77,13 @@ public:
         for (const LampPart& part : parts) {
             const std::size_t column = columns.of(part.lamp);
             if (column >= columns.count) continue;
-            const auto add = [&](std::size_t to, const Vec3& light) {
+            const auto add = [&](std::size_t to, const Rgb& light) {
                 by_column[to] += factor * units_.luminance(light_luminance(light));
             };
             if (columns.in_colours) {
-                add(column, {part.light.x, 0, 0});
-                add(column + 1, {0, part.light.y, 0});
-                add(column + 2, {0, 0, part.light.z});
+                add(column, {part.light.r, 0, 0});
+                add(column + 1, {0, part.light.g, 0});
+                add(column + 2, {0, 0, part.light.b});
             } else {
                 add(column, part.light);
             }
@@ -239,7 +239,7 @@ private:
             const double counts = factor(there.direction);
             if (counts > 0)
                 sum += counts * on_element(element, [&](const LitLayer& layer) {
-                           const Vec3 light = direct_.from_source(i, 1, layer, key, ledger_);
+                           const Rgb light = direct_.from_source(i, 1, layer, key, ledger_);
                            if (kept.keeps_parts)
                                kept.parts.push_back({Lamp::source(i), counts * pi * light, false});
                            return light;

@@ -35,7 +35,7 @@ std::vector<Integrator> meters_of(const RenderPlan& plan, const RenderHooks& hoo
 }
 
 /// Adds a colour to three sums.
-void add_colour(const Vec3& colour, std::span<ExactSum> sums, std::size_t first) {
+void add_colour(const Rgb& colour, std::span<ExactSum> sums, std::size_t first) {
     for (int c = 0; c < 3; ++c) sums[first + static_cast<std::size_t>(c)].add(colour[c]);
 }
 
@@ -84,7 +84,7 @@ SeenSample SampleTracer::look(int x, int y, std::uint32_t sample, std::span<Exac
     const Ray ray = ray_through(shot, point(x, y), in_pixel.place, key);
     Integrator& integrator = integrators_[moment];
     const std::uint64_t before_rays = integrator.ledger().shadow;
-    const Vec3 colour = integrator.radiance(ray, key);
+    const Rgb colour = integrator.radiance(ray, key);
     const auto rays = static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays);
     if (integrator.cut() && hooks_->cut) hooks_->cut(x, y);
     if (!extra.empty() && !in_pixel.negative) {
@@ -103,14 +103,14 @@ SeenSample SampleTracer::look(int x, int y, std::uint32_t sample, std::span<Exac
 }
 
 /// Adds a sample's values besides its colour.
-void SampleTracer::gather(const Vec3& colour, const Ray& ray, const Key& key, std::size_t moment,
+void SampleTracer::gather(const Rgb& colour, const Ray& ray, const Key& key, std::size_t moment,
                           std::span<ExactSum> sums) {
     const Aovs& aovs = hooks_->aovs;
     const World& world = *plan_->shot.moment(moment).world;
     gather_sample(aovs, world, ray, integrators_[moment], sums);
     if (aovs.smooth) add_colour(compressed(colour, exposure_), sums, aovs.first_smooth());
     if (aovs.squares) {
-        const Vec3 reflected = colour - integrators_[moment].ledger().glow;
+        const Rgb reflected = colour - integrators_[moment].ledger().glow;
         add_colour(reflected * reflected, sums, aovs.first_square());
     }
     if (aovs.luminance)
@@ -126,7 +126,7 @@ double SampleTracer::illuminance(const Ray& ray, const Key& key, std::size_t mom
     if (ray.direction == Vec3(0) || !world.first_hit(ray, 0, RayKind::camera, hit)) return 0;
     const Vec3 facing = dot(hit.normal, ray.direction) > 0 ? -hit.normal : hit.normal;
     const WhiteElement element(hit.position, facing, hit.tolerance);
-    const Vec3 shown = meters_[moment].element_radiance(element, key);
+    const Rgb shown = meters_[moment].element_radiance(element, key);
     return std::numbers::pi * world.rules.settings.light_units().luminance(light_luminance(shown));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/handle.h"
+#include "base/rgb.h"
 #include "film/pixel_filter.h"
 #include "film/render_state.h"
 #include "render/hooks.h"
@@ -17,7 +18,7 @@ namespace candelabra {
 
 /// What a sample saw.
 struct SeenSample {
-    Vec3 colour;
+    Rgb colour;
     std::uint32_t shadow_rays;
     bool negative;  ///< the filter is negative at the sample
 };
@@ -47,8 +48,7 @@ public:
 private:
     PicturePoint point(int x, int y) const;
     FilteredPlace place(const Key&) const;
-    void gather(const Vec3& colour, const Ray&, const Key&, std::size_t moment,
-                std::span<ExactSum>);
+    void gather(const Rgb& colour, const Ray&, const Key&, std::size_t moment, std::span<ExactSum>);
     double illuminance(const Ray&, const Key&, std::size_t moment);
 
     const RenderPlan* plan_;

@@ -128,7 +128,7 @@ double Bsdf::diffuse_pdf(const Vec3& direction) const {
     return std::abs(cosine) * (cosine < 0 ? behind : 1 - behind) / pi;
 }
 
-Vec3 Bsdf::diffuse_albedo() const {
+Rgb Bsdf::diffuse_albedo() const {
     const Finish& f = *shading_.finish;
     const double amount =
         facets_ ? facets_->base_albedo() : std::fmax(f.diffuse, 0) + std::abs(f.diffuse_back);
@@ -175,23 +175,23 @@ double Bsdf::pdf(const Vec3& direction) const {
 bool Bsdf::answers_light() const {
     const Finish& f = *shading_.finish;
     return part_ == Part::entering || f.microfacet.on ||
-           ((f.diffuse > 0 || f.diffuse_back != 0) && shading_.colour.rgb != Vec3(0)) ||
+           ((f.diffuse > 0 || f.diffuse_back != 0) && shading_.colour.rgb != Rgb(0)) ||
            f.phong > 0 || f.specular > 0;
 }
 
-Vec3 Bsdf::film(const Vec3& to_light) const {
-    return part_ == Part::entering ? Vec3(1) : iridescence(shading_, *rules_, to_light);
+Rgb Bsdf::film(const Vec3& to_light) const {
+    return part_ == Part::entering ? Rgb(1) : iridescence(shading_, *rules_, to_light);
 }
 
-Vec3 Bsdf::evaluate_without_film(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
+Rgb Bsdf::evaluate_without_film(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
     if (facets_)
         return terms.facets == FacetLobes::none
                    ? facets_->base_response(to_light)
                    : facets_->response(to_light, terms.facets == FacetLobes::wide);
-    if (!terms.through_surface && side_of(shading_, to_light) == LitSide::none) return Vec3(0);
+    if (!terms.through_surface && side_of(shading_, to_light) == LitSide::none) return Rgb(0);
     if (part_ == Part::entering) {
         const double cosine = dot(shading_.normal, to_light);
-        return Vec3(cosine < 1e-10 ? 0 : cosine * (1 - fresnel(cosine, ior_)));
+        return Rgb(cosine < 1e-10 ? 0 : cosine * (1 - fresnel(cosine, ior_)));
     }
     return finish_response(shading_, to_light,
                            {part_ != Part::highlights, terms.highlights, terms.brilliance}, grain);

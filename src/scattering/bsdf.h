@@ -3,6 +3,7 @@
 // towards the viewer. Delta lobes (mirror and refraction) are in mirror.h.
 #pragma once
 
+#include "base/rgb.h"
 #include "lighting/light_query.h"
 #include "scattering/microfacet.h"
 #include "scattering/shading.h"
@@ -59,13 +60,13 @@ public:
 
     /// Radiance towards the viewer due to light of colour 1 from a unit direction. `grain` is the
     /// random number for `crand`, the same for all channels.
-    Vec3 evaluate(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
+    Rgb evaluate(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
         return film(to_light) * evaluate_without_film(to_light, terms, grain);
     }
     /// The same without the colours of a thin film, which film() returns: POV-Ray evaluates them
     /// once for all lights of a grid.
-    Vec3 evaluate_without_film(const Vec3& to_light, const BsdfTerms&, double grain) const;
-    Vec3 film(const Vec3& to_light) const;
+    Rgb evaluate_without_film(const Vec3& to_light, const BsdfTerms&, double grain) const;
+    Rgb film(const Vec3& to_light) const;
 
     /// Returns a unit direction drawn roughly in proportion to the scattering of uniform light; u
     /// is in [0, 1)^2. Returns nothing if no light from the drawn direction counts.
@@ -79,8 +80,8 @@ public:
 
     /// Approximate fraction of uniform light that the diffuse part scatters to the viewer, and the
     /// fraction that microfacets above it reflect.
-    Vec3 diffuse_albedo() const;
-    Vec3 facets_albedo() const { return facets_ ? facets_->facets_albedo() : Vec3(0); }
+    Rgb diffuse_albedo() const;
+    Rgb facets_albedo() const { return facets_ ? facets_->facets_albedo() : Rgb(0); }
 
     /// Fraction of the directions that are drawn from highlights: about their fraction of the
     /// scattered uniform light. 0 for surfaces without highlights.

@@ -36,10 +36,10 @@ double reflected(double width, const FacetGeometry& g) {
 
 /// Colour of light that metallic facets reflect more than once, for facets that reflect the mean
 /// fraction `escaping` of light at once.
-Vec3 colour_of_further(const Vec3& facing, double escaping) {
-    const Vec3 within = glm::clamp(facing, Vec3(0), Vec3(1));
-    const Vec3 mean = within + (Vec3(1) - within) / 21.0;  // of Schlick's approximation
-    return mean * mean * escaping / (Vec3(1) - mean * (1 - escaping));
+Rgb colour_of_further(const Rgb& facing, double escaping) {
+    const Rgb within = clamp(facing, Rgb(0), Rgb(1));
+    const Rgb mean = within + (Rgb(1) - within) / 21.0;  // of Schlick's approximation
+    return mean * mean * escaping / (Rgb(1) - mean * (1 - escaping));
 }
 
 /// Nodes and weights of Gauss's rule for the interval from 0 to 1.
@@ -61,7 +61,7 @@ Microfacets::Microfacets(const Shading& s)
       opacity_(s.opacity),
       dielectric_(max_specular * material_.specular),
       metal_(material_.metallic * opacity_),
-      facing_((1 - material_.metallic) * Vec3(dielectric_) + metal_ * colour_),
+      facing_((1 - material_.metallic) * Rgb(dielectric_) + metal_ * colour_),
       grazing_(1 - material_.metallic * (1 - opacity_)),
       view_(s.view),
       geometric_normal_(s.geometric_normal),
@@ -78,8 +78,8 @@ Microfacets::Microfacets(const Shading& s)
     per_further_ = inverse(mean.further);
 }
 
-Vec3 Microfacets::mirror(double cosine) const {
-    return facing_ + (Vec3(grazing_) - facing_) * grazing_share(cosine);
+Rgb Microfacets::mirror(double cosine) const {
+    return facing_ + (Rgb(grazing_) - facing_) * grazing_share(cosine);
 }
 
 double Microfacets::coat(double cosine) const {
@@ -111,8 +111,8 @@ Microfacets::Left Microfacets::mean_left() const {
 
 // Both are the same for light and viewer exchanged, and reflect all that the viewer's direction
 // leaves for them if they are white.
-Vec3 Microfacets::base_at(const Left& left) const { return base_ * (left.base * per_base_); }
-Vec3 Microfacets::further_at(const Left& left) const {
+Rgb Microfacets::base_at(const Left& left) const { return base_ * (left.base * per_base_); }
+Rgb Microfacets::further_at(const Left& left) const {
     return further_ * (left.further * per_further_);
 }
 
@@ -126,34 +126,34 @@ auto Microfacets::folded(const Vec3& to_light, const Use& use) const {
     return use(to_light) + use(mirrored(to_light, geometric_normal_));
 }
 
-Vec3 Microfacets::base_response(const Vec3& to_light) const {
+Rgb Microfacets::base_response(const Vec3& to_light) const {
     return folded(to_light, [&](const Vec3& direction) {
         const double light = dot(normal_, direction);
-        return light <= 1e-10 ? Vec3(0) : base_at(left_at(light)) * light;
+        return light <= 1e-10 ? Rgb(0) : base_at(left_at(light)) * light;
     });
 }
 
-Vec3 Microfacets::response(const Vec3& to_light, bool wide_only) const {
+Rgb Microfacets::response(const Vec3& to_light, bool wide_only) const {
     return folded(to_light, [&](const Vec3& direction) { return at(direction, wide_only); });
 }
 
-Vec3 Microfacets::at(const Vec3& to_light, bool wide_only) const {
+Rgb Microfacets::at(const Vec3& to_light, bool wide_only) const {
     FacetGeometry g;
     g.light = dot(normal_, to_light);
-    if (g.light <= 1e-10) return Vec3(0);
+    if (g.light <= 1e-10) return Rgb(0);
     g.viewer = viewer_;
     const Vec3 facet = unit(to_light - view_);
     g.facet = std::clamp(dot(normal_, facet), 0.0, 1.0);
     g.between = std::clamp(dot(to_light, facet), 0.0, 1.0);
     const auto counts = [&](double width) { return !wide_only || width >= narrow; };
     const Left left = left_at(g.light);
-    Vec3 sum = (base_at(left) + further_at(left)) * g.light;
+    Rgb sum = (base_at(left) + further_at(left)) * g.light;
     // What the coat leaves of a mirrored direction is the same for light and viewer; elsewhere the
     // lesser of both counts, which makes no light.
     if (const double w = facet_width(material_.roughness); counts(w))
         sum += mirror(g.between) * (reflected(w, g) * (1 - std::max(left.coat, viewer_left_.coat)));
     if (const double w = facet_width(material_.coat_roughness); material_.coat > 0 && counts(w))
-        sum += Vec3(coat(g.between) * reflected(w, g));
+        sum += Rgb(coat(g.between) * reflected(w, g));
     return sum;
 }
 
@@ -178,10 +178,10 @@ double Microfacets::passing() const {
     return base_albedo() + material_.metallic * (1 - viewer_left_.coat);
 }
 
-Vec3 Microfacets::facets_albedo() const {
+Rgb Microfacets::facets_albedo() const {
     const FacetAlbedo own = facet_albedo(material_.roughness, viewer_);
-    const Vec3 at_once = facing_ * (own.all - own.grazing) + Vec3(grazing_ * own.grazing);
-    return Vec3(viewer_left_.coat) + (1 - viewer_left_.coat) * at_once + further_;
+    const Rgb at_once = facing_ * (own.all - own.grazing) + Rgb(grazing_ * own.grazing);
+    return Rgb(viewer_left_.coat) + (1 - viewer_left_.coat) * at_once + further_;
 }
 
 /// The same as draw_mirrored(), before the real surface mirrors what would lead into it.
@@ -244,9 +244,9 @@ std::optional<Scattered> Microfacets::scatter(double choice, Vec2 place) const {
     const double between = dot(*raw, unit(*raw - view_));
     // With visible normals, the weight is the Fresnel factor times the masking of the light.
     const double up = std::max(dot(*raw, normal_), 0.0), unseen = 2 * up * unhidden(w, up);
-    const Vec3 share =
+    const Rgb share =
         on_coat
-            ? Vec3(coat(between) / by_coat)
+            ? Rgb(coat(between) / by_coat)
             : mirror(between) * ((1 - std::max(viewer_left_.coat, left_at(up).coat)) / by_mirror);
     return Scattered{lifted(*raw, geometric_normal_), share * (unseen * all), w < narrow};
 }

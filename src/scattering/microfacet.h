@@ -5,6 +5,7 @@
 // Shading at Imageworks", 2017), or into the base.
 #pragma once
 
+#include "base/rgb.h"
 #include "scattering/facet_albedo.h"
 #include "scattering/shading.h"
 
@@ -16,7 +17,7 @@ namespace candelabra {
 /// A direction from which light is reflected, and the weight of its radiance.
 struct Scattered {
     Vec3 direction;
-    Vec3 weight;
+    Rgb weight;
     bool narrow;  ///< omitted by Microfacets::response() with wide_only
 };
 
@@ -40,14 +41,14 @@ public:
     /// Radiance towards the viewer due to light of colour 1 from a unit direction, as in
     /// finish_response(). `wide_only` omits lobes so narrow that scattered rays find luminaires
     /// better.
-    Vec3 response(const Vec3& to_light, bool wide_only) const;
+    Rgb response(const Vec3& to_light, bool wide_only) const;
     /// The part of it that the diffuse base scatters, and the fraction of uniform light that a
     /// white base would scatter.
-    Vec3 base_response(const Vec3& to_light) const;
+    Rgb base_response(const Vec3& to_light) const;
     double base_albedo() const { return (1 - material_.metallic) * viewer_left_.base; }
     /// Fraction of uniform light of colour 1 that the facets scatter to the viewer, without the
     /// base.
-    Vec3 facets_albedo() const;
+    Rgb facets_albedo() const;
     /// Fraction of light from behind that a clear pigment lets pass. Facets of what is no metal lie
     /// above it; a metal is as clear as its pigment, with holes where this is clear.
     double passing() const;
@@ -86,30 +87,30 @@ private:
     Left left_of(const FacetAlbedo& own, const FacetAlbedo& coat) const;
     Left mean_left() const;
 
-    Vec3 mirror(double cosine) const;
+    Rgb mirror(double cosine) const;
     double coat(double cosine) const;
     double mirror_albedo(double facing) const;
     // Responses over the cosine of the light:
-    Vec3 base_at(const Left&) const;
-    Vec3 further_at(const Left&) const;
+    Rgb base_at(const Left&) const;
+    Rgb further_at(const Left&) const;
     std::optional<Vec3> draw_raw(double width, Vec2 place) const;
-    Vec3 at(const Vec3& to_light, bool wide_only) const;
+    Rgb at(const Vec3& to_light, bool wide_only) const;
     template <class Use>
     auto folded(const Vec3& to_light, const Use& use) const;
 
     Microfacet material_;
-    Vec3 colour_;  ///< of the base and of the metal
+    Rgb colour_;  ///< of the base and of the metal
     double opacity_;
     double dielectric_;  ///< reflectance of the non-metallic part at normal incidence
     double metal_;       ///< share of the surface that is metal
-    Vec3 facing_;        ///< reflectance at normal incidence
+    Rgb facing_;         ///< reflectance at normal incidence
     double grazing_;     ///< the same at grazing incidence
     Vec3 view_, geometric_normal_;
     Vec3 normal_;    ///< fitted to the viewer
     double viewer_;  ///< cosine of the viewer; above 0
     bool bent_;      ///< whether the normal is not that of the real surface
     Left viewer_left_;
-    Vec3 base_, further_;            ///< fractions of uniform light that they scatter to the viewer
+    Rgb base_, further_;             ///< fractions of uniform light that they scatter to the viewer
     double per_base_, per_further_;  ///< inverse means of what is left for them; 0: nothing
 };
 

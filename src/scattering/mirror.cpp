@@ -20,8 +20,8 @@ double metal_fresnel(double cosine) {
 
 }  // namespace
 
-Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine) {
-    return Vec3(1) + metallic * (1 - metal_fresnel(cosine)) * (pigment - Vec3(1));
+Rgb metal_tint(const Rgb& pigment, double metallic, double cosine) {
+    return Rgb(1) + metallic * (1 - metal_fresnel(cosine)) * (pigment - Rgb(1));
 }
 
 // Fresnel's equations.
@@ -35,9 +35,9 @@ double fresnel(double cosine, double n) {
     return std::clamp(0.5 * ratio * ratio * (tail * tail + 1), 0.0, 1.0);
 }
 
-Vec3 reflectivity(const Shading& s, double ior_ratio) {
+Rgb reflectivity(const Shading& s, double ior_ratio) {
     const Reflection& r = s.finish->reflection;
-    if (r.greatest == Vec3(0) && r.least == Vec3(0)) return Vec3(0);
+    if (r.greatest == Rgb(0) && r.least == Rgb(0)) return Rgb(0);
     // Below 0 where a perturbed normal faces away: POV-Ray reflects more there than at grazing
     // angles.
     const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
@@ -46,11 +46,11 @@ Vec3 reflectivity(const Shading& s, double ior_ratio) {
                            : cosine < 0 ? 1
                                         : fresnel(cosine, 1 / ior_ratio);
     const double shown = s.finish->use_alpha ? s.opacity : 1;
-    const Vec3 amount = shown * (r.least + (r.greatest - r.least) * grazing);
+    const Rgb amount = shown * (r.least + (r.greatest - r.least) * grazing);
     return r.metallic == 0 ? amount : amount * metal_tint(s.colour.rgb, r.metallic, cosine);
 }
 
-double greatest_reflectivity(const Reflection& reflection, const Vec3& amount) {
+double greatest_reflectivity(const Reflection& reflection, const Rgb& amount) {
     return reflection.fresnel
                ? max_component(amount)
                : std::max(max_component(reflection.least), max_component(reflection.greatest));

@@ -3,6 +3,7 @@
 // whose density would be infinite there.
 #pragma once
 
+#include "base/rgb.h"
 #include "scattering/shading.h"
 
 #include <optional>
@@ -15,11 +16,11 @@ double fresnel(double cosine, double n);
 
 /// Fraction of the light from the mirror direction that is reflected to the viewer. `ior_ratio` is
 /// the index of refraction in front of the surface over the one behind it.
-Vec3 reflectivity(const Shading&, double ior_ratio);
+Rgb reflectivity(const Shading&, double ior_ratio);
 
 /// Upper bound of the weight in the pixel of a reflection of this amount. For reflections without
 /// `fresnel`, this is the weight in the direction that reflects most.
-double greatest_reflectivity(const Reflection&, const Vec3& amount);
+double greatest_reflectivity(const Reflection&, const Rgb& amount);
 
 /// Unit direction in which the viewing ray is reflected. A bump may reflect the ray into the
 /// surface; the normal without bumps then brings it out again.
@@ -32,6 +33,6 @@ Vec3 refracted_direction(const Shading&, double ior_ratio);
 bool reflects_totally(const Shading&, double ior_ratio);
 
 /// Colour of a highlight or reflection tinted by `metallic`.
-Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine);
+Rgb metal_tint(const Rgb& pigment, double metallic, double cosine);
 
 }  // namespace candelabra

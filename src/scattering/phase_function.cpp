@@ -50,13 +50,13 @@ bool collects_photons(MediaView media) {
 }
 
 PhaseFunction::PhaseFunction(MediaView media, const Vec3& position, const Vec3& view,
-                             const PatternScene& scene, const Vec3& weight, LightInAir light)
+                             const PatternScene& scene, const Rgb& weight, LightInAir light)
     : position_(position), view_(view), collects_(collects_photons(media)) {
     for (const Media* each : media) {
         if (!each->scatters(light)) continue;
-        const Vec3 coefficient = weight * density(*each, position, scene) *
-                                 each->scattering.colour * unit_of_light(each->scattering);
-        const double share = max_component(glm::abs(coefficient)) * mean_phase(each->scattering);
+        const Rgb coefficient = weight * density(*each, position, scene) * each->scattering.colour *
+                                unit_of_light(each->scattering);
+        const double share = max_abs_component(coefficient) * mean_phase(each->scattering);
         if (!(share > 0)) continue;
         parts_.push_back({coefficient, &each->scattering, share});
         total_ += share;
@@ -66,15 +66,15 @@ PhaseFunction::PhaseFunction(MediaView media, const Vec3& position, const Vec3& 
     for (Part& part : parts_) part.share /= total_;
 }
 
-Vec3 PhaseFunction::evaluate(const Vec3& to_light) const {
+Rgb PhaseFunction::evaluate(const Vec3& to_light) const {
     const double cosine = dot(view_, to_light);
-    Vec3 sum(0);
+    Rgb sum(0);
     for (const Part& part : parts_) sum += part.coefficient * phase(*part.scattering, cosine);
     return sum;
 }
 
-Vec3 PhaseFunction::mean() const {
-    Vec3 sum(0);
+Rgb PhaseFunction::mean() const {
+    Rgb sum(0);
     for (const Part& part : parts_) sum += part.coefficient * mean_phase(*part.scattering);
     return sum;
 }

@@ -3,6 +3,7 @@
 // towards the viewer.
 #pragma once
 
+#include "base/rgb.h"
 #include "base/short_list.h"
 #include "lighting/light_query.h"
 #include "medium/media.h"
@@ -18,17 +19,17 @@ public:
     /// `view` is the unit direction of the ray that sees the point; `weight` is the factor of the
     /// light scattered there; `light` is what may be scattered.
     PhaseFunction(MediaView, const Vec3& position, const Vec3& view, const PatternScene&,
-                  const Vec3& weight = Vec3(1), LightInAir light = LightInAir::any);
+                  const Rgb& weight = Rgb(1), LightInAir light = LightInAir::any);
 
     bool answers_light() const { return total_ > 0; }
     /// Radiance towards the viewer per unit of length, times the weight, due to light of colour 1
     /// from a unit direction.
-    Vec3 evaluate(const Vec3& to_light) const;
+    Rgb evaluate(const Vec3& to_light) const;
     /// Mean of evaluate() over all directions.
-    Vec3 mean() const;
+    Rgb mean() const;
     /// Fraction of uniform light that is scattered towards the viewer per unit of length, times the
     /// weight. Light from one steradian of radiance 1 is light of colour 1/pi.
-    Vec3 share() const { return 4.0 * mean(); }
+    Rgb share() const { return 4.0 * mean(); }
     /// Returns a unit direction drawn in proportion to the scattering of uniform light; u is in
     /// [0, 1)^2. Precondition: answers_light().
     Vec3 sample(Vec2 u) const;
@@ -42,7 +43,7 @@ public:
 
 private:
     struct Part {
-        Vec3 coefficient;
+        Rgb coefficient;
         const Scattering* scattering;
         double share;  ///< fraction of the drawn directions
     };

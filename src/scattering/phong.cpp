@@ -17,14 +17,14 @@ bool shows(double cosine, double power) { return cosine > 0 && (1 - cosine) * po
 
 }  // namespace
 
-Vec3 own_radiance(const Shading& s, const ShadingRules& rules, double emission) {
-    const Vec3 emitted = emission != 0 ? emission * s.finish->emission : Vec3(0);
+Rgb own_radiance(const Shading& s, const ShadingRules& rules, double emission) {
+    const Rgb emitted = emission != 0 ? emission * s.finish->emission : Rgb(0);
     return s.colour.rgb * s.opacity * (s.finish->ambient * rules.ambient_light + emitted);
 }
 
-Vec3 iridescence(const Shading& s, const ShadingRules& rules, const Vec3& direction) {
+Rgb iridescence(const Shading& s, const ShadingRules& rules, const Vec3& direction) {
     const Irid& irid = s.finish->irid;
-    if (!(irid.amount > 0)) return Vec3(1);
+    if (!(irid.amount > 0)) return Rgb(1);
     double thickness = irid.thickness;
     if (irid.turbulence != 0)
         thickness *=
@@ -32,15 +32,15 @@ Vec3 iridescence(const Shading& s, const ShadingRules& rules, const Vec3& direct
                     (2 * scalar_turbulence(s.position, {5, 0.5, 2}, rules.noise_generator) - 1);
     const double phase = 2 * std::numbers::pi * thickness *
                          (std::abs(dot(s.normal, direction)) + std::abs(dot(s.normal, s.view)));
-    const Vec3 turns = Vec3(phase) / rules.irid_wavelength;
-    return Vec3(1) + irid.amount * Vec3(math::cos(turns.x), math::cos(turns.y), math::cos(turns.z));
+    const Rgb turns = Rgb(phase) / rules.irid_wavelength;
+    return Rgb(1) + irid.amount * Rgb(math::cos(turns.r), math::cos(turns.g), math::cos(turns.b));
 }
 
-Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, double grain) {
+Rgb finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, double grain) {
     const Finish& f = *s.finish;
     const double signed_cosine = dot(s.normal, to_light);
     const bool behind = signed_cosine < 1e-10;
-    if (behind && !s.both_sides && f.diffuse_back == 0) return Vec3(0);
+    if (behind && !s.both_sides && f.diffuse_back == 0) return Rgb(0);
     const double cosine = std::abs(signed_cosine);
     const double falloff = f.brilliance == 1 || !terms.brilliance
                                ? cosine
@@ -48,12 +48,12 @@ Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, 
     const bool back = behind && !s.both_sides;
     const double diffuse = !terms.diffuse ? 0 : back ? f.diffuse_back : std::fmax(f.diffuse, 0);
     const double crand = terms.diffuse ? f.crand * grain : 0;
-    Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - crand);
+    Rgb result = s.colour.rgb * (diffuse * falloff * s.opacity - crand);
     if (back || !terms.highlights || (f.phong <= 0 && f.specular <= 0)) return result;
 
-    const Vec3 metal =
-        f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
-    const Vec3 tint = f.use_alpha ? s.opacity * metal : metal;
+    const Rgb metal =
+        f.metallic == 0 ? Rgb(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
+    const Rgb tint = f.use_alpha ? s.opacity * metal : metal;
     if (f.phong > 0) {
         const double alignment = dot(mirrored(s.view, s.normal), to_light);
         if (shows(alignment, f.phong_size))

@@ -3,15 +3,16 @@
 // colours of thin films.
 #pragma once
 
+#include "base/rgb.h"
 #include "scattering/shading.h"
 
 namespace candelabra {
 
 /// Radiance towards the viewer without any light. `emission` is a factor of the finish's emission.
-Vec3 own_radiance(const Shading&, const ShadingRules&, double emission = 1);
+Rgb own_radiance(const Shading&, const ShadingRules&, double emission = 1);
 
 /// Factor of an iridescent finish for light from a direction, or for a reflection towards it.
-Vec3 iridescence(const Shading&, const ShadingRules&, const Vec3& direction);
+Rgb iridescence(const Shading&, const ShadingRules&, const Vec3& direction);
 
 /// Terms of a finish.
 struct FinishTerms {
@@ -23,6 +24,6 @@ struct FinishTerms {
 /// Radiance towards the viewer due to light of colour 1 (in POV-Ray's sense: perpendicular
 /// irradiance pi) from a unit direction, including the cosine. Zero if the direction is below the
 /// horizon. `grain` is a random number for `crand`, the same for all channels.
-Vec3 finish_response(const Shading&, const Vec3& to_light, FinishTerms = {}, double grain = 0);
+Rgb finish_response(const Shading&, const Vec3& to_light, FinishTerms = {}, double grain = 0);
 
 }  // namespace candelabra

@@ -2,6 +2,7 @@
 // A scattering vertex of a path: a layer of a surface, or the media between surfaces.
 #pragma once
 
+#include "base/rgb.h"
 #include "scattering/bsdf.h"
 #include "scattering/phase_function.h"
 
@@ -26,7 +27,7 @@ public:
     bool answers_light() const { return bsdf_ ? bsdf_->answers_light() : phase_->answers_light(); }
     /// Radiance towards the viewer due to light of colour 1 from a unit direction. `grain` is the
     /// random number for `crand`.
-    Vec3 evaluate(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
+    Rgb evaluate(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
         return bsdf_ ? bsdf_->evaluate(to_light, terms, grain) : phase_->evaluate(to_light);
     }
     /// Returns a unit direction drawn roughly in proportion to the scattering of uniform light; u

@@ -5,6 +5,7 @@
 
 #include "base/colour.h"
 #include "base/noise.h"
+#include "base/rgb.h"
 #include "base/vector.h"
 #include "surface/finish.h"
 
@@ -24,8 +25,8 @@ struct Shading {
 
 /// Settings of the scene for the shading of all surfaces.
 struct ShadingRules {
-    Vec3 irid_wavelength = Vec3(0.7, 0.52, 0.48);  ///< of the colour channels, for thin films
-    Vec3 ambient_light = Vec3(1);
+    Rgb irid_wavelength = Rgb(0.7, 0.52, 0.48);  ///< of the colour channels, for thin films
+    Rgb ambient_light = Rgb(1);
     NoiseGenerator noise_generator = NoiseGenerator::full_range;
 };
 

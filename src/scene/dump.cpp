@@ -23,7 +23,7 @@ constexpr int deepest = 16;
 
 /// Without a `background`, rays to infinity see black, which is transparent in a picture with
 /// alpha.
-const Colour no_background{Vec3(0), 0, 1};
+const Colour no_background{Rgb(0), 0, 1};
 
 template <class T>
 std::string block_text(const T& item) {

@@ -160,7 +160,7 @@ std::string finish_text(const Finish& finish) {
     if (finish.microfacet.on)
         add(message("microfacet { ", written_fields(Microfacet::vocabulary, &finish.microfacet),
                     " }"));
-    if (finish.subsurface.translucency != Vec3(0))
+    if (finish.subsurface.translucency != Rgb(0))
         add(message("subsurface { ", written_fields(Subsurface::vocabulary, &finish.subsurface),
                     " }"));
     return text.empty() ? text : message(" finish { ", text, " }");

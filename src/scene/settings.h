@@ -2,6 +2,7 @@
 // Settings of the scene (global_settings) and of the run (command line).
 #pragma once
 
+#include "base/rgb.h"
 #include "camera/film_settings.h"
 #include "index/settings.h"
 #include "lighting/settings.h"
@@ -19,12 +20,12 @@ namespace candelabra {
 
 /// Settings in the scene. Defaults are POV-Ray 3.7's.
 struct GlobalSettings {
-    Vec3 ambient_light = Vec3(1);
+    Rgb ambient_light = Rgb(1);
     double assumed_gamma = 1;
     int max_trace_level = 5;
     int noise_generator = 2;
     int number_of_waves = 10;
-    Vec3 irid_wavelength = Vec3(0.7, 0.52, 0.48);
+    Rgb irid_wavelength = Rgb(0.7, 0.52, 0.48);
     double adc_bailout = 1.0 / 255;
     bool ambient_luminaires = false;  ///< objects with ambient of 1 or more are luminaires
     /// Objects with a greater radiance at some point in some channel are luminaires. Infinite: none

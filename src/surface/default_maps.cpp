@@ -5,7 +5,7 @@ namespace candelabra {
 
 namespace {
 
-Colour rgb(double red, double green, double blue) { return {Vec3(red, green, blue)}; }
+Colour rgb(double red, double green, double blue) { return {Rgb(red, green, blue)}; }
 
 /// Blue, green, red for two and three entries; starts with red for more.
 ColourMap list_of(int length) {

@@ -3,7 +3,7 @@
 // wavelength. Used by the renderer where a ray is split.
 #pragma once
 
-#include "base/vector.h"
+#include "base/rgb.h"
 
 namespace candelabra {
 
@@ -18,6 +18,6 @@ struct SpectralBand {
 };
 
 /// The band's colour. The mean over all bands is white (nearly: as in POV-Ray).
-Vec3 hue(const SpectralBand&);
+Rgb hue(const SpectralBand&);
 
 }  // namespace candelabra

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/handle.h"
+#include "base/rgb.h"
 #include "surface/lamp_data.h"
 #include "surface/subsurface.h"
 
@@ -10,8 +11,8 @@ namespace candelabra {
 
 /// The block form of reflection, which changes from normal to grazing incidence.
 struct Reflection {
-    Vec3 least = Vec3(0);     ///< at normal incidence
-    Vec3 greatest = Vec3(0);  ///< at grazing angles
+    Rgb least = Rgb(0);     ///< at normal incidence
+    Rgb greatest = Rgb(0);  ///< at grazing angles
     bool fresnel = false;
     double falloff = 1;
     double exponent = 1;
@@ -47,8 +48,8 @@ struct Microfacet {
 };
 
 struct Finish {
-    Vec3 ambient = Vec3(0.1);
-    Vec3 emission = Vec3(0);
+    Rgb ambient = Rgb(0.1);
+    Rgb emission = Rgb(0);
     /// States the flux of each object that shows the finish; null: nothing is stated.
     Handle<LampData> lamp = {};
     bool no_luminaire = false;  ///< its emission is not a luminaire

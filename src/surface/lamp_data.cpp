@@ -25,8 +25,8 @@ const ItemInfo LampData::vocabulary = described<LampData>([] {
         Web::mirrored);
 });
 
-Vec3 lamp_emission(const LampData& lamp, const Vec3& emission) {
-    const Vec3 plain = emission == Vec3(0) ? Vec3(1) : emission;
+Rgb lamp_emission(const LampData& lamp, const Rgb& emission) {
+    const Rgb plain = emission == Rgb(0) ? Rgb(1) : emission;
     return lamp.temperature ? light_luminance(plain) * planck_colour(*lamp.temperature) : plain;
 }
 

@@ -3,6 +3,7 @@
 // object. The radiance of its surface follows when its place and size are known (world).
 #pragma once
 
+#include "base/rgb.h"
 #include "photometry/aimed_web.h"
 #include "vocabulary/item_info.h"
 
@@ -26,6 +27,6 @@ struct LampData : WebPlace {
 };
 
 /// The emission of a finish of that lamp, up to a factor: white if it had none.
-Vec3 lamp_emission(const LampData&, const Vec3& emission);
+Rgb lamp_emission(const LampData&, const Rgb& emission);
 
 }  // namespace candelabra

@@ -15,9 +15,9 @@ bool passes_light(const Colour& c) { return c.filter != 0 || c.transmit != 0; }
 /// Cubic interpolation overshoots the values that it interpolates, by up to this factor.
 constexpr double overshoot = 1.6;
 
-Vec3 greatest(const ImageMap& map) {
-    if (!map.texels) return Vec3(0);
-    const Vec3 result = glm::max(map.texels->greatest, Vec3(map.once ? 1 : 0));
+Rgb greatest(const ImageMap& map) {
+    if (!map.texels) return Rgb(0);
+    const Rgb result = max(map.texels->greatest, Rgb(map.once ? 1 : 0));
     return map.interpolate == 3 ? overshoot * result : result;
 }
 
@@ -44,7 +44,7 @@ Colour averaged(const PigmentMap& map, const Vec3& place, const PatternScene& sc
 Colour colour_at(const PatternedPigment& pigment, const Vec3& point, const PatternScene& scene) {
     const Vec3 place = pigment.use.place(point);
     if (const auto* image = std::get_if<ImageMap>(&pigment.use.pattern))
-        return colour_at(*image, place).value_or(Colour{Vec3(1), 0, 1});
+        return colour_at(*image, place).value_or(Colour{Rgb(1), 0, 1});
     const auto* colours = std::get_if<ColourMap>(&pigment.map);
     if (colours) return look_up(*colours, pigment.use.value(place, scene));
     const auto& pigments = std::get<PigmentMap>(pigment.map);
@@ -77,10 +77,10 @@ Colour evaluate(const Pigment& pigment, const Vec3& point, const PatternScene& s
 
 PatternedPigment::PatternedPigment(PatternUse the_use, Map the_map)
     : use(std::move(the_use)), map(std::move(the_map)) {
-    brightest = Vec3(-std::numeric_limits<double>::infinity());
+    brightest = Rgb(-std::numeric_limits<double>::infinity());
     nesting = candelabra::nesting(use);
-    const auto add = [&](const Vec3& greatest, bool passes, const Nesting& inner) {
-        brightest = glm::max(brightest, greatest);
+    const auto add = [&](const Rgb& greatest, bool passes, const Nesting& inner) {
+        brightest = max(brightest, greatest);
         clear |= passes;
         nesting.add(inner);
     };
@@ -102,7 +102,7 @@ Nesting nesting(const Pigment& pigment) {
     return result;
 }
 
-Vec3 brightest(const Pigment& pigment) {
+Rgb brightest(const Pigment& pigment) {
     return pigment.pattern ? pigment.pattern->brightest : pigment.colour.rgb;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/handle.h"
+#include "base/rgb.h"
 #include "base/transform.h"
 #include "pattern/modifiers.h"
 #include "pattern/nesting.h"
@@ -34,7 +35,7 @@ Colour evaluate(const Pigment&, const Vec3& point, const PatternScene& = {});
 inline Vec3 uv_place(const PatternScene& scene) { return {scene.uv.x, scene.uv.y, 0}; }
 
 /// Upper bound of each channel everywhere, for the emission of a luminaire of this pigment.
-Vec3 brightest(const Pigment&);
+Rgb brightest(const Pigment&);
 
 /// Whether light can pass through it anywhere.
 bool transparent(const Pigment&);

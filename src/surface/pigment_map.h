@@ -2,6 +2,7 @@
 // The parts of a pigment with a pattern, for code that makes, evaluates or writes one.
 #pragma once
 
+#include "base/rgb.h"
 #include "pattern/use.h"
 #include "surface/pigment.h"
 
@@ -22,7 +23,7 @@ struct PatternedPigment {
     PatternUse use;
     Map map;
     Nesting nesting;
-    Vec3 brightest;      ///< see brightest() in pigment.h
+    Rgb brightest;       ///< see brightest() in pigment.h
     bool clear = false;  ///< light can pass through it somewhere
 };
 

@@ -14,9 +14,9 @@ const ItemInfo Subsurface::vocabulary = described<Subsurface>([] {
         "subsurface",
         {"Light that goes in at one point of the surface and comes out at others.",
          "finish { diffuse 0.9 subsurface { translucency 3 } }"},
-        as_colour(Field<Subsurface>{
+        Field<Subsurface>{
             "translucency", &Subsurface::translucency, item,
-            "how far light gets between two scatterings, in millimetres; see mm_per_unit"}));
+            "how far light gets between two scatterings, in millimetres; see mm_per_unit"});
 });
 
 const ItemInfo SubsurfaceSettings::vocabulary = described<SubsurfaceSettings>([] {
@@ -58,24 +58,24 @@ double reduced_albedo(double wanted, double boundary) {
 
 }  // namespace
 
-Dipole::Dipole(const Vec3& albedo, const Vec3& free_path, double ior) {
+Dipole::Dipole(const Rgb& albedo, const Rgb& free_path, double ior) {
     const double inner = inner_reflectance(std::fmax(ior, 1));
     const double boundary = (1 + inner) / (1 - inner);
     for (int channel = 0; channel < 3; ++channel) {
         const double wanted = std::clamp(albedo[channel], 1e-6, 1 - 1e-6);
         albedo_[channel] = reduced_albedo(wanted, boundary);
     }
-    scattering_ = Vec3(1) / free_path;
+    scattering_ = Rgb(1) / free_path;
     extinction_ = scattering_ / albedo_;
-    falloff_ = glm::sqrt(3.0 * (extinction_ - scattering_) * extinction_);
-    real_ = Vec3(1) / extinction_;
+    falloff_ = sqrt(3.0 * (extinction_ - scattering_) * extinction_);
+    real_ = Rgb(1) / extinction_;
     virtual_ = real_ * (1 + 4.0 / 3.0 * boundary);
 }
 
-Vec3 Dipole::spread(double distance2) const {
-    const auto source = [&](const Vec3& height) {
-        const Vec3 way2 = height * height + distance2, way = glm::sqrt(way2);
-        return height * (Vec3(1) + falloff_ * way) * math::exp(-falloff_ * way) / (way2 * way);
+Rgb Dipole::spread(double distance2) const {
+    const auto source = [&](const Rgb& height) {
+        const Rgb way2 = height * height + Rgb(distance2), way = sqrt(way2);
+        return height * (Rgb(1) + falloff_ * way) * math::exp(-falloff_ * way) / (way2 * way);
     };
     return albedo_ / (4 * std::numbers::pi) * (source(real_) + source(virtual_));
 }

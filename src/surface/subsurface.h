@@ -4,13 +4,14 @@
 // of the parameters to the model. Used by the renderer.
 #pragma once
 
+#include "base/rgb.h"
 #include "vocabulary/item_info.h"
 
 namespace candelabra {
 
 /// The block in a finish.
 struct Subsurface {
-    Vec3 translucency = Vec3(0);  ///< mean free path of scattering in millimetres; 0: opaque
+    Rgb translucency = Rgb(0);  ///< mean free path of scattering in millimetres; 0: opaque
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Subsurface&, const Subsurface&) = default;
@@ -31,22 +32,22 @@ public:
     /// `albedo` is the fraction of light that leaves the solid in total, without surface
     /// reflection, 0..1. `free_path` is the mean distance between scattering events, above 0. `ior`
     /// is the index of the inside over that of the outside.
-    Dipole(const Vec3& albedo, const Vec3& free_path, double ior);
+    Dipole(const Rgb& albedo, const Rgb& free_path, double ior);
 
     /// Flux per area that leaves at a distance from an incident flux of 1.
-    Vec3 spread(double distance2) const;
+    Rgb spread(double distance2) const;
 
     /// Distance from the surface to source 0, the real one below, or 1, the virtual one above.
-    const Vec3& heights(int source) const { return source == 0 ? real_ : virtual_; }
+    const Rgb& heights(int source) const { return source == 0 ? real_ : virtual_; }
 
-    const Vec3& scattering() const { return scattering_; }  ///< reduced, per unit of length
-    const Vec3& extinction() const { return extinction_; }  ///< reduced, per unit of length
-    const Vec3& falloff() const { return falloff_; }        ///< far light goes as exp(-falloff r)
+    const Rgb& scattering() const { return scattering_; }  ///< reduced, per unit of length
+    const Rgb& extinction() const { return extinction_; }  ///< reduced, per unit of length
+    const Rgb& falloff() const { return falloff_; }        ///< far light goes as exp(-falloff r)
 
 private:
-    Vec3 scattering_, extinction_, falloff_;
-    Vec3 albedo_;          ///< reduced
-    Vec3 real_, virtual_;  ///< depth of the real source, height of the virtual one
+    Rgb scattering_, extinction_, falloff_;
+    Rgb albedo_;          ///< reduced
+    Rgb real_, virtual_;  ///< depth of the real source, height of the virtual one
 };
 
 }  // namespace candelabra

@@ -156,30 +156,30 @@ Texture uv_mapped_with_frame(Texture texture) {
 namespace {
 
 /// Upper bound of the radiance emitted by the finishes for which `counts` is true.
-Vec3 max_emitted(const Texture& texture, bool (*counts)(const Finish&)) {
+Rgb max_emitted(const Texture& texture, bool (*counts)(const Finish&)) {
     if (texture.choice) {
-        Vec3 greatest(0);
+        Rgb greatest(0);
         for (const TextureStop& stop : texture.choice->map)
-            greatest = glm::max(greatest, max_emitted(*stop.texture, counts));
+            greatest = max(greatest, max_emitted(*stop.texture, counts));
         return greatest;
     }
-    Vec3 sum(0);
+    Rgb sum(0);
     if (counts(texture.finish))
-        sum = glm::max(brightest(texture.pigment) * texture.finish.emission, Vec3(0));
+        sum = max(brightest(texture.pigment) * texture.finish.emission, Rgb(0));
     return texture.below ? sum + max_emitted(*texture.below, counts) : sum;
 }
 
 }  // namespace
 
-Vec3 greatest_emission(const Texture& texture) {
+Rgb greatest_emission(const Texture& texture) {
     return max_emitted(texture, [](const Finish&) { return true; });
 }
 
-Vec3 lighting_emission(const Texture& texture) {
+Rgb lighting_emission(const Texture& texture) {
     return max_emitted(texture, [](const Finish& finish) { return !finish.no_luminaire; });
 }
 
-Handle<Texture> ambient_as_emission(const Handle<Texture>& texture, const Vec3& ambient_light) {
+Handle<Texture> ambient_as_emission(const Handle<Texture>& texture, const Rgb& ambient_light) {
     Handle<Texture> result = texture;
     if (texture->choice) {
         TextureMap map = texture->choice->map;
@@ -193,7 +193,7 @@ Handle<Texture> ambient_as_emission(const Handle<Texture>& texture, const Vec3& 
     } else if (max_component(texture->finish.ambient) >= 1) {
         Finish& finish = result.edit().finish;
         finish.emission += finish.ambient * ambient_light;
-        finish.ambient = Vec3(0);
+        finish.ambient = Rgb(0);
     }
     if (!texture->below) return result;
     Handle<Texture> below = ambient_as_emission(texture->below, ambient_light);
@@ -207,7 +207,7 @@ Handle<Texture> as_lamp(const Handle<Texture>& texture, const LampData& lamp, bo
         TextureMap map = texture->choice->map;
         for (TextureStop& stop : map) stop.texture = as_lamp(stop.texture, lamp, all);
         result.edit().choice.edit().map = std::move(map);
-    } else if (all || texture->finish.emission != Vec3(0)) {
+    } else if (all || texture->finish.emission != Rgb(0)) {
         Finish& finish = result.edit().finish;
         finish.emission = lamp_emission(lamp, finish.emission);
     }
@@ -247,7 +247,7 @@ bool scatters(const Texture& texture) {
 bool takes_from_behind(const Texture& texture) {
     return any_finish(texture, [](const Finish& f) {
         const Reflection& mirror = f.reflection;
-        const bool reflects = mirror.least != Vec3(0) || mirror.greatest != Vec3(0);
+        const bool reflects = mirror.least != Rgb(0) || mirror.greatest != Rgb(0);
         return (f.conserve_energy && reflects) || f.refraction != 1 || f.microfacet.on;
     });
 }
@@ -255,10 +255,10 @@ bool takes_from_behind(const Texture& texture) {
 bool has_other_light(const Texture& texture) {
     return any_finish(texture, [](const Finish& f) {
         const Reflection& mirror = f.reflection;
-        return !is_even_on_each_side(f) || f.phong != 0 || f.specular != 0 ||
-               f.ambient != Vec3(0) || mirror.least != Vec3(0) || mirror.greatest != Vec3(0) ||
-               f.subsurface.translucency != Vec3(0) || (f.no_luminaire && f.emission != Vec3(0)) ||
-               glm::min(f.emission, Vec3(0)) != Vec3(0);
+        return !is_even_on_each_side(f) || f.phong != 0 || f.specular != 0 || f.ambient != Rgb(0) ||
+               mirror.least != Rgb(0) || mirror.greatest != Rgb(0) ||
+               f.subsurface.translucency != Rgb(0) || (f.no_luminaire && f.emission != Rgb(0)) ||
+               min(f.emission, Rgb(0)) != Rgb(0);
     });
 }
 
@@ -268,7 +268,7 @@ bool shows_light_from_behind(const Texture& texture) {
 
 bool lets_light_in(const Texture& texture) {
     return any_finish(
-        texture, [](const Finish& finish) { return finish.subsurface.translucency != Vec3(0); });
+        texture, [](const Finish& finish) { return finish.subsurface.translucency != Rgb(0); });
 }
 
 bool reflects_to_a_power(const Texture& texture) {
@@ -276,25 +276,25 @@ bool reflects_to_a_power(const Texture& texture) {
                       [](const Finish& finish) { return finish.reflection.exponent != 1; });
 }
 
-Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
+Rgb passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
     if (texture.choice) {
-        Vec3 sum(0);
+        Rgb sum(0);
         const Vec3 place = place_of(*texture.choice, point, scene);
         for_entries(*texture.choice, place, scene, [&](double share, const Texture& entry) {
             sum += share * passing(entry, place, scene);
         });
         return sum;
     }
-    const Vec3 own = evaluate(texture.pigment, point, scene).passing();
+    const Rgb own = evaluate(texture.pigment, point, scene).passing();
     return texture.below ? own * passing(*texture.below, point, scene) : own;
 }
 
-Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene,
-             const FocusedLight& light) {
-    Vec3 sum(0);
+Rgb passing(const Texture& texture, const Vec3& point, const PatternScene& scene,
+            const FocusedLight& light) {
+    Rgb sum(0);
     for_layers(texture, point, light.normal, scene,
                [&](double weight, std::span<const Layer> layers) {
-                   Vec3 left(weight);
+                   Rgb left(weight);
                    for (const Layer& layer : layers) {
                        const double cosine = std::abs(dot(layer.normal, light.direction));
                        left *= (1 + math::pow(cosine, light.power)) * layer.colour.passing();
@@ -304,10 +304,10 @@ Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scen
     return sum;
 }
 
-Vec3 emission(const Texture& texture, const Vec3& point, const PatternScene& scene,
-              FunctionRef<double(const Colour&)> opacity) {
+Rgb emission(const Texture& texture, const Vec3& point, const PatternScene& scene,
+             FunctionRef<double(const Colour&)> opacity) {
     if (texture.choice) {
-        Vec3 sum(0);
+        Rgb sum(0);
         const Vec3 place = place_of(*texture.choice, point, scene);
         for_entries(*texture.choice, place, scene, [&](double share, const Texture& entry) {
             sum += share * emission(entry, place, scene, opacity);
@@ -315,7 +315,7 @@ Vec3 emission(const Texture& texture, const Vec3& point, const PatternScene& sce
         return sum;
     }
     const Colour colour = evaluate(texture.pigment, point, scene);
-    const Vec3 own = colour.rgb * texture.finish.emission * opacity(colour);
+    const Rgb own = colour.rgb * texture.finish.emission * opacity(colour);
     if (!texture.below) return own;
     return own + colour.passing() * emission(*texture.below, point, scene, opacity);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/function_ref.h"
+#include "base/rgb.h"
 #include "surface/bump.h"
 #include "surface/finish.h"
 #include "surface/pigment.h"
@@ -36,14 +37,14 @@ Texture uv_mapped(Texture);
 Texture uv_mapped_with_frame(Texture);
 
 /// Upper bound of the radiance that the surface emits.
-Vec3 greatest_emission(const Texture&);
+Rgb greatest_emission(const Texture&);
 
 /// The same without finishes that have no_luminaire, for the surface as a luminaire.
-Vec3 lighting_emission(const Texture&);
+Rgb lighting_emission(const Texture&);
 
 /// Returns the texture with ambient light of 1 or more turned into emission; the same handle if it
 /// has none.
-Handle<Texture> ambient_as_emission(const Handle<Texture>&, const Vec3& ambient_light);
+Handle<Texture> ambient_as_emission(const Handle<Texture>&, const Rgb& ambient_light);
 
 /// Returns the texture as that of a lamp: what emits has the colour of the lamp's temperature. If
 /// `all` is true, all finishes emit.
@@ -76,7 +77,7 @@ void for_layers(const Texture&, const Vec3& point, const Vec3& normal, const Pat
                 UseLayers use);
 
 /// Fraction of light that passes through all layers at a point, per channel.
-Vec3 passing(const Texture&, const Vec3& point, const PatternScene&);
+Rgb passing(const Texture&, const Vec3& point, const PatternScene&);
 
 /// Light through a surface that focuses it at normal incidence.
 struct FocusedLight {
@@ -86,7 +87,7 @@ struct FocusedLight {
 };
 
 /// The same with bright spots in the shadow, by the angle to the normal of each layer.
-Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const FocusedLight&);
+Rgb passing(const Texture&, const Vec3& point, const PatternScene&, const FocusedLight&);
 
 /// Whether less than passing() is seen behind it, as one of its finishes reflects the rest or has
 /// `refraction`.
@@ -110,7 +111,7 @@ bool reflects_to_a_power(const Texture&);
 
 /// Radiance that all layers emit at a point. `opacity` returns the opaque fraction of a layer's
 /// colour, which depends on the language version.
-Vec3 emission(const Texture&, const Vec3& point, const PatternScene&,
-              FunctionRef<double(const Colour&)> opacity);
+Rgb emission(const Texture&, const Vec3& point, const PatternScene&,
+             FunctionRef<double(const Colour&)> opacity);
 
 }  // namespace candelabra

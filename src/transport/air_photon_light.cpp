@@ -19,7 +19,7 @@ constexpr int choices_in_even_media = 4;
 struct Passed {
     const Photon* photon;
     double distance;
-    Vec3 power;  ///< colour of light times length
+    Rgb power;  ///< colour of light times length
 };
 
 class AirGatherer {
@@ -32,13 +32,13 @@ public:
 
     std::size_t choices() const { return static_cast<std::size_t>(choices_); }
 
-    Vec3 of_all(std::span<const Passed> passed) {
+    Rgb of_all(std::span<const Passed> passed) {
         for (const Passed& each : passed) add(each, 1, 0);
         return sum_;
     }
 
     /// Light of a sample of the photons, chosen in proportion to their power, whose sums are given.
-    Vec3 of_some(std::span<const Passed> passed, std::span<const double> sums) {
+    Rgb of_some(std::span<const Passed> passed, std::span<const double> sums) {
         const double total = sums.back(), count = choices_;
         const double shift = uniform(stretch_.path.key, Purpose::media_choice);
         for (int i = 0; i < choices_; ++i) {
@@ -51,14 +51,14 @@ public:
 private:
     void add(const Passed& passed, double weight, int number) {
         const Ray& ray = stretch_.path.ray;
-        const Vec3 left = transmittance(
+        const Rgb left = transmittance(
             stretch_.media, ray, {0, passed.distance}, scene_,
             stretch_.path.key.branched(Branch::medium, static_cast<std::uint32_t>(number)));
         const PhaseFunction phase(
             stretch_.media, ray.at(passed.distance), ray.direction, scene_,
             weight * left * passed.power,
             stretch_.path.scattered ? LightInAir::repeatedly_only : LightInAir::any);
-        const Vec3 seen = phase.evaluate(-Vec3(passed.photon->direction));
+        const Rgb seen = phase.evaluate(-Vec3(passed.photon->direction));
         sum_ += seen;
         ledger_.add_reflected(passed.photon->lamp, seen, stretch_.path.throughput);
     }
@@ -67,25 +67,25 @@ private:
     const PhotonStretch& stretch_;
     LightLedger& ledger_;
     int choices_;  ///< number of photons that are evaluated
-    Vec3 sum_ = Vec3(0);
+    Rgb sum_ = Rgb(0);
 };
 
 }  // namespace
 
-Vec3 light_of_air_photons(const World& world, const AirPhotonMap& map, const PhotonStretch& stretch,
-                          LightLedger& ledger) {
+Rgb light_of_air_photons(const World& world, const AirPhotonMap& map, const PhotonStretch& stretch,
+                         LightLedger& ledger) {
     std::vector<Passed> passed;
     std::vector<double> sums;
     double total = 0;
     map.along(stretch.path.ray, stretch.distance,
               [&](const Photon& photon, double distance, double away2) {
-                  const Vec3 power = air_photon_density(photon, away2) * Vec3(photon.power);
-                  const double size = max_component(glm::abs(power));
+                  const Rgb power = air_photon_density(photon, away2) * rgb_of(photon.power);
+                  const double size = max_abs_component(power);
                   if (!(size > 0)) return;
                   passed.push_back({&photon, distance, power});
                   sums.push_back(total += size);
               });
-    if (passed.empty()) return Vec3(0);
+    if (passed.empty()) return Rgb(0);
     AirGatherer gatherer(world, stretch, ledger);
     return passed.size() <= gatherer.choices() ? gatherer.of_all(passed)
                                                : gatherer.of_some(passed, sums);

@@ -2,6 +2,7 @@
 // Light of photons in media, as seen along a ray. Called by ParticipatingMedia.
 #pragma once
 
+#include "base/rgb.h"
 #include "medium/media.h"
 #include "transport/air_photons.h"
 #include "transport/light_ledger.h"
@@ -18,6 +19,6 @@ struct PhotonStretch {
 };
 
 /// Radiance along the path's ray; an unbiased estimate, except for the blur of the photons' balls.
-Vec3 light_of_air_photons(const World&, const AirPhotonMap&, const PhotonStretch&, LightLedger&);
+Rgb light_of_air_photons(const World&, const AirPhotonMap&, const PhotonStretch&, LightLedger&);
 
 }  // namespace candelabra

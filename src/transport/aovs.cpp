@@ -7,7 +7,9 @@ namespace candelabra {
 
 namespace {
 
-void add(std::span<ExactSum> sums, std::size_t first, const Vec3& value) {
+/// Adds a colour or a direction.
+template <class Triple>
+void add(std::span<ExactSum> sums, std::size_t first, const Triple& value) {
     for (int i = 0; i < 3; ++i) sums[first + static_cast<std::size_t>(i)].add(value[i]);
 }
 
@@ -17,10 +19,10 @@ void gather_sample(const Aovs& wanted, const World& world, const Ray& ray, Integ
                    std::span<ExactSum> sums) {
     if (wanted.alpha) sums[0].add(integrator.clear());
     if (wanted.lights)
-        take_lights(integrator.ledger(), [&](std::size_t statement, const Vec3& light) {
+        take_lights(integrator.ledger(), [&](std::size_t statement, const Rgb& light) {
             const std::size_t first = wanted.first_light() + 3 * statement;
             // A later moment of the scene may have more statements than the first one.
-            if (first + 3 <= sums.size() && light != Vec3(0)) add(sums, first, light);
+            if (first + 3 <= sums.size() && light != Rgb(0)) add(sums, first, light);
         });
     if (wanted.squares) add(sums, wanted.first_glow(), integrator.ledger().glow);
     if (!wanted.surface) return;

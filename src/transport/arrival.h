@@ -3,6 +3,7 @@
 // photons find it in their own ways; here all of it becomes radiance towards the layer's viewer.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/light_ledger.h"
 #include "transport/lit_layer.h"
 
@@ -13,8 +14,8 @@ struct Arrival {
     Lamp lamp;
     /// Factor on its light: the layer's response to light from there, over the expected number or
     /// the pdf of such estimates. Light from one steradian of radiance 1 is light of colour 1/pi.
-    Vec3 weight;
-    Vec3 light;  ///< radiance, or the colour of a source's light, that is left at the layer
+    Rgb weight;
+    Rgb light;  ///< radiance, or the colour of a source's light, that is left at the layer
     std::uint64_t rays = 0;  ///< towards the lamp
 };
 
@@ -26,8 +27,8 @@ struct ArrivingLight {
     LightLedger& ledger;
 
     /// Returns the radiance towards the viewer by one arrival, which it records.
-    Vec3 operator()(const Arrival& arrival) const {
-        const Vec3 radiance = arrival.weight * layer.counted(arrival.light);
+    Rgb operator()(const Arrival& arrival) const {
+        const Rgb radiance = arrival.weight * layer.counted(arrival.light);
         ledger.add_reflected(arrival.lamp, radiance, layer.throughput, arrival.rays);
         return radiance;
     }

@@ -30,12 +30,12 @@ constexpr double hidden_steps = 4;
 constexpr double min_chance = 1.0 / 256;
 
 /// About the greatest response of a surface, to compare its noise with that of others.
-Vec3 straight_response(const LitLayer& layer, const Key& key) {
+Rgb straight_response(const LitLayer& layer, const Key& key) {
     const Bsdf& bsdf = layer.scatterer.bsdf();
     BsdfTerms terms = layer.terms();
     terms.through_surface = true;
     return bsdf.evaluate(receiver(bsdf.shading()).normal, terms, layer.grain(key)) +
-           Vec3(bsdf.highlights());
+           Rgb(bsdf.highlights());
 }
 
 /// Difference in radiance that amounts to hidden_steps steps of the displayed picture.
@@ -48,7 +48,7 @@ double visible_step(double radiance) {
 /// estimate of the cell, is small against the light from before. The resulting noise is too small
 /// to be seen.
 double chance_of_asking(const LightEstimate::ShadowRay& expected, const LitLayer& layer,
-                        const Vec3& straight, const Vec3& before) {
+                        const Rgb& straight, const Rgb& before) {
     const double share = std::abs(grey(layer.throughput)), there = share * grey(before);
     if (!(there > 0)) return 1;
     const double response = share * std::abs(grey(straight)) / pi;
@@ -63,7 +63,7 @@ double chance_of_asking(const LightEstimate::ShadowRay& expected, const LitLayer
 
 /// Number of shadow rays in proportion to the expected noise; a power of two, which suits Sobol
 /// points.
-int ChosenLight::rays_at(double noise_of_ray, const ArrivingLight& at, const Vec3& straight) const {
+int ChosenLight::rays_at(double noise_of_ray, const ArrivingLight& at, const Rgb& straight) const {
     const double noise = noise_of_ray * std::abs(grey(at.layer.throughput * straight));
     at.ledger.noise.add(noise);
     if (rays_.usual_noise == 0) return rays_.usual;
@@ -85,7 +85,7 @@ LightKinds ChosenLight::kinds_at(const LitLayer& layer) const {
 }
 
 ChosenLight::Found ChosenLight::operator()(const ArrivingLight& at, const Key& key,
-                                           LightKinds kinds, const Vec3& before) {
+                                           LightKinds kinds, const Rgb& before) {
     const LitLayer& layer = at.layer;
     const Scatterer& scatterer = layer.scatterer;
     const Receiver point = receiver(scatterer);
@@ -101,7 +101,7 @@ ChosenLight::Found ChosenLight::operator()(const ArrivingLight& at, const Key& k
         [&](const auto& strategy) {
             const auto answer =
                 strategy.at({point, lobes, &sampler, &scene, kinds.has(LightKind::sky)});
-            Found found{Vec3(0), answer.takes_sky()};
+            Found found{Rgb(0), answer.takes_sky()};
             const LightKinds chosen = found.with_sky ? kinds : kinds.without({LightKind::sky});
             int count = rays_.usual;
             double chance = 1;
@@ -110,8 +110,8 @@ ChosenLight::Found ChosenLight::operator()(const ArrivingLight& at, const Key& k
             if (expected && scatterer.in_air()) {
                 count = rays_at(expected->noise, at, scatterer.phase().mean());
             } else if (expected) {
-                const Vec3 straight =
-                    estimate->response ? Vec3(*estimate->response) : straight_response(layer, key);
+                const Rgb straight =
+                    estimate->response ? Rgb(*estimate->response) : straight_response(layer, key);
                 chance = chance_of_asking(*expected, layer, straight, before);
                 if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return found;
                 count = rays_at(expected->noise, at, straight);
@@ -142,10 +142,10 @@ std::optional<double> ChosenLight::expected(const Vec3& position) const {
 
 /// Light by one shadow ray.
 template <LightAnswer Answer>
-Vec3 ChosenLight::by_answer(const Answer& answer, const Asked& asked) {
+Rgb ChosenLight::by_answer(const Answer& answer, const Asked& asked) {
     samples_.clear();
     answer.sample(asked.key, samples_);
-    Vec3 sum(0);
+    Rgb sum(0);
     if (samples_.direction)
         sum += by_direction(*samples_.direction, asked, [&](LightIndex light, double of_point) {
             return answer.pdf(*samples_.direction, answer.expected(asked.key, light), of_point);
@@ -181,8 +181,8 @@ Vec3 ChosenLight::by_answer(const Answer& answer, const Asked& asked) {
 /// Light of one luminaire. Density: returns the pdf of a sampled point, given its direction and the
 /// luminaire's own pdf. A searched luminaire is met wherever the ray meets it.
 template <class Density>
-Vec3 ChosenLight::by_pick(const LightPick& pick, const Asked& asked, const Key& place,
-                          const Density& density) {
+Rgb ChosenLight::by_pick(const LightPick& pick, const Asked& asked, const Key& place,
+                         const Density& density) {
     const LitLayer& layer = asked.at.layer;
     const Luminaire& luminaire = world_.lights.luminaires[pick.light];
     const auto searched = SearchedLuminaire::of(luminaire);
@@ -191,33 +191,33 @@ Vec3 ChosenLight::by_pick(const LightPick& pick, const Asked& asked, const Key& 
     on_ray_.clear();
     if (searched) {
         const auto drawn = searched->draw(layer.vertex.position(), place_on_light(place));
-        if (!drawn) return Vec3(0);
+        if (!drawn) return Rgb(0);
         direction = drawn->direction;
         of_point = drawn->density;
     } else {
         const auto point = sample(luminaire, receiver(layer.scatterer), place_on_light(place));
-        if (!point) return Vec3(0);
+        if (!point) return Rgb(0);
         direction = point->direction;
         of_point = point->density;
         on_ray_.push_back({pick.light, point->distance});
     }
-    const Vec3 response = layer.response(direction, place);
-    if (response == Vec3(0)) return Vec3(0);
+    const Rgb response = layer.response(direction, place);
+    if (response == Rgb(0)) return Rgb(0);
     const ShadowRay ray(asked.at, direction, asked.key);
     if (searched) walk_along(ray, asked);
-    const Vec3 weight = response / (pi * density(direction, of_point) * asked.number);
+    const Rgb weight = response / (pi * density(direction, of_point) * asked.number);
     return seen(ray, asked.at,
-                [&](const OnRay& there) { return there.light == pick.light ? weight : Vec3(0); });
+                [&](const OnRay& there) { return there.light == pick.light ? weight : Rgb(0); });
 }
 
 /// Light of the sky where it is picked. Density: returns the pdf of a direction, given that of
 /// SkyAtLayer.
 template <class Density>
-Vec3 ChosenLight::from_sky(const Asked& asked, const Density& density) const {
+Rgb ChosenLight::from_sky(const Asked& asked, const Density& density) const {
     const SkyAtLayer sky(asked.at, asked.key);
     const auto direction = sky.draw();
-    const Vec3 response = direction ? asked.at.layer.response(*direction, asked.key) : Vec3(0);
-    if (response == Vec3(0)) return Vec3(0);
+    const Rgb response = direction ? asked.at.layer.response(*direction, asked.key) : Rgb(0);
+    if (response == Rgb(0)) return Rgb(0);
     return sky.from(*direction,
                     response / (pi * density(*direction, sky.density(*direction)) * asked.number));
 }
@@ -226,11 +226,11 @@ Vec3 ChosenLight::from_sky(const Asked& asked, const Density& density) const {
 /// among what is chosen. Density: returns the pdf of a point,
 /// given its luminaire and the luminaire's own pdf.
 template <class Density>
-Vec3 ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const Density& density) {
+Rgb ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const Density& density) {
     const LitLayer& layer = asked.at.layer;
-    if (!asked.kinds.has_any({LightKind::luminaires, LightKind::sky})) return Vec3(0);
-    const Vec3 response = layer.response(direction, asked.key);
-    if (response == Vec3(0)) return Vec3(0);
+    if (!asked.kinds.has_any({LightKind::luminaires, LightKind::sky})) return Rgb(0);
+    const Rgb response = layer.response(direction, asked.key);
+    if (response == Rgb(0)) return Rgb(0);
     const auto weight = [&](LightIndex light, double of_point) {
         return response / (pi * density(light, of_point) * asked.number);
     };
@@ -241,15 +241,15 @@ Vec3 ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const 
                     [&](const OnRay& there) { return weight(there.light, there.density); });
     }
     const Walked walked = walk_along(ray, asked);
-    Vec3 sum = seen(ray, asked.at, [&](const OnRay& there) {
-        Vec3 of_lamp(0);
+    Rgb sum = seen(ray, asked.at, [&](const OnRay& there) {
+        Rgb of_lamp(0);
         for_densities(there, layer, direction,
                       [&](double of_point) { of_lamp += weight(there.light, of_point); });
         return of_lamp;
     });
     if (asked.kinds.has(LightKind::sky) && walked.open) {
         const SkyAtLayer sky(asked.at, asked.key);
-        const Vec3 left = walked.nothing ? Vec3(1) : ray.left_from_sky();
+        const Rgb left = walked.nothing ? Rgb(1) : ray.left_from_sky();
         sum += sky.from(direction, weight(sky_light, sky.density(direction)),
                         {left, on_ray_.empty() ? 1U : 0U});
     }
@@ -257,19 +257,19 @@ Vec3 ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const 
 }
 
 /// Radiance by the luminaires in on_ray_, as far as they are visible.
-Vec3 ChosenLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight weight) const {
-    Vec3 sum(0);
+Rgb ChosenLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight weight) const {
+    Rgb sum(0);
     for (const OnRay& there : on_ray_) {
         at.ledger.shadow += there.rays;
-        const Vec3 left = there.unobstructed ? Vec3(1) : ray.left(there.distance);
-        const Vec3 factor = left == Vec3(0) ? left : weight(there);
-        Vec3 light(0);
-        if (factor != Vec3(0))
+        const Rgb left = there.unobstructed ? Rgb(1) : ray.left(there.distance);
+        const Rgb factor = left == Rgb(0) ? left : weight(there);
+        Rgb light(0);
+        if (factor != Rgb(0))
             light = left * (there.hit ? ray.emitted(there.light, *there.hit, there.distance)
                                       : ray.emitted(there.light, there.distance));
         sum += at({Lamp::luminaire(there.light), factor, light, there.rays});
         const PrimitiveIndex primitive = world_.lights.luminaires[there.light].primitive;
-        if (left == Vec3(0) || world_.material(primitive).stops_light()) break;
+        if (left == Rgb(0) || world_.material(primitive).stops_light()) break;
     }
     return sum;
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/function_ref.h"
+#include "base/rgb.h"
 #include "lighting/light_query.h"
 #include "transport/shadow_ray.h"
 #include "world/shot.h"
@@ -37,12 +38,12 @@ public:
     LightKinds kinds_at(const LitLayer&) const;
 
     struct Found {
-        Vec3 radiance = Vec3(0);  ///< towards the viewer
+        Rgb radiance = Rgb(0);    ///< towards the viewer
         bool with_sky = false;    ///< it has the light of the sky, which the strategy chose among
     };
     /// Light of these kinds; an unbiased estimate. `before`: radiance by other light, in which
     /// noise is hidden. Precondition: there are some, none that kinds_at() does not return.
-    Found operator()(const ArrivingLight&, const Key&, LightKinds, const Vec3& before);
+    Found operator()(const ArrivingLight&, const Key&, LightKinds, const Rgb& before);
 
     /// Expected irradiance at a point between surfaces, as luminance, where it is known.
     /// Precondition: there are lights to choose.
@@ -58,7 +59,7 @@ private:
         bool unobstructed = false;    ///< whether it is known that nothing lies before it
         std::uint64_t rays = 1;       ///< that count for it
     };
-    using Weight = FunctionRef<Vec3(const OnRay&)>;  ///< see Arrival
+    using Weight = FunctionRef<Rgb(const OnRay&)>;  ///< see Arrival
     /// One shadow ray, or what takes its place.
     struct Asked {
         const ArrivingLight& at;
@@ -68,14 +69,14 @@ private:
     };
 
     template <LightAnswer Answer>
-    Vec3 by_answer(const Answer&, const Asked&);
+    Rgb by_answer(const Answer&, const Asked&);
     template <class Density>
-    Vec3 by_pick(const LightPick&, const Asked&, const Key& place, const Density&);
+    Rgb by_pick(const LightPick&, const Asked&, const Key& place, const Density&);
     template <class Density>
-    Vec3 by_direction(const Vec3&, const Asked&, const Density&);
+    Rgb by_direction(const Vec3&, const Asked&, const Density&);
     template <class Density>
-    Vec3 from_sky(const Asked&, const Density&) const;
-    Vec3 seen(const ShadowRay&, const ArrivingLight&, Weight) const;
+    Rgb from_sky(const Asked&, const Density&) const;
+    Rgb seen(const ShadowRay&, const ArrivingLight&, Weight) const;
 
     /// What a walk along a ray met besides luminaires.
     struct Walked {
@@ -88,7 +89,7 @@ private:
     template <class Visit>
     void for_densities(const OnRay&, const LitLayer&, const Vec3& direction, const Visit&);
 
-    int rays_at(double noise_of_ray, const ArrivingLight&, const Vec3& straight) const;
+    int rays_at(double noise_of_ray, const ArrivingLight&, const Rgb& straight) const;
 
     const Shot& shot_;
     const World& world_;

@@ -12,18 +12,18 @@ namespace candelabra {
 namespace {
 
 /// Light of the sky from one direction.
-Vec3 from_sky(const ArrivingLight& at, const Key& key, int count) {
+Rgb from_sky(const ArrivingLight& at, const Key& key, int count) {
     const SkyAtLayer sky(at, key);
     const auto direction = sky.draw();
-    const Vec3 response = direction ? at.layer.response(*direction, key) : Vec3(0);
-    if (response == Vec3(0)) return Vec3(0);
+    const Rgb response = direction ? at.layer.response(*direction, key) : Rgb(0);
+    if (response == Rgb(0)) return Rgb(0);
     return sky.from(*direction, response / (std::numbers::pi * sky.density(*direction) * count));
 }
 
 }  // namespace
 
-Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
-    Vec3 sum(0);
+Rgb DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
+    Rgb sum(0);
     if (!layer.scatterer.answers_light()) return sum;
     const ArrivingLight at = arriving(layer, ledger);
     if (layer.light.has_any(all_sources)) sum = sources_(at, key);
@@ -39,13 +39,13 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     return sum;
 }
 
-Vec3 DirectLight::by_photons(const LitLayer& layer, const Key& key, LightLedger& ledger) const {
-    if (!photons_ || layer.scatterer.in_air() || !layer.collects()) return Vec3(0);
+Rgb DirectLight::by_photons(const LitLayer& layer, const Key& key, LightLedger& ledger) const {
+    if (!photons_ || layer.scatterer.in_air() || !layer.collects()) return Rgb(0);
     return light_of_photons(photons_->on_surfaces, arriving(layer, ledger), key);
 }
 
-Vec3 DirectLight::from_source(std::uint32_t number, double weight, const LitLayer& layer,
-                              const Key& key, LightLedger& ledger) const {
+Rgb DirectLight::from_source(std::uint32_t number, double weight, const LitLayer& layer,
+                             const Key& key, LightLedger& ledger) const {
     return light_of_source(number, weight, arriving(layer, ledger), key);
 }
 

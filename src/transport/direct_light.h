@@ -3,6 +3,7 @@
 // as they count there.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/chosen_light.h"
 #include "transport/source_light.h"
 
@@ -17,12 +18,12 @@ public:
     DirectLight(const Shot& shot, const ShadowRays& rays)
         : world_(*shot.world), rays_(rays.usual), sources_(shot, rays.usual), chosen_(shot, rays) {}
 
-    Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
+    Rgb operator()(const LitLayer&, const Key&, LightLedger&);
     /// The light that photons bring alone.
-    Vec3 by_photons(const LitLayer&, const Key&, LightLedger&) const;
+    Rgb by_photons(const LitLayer&, const Key&, LightLedger&) const;
     /// The same by one light source, times a weight.
-    Vec3 from_source(std::uint32_t number, double weight, const LitLayer&, const Key&,
-                     LightLedger&) const;
+    Rgb from_source(std::uint32_t number, double weight, const LitLayer&, const Key&,
+                    LightLedger&) const;
 
     /// Expected irradiance by what the strategy of the shot chooses at a point between surfaces, as
     /// luminance, where it is known. Precondition: there are lights to choose.

@@ -51,7 +51,7 @@ std::optional<FluxRay> FluxRays::draw(const Key& key) const {
     const LightCone cone{spread.axis, spread.edge};
     const Vec3 direction =
         direction_in_cone(cone, {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)});
-    FluxRay drawn{source, {}, Vec3(0)};
+    FluxRay drawn{source, {}, Rgb(0)};
     PathState& path = drawn.path;
     path.ray = {beginning(light, direction, key), direction};
     const Handle<Composite>& window = world_.lights.reach[source].window;

@@ -20,7 +20,7 @@ struct FluxRay {
     std::uint32_t source;  ///< in WorldLights::sources
     PathState path;        ///< its ray begins in the source; its throughput is 1
     /// Colour of light times area: the mean over many rays is the power of all sources over pi.
-    Vec3 power;
+    Rgb power;
 };
 
 class FluxRays {

@@ -3,6 +3,7 @@
 // (method/settings.h).
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/path_traced.h"
 #include "transport/povray.h"
 
@@ -19,9 +20,9 @@ concept IntegratorKind = std::constructible_from<T, const Shot&, const Tracing&>
     requires(T& integrator, const T& asked, const Ray& ray, const WhiteElement& element,
              const Key& key) {
     // Radiance along a camera ray: an unbiased estimate, and a pure function of ray and key.
-    { integrator.radiance(ray, key) } -> std::same_as<Vec3>;
+    { integrator.radiance(ray, key) } -> std::same_as<Rgb>;
     // The same for what a white element shows.
-    { integrator.element_radiance(element, key) } -> std::same_as<Vec3>;
+    { integrator.element_radiance(element, key) } -> std::same_as<Rgb>;
     { integrator.ledger() } -> std::same_as<LightLedger&>;
     { asked.ledger() } -> std::same_as<const LightLedger&>;
     { asked.clear() } -> std::same_as<double>;  // share of the last sample that is clear
@@ -34,10 +35,10 @@ public:
     /// The shot must outlive this.
     Integrator(const Shot& shot, const Tracing& wanted) : built_(built(shot, wanted)) {}
 
-    Vec3 radiance(const Ray& ray, const Key& key) {
+    Rgb radiance(const Ray& ray, const Key& key) {
         return std::visit([&](auto& built) { return built.radiance(ray, key); }, built_);
     }
-    Vec3 element_radiance(const WhiteElement& element, const Key& key) {
+    Rgb element_radiance(const WhiteElement& element, const Key& key) {
         return std::visit([&](auto& built) { return built.element_radiance(element, key); },
                           built_);
     }

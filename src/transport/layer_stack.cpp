@@ -14,15 +14,13 @@ namespace candelabra {
 namespace {
 
 /// Fraction of light that a finish with `conserve_energy` leaves below its mirror.
-Vec3 below_mirror(const Vec3& reflected) {
-    return glm::clamp(Vec3(1) - reflected, Vec3(0), Vec3(1));
-}
+Rgb below_mirror(const Rgb& reflected) { return clamp(Rgb(1) - reflected, Rgb(0), Rgb(1)); }
 
 /// Fraction of light that a layer transmits to the layers below it: of what its mirror and its
 /// facets leave. `ior_ratio` is the index of refraction in front of the surface over the one behind
 /// it.
-Vec3 kept_by(const Shading& s, double ior_ratio) {
-    Vec3 clear = s.colour.passing();
+Rgb kept_by(const Shading& s, double ior_ratio) {
+    Rgb clear = s.colour.passing();
     if (s.finish->microfacet.on) clear *= Microfacets(s).passing();
     if (!s.finish->conserve_energy) return clear;
     return clear * below_mirror(reflectivity(s, ior_ratio));
@@ -30,10 +28,10 @@ Vec3 kept_by(const Shading& s, double ior_ratio) {
 
 /// Factor on the diffuse part of a layer, so that it reflects, scatters and transmits no more than
 /// all light.
-double diffuse_beside(const Shading& s, const Vec3& reflected) {
+double diffuse_beside(const Shading& s, const Rgb& reflected) {
     const Finish& f = *s.finish;
-    const Vec3 wanted = s.colour.rgb * s.opacity * (std::fmax(f.diffuse, 0) + f.diffuse_back);
-    const Vec3 left = (Vec3(1) - reflected) * (Vec3(1) - s.colour.passing());
+    const Rgb wanted = s.colour.rgb * s.opacity * (std::fmax(f.diffuse, 0) + f.diffuse_back);
+    const Rgb left = (Rgb(1) - reflected) * (Rgb(1) - s.colour.passing());
     double factor = 1;
     for (int i = 0; i < 3; ++i)
         if (wanted[i] > 0) factor = std::fmin(factor, left[i] / wanted[i]);
@@ -58,7 +56,7 @@ LayerStack::LayerStack(const World& world, const PathState& path, const Vertex& 
     // place of what would pass, and the mirror has what it has from outside.
     if (world.facts.keeps_energy && candelabra::reflects_totally(top_, interface_.plain))
         interface_.plain = 1 / interface_.plain;
-    behind_ = Vec3(1);
+    behind_ = Rgb(1);
     for (const Layer& layer : layers)
         behind_ *= kept_by(with_layer(world, vertex, layer), interface_.plain);
     // A negative share, which subtracts light from behind, counts like a positive one.
@@ -69,11 +67,11 @@ LayerStack::LayerStack(const World& world, const PathState& path, const Vertex& 
 }
 
 void LayerStack::visit(FunctionRef<void(const Seen&)> use) const {
-    Vec3 through(1);
+    Rgb through(1);
     for (const Layer& layer : layers_) {
         const bool first = &layer == layers_.data();
         Seen seen{first ? top_ : with_layer(world_, vertex_, layer), through,
-                  first ? 1 : grey(through), Vec3(0)};
+                  first ? 1 : grey(through), Rgb(0)};
         if (seen.weight <= world_.rules.settings.adc_bailout) return;
         const Finish& finish = *seen.shading.finish;
         const bool conserves = world_.facts.keeps_energy && finish.conserve_energy;
@@ -95,7 +93,7 @@ void LayerStack::visit(FunctionRef<void(const Seen&)> use) const {
 StraightWay::StraightWay(const World& world, const Ray& ray, bool bent)
     : world_(world), ray_(ray), bent_(bent) {}
 
-Vec3 StraightWay::passed(const Hit& hit, std::span<const PrimitiveIndex> solids) {
+Rgb StraightWay::passed(const Hit& hit, std::span<const PrimitiveIndex> solids) {
     const Material& material = world_.material(hit.primitive);
     const bool focuses = material.interior && material.interior->caustics != 0;
     if (!world_.facts.keeps_energy || !material.keeps_energy || material.no_shadow || focuses)
@@ -103,15 +101,15 @@ Vec3 StraightWay::passed(const Hit& hit, std::span<const PrimitiveIndex> solids)
     return seen(hit, solids);
 }
 
-Vec3 StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids) {
-    if (!world_.material(hit.primitive).transparent) return Vec3(0);
+Rgb StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids) {
+    if (!world_.material(hit.primitive).transparent) return Rgb(0);
     return seen(hit, solids,
                 interface_at(world_, MediaStack(solids.begin(), solids.end()), hit.primitive,
                              std::nullopt));
 }
 
-Vec3 StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids,
-                       const Interface& surface) {
+Rgb StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids,
+                      const Interface& surface) {
     const Vertex vertex = vertex_at(world_, ray_, hit, solids);
     const bool real = !std::exchange(bent_, bent_ || surface.ratio != 1);
     const double from_outside = std::min(surface.plain, 1 / surface.plain);
@@ -120,10 +118,10 @@ Vec3 StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids,
             s.view = refracted_direction(s, from_outside);
         return s;
     };
-    Vec3 sum(0);
+    Rgb sum(0);
     for (const auto& [weight, layers] : visible_textures(world_, vertex)) {
         const Shading top = with_layer(world_, vertex, layers.front());
-        Vec3 left(weight * top.finish->refraction);
+        Rgb left(weight * top.finish->refraction);
         // Total reflection takes the place of what passes.
         const bool at_angle = real && !reflects_totally(top, surface.plain);
         for (const Layer& layer : layers)
@@ -134,10 +132,10 @@ Vec3 StraightWay::seen(const Hit& hit, std::span<const PrimitiveIndex> solids,
     return sum;
 }
 
-Vec3 left_inside(const World& world, const PathState& path, const Hit& hit) {
+Rgb left_inside(const World& world, const PathState& path, const Hit& hit) {
     const auto& interior = world.material(hit.primitive).interior;
     if (!interior || interior->fade_distance == 0 || !is_in(world, path.media, hit.primitive))
-        return Vec3(1);
+        return Rgb(1);
     return attenuation(*interior, length(hit.position - path.ray.origin));
 }
 

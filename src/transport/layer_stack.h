@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/function_ref.h"
+#include "base/rgb.h"
 #include "transport/path.h"
 #include "transport/vertex.h"
 
@@ -20,17 +21,17 @@ public:
     /// One layer, as it is seen through those above it.
     struct Seen {
         Shading shading;
-        Vec3 through = Vec3(1);  ///< fraction of its radiance that the layers above transmit
+        Rgb through = Rgb(1);    ///< fraction of its radiance that the layers above transmit
         double weight = 1;       ///< grey of `through`
         /// Fraction of the radiance from the mirror direction: as in POV-Ray, without the factor
         /// `through`, but with it for a finish with `conserve_energy` where energy is kept.
-        Vec3 reflected = Vec3(0);
+        Rgb reflected = Rgb(0);
         /// Factor on the diffuse part. Where energy is kept, a finish with `conserve_energy` has at
         /// most what its reflection and the light from behind leave.
         double diffuse = 1;
         /// Factor on the light that facets and their base scatter: what the mirror of a finish with
         /// `conserve_energy` leaves, where energy is kept.
-        Vec3 below_mirror = Vec3(1);
+        Rgb below_mirror = Rgb(1);
 
         /// The shading with that factor, for a BSDF.
         Shading scattering() const {
@@ -45,7 +46,7 @@ public:
     const Interface& interface() const { return interface_; }
     const Shading& top() const { return top_; }
     /// Fraction of the radiance from behind the surface that all layers transmit.
-    const Vec3& behind() const { return behind_; }
+    const Rgb& behind() const { return behind_; }
     /// Whether that fraction is large enough to matter.
     bool is_clear() const { return clear_; }
     /// Whether all of it is reflected instead; then only the top layer has a reflection.
@@ -57,7 +58,7 @@ private:
     std::span<const Layer> layers_;
     Interface interface_;
     Shading top_;
-    Vec3 behind_ = Vec3(0);
+    Rgb behind_ = Rgb(0);
     bool clear_ = false, total_ = false;
 };
 
@@ -73,12 +74,12 @@ public:
 
     /// Fraction of light from behind that the surface at a hit transmits. `solids` contain the ray
     /// to the hit.
-    Vec3 passed(const Hit&, std::span<const PrimitiveIndex> solids);
+    Rgb passed(const Hit&, std::span<const PrimitiveIndex> solids);
     /// The same of an object that casts no shadow, too: what a followed ray sees through it.
-    Vec3 seen(const Hit&, std::span<const PrimitiveIndex> solids);
+    Rgb seen(const Hit&, std::span<const PrimitiveIndex> solids);
 
 private:
-    Vec3 seen(const Hit&, std::span<const PrimitiveIndex> solids, const Interface&);
+    Rgb seen(const Hit&, std::span<const PrimitiveIndex> solids, const Interface&);
 
     const World& world_;
     const Ray& ray_;
@@ -87,6 +88,6 @@ private:
 
 /// Fraction of light that a solid's interior transmits along the segment of a path that ends at the
 /// solid's surface.
-Vec3 left_inside(const World&, const PathState&, const Hit&);
+Rgb left_inside(const World&, const PathState&, const Hit&);
 
 }  // namespace candelabra

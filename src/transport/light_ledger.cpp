@@ -7,7 +7,7 @@
 
 namespace candelabra {
 
-void LightLedger::add_reflected(Lamp lamp, const Vec3& radiance, const Vec3& throughput,
+void LightLedger::add_reflected(Lamp lamp, const Rgb& radiance, const Rgb& throughput,
                                 std::uint64_t rays) {
     if (!provenance) return;
     LightCount& own = lights[provenance->statement_of(lamp)];
@@ -17,7 +17,7 @@ void LightLedger::add_reflected(Lamp lamp, const Vec3& radiance, const Vec3& thr
     if (keeps_parts) parts.push_back({lamp, throughput * radiance, false});
 }
 
-void LightLedger::add_visible(Lamp lamp, const Vec3& light) {
+void LightLedger::add_visible(Lamp lamp, const Rgb& light) {
     if (!provenance) return;
     lights[provenance->statement_of(lamp)].seen += light;
     if (keeps_parts) parts.push_back({lamp, light, true});
@@ -50,22 +50,22 @@ LightLedger empty_ledger(const World& world, bool counted, bool parts) {
 }
 
 void record_seen(LightLedger& ledger, const World& world, PrimitiveIndex primitive,
-                 const Vec3& light) {
+                 const Rgb& light) {
     if (!ledger.provenance || world.lights.luminaires.empty() || primitive == no_primitive) return;
     const LightIndex luminaire = world.lights.luminaire_of[primitive];
     if (luminaire != no_primitive) ledger.add_visible(Lamp::luminaire(luminaire), light);
 }
 
 void record_volume(LightLedger& ledger, const World& world, std::span<const PrimitiveIndex> solids,
-                   const Vec3& light) {
+                   const Rgb& light) {
     if (!ledger.provenance) return;
     if (const GlowingVolume* volume = volume_among(world, solids))
         ledger.add_visible(Lamp::luminaire(volume->luminaire), light);
 }
 
-void take_lights(LightLedger& ledger, FunctionRef<void(std::size_t statement, const Vec3&)> use) {
+void take_lights(LightLedger& ledger, FunctionRef<void(std::size_t statement, const Rgb&)> use) {
     for (std::size_t i = 0; i + 1 < ledger.lights.size(); ++i)
-        use(i, std::exchange(ledger.lights[i].seen, Vec3(0)));
+        use(i, std::exchange(ledger.lights[i].seen, Rgb(0)));
 }
 
 }  // namespace candelabra

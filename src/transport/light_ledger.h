@@ -6,6 +6,7 @@
 
 #include "base/exact_sum.h"
 #include "base/function_ref.h"
+#include "base/rgb.h"
 #include "world/world.h"
 
 #include <cstdint>
@@ -18,13 +19,13 @@ struct LightCount {
     ExactSum light;          ///< grey, as all hits that they light reflect it to their viewers
     std::uint64_t rays = 0;  ///< towards them
     /// The part of it that reached the camera, in samples since the last call of take_lights().
-    Vec3 seen = Vec3(0);
+    Rgb seen = Rgb(0);
 };
 
 /// Light of a lamp in a sample, as it contributes to the pixel.
 struct LampPart {
     Lamp lamp;
-    Vec3 light;
+    Rgb light;
     bool seen;  ///< of a lamp that a ray met, such as the camera's or that of a mirror
 };
 
@@ -52,7 +53,7 @@ struct LightLedger {
     std::vector<LightCount> lights = {};
     /// Light of the last sample that the first surface or the sky emits: what the camera
     /// sees of things that glow.
-    Vec3 glow = Vec3(0);
+    Rgb glow = Rgb(0);
     /// Of the lamps that it counts; null if lights are not counted.
     const Provenance* provenance = nullptr;
     bool keeps_parts = false;          ///< fills `parts`; only if lights are counted
@@ -60,9 +61,9 @@ struct LightLedger {
 
     /// Records light of a lamp that a surface or a medium reflects to its viewer, and the number of
     /// rays towards the lamp. `throughput` is that of the viewer's ray in the sample.
-    void add_reflected(Lamp, const Vec3& radiance, const Vec3& throughput, std::uint64_t rays = 0);
+    void add_reflected(Lamp, const Rgb& radiance, const Rgb& throughput, std::uint64_t rays = 0);
     /// Records light of a lamp that is seen directly, as it contributes to the sample.
-    void add_visible(Lamp, const Vec3& light);
+    void add_visible(Lamp, const Rgb& light);
     /// Records a ray that met no lamp.
     void add_miss();
 
@@ -74,14 +75,14 @@ struct LightLedger {
 LightLedger empty_ledger(const World&, bool counted, bool parts = false);
 
 /// Records the light of a directly visible primitive, if it is a luminaire; `no_primitive` is none.
-void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);
+void record_seen(LightLedger&, const World&, PrimitiveIndex, const Rgb& light);
 
 /// The same for glowing media in those solids: the innermost medium counts.
 void record_volume(LightLedger&, const World&, std::span<const PrimitiveIndex> solids,
-                   const Vec3& light);
+                   const Rgb& light);
 
 /// Passes on the light of each of Provenance::light_statements in all samples since the last call.
 /// Precondition: lights are counted.
-void take_lights(LightLedger&, FunctionRef<void(std::size_t statement, const Vec3&)> use);
+void take_lights(LightLedger&, FunctionRef<void(std::size_t statement, const Rgb&)> use);
 
 }  // namespace candelabra

@@ -31,10 +31,10 @@ void add_followed(const World& world, std::span<const PrimitiveIndex> solids, bo
 
 namespace {
 
-Vec3 left_by_media(const World& world, const MediaList& media, const AirStretch& stretch,
-                   const Key& key) {
+Rgb left_by_media(const World& world, const MediaList& media, const AirStretch& stretch,
+                  const Key& key) {
     const Interval part{stretch.part.min, std::min(stretch.part.max, end_of_air)};
-    if (media.empty() || !(part.max > part.min)) return Vec3(1);
+    if (media.empty() || !(part.max > part.min)) return Rgb(1);
     return transmittance(view_of(media), stretch.ray, part, world.pattern_scene(), key);
 }
 
@@ -53,19 +53,19 @@ bool dims(const World& world, AirOnWay air) {
 }
 
 /// Transmittance of media and fog outside of solids on the whole way.
-Vec3 left_throughout(const World& world, const WayOfLight& way, const Key& key) {
+Rgb left_throughout(const World& world, const WayOfLight& way, const Key& key) {
     MediaList media;
     add_atmosphere(world, media);
-    const Vec3 left =
+    const Rgb left =
         left_by_media(world, media, {way.ray, {0, way.distance}, {}}, key.branched(Branch::medium));
-    if (left == Vec3(0)) return left;
+    if (left == Rgb(0)) return left;
     return left *
            left_by(world.sky.fogs, way.ray, way.distance, world.pattern_scene().noise_generator);
 }
 
 /// Transmittance of the air on the part of a way with that number, between two surfaces.
-Vec3 left_on_part(const World& world, const WayOfLight& way, const Interval& part,
-                  std::span<const PrimitiveIndex> solids, const Key& key, std::uint32_t number) {
+Rgb left_on_part(const World& world, const WayOfLight& way, const Interval& part,
+                 std::span<const PrimitiveIndex> solids, const Key& key, std::uint32_t number) {
     const Key own = key.branched(Branch::medium, number);
     const AirStretch stretch{way.ray, part, solids, way.ends || part.max < way.distance};
     if (way.air == AirOnWay::followed) return left_in_air(world, stretch, own);
@@ -79,17 +79,17 @@ std::uint32_t first_part(AirOnWay air) { return air == AirOnWay::throughout ? 1 
 
 }  // namespace
 
-Vec3 left_in_air(const World& world, const AirStretch& stretch, const Key& key) {
+Rgb left_in_air(const World& world, const AirStretch& stretch, const Key& key) {
     MediaList media;
     add_followed(world, stretch.solids, stretch.ends, media);
-    const Vec3 left = left_by_media(world, media, stretch, key);
+    const Rgb left = left_by_media(world, media, stretch, key);
     if (world.sky.fogs.empty() && world.sky.rainbows.empty()) return left;
     const Ray from{stretch.ray.at(stretch.part.min), stretch.ray.direction};
     const double distance = stretch.part.max - stretch.part.min;
     return left * veil_along(world, from, distance, stretch.solids, key).transmittance;
 }
 
-Vec3 light_left(const World& world, const WayOfLight& way, const Key& key) {
+Rgb light_left(const World& world, const WayOfLight& way, const Key& key) {
     StraightWay straight(world, way.ray);
     const auto at_surface = [&](const Hit& hit, std::span<const PrimitiveIndex> solids) {
         return straight.passed(hit, solids);
@@ -99,39 +99,39 @@ Vec3 light_left(const World& world, const WayOfLight& way, const Key& key) {
     World::Shade shade{way.around, way.apart, nullptr, reflect ? &surfaces : nullptr};
     if (!dims(world, way.air))
         return world.transmittance(way.ray, way.tolerance, way.distance, shade);
-    Vec3 left(1);
+    Rgb left(1);
     std::uint32_t number = first_part(way.air);
     const auto between = [&](const Interval& part, std::span<const PrimitiveIndex> solids) {
         if (part.max > part.min) left *= left_on_part(world, way, part, solids, key, number++);
     };
     const World::UseStretch stretches(between);
     shade.stretches = &stretches;
-    const Vec3 passed = world.transmittance(way.ray, way.tolerance, way.distance, shade);
-    if (passed == Vec3(0)) return passed;
+    const Rgb passed = world.transmittance(way.ray, way.tolerance, way.distance, shade);
+    if (passed == Rgb(0)) return passed;
     left *= passed;
     return way.air == AirOnWay::throughout ? left * left_throughout(world, way, key) : left;
 }
 
-Vec3 left_on_free_way(const World& world, const WayOfLight& way, const Key& key) {
-    if (!dims(world, way.air)) return Vec3(1);
+Rgb left_on_free_way(const World& world, const WayOfLight& way, const Key& key) {
+    if (!dims(world, way.air)) return Rgb(1);
     EnteredSolids inside;
     for (const PrimitiveIndex each : way.around)
         if (!world.material(each).no_shadow) inside.push_back(each);
-    const Vec3 left = left_on_part(world, way, {0, way.distance}, {inside.data(), inside.size()},
-                                   key, first_part(way.air));
+    const Rgb left = left_on_part(world, way, {0, way.distance}, {inside.data(), inside.size()},
+                                  key, first_part(way.air));
     return way.air == AirOnWay::throughout ? left * left_throughout(world, way, key) : left;
 }
 
-Vec3 left_by_lamp(const World& world, const Luminaire& luminaire, const WayOfLight& way,
-                  const Key& key) {
+Rgb left_by_lamp(const World& world, const Luminaire& luminaire, const WayOfLight& way,
+                 const Key& key) {
     const PrimitiveIndex lamp = luminaire.primitive;
-    if (!world.material(lamp).no_shadow) return Vec3(1);
+    if (!world.material(lamp).no_shadow) return Rgb(1);
     const double end =
         luminaire.is_volume() ? way.distance : World::end_of_way(way.tolerance, way.distance).min;
     EnteredSolids inside;
     for (const PrimitiveIndex each : way.around) inside.push_back(each);
     StraightWay straight(world, way.ray);
-    Vec3 left(1);
+    Rgb left(1);
     double before = 0;
     std::uint32_t number = 0;
     const auto pass = [&](double until) {
@@ -157,7 +157,7 @@ Vec3 left_by_lamp(const World& world, const Luminaire& luminaire, const WayOfLig
         }
         world.pass(hit.primitive, inside);
         before = t;
-        return left != Vec3(0);
+        return left != Rgb(0);
     });
     return left;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "base/rgb.h"
 #include "world/world.h"
 
 #include <cstdint>
@@ -38,14 +39,14 @@ struct WayOfLight {
 
 /// Transmittance of surfaces and air per channel; an unbiased estimate for inhomogeneous media,
 /// otherwise exact.
-Vec3 light_left(const World&, const WayOfLight&, const Key&);
+Rgb light_left(const World&, const WayOfLight&, const Key&);
 /// The same if it is known that no surface lies on the way.
-Vec3 left_on_free_way(const World&, const WayOfLight&, const Key&);
+Rgb left_on_free_way(const World&, const WayOfLight&, const Key&);
 
 /// Fraction of a luminaire's light that its own solid lets through on its way to the ray's origin,
 /// if the solid has `no_shadow`: other light passes it, and light_left() leaves it out. 1 for other
 /// luminaires.
-Vec3 left_by_lamp(const World&, const Luminaire&, const WayOfLight&, const Key&);
+Rgb left_by_lamp(const World&, const Luminaire&, const WayOfLight&, const Key&);
 
 /// A part of a ray between two surfaces, inside of the solids.
 struct AirStretch {
@@ -55,7 +56,7 @@ struct AirStretch {
     bool ends = true;  ///< the ray meets a surface after it
 };
 /// Transmittance of all that dims a ray which is followed (see AirOnWay::followed), as above.
-Vec3 left_in_air(const World&, const AirStretch&, const Key&);
+Rgb left_in_air(const World&, const AirStretch&, const Key&);
 
 /// Depth of media with nothing behind them, as in POV-Ray.
 constexpr double end_of_air = 2e10;

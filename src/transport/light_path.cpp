@@ -80,7 +80,7 @@ void LightPaths::learn() {
             const Vec3 offset = each.position - place.position;
             const double away2 = dot(offset, offset);
             const double cosines = dot(offset, place.normal) * -dot(offset, each.normal) / away2;
-            sum += luminance(glm::abs(each.power)) * cosines / (away2 + near);
+            sum += luminance(abs(each.power)) * cosines / (away2 + near);
         }
         return sum;
     };
@@ -102,11 +102,11 @@ void LightPaths::learn() {
 struct LightPaths::Lit {
     PathState path;
     Vertex vertex;
-    Vec3 power;  ///< colour of light times area perpendicular to the ray
+    Rgb power;  ///< colour of light times area perpendicular to the ray
     int reflections = 0;
     Lamp lamp = Lamp::sky();
-    Vec3 front = Vec3(0);  ///< radiance, on the side of the ray, times area
-    Vec3 back = Vec3(0);   ///< the same on the other side
+    Rgb front = Rgb(0);  ///< radiance, on the side of the ray, times area
+    Rgb back = Rgb(0);   ///< the same on the other side
 };
 
 void LightPaths::follow(const Key& key, double share, Found& found) const {
@@ -150,17 +150,17 @@ void LightPaths::from_luminaire(const Key& key, double choice, double share, Fou
     // Attenuates light to each surface on the way as a shadow ray from that surface would.
     walk(drawn->path, [&](const PathState& path, const Vertex& vertex) {
         const WayOfLight way = way_back(vertex, begin);
-        const Vec3 left = light_left(world_, way, path.key);
-        if (left != Vec3(0) && !is_brought(way, vertex)) {
-            const Vec3 seen =
+        const Rgb left = light_left(world_, way, path.key);
+        if (left != Rgb(0) && !is_brought(way, vertex)) {
+            const Rgb seen =
                 radiance_seen(world_, {luminaire, way.ray, way.tolerance, way.distance});
-            if (seen == Vec3(0)) return false;
-            const Vec3 by_lamp = left_by_lamp(world_, luminaire, way, path.key);
+            if (seen == Rgb(0)) return false;
+            const Rgb by_lamp = left_by_lamp(world_, luminaire, way, path.key);
             Lit lit{path, vertex, drawn->power_of_one * left * by_lamp * seen, 0,
                     Lamp::luminaire(drawn->light)};
             if (reflect(lit)) go_on(std::move(lit), found);
         }
-        return world_.passed(vertex.hit, path.ray) != Vec3(0);
+        return world_.passed(vertex.hit, path.ray) != Rgb(0);
     });
 }
 
@@ -173,9 +173,9 @@ void LightPaths::from_sky(const SkyRays::Drawn& drawn, const Key& key, double sh
                              .ends = false,
                              .around = vertex.around};
         Lit lit{path, vertex, share * drawn.power * light_left(world_, way, path.key)};
-        if (lit.power != Vec3(0) && !is_brought(way, vertex) && reflect(lit))
+        if (lit.power != Rgb(0) && !is_brought(way, vertex) && reflect(lit))
             go_on(std::move(lit), found);
-        return world_.passed(vertex.hit, path.ray) != Vec3(0);
+        return world_.passed(vertex.hit, path.ray) != Rgb(0);
     });
 }
 
@@ -192,12 +192,12 @@ void LightPaths::from_source(const SourceRays::Drawn& drawn, const Key& key, dou
         const double way = dot(vertex.position() - ray.origin, ray.direction);
         if (world_.reaches(group, *vertex.material)) {
             const double area = share * drawn.ray.area_after(way);
-            const Vec3 colour = incidence(light, light.location, vertex.position()).colour;
+            const Rgb colour = incidence(light, light.location, vertex.position()).colour;
             Lit lit{path, vertex, area * colour, 0, Lamp::source(drawn.number)};
             if (reflect_source(drawn.number, area, lit)) go_on(std::move(lit), found);
         }
         // Nothing before the plane of a parallel light casts a shadow.
-        if (way < ahead || world_.passed(vertex.hit, path.ray) != Vec3(0)) return true;
+        if (way < ahead || world_.passed(vertex.hit, path.ray) != Rgb(0)) return true;
         if (by_line || uniform(path.key, Purpose::light_roulette) < 0.5) return false;
         share *= 2;
         return true;
@@ -221,8 +221,8 @@ PathState LightPaths::start(const Key& key, const Ray& ray) const {
 
 /// Radiance that the even layers show on the side of the vertex, equal in all directions, for light
 /// of colour 1 that arrives along the path's ray.
-Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
-    Vec3 sum(0);
+Rgb LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
+    Rgb sum(0);
     for (const VisibleTexture& each : visible_textures(world_, vertex))
         LayerStack(world_, path, vertex, each.layers).visit([&](const LayerStack::Seen& layer) {
             if (!is_even_on_each_side(world_, vertex, layer.shading)) return;
@@ -233,10 +233,10 @@ Vec3 LightPaths::reflected(const PathState& path, const Vertex& vertex) const {
 }
 
 /// The same by light of a source, as it arrives at the vertex.
-Vec3 LightPaths::reflected_of_source(std::uint32_t number, const PathState& path,
-                                     const Vertex& vertex) const {
+Rgb LightPaths::reflected_of_source(std::uint32_t number, const PathState& path,
+                                    const Vertex& vertex) const {
     LightLedger uncounted;
-    Vec3 sum(0);
+    Rgb sum(0);
     for (const VisibleTexture& each : visible_textures(world_, vertex))
         LayerStack(world_, path, vertex, each.layers).visit([&](const LayerStack::Seen& layer) {
             if (!is_even_on_each_side(world_, vertex, layer.shading)) return;
@@ -267,8 +267,8 @@ bool LightPaths::reflect(Lit& lit) const {
     lit.front = lit.power * reflected(lit.path, lit.vertex) / cosine;
     lit.back = lit.vertex.material->lit_from_behind
                    ? lit.power * reflected(lit.path, other_side(lit.path, lit.vertex)) / cosine
-                   : Vec3(0);
-    return lit.front != Vec3(0) || lit.back != Vec3(0);
+                   : Rgb(0);
+    return lit.front != Rgb(0) || lit.back != Rgb(0);
 }
 
 /// The same for light of a source. `area`: perpendicular to the ray, for which it stands.
@@ -279,7 +279,7 @@ bool LightPaths::reflect_source(std::uint32_t number, double area, Lit& lit) con
     lit.front = area / cosine * reflected_of_source(number, lit.path, lit.vertex);
     // With `area_illumination` the grid decides which side is lit.
     if (!lit.vertex.material->lit_from_behind && !world_.lights.sources[number].area_illumination)
-        return lit.front != Vec3(0);
+        return lit.front != Rgb(0);
     PathState behind = lit.path;
     if (lit.vertex.material->transparent)
         behind.media =
@@ -287,24 +287,24 @@ bool LightPaths::reflect_source(std::uint32_t number, double area, Lit& lit) con
     Vertex seen = other_side(lit.path, lit.vertex);
     seen.around = {behind.media.data(), behind.media.size()};
     lit.back = area / cosine * reflected_of_source(number, behind, seen);
-    return lit.front != Vec3(0) || lit.back != Vec3(0);
+    return lit.front != Rgb(0) || lit.back != Rgb(0);
 }
 
 /// Follows the path from surface to surface as long as they reflect it.
 void LightPaths::go_on(Lit lit, Found& found) const {
     while (++lit.reflections <= max_reflections_) {
-        const auto leave = [&](const Vec3& power, const Vec3& normal) {
-            if (power != Vec3(0))
+        const auto leave = [&](const Rgb& power, const Vec3& normal) {
+            if (power != Rgb(0))
                 found.push_back({lit.vertex.position(), normal, power, lit.vertex.tolerance(),
                                  lit.reflections, lit.lamp});
         };
         const Vec3 normal = lit.vertex.shading.geometric_normal;
         leave(lit.front, normal);
         leave(lit.back, -normal);
-        const double in_front = max_component(glm::abs(lit.front)),
-                     behind = max_component(glm::abs(lit.back)), all = in_front + behind;
+        const double in_front = max_abs_component(lit.front), behind = max_abs_component(lit.back),
+                     all = in_front + behind;
         const double survival =
-            std::clamp(all / max_component(glm::abs(lit.power)), min_light_survival, 1.0);
+            std::clamp(all / max_abs_component(lit.power), min_light_survival, 1.0);
         if (uniform(lit.path.key, Purpose::roulette) >= survival) return;
         const bool passes = uniform(lit.path.key, Purpose::way_choice) * all < behind;
         lit.power =
@@ -321,7 +321,7 @@ void LightPaths::go_on(Lit lit, Found& found) const {
             vertex_at(world_, lit.path.ray, hit, {lit.path.media.data(), lit.path.media.size()});
         if (world_.facts.dims_between)
             lit.power *= light_left(world_, way_back(lit.vertex, from), lit.path.key);
-        if (lit.power == Vec3(0) || !reflect(lit)) return;
+        if (lit.power == Rgb(0) || !reflect(lit)) return;
     }
 }
 

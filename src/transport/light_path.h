@@ -3,6 +3,7 @@
 // reflected luminaire at each diffuse surface that reflects their light, and continue from there.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/lamp_rays.h"
 #include "transport/layer_stack.h"
 #include "transport/light_left.h"
@@ -19,7 +20,7 @@ namespace candelabra {
 struct ReflectedLuminaire {
     Vec3 position;
     Vec3 normal;              ///< unit geometric normal, on the side that reflects
-    Vec3 power;               ///< radiance, equal in all directions of that side, times area
+    Rgb power;                ///< radiance, equal in all directions of that side, times area
     double tolerance = 0;     ///< of the hit
     int reflections = 1;      ///< diffuse ones on the light's way, including this one
     Lamp lamp = Lamp::sky();  ///< that sent the light
@@ -69,8 +70,8 @@ private:
     void go_on(Lit, Found&) const;
     bool is_brought(const WayOfLight&, const Vertex&) const;
     bool reflect(Lit&) const;
-    Vec3 reflected(const PathState&, const Vertex&) const;
-    Vec3 reflected_of_source(std::uint32_t number, const PathState&, const Vertex&) const;
+    Rgb reflected(const PathState&, const Vertex&) const;
+    Rgb reflected_of_source(std::uint32_t number, const PathState&, const Vertex&) const;
     bool reflect_source(std::uint32_t number, double area, Lit&) const;
     Vertex other_side(const PathState&, const Vertex&) const;
 

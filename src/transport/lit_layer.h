@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "base/rgb.h"
 #include "scattering/scatterer.h"
 #include "transport/light_kinds.h"
 #include "transport/vertex.h"
@@ -14,7 +15,7 @@ struct LitLayer {
     const Vertex& vertex;
     Scatterer scatterer;
     LightKinds light;           ///< the kinds that count
-    Vec3 throughput = Vec3(1);  ///< of the layer's radiance, in the sample
+    Rgb throughput = Rgb(1);    ///< of the layer's radiance, in the sample
     bool highlights = true;     ///< phong and specular highlights count
     /// One random light of an area light's grid casts a shadow, in the place of all of them.
     bool samples_grids = false;
@@ -30,11 +31,11 @@ struct LitLayer {
     /// radiosity gathers.
     BsdfTerms terms() const { return {highlights, !radiosity, FacetLobes::wide}; }
     /// Radiance towards the viewer due to light of colour 1 from a unit direction.
-    Vec3 response(const Vec3& direction, const Key& key) const {
+    Rgb response(const Vec3& direction, const Key& key) const {
         return scatterer.evaluate(direction, terms(), grain(key));
     }
     /// Radiance from one direction, as radiosity counts it.
-    Vec3 counted(const Vec3& radiance) const {
+    Rgb counted(const Rgb& radiance) const {
         return radiosity ? gathered_light(*radiosity, radiance) : radiance;
     }
     /// Whether photons light the layer instead of direct light through targets. If the scene asks

@@ -56,12 +56,12 @@ bool adds_no_light(const Media& medium) {
     for (const Media* each : media)
         if (!adds_no_light(*each) || min_component(density(*each, position, scene)) < 0)
             return false;
-    const Vec3 lost = coefficients(media, position, scene).extinction;
+    const Rgb lost = coefficients(media, position, scene).extinction;
     return max_component(phase.share() - lost) > 1e-9 * max_component(lost);
 }
 
 double brightness_of(const MediaPlace& place) {
-    return max_component(glm::abs(place.weight * place.scattering));
+    return max_abs_component(place.weight * place.scattering);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
          scatters ? &expected : nullptr, path.taken.lamps(), somewhere ? &where : nullptr, light_},
         world_.pattern_scene(), path.key, march_);
     Veil veil = march_.veil;
-    if (march_.of_luminaires != Vec3(0))
+    if (march_.of_luminaires != Rgb(0))
         record_volume(ledger, world_, {path.media.data(), path.media.size()},
                       path.throughput * march_.of_luminaires);
     if (!march_.places.empty()) veil.added += scattered(path, direct_light, ledger);
@@ -200,11 +200,11 @@ void ParticipatingMedia::expect_light(const DirectLight& direct_light, std::span
 }
 
 /// Radiance towards the viewer by light of lamps that media scatter at the places of the march.
-Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_light,
-                                   LightLedger& ledger) {
+Rgb ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_light,
+                                  LightLedger& ledger) {
     const PatternScene scene = world_.pattern_scene();
     const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
-    Vec3 sum(0);
+    Rgb sum(0);
     EachKindOnce once;
     const auto light = [&](const MediaPlace& place, const Key& key, double per_chance,
                            LightKinds kinds) {
@@ -277,17 +277,17 @@ PathState ParticipatingMedia::scattered_path(const PathState& path) const {
     const PatternScene scene = world_.pattern_scene();
     const Vec3 position = path.ray.at(place->distance);
     const auto phase_of = [&](LightInAir light) {
-        return PhaseFunction(view_of(media_), position, path.ray.direction, scene, Vec3(1), light);
+        return PhaseFunction(view_of(media_), position, path.ray.direction, scene, Rgb(1), light);
     };
     PhaseFunction phase = phase_of(light_);
-    if (!phase.answers_light()) return next.dimmed(Vec3(0));
+    if (!phase.answers_light()) return next.dimmed(Rgb(0));
     assert(!adds_light(phase, view_of(media_), position, scene));
     // The path remembers whether a medium without `multiple` has scattered it.
     const double repeatedly = phase.multiple();
     const bool once = u >= repeatedly;
     if (repeatedly > 0 && repeatedly < 1) {
         phase = phase_of(once ? LightInAir::once_only : LightInAir::repeatedly_only);
-        next.dim(Vec3(1 / (once ? 1 - repeatedly : repeatedly)));
+        next.dim(Rgb(1 / (once ? 1 - repeatedly : repeatedly)));
     }
     const Vec3 direction = phase.sample({uniform(path.key, Purpose::media_direction_u),
                                          uniform(path.key, Purpose::media_direction_v)});

@@ -3,6 +3,7 @@
 // of all lamps that they scatter to the viewer.
 #pragma once
 
+#include "base/rgb.h"
 #include "medium/march.h"
 #include "transport/direct_light.h"
 #include "transport/light_left.h"
@@ -39,7 +40,7 @@ private:
     void fill(const PathState&, double distance);
     bool shows(const PathState&, std::size_t number, const Vec3& point) const;
     double near(const Vec3& from) const;
-    Vec3 scattered(const PathState&, DirectLight&, LightLedger&);
+    Rgb scattered(const PathState&, DirectLight&, LightLedger&);
     double unshadowed(const Vec3& position) const;
     void expect_light(const DirectLight&, std::span<const Vec3> places,
                       std::span<double> worth) const;

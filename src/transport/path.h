@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "base/rgb.h"
 #include "surface/dispersion.h"
 #include "transport/media_stack.h"
 #include "transport/taken.h"
@@ -17,7 +18,7 @@ struct PathState {
     double tolerance = 0;  ///< nearer hits do not count
     /// Factor on the radiance along the ray in the sample. 0 where the sample is not proportional
     /// to that radiance.
-    Vec3 throughput = Vec3(1);
+    Rgb throughput = Rgb(1);
     /// The same for light from behind the whole scene, for the picture's alpha: as in POV-Ray, only
     /// the grey of each surface's colour counts.
     double clear = 1;
@@ -37,12 +38,12 @@ struct PathState {
     bool scattered = false;
 
     /// Returns the same path with its throughput multiplied by `share`.
-    PathState dimmed(const Vec3& share) const {
+    PathState dimmed(const Rgb& share) const {
         PathState result = *this;
         result.dim(share);
         return result;
     }
-    void dim(const Vec3& share) {
+    void dim(const Rgb& share) {
         throughput *= share;
         clear *= std::min(1.0, std::abs(grey(share)));
     }

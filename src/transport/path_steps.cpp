@@ -27,35 +27,35 @@ PathState PathEnds::begin(const Ray& ray, const Key& key) {
     return path;
 }
 
-Vec3 PathEnds::background(const PathState& path, LightLedger& ledger) {
-    const Vec3 radiance = seen_behind(path);
-    const Vec3 seen = path.throughput * radiance;
+Rgb PathEnds::background(const PathState& path, LightLedger& ledger) {
+    const Rgb radiance = seen_behind(path);
+    const Rgb seen = path.throughput * radiance;
     if (!world_.sky.light.empty()) ledger.add_visible(Lamp::sky(), seen);
     record_glow(ledger, path, seen);
     return radiance;
 }
 
-Vec3 PathEnds::seen_behind(const PathState& path) {
-    if (path.taken.by_shadow_rays && !world_.sky.light.empty()) return Vec3(0);
+Rgb PathEnds::seen_behind(const PathState& path) {
+    if (path.taken.by_shadow_rays && !world_.sky.light.empty()) return Rgb(0);
     const Vec3& direction = path.ray.direction;
     // As any light source, the sun lights surfaces itself: mirrors show its disc, and do not send
     // its light on.
     const bool shows_sun = path.bounces == 0 && !path.taken.by_shadow_rays;
-    const Vec3 sun = shows_sun ? world_.sun_radiance(direction) : Vec3(0);
+    const Rgb sun = shows_sun ? world_.sun_radiance(direction) : Rgb(0);
     return sun + sky_behind(path);
 }
 
-Vec3 PathEnds::sky_behind(const PathState& path) {
+Rgb PathEnds::sky_behind(const PathState& path) {
     const Vec3& direction = path.ray.direction;
     if (!clear_sky_) return world_.sky_radiance(direction);
     if (path.kind != RayKind::camera)
         return world_.sky_radiance(direction, world_.sky.background.mirrored());
     clear_ += path.clear * world_.sky_clear(direction);
-    if (world_.rules.language_version < 3.7 && !world_.sky.daylight) return Vec3(0);
+    if (world_.rules.language_version < 3.7 && !world_.sky.daylight) return Rgb(0);
     return world_.sky_radiance(direction, world_.sky.background.covering());
 }
 
-void record_glow(LightLedger& ledger, const PathState& path, const Vec3& light) {
+void record_glow(LightLedger& ledger, const PathState& path, const Rgb& light) {
     if (path.kind == RayKind::camera && path.depth == 0) ledger.glow += light;
 }
 

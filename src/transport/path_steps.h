@@ -3,6 +3,7 @@
 // the background.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/light_ledger.h"
 #include "transport/path.h"
 #include "transport/vertex.h"
@@ -23,13 +24,13 @@ public:
     /// Starts a path along a camera ray, for a new sample.
     PathState begin(const Ray&, const Key&);
     /// Radiance of the background, which it records.
-    Vec3 background(const PathState&, LightLedger&);
+    Rgb background(const PathState&, LightLedger&);
     /// Fraction of the sample that shows clear background, from 0 to 1.
     double clear() const { return std::min(clear_, 1.0); }
 
 private:
-    Vec3 seen_behind(const PathState&);
-    Vec3 sky_behind(const PathState&);  ///< without the sun
+    Rgb seen_behind(const PathState&);
+    Rgb sky_behind(const PathState&);  ///< without the sun
 
     const World& world_;
     bool starts_anywhere_;  ///< the rays have no common origin
@@ -40,7 +41,7 @@ private:
 };
 
 /// Records what the sample sees of a thing that glows, if it is seen straight from the camera.
-void record_glow(LightLedger&, const PathState&, const Vec3& light);
+void record_glow(LightLedger&, const PathState&, const Rgb& light);
 
 /// Whether the path sees the primitive's emission. It does not if the luminaire was sampled before.
 bool shows_emission(const World&, const PathState&, PrimitiveIndex);
@@ -55,7 +56,7 @@ PathState mirrored_path(const PathState&, const Vertex&, const Shading&);
 /// throughput. Nothing if the facets send it into the surface.
 struct FacetPath {
     PathState next;
-    Vec3 share;
+    Rgb share;
 };
 std::optional<FacetPath> facet_path(const PathState&, const Vertex&, const Shading&);
 

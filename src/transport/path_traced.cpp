@@ -36,7 +36,7 @@ PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& want
       max_bounces_(std::get<PathTraced>(world_.rules.settings.integrator).bounces),
       chance_of_covered_(world_.facts.is_lit_by_lamps_only ? chance_of_shine : 1) {}
 
-Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
+Rgb PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = begin(ray, key);
     if (ray.direction == Vec3(0)) return sum_;
     ++ledger_.camera;
@@ -44,7 +44,7 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     return end();
 }
 
-Vec3 PathTracedIntegrator::element_radiance(const WhiteElement& element, const Key& key) {
+Rgb PathTracedIntegrator::element_radiance(const WhiteElement& element, const Key& key) {
     PathState path = begin(element.ray(), key);
     // The path changes while the vertex refers to the solids around it.
     const MediaStack around = path.media;
@@ -54,7 +54,7 @@ Vec3 PathTracedIntegrator::element_radiance(const WhiteElement& element, const K
 }
 
 PathState PathTracedIntegrator::begin(const Ray& ray, const Key& key) {
-    sum_ = ledger_.glow = Vec3(0);
+    sum_ = ledger_.glow = Rgb(0);
     direct_light_.use(photons_.begin(key.sample));
     reflected_.begin(key.sample);
     divided_ = false;
@@ -62,13 +62,13 @@ PathState PathTracedIntegrator::begin(const Ray& ray, const Key& key) {
 }
 
 /// Follows what media have scattered aside, and returns the radiance of the sample.
-Vec3 PathTracedIntegrator::end() {
+Rgb PathTracedIntegrator::end() {
     if (const auto scattered = std::exchange(aside_, std::nullopt)) trace(*scattered);
     return sum_;
 }
 
 void PathTracedIntegrator::trace(PathState path) {
-    while (path.throughput != Vec3(0)) {
+    while (path.throughput != Rgb(0)) {
         Hit hit;
         const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
         const double distance =
@@ -103,7 +103,7 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
         const double chance = scattered / (scattered + max_component(veil.transmittance));
         const bool divides = !std::exchange(divided_, true);
         if (uniform(path.key, Purpose::media_event) < chance) {
-            const PathState next = media_.scattered_path(path.dimmed(Vec3(1 / chance)));
+            const PathState next = media_.scattered_path(path.dimmed(Rgb(1 / chance)));
             ++ledger_.scattered;
             if (!divides) {
                 path = next;
@@ -111,7 +111,7 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
             }
             aside_ = next;
         } else if (!divides) {
-            path.dim(Vec3(1 / (1 - chance)));
+            path.dim(Rgb(1 / (1 - chance)));
         }
     }
     path.dim(veil.transmittance);
@@ -150,14 +150,14 @@ bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double 
     if (!path.taken.by_reflected || !world_.facts.has_other_light) return path.taken.by_reflected;
     if (world_.material(hit.primitive).other_light) return false;
     if (uniform(path.key, Purpose::other_light) >= chance_of_covered_) return true;
-    path.dim(Vec3(1 / chance_of_covered_));
+    path.dim(Rgb(1 / chance_of_covered_));
     return false;
 }
 
 /// Adds the radiance that one layer emits and the direct light that it reflects.
 void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
                                   const LayerStack::Seen& layer) {
-    const Vec3 own =
+    const Rgb own =
         own_radiance(layer.shading, rules_, shown_emission(world_, seen, vertex.hit.primitive));
     const Shading s = layer.scattering();
     record_seen(ledger_, world_, vertex.hit.primitive, seen.throughput * own);
@@ -172,7 +172,7 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
                 .throughput = path.throughput,
                 .samples_grids = path.bounces > 0};
     };
-    Vec3 light(0);
+    Rgb light(0);
     if (path.taken.by_reflected && is_even_on_each_side(world_, vertex, s)) {
         // What the diffuse part reflects has been counted, except for what photons bring.
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
@@ -213,7 +213,7 @@ bool PathTracedIntegrator::go_on(const SurfaceLobes& lobes, const Vertex& vertex
     const auto& [lobe, chance] = *chosen;
     double survival = 1;
     if (path.bounces >= first_roulette) {
-        const double left = max_component(glm::abs(path.throughput * lobe.share)) / chance;
+        const double left = max_abs_component(path.throughput * lobe.share) / chance;
         survival = std::clamp(left, min_survival, 1.0);
     }
     const bool diffuse = lobe.kind == LobeKind::diffuse;

@@ -5,6 +5,7 @@
 // the other methods of indirect light.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/direct_light.h"
 #include "transport/layer_stack.h"
 #include "transport/participating_media.h"
@@ -22,10 +23,10 @@ class PathTracedIntegrator {
 public:
     PathTracedIntegrator(const Shot&, const Tracing&);
 
-    Vec3 radiance(const Ray& ray, const Key& key);
+    Rgb radiance(const Ray& ray, const Key& key);
     /// Radiance that a white element shows. Without Tracing::from_anywhere it lies in the solids
     /// that contain the camera.
-    Vec3 element_radiance(const WhiteElement&, const Key&);
+    Rgb element_radiance(const WhiteElement&, const Key&);
 
     LightLedger& ledger() { return ledger_; }
     const LightLedger& ledger() const { return ledger_; }
@@ -41,7 +42,7 @@ public:
 
 private:
     PathState begin(const Ray&, const Key&);
-    Vec3 end();
+    Rgb end();
     void trace(PathState);
     bool pass_air(PathState&, double distance);
     bool at_vertex(PathState&, const Vertex&, const Layers&);
@@ -59,7 +60,7 @@ private:
     ParticipatingMedia media_;
     PathEnds ends_;
     LightLedger ledger_;
-    Vec3 sum_ = Vec3(0);  ///< radiance of the sample so far
+    Rgb sum_ = Rgb(0);  ///< radiance of the sample so far
     /// The part of the path that media have scattered away; nothing: they have not.
     std::optional<PathState> aside_;
     bool divided_ = false;  ///< the path has met a medium that could scatter it

@@ -11,14 +11,14 @@ constexpr double min_arriving_cosine = 1e-6;
 
 }  // namespace
 
-Vec3 light_of_photons(const PhotonMap& map, const ArrivingLight& at, const Key& key) {
+Rgb light_of_photons(const PhotonMap& map, const ArrivingLight& at, const Key& key) {
     const LitLayer& layer = at.layer;
     const Vec3& point = layer.vertex.position();
     const Vec3& normal = layer.vertex.hit.normal;
     const bool through_surface = passes_surfaces(at.world);
     BsdfTerms terms = layer.terms();
     const double grain = layer.grain(key);
-    Vec3 sum(0);
+    Rgb sum(0);
     map.around(point, [&](const Photon& photon) {
         const bool of_source = photon.lamp.is_source();
         if (!layer.light.has(of_source ? LightKind::sources : LightKind::luminaires)) return;
@@ -30,7 +30,7 @@ Vec3 light_of_photons(const PhotonMap& map, const ArrivingLight& at, const Key& 
         terms.through_surface = through_surface && of_source;
         // The density on the surface includes the cosine already, and evaluate() applies it again.
         sum += at({photon.lamp, layer.scatterer.evaluate(to_light, terms, grain),
-                   Vec3(photon.power) * (density / cosine)});
+                   rgb_of(photon.power) * (density / cosine)});
     });
     return sum;
 }

@@ -90,13 +90,13 @@ void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
     const Material& around = path.media.empty() ? air : world_.material(path.media.back());
     if (!collects_photons(view_of(all)) || !reaches(journey, around)) return;
     const auto add = [&](double way, double stands_for) {
-        const Vec3 left =
+        const Rgb left =
             attenuation(innermost(world_, path.media), way) * left_after(journey, way, ends);
-        const Vec3 power = journey.shot.power_after(journey.way + way) * path.throughput * left *
-                           (journey.share * stands_for);
-        if (power != Vec3(0))
+        const Rgb power = journey.shot.power_after(journey.way + way) * path.throughput * left *
+                          (journey.share * stands_for);
+        if (power != Rgb(0))
             found.push_back({path.ray.at(way), glm::vec3(path.ray.direction), glm::vec3(0),
-                             glm::vec3(power), 0, journey.shot.lamp});
+                             glm::vec3(vec3_of(power)), 0, journey.shot.lamp});
     };
     const double near = length(path.ray.origin - near_.centre()) + length(near_.size()),
                  end = std::min(distance, end_of_air), until = std::min(near, end);
@@ -111,7 +111,7 @@ void PhotonPaths::deposit_in_air(const Journey& journey, double distance,
 /// Fraction of the photon's light that the air leaves after a distance. Photons of light sources
 /// are not attenuated by air outside of solids, as in POV-Ray; those of luminaires are by all that
 /// attenuates a ray on the same way. `ends`: the photon meets a surface after the segment.
-Vec3 PhotonPaths::left_after(const Journey& journey, double distance, bool ends) const {
+Rgb PhotonPaths::left_after(const Journey& journey, double distance, bool ends) const {
     const PathState& path = journey.path;
     const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
     const Key key = path.key.branched(Branch::medium);
@@ -119,15 +119,15 @@ Vec3 PhotonPaths::left_after(const Journey& journey, double distance, bool ends)
         return left_in_air(world_, {path.ray, {0, distance}, solids, ends}, key);
     MediaList media;
     if (ends) add_media(world_, solids, media);
-    if (media.empty()) return Vec3(1);
+    if (media.empty()) return Rgb(1);
     return transmittance(view_of(media), path.ray, {0, distance}, world_.pattern_scene(), key);
 }
 
 /// Continues straight through the surface, attenuated as a shadow ray is. Returns whether any light
 /// passes.
 bool PhotonPaths::pass(Journey& journey, const Vertex& vertex, const Ray& came) const {
-    const Vec3 left = StraightWay(world_, came, true).passed(vertex.hit, vertex.around);
-    if (left == Vec3(0)) return false;
+    const Rgb left = StraightWay(world_, came, true).passed(vertex.hit, vertex.around);
+    if (left == Rgb(0)) return false;
     PathState& path = journey.path;
     ++journey.passed;
     path.throughput *= left * left_inside(world_, path, vertex.hit);
@@ -174,8 +174,8 @@ bool PhotonPaths::go_on(Journey& journey, const Vertex& vertex, const Layers& la
     const Lobe& lobe = chosen->lobe;
     const bool from_behind = lobe.kind == LobeKind::behind || lobe.kind == LobeKind::total;
     // The lobe of light from behind has what the interior leaves.
-    const Vec3 inside = from_behind ? Vec3(1) : left_inside(world_, path, vertex.hit);
-    path.weight *= max_component(glm::abs(inside * lobe.share));
+    const Rgb inside = from_behind ? Rgb(1) : left_inside(world_, path, vertex.hit);
+    path.weight *= max_abs_component(inside * lobe.share);
     if (path.weight < min_weight_) return false;
     path.throughput *= inside * lobe.through / chosen->chance;
     if (from_behind && !bent) {
@@ -205,11 +205,12 @@ void PhotonPaths::deposit(const Journey& journey, const Vertex& vertex,
     if (!vertex.material->photons.collects || !reaches(journey, *vertex.material) ||
         !answers(vertex))
         return;
-    const Vec3 power =
+    const Rgb power =
         journey.shot.power_after(journey.way) * journey.path.throughput * journey.share;
-    if (power == Vec3(0)) return;
+    if (power == Rgb(0)) return;
     found.push_back({vertex.position(), glm::vec3(journey.path.ray.direction),
-                     glm::vec3(vertex.hit.normal), glm::vec3(power), 0, journey.shot.lamp});
+                     glm::vec3(vertex.hit.normal), glm::vec3(vec3_of(power)), 0,
+                     journey.shot.lamp});
 }
 
 }  // namespace candelabra

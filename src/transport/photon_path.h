@@ -3,6 +3,7 @@
 // target, through clear surfaces in between, and then as mirrors and glasses direct it.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/layer_stack.h"
 #include "transport/photon_map.h"
 #include "transport/photon_shooter.h"
@@ -21,7 +22,7 @@ public:
 
 private:
     struct Journey;
-    Vec3 left_after(const Journey&, double distance, bool ends) const;
+    Rgb left_after(const Journey&, double distance, bool ends) const;
     bool pass(Journey&, const Vertex&, const Ray&) const;
     bool scatter(Journey&, const Vertex&, const Key&) const;
     bool go_on(Journey&, const Vertex&, const Layers&) const;

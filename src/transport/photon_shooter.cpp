@@ -189,11 +189,11 @@ std::optional<PhotonShot> PhotonShooter::from_source(std::uint32_t number,
 }
 
 /// Radiance of a luminaire at a point on the ray; of a volume, per unit of length.
-Vec3 PhotonShooter::seen(const Luminaire& luminaire, const Ray& ray, double distance,
-                         const Key& key) const {
-    const Vec3 radiance = radiance_seen(world_, {luminaire, ray, 0, distance});
+Rgb PhotonShooter::seen(const Luminaire& luminaire, const Ray& ray, double distance,
+                        const Key& key) const {
+    const Rgb radiance = radiance_seen(world_, {luminaire, ray, 0, distance});
     // A photon's own way dims it by the media that it starts in.
-    if (radiance == Vec3(0) || luminaire.is_volume() ||
+    if (radiance == Rgb(0) || luminaire.is_volume() ||
         !world_.material(luminaire.primitive).no_shadow)
         return radiance;
     const EnteredSolids around = world_.containing(ray.origin);
@@ -229,7 +229,8 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
                    {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)});
     const Vec3& normal = drawn.normal;
     const Receiver entry{target.centre + target.radius * normal, normal, Horizon::one_side};
-    Vec3 start(0), direction(0), radiance(0);
+    Vec3 start(0), direction(0);
+    Rgb radiance(0);
     double density = drawn.density * pick.expected / picks;
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         const auto drawn = searched->draw(entry.position, place_on_light(key));
@@ -259,7 +260,7 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
         radiance = seen(luminaire, {entry.position, direction}, point->distance, key);
     }
     const double cosine = dot(direction, normal);
-    if (radiance == Vec3(0) || !(cosine > 0 && density > 0)) return std::nullopt;
+    if (radiance == Rgb(0) || !(cosine > 0 && density > 0)) return std::nullopt;
     if (length(start - target.centre) <= target.radius) return std::nullopt;
     shot.lamp = Lamp::luminaire(pick.light);
     shot.power = radiance * (target.radius * target.radius * cosine / (pi * density));
@@ -287,9 +288,9 @@ std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const Pho
             return std::nullopt;
         away = (1 - away_from_lamp) * length(hit.position - emitted->ray.origin);
     }
-    const Vec3 radiance =
+    const Rgb radiance =
         seen(luminaire, {emitted->ray.at(away), -emitted->ray.direction}, away, key);
-    if (radiance == Vec3(0)) return std::nullopt;
+    if (radiance == Rgb(0)) return std::nullopt;
     shot.lamp = Lamp::luminaire(light);
     shot.power =
         radiance * (dot(emitted->normal, emitted->ray.direction) / (pi * emitted->density));

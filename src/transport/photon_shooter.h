@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "base/rgb.h"
 #include "transport/source_rays.h"
 #include "world/shot.h"
 
@@ -23,11 +24,11 @@ struct PhotonShot {
     Lamp lamp = Lamp::sky();
     PhotonWays ways = {};           ///< the lamp's photon settings
     std::uint32_t light_group = 0;  ///< of a light source
-    Vec3 power = Vec3(0);           ///< of a luminaire's photon: colour of light times area
+    Rgb power = Rgb(0);             ///< of a luminaire's photon: colour of light times area
     std::optional<SourceRay> of_source = {};  ///< of a light source's photon
 
     /// Colour of light times area, after a path of that length.
-    Vec3 power_after(double way) const { return of_source ? of_source->power_after(way) : power; }
+    Rgb power_after(double way) const { return of_source ? of_source->power_after(way) : power; }
 };
 
 class PhotonShooter {
@@ -66,7 +67,7 @@ private:
     std::optional<PhotonShot> from_luminaires(const PhotonTarget&, PhotonShot, const Key&) const;
     std::optional<PhotonShot> from_inside(LightIndex, const PhotonTarget&, PhotonShot,
                                           const Key&) const;
-    Vec3 seen(const Luminaire&, const Ray&, double distance, const Key&) const;
+    Rgb seen(const Luminaire&, const Ray&, double distance, const Key&) const;
 
     const Shot& shot_;
     const World& world_;

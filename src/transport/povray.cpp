@@ -45,17 +45,17 @@ PovRayIntegrator::PovRayIntegrator(const Shot& shot, const Tracing& wanted)
       ledger_(empty_ledger(world_, wanted.counts_lights, wanted.keeps_lamps)),
       max_rays_(wanted.max_rays) {}
 
-Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
+Rgb PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = ends_.begin(ray, key);
     direct_light_.use(photons_.begin(key.sample));
     rays_ = 0;
-    ledger_.glow = Vec3(0);
-    if (ray.direction == Vec3(0)) return Vec3(0);
+    ledger_.glow = Rgb(0);
+    if (ray.direction == Vec3(0)) return Rgb(0);
     ++ledger_.camera;
     return follow(path);
 }
 
-Vec3 PovRayIntegrator::element_radiance(const WhiteElement& element, const Key& key) {
+Rgb PovRayIntegrator::element_radiance(const WhiteElement& element, const Key& key) {
     const PathState path = ends_.begin(element.ray(), key);
     direct_light_.use(photons_.begin(key.sample));
     rays_ = 0;
@@ -63,10 +63,10 @@ Vec3 PovRayIntegrator::element_radiance(const WhiteElement& element, const Key& 
     return layered(path, vertex, element.layers());
 }
 
-Vec3 PovRayIntegrator::follow(const PathState& path) {
+Rgb PovRayIntegrator::follow(const PathState& path) {
     if (path.depth >= world_.rules.settings.max_trace_level ||
         path.weight < world_.rules.settings.adc_bailout || ++rays_ > max_rays_)
-        return Vec3(0);
+        return Rgb(0);
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
     const bool airless = path.kind == RayKind::gathering && !radiosity_.media;
@@ -82,28 +82,28 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
 }
 
 /// Radiance of all textures that are mixed at a hit.
-Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
+Rgb PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
     const Vertex vertex = vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
-    Vec3 sum(0);
+    Rgb sum(0);
     const double least = world_.rules.settings.adc_bailout;
     for (const auto& [weight, layers] : visible_textures(world_, vertex, least))
-        sum += weight * layered(path.dimmed(Vec3(weight)), vertex, layers);
+        sum += weight * layered(path.dimmed(Rgb(weight)), vertex, layers);
     return sum;
 }
 
 /// Radiance of a stack of layers: each layer through those above it, the reflections of all, and
 /// light from behind.
-Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex, const Layers& layers) {
+Rgb PovRayIntegrator::layered(const PathState& path, const Vertex& vertex, const Layers& layers) {
     if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
     const LayerStack stack(world_, path, vertex, layers);
     const double emission = shown_emission(world_, path, vertex.hit.primitive);
-    Vec3 result(0);
+    Rgb result(0);
     stack.visit([&](const LayerStack::Seen& layer) {
         const Shading& s = layer.shading;
         const Finish& finish = *s.finish;
         const PathState below = path.dimmed(layer.through);
         result += layer.through * lit(below, vertex, s, emission);
-        if (layer.reflected != Vec3(0)) {
+        if (layer.reflected != Rgb(0)) {
             const double weight =
                 layer.weight * greatest_reflectivity(finish.reflection, layer.reflected);
             result += finish.reflection.exponent == 1
@@ -116,13 +116,12 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex, cons
     const bool total = stack.reflects_totally();
     if (!total && !stack.is_clear()) return result;
     const Shading& top = stack.top();
-    const Vec3& behind = stack.behind();
-    const Vec3 left = left_inside(world_, path, vertex.hit) * top.finish->refraction;
+    const Rgb& behind = stack.behind();
+    const Rgb left = left_inside(world_, path, vertex.hit) * top.finish->refraction;
     const PathState inside = path.dimmed(left);
     // Total reflection: no light is lost, but the ray has the weight of a transmitted one.
     if (total)
-        return result +
-               left * reflected(inside, vertex, top, Vec3(1), max_component(glm::abs(behind)));
+        return result + left * reflected(inside, vertex, top, Rgb(1), max_abs_component(behind));
     const Interface& surface = stack.interface();
     return result + left * (surface.bands > 0 ? split(inside, vertex, top, surface, behind)
                                               : transmitted(inside, vertex, top, surface, behind));
@@ -130,9 +129,9 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex, cons
 
 /// Radiance that one layer emits and reflects of direct light, before the layers above attenuate
 /// it.
-Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Shading& s,
-                           double emission) {
-    const Vec3 own = own_radiance(s, rules_, emission);
+Rgb PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Shading& s,
+                          double emission) {
+    const Rgb own = own_radiance(s, rules_, emission);
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
     record_glow(ledger_, path, path.throughput * own);
     // Gathered light shows no highlights. The last gathering includes light sources; light of
@@ -153,7 +152,7 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
                               .highlights = highlights,
                               .samples_grids = path.bounces > 0},
                              path.key, ledger_) +
-               (luminaires ? gathered(path, vertex, s) : Vec3(0));
+               (luminaires ? gathered(path, vertex, s) : Rgb(0));
     }
     const Bsdf whole(s, rules_), shine = Bsdf::highlights_of(s, rules_);
     return own + direct_light_({vertex, shine, all_light, path.throughput}, path.key, ledger_) +
@@ -163,12 +162,12 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
 
 /// Light of other surfaces that the diffuse part reflects: POV-Ray's radiosity, with rays for each
 /// side that reflects.
-Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, const Shading& s) {
+Rgb PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, const Shading& s) {
     const Finish& f = *s.finish;
     const double front = f.microfacet.on ? Microfacets(s).base_albedo() : f.diffuse;
     const auto side = [&](double share, bool behind) {
-        const Vec3 amount = s.colour.rgb * (s.opacity * share);
-        if (!(share > 0) || amount == Vec3(0)) return Vec3(0);
+        const Rgb amount = s.colour.rgb * (s.opacity * share);
+        if (!(share > 0) || amount == Rgb(0)) return Rgb(0);
         return amount * gathered_from(path.dimmed(amount), vertex, s, behind);
     };
     // Luminaires are sampled as elsewhere. Only one side of a surface gathers light, unless the
@@ -176,25 +175,25 @@ Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, con
     Shading one_side = s;
     one_side.both_sides = false;
     const Bsdf bsdf(one_side, rules_);
-    const Vec3 straight = direct_light_({.vertex = vertex,
-                                         .scatterer = bsdf,
-                                         .light = {LightKind::luminaires, LightKind::sky},
-                                         .throughput = path.throughput,
-                                         .highlights = path.bounces == 0,
-                                         .radiosity = &radiosity_},
-                                        path.key, ledger_);
+    const Rgb straight = direct_light_({.vertex = vertex,
+                                        .scatterer = bsdf,
+                                        .light = {LightKind::luminaires, LightKind::sky},
+                                        .throughput = path.throughput,
+                                        .highlights = path.bounces == 0,
+                                        .radiosity = &radiosity_},
+                                       path.key, ledger_);
     return straight + side(front, false) + side(f.microfacet.on ? 0 : f.diffuse_back, true);
 }
 
 /// Estimate of the cosine-weighted mean radiance over the directions of one side, by rays whose
 /// directions are stratified.
-Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex, const Shading& s,
-                                     bool behind) {
+Rgb PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex, const Shading& s,
+                                    bool behind) {
     const Vec3 seen = radiosity_.normal ? s.normal : s.smooth_normal;
     const Vec3 surface = behind ? -s.geometric_normal : s.geometric_normal;
     const std::uint32_t strata = strata_of(path);
     const double share = 1.0 / (strata * strata);
-    Vec3 sum(0);
+    Rgb sum(0);
     for (std::uint32_t i = 0; i < strata * strata; ++i) {
         const Key key = path.key.branched(Branch::diffuse, 2 * i + (behind ? 1 : 0));
         const Vec2 place{(i % strata + uniform(key, Purpose::bounce_u)) / strata,
@@ -203,7 +202,7 @@ Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex
         // No light comes from below the real surface; such a direction is replaced by its mirror
         // image.
         if (dot(direction, surface) < 0) direction = mirrored(direction, surface);
-        const PathState dimmed = path.dimmed(Vec3(radiosity_.brightness * share));
+        const PathState dimmed = path.dimmed(Rgb(radiosity_.brightness * share));
         PathState next = behind ? gathering_path_behind(world_, dimmed, vertex, direction)
                                 : gathering_path(dimmed, vertex, direction);
         next.key = key;
@@ -213,33 +212,33 @@ Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex
     return sum * share;
 }
 
-Vec3 PovRayIntegrator::reflected(const PathState& path, const Vertex& vertex, const Shading& s,
-                                 const Vec3& amount, double weight) {
+Rgb PovRayIntegrator::reflected(const PathState& path, const Vertex& vertex, const Shading& s,
+                                const Rgb& amount, double weight) {
     PathState next = mirrored_path(path, vertex, s);
     next.weight = path.weight * weight;
     ++ledger_.scattered;
-    const Vec3 tinted = amount * iridescence(s, rules_, next.ray.direction);
+    const Rgb tinted = amount * iridescence(s, rules_, next.ray.direction);
     return tinted * follow(next.dimmed(tinted));
 }
 
-Vec3 PovRayIntegrator::reflected_to_a_power(const PathState& path, const Vertex& vertex,
-                                            const Shading& s, const Vec3& amount, double weight) {
+Rgb PovRayIntegrator::reflected_to_a_power(const PathState& path, const Vertex& vertex,
+                                           const Shading& s, const Rgb& amount, double weight) {
     PathState next = mirrored_path(path, vertex, s);
     next.weight = path.weight * weight;
     ++ledger_.scattered;
     // A power of a sum has no summands that could be attributed to lights.
-    const Vec3 shown = iridescence(s, rules_, next.ray.direction) * follow(next.dimmed(Vec3(0)));
+    const Rgb shown = iridescence(s, rules_, next.ray.direction) * follow(next.dimmed(Rgb(0)));
     const auto dimmed = [&](double channel) {
         return channel > 0 ? math::pow(channel, 1 / s.finish->reflection.exponent) : 0.0;
     };
-    return amount * Vec3(dimmed(shown.x), dimmed(shown.y), dimmed(shown.z));
+    return amount * Rgb(dimmed(shown.r), dimmed(shown.g), dimmed(shown.b));
 }
 
 /// Radiance that microfacets reflect, except for the part that direct_light_ includes.
-Vec3 PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, const Shading& s,
-                                 double weight) {
+Rgb PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, const Shading& s,
+                                double weight) {
     auto scattered = facet_path(path, vertex, s);
-    if (!scattered) return Vec3(0);
+    if (!scattered) return Rgb(0);
     scattered->next.weight = path.weight * weight * max_component(scattered->share);
     ++ledger_.scattered;
     return scattered->share * follow(scattered->next);
@@ -247,30 +246,29 @@ Vec3 PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, co
 
 /// White light, with a separate path for each of its bands. As in POV-Ray, bands that are totally
 /// reflected are coloured like the others.
-Vec3 PovRayIntegrator::split(const PathState& path, const Vertex& vertex, const Shading& s,
-                             const Interface& surface, const Vec3& share) {
-    Vec3 sum(0);
+Rgb PovRayIntegrator::split(const PathState& path, const Vertex& vertex, const Shading& s,
+                            const Interface& surface, const Rgb& share) {
+    Rgb sum(0);
     for (int i = 0; i < surface.bands; ++i) {
         const SpectralBand band{i, surface.bands};
         PathState coloured = path.dimmed(hue(band) / static_cast<double>(surface.bands));
         coloured.band = band;
         Interface own = surface;
         own.ratio *= math::pow(surface.dispersion, band.power());
-        sum +=
-            hue(band) * (reflects_totally(s, own.ratio)
-                             ? reflected(coloured, vertex, s, share, max_component(glm::abs(share)))
-                             : transmitted(coloured, vertex, s, own, share));
+        sum += hue(band) * (reflects_totally(s, own.ratio)
+                                ? reflected(coloured, vertex, s, share, max_component(abs(share)))
+                                : transmitted(coloured, vertex, s, own, share));
     }
     return sum / static_cast<double>(surface.bands);
 }
 
-Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, const Shading& s,
-                                   const Interface& surface, const Vec3& share) {
+Rgb PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, const Shading& s,
+                                  const Interface& surface, const Rgb& share) {
     // As in POV-Ray, also a ray that continues straight on requires one more level.
-    if (path.depth + 1 >= world_.rules.settings.max_trace_level) return Vec3(0);
+    if (path.depth + 1 >= world_.rules.settings.max_trace_level) return Rgb(0);
     PathState next = path_behind(path.dimmed(share), vertex, s, surface, surface.ratio);
-    if (next.passed > max_surfaces_along) return Vec3(0);
-    next.weight = path.weight * max_component(glm::abs(share));
+    if (next.passed > max_surfaces_along) return Rgb(0);
+    next.weight = path.weight * max_abs_component(share);
     ++ledger_.scattered;
     return share * follow(next);
 }

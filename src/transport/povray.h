@@ -5,6 +5,7 @@
 // factors along a path, so the recursion remains.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/direct_light.h"
 #include "transport/participating_media.h"
 #include "transport/path_steps.h"
@@ -19,10 +20,10 @@ public:
     PovRayIntegrator(const Shot&, const Tracing&);
 
     /// Radiance along a camera ray; an unbiased estimate, and a pure function of ray and key.
-    Vec3 radiance(const Ray& ray, const Key& key);
+    Rgb radiance(const Ray& ray, const Key& key);
     /// Radiance that a white element shows. Without Tracing::from_anywhere it lies in the solids
     /// that contain the camera.
-    Vec3 element_radiance(const WhiteElement&, const Key&);
+    Rgb element_radiance(const WhiteElement&, const Key&);
 
     LightLedger& ledger() { return ledger_; }
     const LightLedger& ledger() const { return ledger_; }
@@ -37,21 +38,20 @@ public:
     bool cut() const { return rays_ > max_rays_; }
 
 private:
-    Vec3 follow(const PathState&);
-    Vec3 surface(const PathState&, const Hit&);
-    Vec3 layered(const PathState&, const Vertex&, const Layers&);
-    Vec3 lit(const PathState&, const Vertex&, const Shading&, double emission);
-    Vec3 gathered(const PathState&, const Vertex&, const Shading&);
-    Vec3 gathered_from(const PathState&, const Vertex&, const Shading&, bool behind);
-    Vec3 reflected(const PathState&, const Vertex&, const Shading&, const Vec3& amount,
-                   double weight);
-    Vec3 reflected_to_a_power(const PathState&, const Vertex&, const Shading&, const Vec3& amount,
-                              double weight);
-    Vec3 scattered(const PathState&, const Vertex&, const Shading&, double weight);
-    Vec3 transmitted(const PathState&, const Vertex&, const Shading&, const Interface&,
-                     const Vec3& share);
-    Vec3 split(const PathState&, const Vertex&, const Shading&, const Interface&,
-               const Vec3& share);
+    Rgb follow(const PathState&);
+    Rgb surface(const PathState&, const Hit&);
+    Rgb layered(const PathState&, const Vertex&, const Layers&);
+    Rgb lit(const PathState&, const Vertex&, const Shading&, double emission);
+    Rgb gathered(const PathState&, const Vertex&, const Shading&);
+    Rgb gathered_from(const PathState&, const Vertex&, const Shading&, bool behind);
+    Rgb reflected(const PathState&, const Vertex&, const Shading&, const Rgb& amount,
+                  double weight);
+    Rgb reflected_to_a_power(const PathState&, const Vertex&, const Shading&, const Rgb& amount,
+                             double weight);
+    Rgb scattered(const PathState&, const Vertex&, const Shading&, double weight);
+    Rgb transmitted(const PathState&, const Vertex&, const Shading&, const Interface&,
+                    const Rgb& share);
+    Rgb split(const PathState&, const Vertex&, const Shading&, const Interface&, const Rgb& share);
 
     const World& world_;
     const Radiosity& radiosity_;

@@ -12,7 +12,7 @@ PrimaryHit primary_hit(const World& world, const Ray& ray) {
     if (!seen.met) return seen;
     const Vertex vertex = vertex_at(world, ray, seen.hit);
     for (const auto& [weight, layers] : visible_textures(world, vertex)) {
-        Vec3 through(weight);
+        Rgb through(weight);
         seen.normal += weight * layers.front().normal;
         for (const Layer& layer : layers) {
             seen.albedo += through * layer.colour.rgb * world.opacity(layer.colour);

@@ -3,6 +3,7 @@
 // users who point at a pixel.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/camera_ray.h"
 
 namespace candelabra {
@@ -10,7 +11,7 @@ namespace candelabra {
 struct PrimaryHit {
     bool met = false;  ///< otherwise all members are 0
     Hit hit;
-    Vec3 albedo = Vec3(0);  ///< colour of all layers, weighted by their opacity
+    Rgb albedo = Rgb(0);    ///< colour of all layers, weighted by their opacity
     Vec3 normal = Vec3(0);  ///< unit shading normal, towards the viewer
     double distance = 0;    ///< from the ray's origin
     /// From 1, in the order of Provenance::object_spans; 0 also if the world does not record

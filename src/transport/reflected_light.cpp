@@ -16,7 +16,7 @@ double share_within(double bound, double geometry) {
 
 }  // namespace
 
-Vec3 ReflectedLight::operator()(const ArrivingLight& at, int reflections, const Key& key) {
+Rgb ReflectedLight::operator()(const ArrivingLight& at, int reflections, const Key& key) {
     const ReflectedSet& set = current();
     const Key own = key.branched(Branch::reflected);
     const Receiver point = receiver(at.layer.scatterer);
@@ -27,7 +27,7 @@ Vec3 ReflectedLight::operator()(const ArrivingLight& at, int reflections, const 
             strategy.at({point, lobes, nullptr, nullptr}).sample(own, samples_);
         },
         set.sampler);
-    Vec3 sum(0);
+    Rgb sum(0);
     for (const LightPick& pick : samples_.picks) {
         if (set.list[pick.light].reflections <= reflections) sum += from(pick, set, at, own);
     }
@@ -42,24 +42,24 @@ double ReflectedLight::share(const Vec3& from, const Vec3& normal, double cosine
 
 /// Light of one reflected luminaire. Clear surfaces occlude it, too: paths go through these by
 /// themselves.
-Vec3 ReflectedLight::from(const LightPick& pick, const ReflectedSet& set, const ArrivingLight& at,
-                          const Key& key) const {
+Rgb ReflectedLight::from(const LightPick& pick, const ReflectedSet& set, const ArrivingLight& at,
+                         const Key& key) const {
     const ReflectedLuminaire& luminaire = set.list[pick.light];
     const Vertex& vertex = at.layer.vertex;
     const Vec3 offset = luminaire.position - vertex.position();
     const double distance = length(offset);
-    if (!(distance > vertex.tolerance())) return Vec3(0);
+    if (!(distance > vertex.tolerance())) return Rgb(0);
     const Vec3 direction = offset / distance;
     const Vec3& normal = at.layer.scatterer.bsdf().shading().normal;
     const double cosine = dot(direction, normal), there = -dot(direction, luminaire.normal);
-    if (!(cosine > 0 && there > 0)) return Vec3(0);
-    const Vec3 response = at.layer.scatterer.evaluate(direction, diffuse_terms, 0);
+    if (!(cosine > 0 && there > 0)) return Rgb(0);
+    const Rgb response = at.layer.scatterer.evaluate(direction, diffuse_terms, 0);
     const double geometry = cosine * there / (distance * distance);
     const double share = share_within(set.bounds[pick.light], geometry);
-    const Vec3 light = luminaire.power * (there * share / (std::numbers::pi * distance * distance));
-    if (response * light == Vec3(0)) return Vec3(0);
+    const Rgb light = luminaire.power * (there * share / (std::numbers::pi * distance * distance));
+    if (response * light == Rgb(0)) return Rgb(0);
     ++at.ledger.shadow;
-    const Vec3 left = ShadowRay(at, direction, key).left_by_air(distance, luminaire.tolerance);
+    const Rgb left = ShadowRay(at, direction, key).left_by_air(distance, luminaire.tolerance);
     return at({luminaire.lamp, response / pick.expected, light * left, 1});
 }
 

@@ -2,6 +2,7 @@
 // Light at a vertex from reflected luminaires.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/arrival.h"
 #include "transport/reflected_luminaires.h"
 
@@ -15,7 +16,7 @@ public:
     /// Radiance towards the viewer from a Lambertian layer, by light that arrives there after at
     /// most `reflections` reflections, by way of diffuse surfaces only, with the geometry term
     /// clamped to its bound.
-    Vec3 operator()(const ArrivingLight&, int reflections, const Key&);
+    Rgb operator()(const ArrivingLight&, int reflections, const Key&);
 
     /// Fraction of the light from a place of one surface, on the side of the unit normal, to
     /// another that comes from reflected luminaires, given the cosines to their normals and the
@@ -24,7 +25,7 @@ public:
                  double distance) const;
 
 private:
-    Vec3 from(const LightPick&, const ReflectedSet&, const ArrivingLight&, const Key&) const;
+    Rgb from(const LightPick&, const ReflectedSet&, const ArrivingLight&, const Key&) const;
 
     LightSamples samples_;  ///< kept as a member to reuse its memory
 };

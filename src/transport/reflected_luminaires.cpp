@@ -48,7 +48,7 @@ LightBounds bounds_of(const ReflectedLuminaire& luminaire, double radius) {
     };
     LightBounds result =
         bounds(TriangleEmitter{corner(1, 0), corner(-0.5, height), corner(-0.5, -height)},
-               luminance(glm::abs(luminaire.power) / area));
+               luminance(abs(luminaire.power) / area));
     result.bent_normal = lean * luminaire.normal;
     return result;
 }

@@ -56,19 +56,19 @@ WayOfLight ShadowRay::way(double distance, bool ends) const {
             .air = air_};
 }
 
-Vec3 ShadowRay::left(double distance, bool ends) const {
-    const Vec3 left = light_left(at_.world, way(distance, ends), key_);
+Rgb ShadowRay::left(double distance, bool ends) const {
+    const Rgb left = light_left(at_.world, way(distance, ends), key_);
     const bool brought =
-        at_.photons && left != Vec3(0) && at_.layer.collects() &&
+        at_.photons && left != Rgb(0) && at_.layer.collects() &&
         target_between(at_.world, photons_, ray_, at_.layer.vertex.tolerance(), distance);
-    return brought ? Vec3(0) : left;
+    return brought ? Rgb(0) : left;
 }
 
-Vec3 ShadowRay::left(double distance) const { return left(distance, true); }
+Rgb ShadowRay::left(double distance) const { return left(distance, true); }
 
-Vec3 ShadowRay::left_from_sky() const { return left(far_away, false); }
+Rgb ShadowRay::left_from_sky() const { return left(far_away, false); }
 
-Vec3 ShadowRay::left_by_air(double distance, double tolerance) const {
+Rgb ShadowRay::left_by_air(double distance, double tolerance) const {
     const World& world = at_.world;
     const WayOfLight whole = way(distance, true);
     if (!world.appearance.any_clear && !world.appearance.any_left_out)
@@ -76,30 +76,30 @@ Vec3 ShadowRay::left_by_air(double distance, double tolerance) const {
     Hit hit;
     const bool is_free = !world.first_hit(ray_, whole.tolerance, RayKind::gathering, hit) ||
                          length(hit.position - ray_.origin) > distance - tolerance;
-    return is_free ? left_on_free_way(world, whole, key_) : Vec3(0);
+    return is_free ? left_on_free_way(world, whole, key_) : Rgb(0);
 }
 
-Vec3 ShadowRay::emitted(LightIndex light, double distance) const {
+Rgb ShadowRay::emitted(LightIndex light, double distance) const {
     const World& world = at_.world;
     const Luminaire& luminaire = world.lights.luminaires[light];
     const double tolerance = at_.layer.vertex.tolerance();
-    const Vec3 radiance =
+    const Rgb radiance =
         luminaire.is_volume()
             ? volume_emission(world, luminaire.primitive,
                               {ray_, tolerance, distance, {around_.data(), around_.size()}})
             : radiance_seen(world, {luminaire, ray_, tolerance, distance});
-    return radiance == Vec3(0) ? radiance : radiance * left_by_lamp(luminaire, distance);
+    return radiance == Rgb(0) ? radiance : radiance * left_by_lamp(luminaire, distance);
 }
 
-Vec3 ShadowRay::emitted(LightIndex light, const Hit& hit, double distance) const {
+Rgb ShadowRay::emitted(LightIndex light, const Hit& hit, double distance) const {
     const Luminaire& luminaire = at_.world.lights.luminaires[light];
     return left_by_lamp(luminaire, distance) *
            radiance_of(at_.world, luminaire, emitting_point(hit, ray_));
 }
 
 /// Fraction of a luminaire's light that its own solid lets through, if other light passes it.
-Vec3 ShadowRay::left_by_lamp(const Luminaire& luminaire, double distance) const {
-    if (!at_.world.material(luminaire.primitive).no_shadow) return Vec3(1);
+Rgb ShadowRay::left_by_lamp(const Luminaire& luminaire, double distance) const {
+    if (!at_.world.material(luminaire.primitive).no_shadow) return Rgb(1);
     return candelabra::left_by_lamp(at_.world, luminaire, way(distance, true), key_);
 }
 

@@ -3,6 +3,7 @@
 // layer: all kinds of direct light ask here.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/arrival.h"
 #include "transport/light_left.h"
 
@@ -27,23 +28,23 @@ public:
 
     /// Fraction of the light from a point at that distance that surfaces and media let through. It
     /// is 0 where photons bring the light instead.
-    Vec3 left(double distance) const;
+    Rgb left(double distance) const;
     /// The same for light from behind everything.
-    Vec3 left_from_sky() const;
+    Rgb left_from_sky() const;
     /// Fraction of the light from a point of a surface that media let through: 0 if a surface lies
     /// between, even a clear one. `tolerance` is that of the point.
-    Vec3 left_by_air(double distance, double tolerance) const;
+    Rgb left_by_air(double distance, double tolerance) const;
 
     /// Radiance of a luminaire at a point on the ray, as the layer sees it; of a volume, per unit
     /// of length. It is 0 where something else covers it in its place.
-    Vec3 emitted(LightIndex, double distance) const;
+    Rgb emitted(LightIndex, double distance) const;
     /// The same of a surface that the ray has met.
-    Vec3 emitted(LightIndex, const Hit&, double distance) const;
+    Rgb emitted(LightIndex, const Hit&, double distance) const;
 
 private:
     WayOfLight way(double distance, bool ends) const;
-    Vec3 left(double distance, bool ends) const;
-    Vec3 left_by_lamp(const Luminaire&, double distance) const;
+    Rgb left(double distance, bool ends) const;
+    Rgb left_by_lamp(const Luminaire&, double distance) const;
 
     const ArrivingLight& at_;
     Ray ray_;

@@ -14,14 +14,14 @@ double SkyAtLayer::density(const Vec3& direction) const {
     return 0.5 * (at_.world.sky.light.density(direction) + at_.layer.scatterer.pdf(direction));
 }
 
-Vec3 SkyAtLayer::from(const Vec3& direction, const Vec3& weight) const {
+Rgb SkyAtLayer::from(const Vec3& direction, const Rgb& weight) const {
     ++at_.ledger.shadow;
     return from(direction, weight, {ShadowRay(at_, direction, key_).left_from_sky(), 1});
 }
 
-Vec3 SkyAtLayer::from(const Vec3& direction, const Vec3& weight, const Left& known) const {
-    const Vec3 light =
-        known.left == Vec3(0) ? known.left : known.left * at_.world.sky_radiance(direction);
+Rgb SkyAtLayer::from(const Vec3& direction, const Rgb& weight, const Left& known) const {
+    const Rgb light =
+        known.left == Rgb(0) ? known.left : known.left * at_.world.sky_radiance(direction);
     return at_({Lamp::sky(), weight, light, known.rays});
 }
 

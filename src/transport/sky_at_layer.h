@@ -3,6 +3,7 @@
 // where the layer responds strongly.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/shadow_ray.h"
 
 #include <optional>
@@ -21,13 +22,13 @@ public:
     /// Fraction of the light from a direction that is left at the layer, and the number of rays
     /// that found it and that count for the sky.
     struct Left {
-        Vec3 left;
+        Rgb left;
         std::uint64_t rays;
     };
     /// Radiance towards the viewer from a unit direction, times a weight (see Arrival). A shadow
     /// ray finds what is left of the light, if it is not known.
-    Vec3 from(const Vec3& direction, const Vec3& weight) const;
-    Vec3 from(const Vec3& direction, const Vec3& weight, const Left&) const;
+    Rgb from(const Vec3& direction, const Rgb& weight) const;
+    Rgb from(const Vec3& direction, const Rgb& weight, const Left&) const;
 
 private:
     const ArrivingLight& at_;

@@ -28,7 +28,7 @@ SkyRays::SkyRays(const World& world, const LitRegion& region) : world_(world), r
         const Key key{0, i, 0, 0};
         const auto drawn =
             world.sky.light.draw({uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)});
-        sum += luminance(glm::abs(world.sky_radiance(drawn.direction))) / (pi * drawn.density);
+        sum += luminance(abs(world.sky_radiance(drawn.direction))) / (pi * drawn.density);
     }
     power_ = sum / tried_directions * pi * region.radius * region.radius;
 }

@@ -21,7 +21,7 @@ public:
 
     struct Drawn {
         Ray ray;     ///< it starts before all finite things
-        Vec3 power;  ///< colour of light times the area, perpendicular to it, for which it stands
+        Rgb power;   ///< colour of light times the area, perpendicular to it, for which it stands
     };
     /// The mean over many rays is all light of the sky. Precondition: power() is above 0.
     Drawn draw(const Key&) const;

@@ -54,20 +54,20 @@ public:
     SourceAtLayer(const SourceAtLayer&) = delete;
 
     /// The layer's response to the source's light. `central` is the light from its location.
-    Vec3 response(const Incidence& central) {
+    Rgb response(const Incidence& central) {
         direction_ = central.direction;
         return lit_by_grid(light_, scatterer_) ? grid_answer() : answer_to(central);
     }
     /// Fraction of the light that is left at the layer. Precondition: response() was called.
-    Vec3 left(const Incidence& central) {
-        if (light_.shadowless) return Vec3(window_ && !seen_through(central) ? 0 : 1);
+    Rgb left(const Incidence& central) {
+        if (light_.shadowless) return Rgb(window_ && !seen_through(central) ? 0 : 1);
         if (!light_.is_area()) return passed(central);
         return at_.layer.samples_grids ? sampled_grid_shadow() : grid_shadow();
     }
 
 private:
-    Vec3 answer_to(const Incidence& light) const {
-        if (light.colour == Vec3(0)) return Vec3(0);
+    Rgb answer_to(const Incidence& light) const {
+        if (light.colour == Rgb(0)) return Rgb(0);
         if (scatterer_.in_air()) return light.colour * scatterer_.phase().evaluate(direction_);
         const Bsdf& bsdf = scatterer_.bsdf();
         // The film's iridescence depends on the direction to the light's centre.
@@ -75,8 +75,8 @@ private:
                bsdf.evaluate_without_film(light.direction, terms_, grain_);
     }
 
-    Vec3 grid_answer() const {
-        Vec3 sum(0);
+    Rgb grid_answer() const {
+        Rgb sum(0);
         for (int i = 0; i < light_.size1; ++i)
             for (int j = 0; j < light_.size2; ++j)
                 sum += answer_to(
@@ -84,10 +84,10 @@ private:
         return sum / static_cast<double>(light_.size1 * light_.size2);
     }
 
-    Vec3 passed(const Incidence& light) {
-        if (light.distance <= 0) return Vec3(1);
+    Rgb passed(const Incidence& light) {
+        if (light.distance <= 0) return Rgb(1);
         const auto until = window_ ? seen_through(light) : std::optional(light.distance);
-        if (!until) return Vec3(0);
+        if (!until) return Rgb(0);
         ++at_.ledger.shadow;
         return ShadowRay(at_, light.direction, key_, rules_).left(*until);
     }
@@ -110,13 +110,13 @@ private:
     }
 
     /// Fraction of the grid's light that arrives.
-    Vec3 grid_shadow() {
-        corners_.assign(static_cast<std::size_t>(light_.size1 * light_.size2), Vec3(-1));
+    Rgb grid_shadow() {
+        corners_.assign(static_cast<std::size_t>(light_.size1 * light_.size2), Rgb(-1));
         return mean({0, 0, light_.size1 - 1, light_.size2 - 1}, 0);
     }
 
     /// Estimate of the same from one light of the grid.
-    Vec3 sampled_grid_shadow() {
+    Rgb sampled_grid_shadow() {
         return shadow_of(in_halves(light_.size1, uniform(key_, Purpose::grid_u)),
                          in_halves(light_.size2, uniform(key_, Purpose::grid_v)));
     }
@@ -127,9 +127,9 @@ private:
 
     /// Mean over a part of the grid, by its corners; the part is divided if they differ. The
     /// weights of the parts are POV-Ray's.
-    Vec3 mean(const Part& p, int level) {
-        const std::array<Vec3, 4> corner = {at(p.first1, p.first2), at(p.last1, p.first2),
-                                            at(p.first1, p.last2), at(p.last1, p.last2)};
+    Rgb mean(const Part& p, int level) {
+        const std::array<Rgb, 4> corner = {at(p.first1, p.first2), at(p.last1, p.first2),
+                                           at(p.first1, p.last2), at(p.last1, p.last2)};
         const bool divisible = p.last1 - p.first1 > 1 || p.last2 - p.first2 > 1;
         if (!divisible || (light_.adaptive && level >= *light_.adaptive && alike(corner)))
             return 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
@@ -141,22 +141,22 @@ private:
                        mean({high1, high2, p.last1, p.last2}, level + 1));
     }
 
-    bool alike(const std::array<Vec3, 4>& corner) const {
-        const auto differ = [&](const Vec3& a, const Vec3& b) {
-            const Vec3 d = glm::abs(a - b) * light_.colour;
-            return d.x + d.y + d.z > 0.1;
+    bool alike(const std::array<Rgb, 4>& corner) const {
+        const auto differ = [&](const Rgb& a, const Rgb& b) {
+            const Rgb d = abs(a - b) * light_.colour;
+            return d.r + d.g + d.b > 0.1;
         };
         return !differ(corner[0], corner[1]) && !differ(corner[2], corner[3]) &&
                !differ(corner[0], corner[2]) && !differ(corner[1], corner[3]);
     }
 
     /// Fraction of light that arrives from one light of the grid; computed once.
-    Vec3 at(int i, int j) {
-        Vec3& known = corners_[static_cast<std::size_t>(i * light_.size2 + j)];
-        return known.x >= 0 ? known : known = shadow_of(i, j);
+    Rgb at(int i, int j) {
+        Rgb& known = corners_[static_cast<std::size_t>(i * light_.size2 + j)];
+        return known.r >= 0 ? known : known = shadow_of(i, j);
     }
 
-    Vec3 shadow_of(int i, int j) {
+    Rgb shadow_of(int i, int j) {
         double place1 = i, place2 = j;
         if (light_.jitter) {
             const Key key = key_.with_branch(static_cast<std::uint32_t>(i * light_.size2 + j));
@@ -167,7 +167,7 @@ private:
         if (light_.along_axis()) return passed(incidence(light_, from, vertex().position()));
         const Vec3 offset = from - vertex().position();
         const double distance = length(offset);
-        return distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});
+        return distance == 0 ? Rgb(1) : passed({offset / distance, distance, Rgb(1)});
     }
 
     const ArrivingLight& at_;
@@ -180,7 +180,7 @@ private:
     const double grain_;
     const Key key_;
     Vec3 direction_ = Vec3(0);
-    std::vector<Vec3> corners_;
+    std::vector<Rgb> corners_;
 };
 
 /// Returns the first hit on a ray at a surface that stops all light.
@@ -196,8 +196,8 @@ std::optional<ProbeHit> sight_past_clear(const World& world, const Ray& ray, dou
 
 }  // namespace
 
-Vec3 SourceLight::operator()(const ArrivingLight& at, const Key& key) {
-    Vec3 sum(0);
+Rgb SourceLight::operator()(const ArrivingLight& at, const Key& key) {
+    Rgb sum(0);
     for (std::size_t i = 0; i < samplers_.size(); ++i) {
         const SourceSet& set = at.world.lights.source_sets[i];
         const LightKind kind = set.drawn() ? LightKind::drawn_sources : LightKind::sources;
@@ -212,31 +212,31 @@ Vec3 SourceLight::operator()(const ArrivingLight& at, const Key& key) {
     return sum;
 }
 
-Vec3 light_of_source(std::uint32_t number, double weight, const ArrivingLight& at, const Key& key) {
+Rgb light_of_source(std::uint32_t number, double weight, const ArrivingLight& at, const Key& key) {
     const bool in_air = at.layer.scatterer.in_air();
     const Vec3& position = at.layer.vertex.position();
     const PointLight& light = at.world.lights.sources[number];
-    if (in_air && (light.shadowless || !light.media_interaction)) return Vec3(0);
+    if (in_air && (light.shadowless || !light.media_interaction)) return Rgb(0);
     const bool by_grid = lit_by_grid(light, at.layer.scatterer);
-    if (!by_grid && is_beside_cone(light, position)) return Vec3(0);
+    if (!by_grid && is_beside_cone(light, position)) return Rgb(0);
     Incidence central = incidence(light, light.location, position);
-    if (!by_grid && central.colour == Vec3(0)) return Vec3(0);
+    if (!by_grid && central.colour == Rgb(0)) return Rgb(0);
     const Key own = key.branched(Branch::source, number);
     if (light.disc_edge < 1)
         central.direction =
             turned_from(central.direction, 1 - uniform(own, Purpose::sun_u) * (1 - light.disc_edge),
                         2 * std::numbers::pi * uniform(own, Purpose::sun_v));
     SourceAtLayer source(light, number, at, own);
-    const Vec3 response = source.response(central);
-    if (response == Vec3(0)) return Vec3(0);
+    const Rgb response = source.response(central);
+    if (response == Rgb(0)) return Rgb(0);
     const std::uint64_t before = at.ledger.shadow;
-    const Vec3 left = source.left(central);
+    const Rgb left = source.left(central);
     return at({Lamp::source(number), weight * response, left, at.ledger.shadow - before});
 }
 
 /// Samples some of many sources. Sources have no surface that a sampled direction could hit.
-Vec3 SourceLight::drawn(const SourceSet& set, const BuiltLightSampler& sampler,
-                        const ArrivingLight& at, const Key& key) {
+Rgb SourceLight::drawn(const SourceSet& set, const BuiltLightSampler& sampler,
+                       const ArrivingLight& at, const Key& key) {
     const Key own = key.branched(Branch::drawn_sources);
     const Receiver point = set.asked(receiver(at.layer.scatterer));
     const BsdfLobes lobes = at.layer.scatterer.lobes();
@@ -246,7 +246,7 @@ Vec3 SourceLight::drawn(const SourceSet& set, const BuiltLightSampler& sampler,
     const LightProbe scene(look);
     const auto ask = [&](const auto& strategy) {
         const auto answer = strategy.at({point, lobes, nullptr, set.parallel ? nullptr : &scene});
-        Vec3 sum(0);
+        Rgb sum(0);
         for (int i = 0; i < rays_; ++i) {
             const Key part = own.part(rays_, i);
             samples_.clear();

@@ -3,13 +3,14 @@
 // among them alone. Grids of lights are treated as in POV-Ray, too.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/arrival.h"
 #include "world/shot.h"
 
 namespace candelabra {
 
 /// Radiance towards the viewer by one light source, times a weight.
-Vec3 light_of_source(std::uint32_t number, double weight, const ArrivingLight&, const Key&);
+Rgb light_of_source(std::uint32_t number, double weight, const ArrivingLight&, const Key&);
 
 /// Each job has its own: it keeps scratch memory.
 class SourceLight {
@@ -20,10 +21,10 @@ public:
 
     /// Radiance towards the viewer by all light sources that are not drawn with the luminaires; an
     /// unbiased estimate.
-    Vec3 operator()(const ArrivingLight&, const Key&);
+    Rgb operator()(const ArrivingLight&, const Key&);
 
 private:
-    Vec3 drawn(const SourceSet&, const BuiltLightSampler&, const ArrivingLight&, const Key&);
+    Rgb drawn(const SourceSet&, const BuiltLightSampler&, const ArrivingLight&, const Key&);
 
     std::span<const BuiltLightSampler> samplers_;  ///< for each source set
     const SourceSet* joined_;

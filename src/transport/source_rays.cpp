@@ -136,7 +136,7 @@ SourceRay plane_anywhere(const LitRegion& region, const PointLight& light, const
 
 /// About the light that a source sends into the region, as luminance.
 double power_into(const LitRegion& region, const PointLight& light, std::size_t rays) {
-    if (is_aimless(light) || light.colour == Vec3(0)) return 0;
+    if (is_aimless(light) || light.colour == Rgb(0)) return 0;
     const double usual = std::fmax(length(region.centre - light.location), region.radius);
     PointLight plain = light;
     plain.beam = all_around;
@@ -153,7 +153,7 @@ double power_into(const LitRegion& region, const PointLight& light, std::size_t 
         const double area = sent.area_after(way);
         if (light.along_axis() && area > 4 * pi * region.radius * region.radius) continue;
         const auto lit = [&](const PointLight& as) {
-            return luminance(glm::abs(incidence(as, light.location, sent.ray.at(way)).colour));
+            return luminance(abs(incidence(as, light.location, sent.ray.at(way)).colour));
         };
         shaped += lit(light) * area;
         whole += lit(plain) * area;

@@ -44,7 +44,7 @@ struct SourceRay {
         return source->along_axis() ? extent : extent * way * way;
     }
     /// Colour of light times area after that way.
-    Vec3 power_after(double way) const {
+    Rgb power_after(double way) const {
         return incidence(*source, place, ray.at(way)).colour * area_after(way);
     }
 };

@@ -45,7 +45,7 @@ public:
         times_ = is_plane(world, layer.vertex.hit.primitive) ? 2 : 1;
     }
 
-    Vec3 seen(const PathState& path) {
+    Rgb seen(const PathState& path) {
         const SubsurfaceSettings& wanted = world_.rules.settings.subsurface;
         const auto count = [&](int samples) {
             return static_cast<int>(std::ceil(needed * samples * std::fmin(path.weight, 1)));
@@ -70,16 +70,16 @@ private:
     }
 
     /// Mean free path in the scene's units. A channel without any has a very short one.
-    static Vec3 free_path(const World& world, const Shading& s) {
-        const Vec3& way = s.finish->subsurface.translucency;
-        return glm::max(way, Vec3(1e-4 * max_component(way))) / world.rules.settings.mm_per_unit;
+    static Rgb free_path(const World& world, const Shading& s) {
+        const Rgb& way = s.finish->subsurface.translucency;
+        return max(way, Rgb(1e-4 * max_component(way))) / world.rules.settings.mm_per_unit;
     }
 
     /// One of several samples: its key, and three random numbers below 1.
     struct Draw {
         Key key;
         double choice, u, v;
-        Vec3 throughput;  ///< of the light that the sample finds
+        Rgb throughput;  ///< of the light that the sample finds
     };
 
     /// Mean of `count` samples, times a factor, which is also part of the light's throughput. The
@@ -87,13 +87,13 @@ private:
     /// others by those of the plastic number (Roberts, "The Unreasonable Effectiveness of
     /// Quasirandom Sequences", 2018).
     template <class Once>
-    Vec3 mean(int count, double factor, const Key& key, const Once& each) {
-        if (count == 0) return Vec3(0);
+    Rgb mean(int count, double factor, const Key& key, const Once& each) {
+        if (count == 0) return Rgb(0);
         constexpr double plastic = 1.3247179572447461;
-        const Vec3 throughput = layer_.throughput * (factor / count);
+        const Rgb throughput = layer_.throughput * (factor / count);
         const Vec3 start(uniform(key, Purpose::facet_choice), uniform(key, Purpose::facet_u),
                          uniform(key, Purpose::facet_v));
-        Vec3 sum(0);
+        Rgb sum(0);
         for (int i = 0; i < count; ++i)
             sum += each(Draw{key.part(count, i), (i + start.x) / count,
                              fraction(start.y + i / plastic),
@@ -124,7 +124,7 @@ private:
         e.geometric_normal = hit.normal;
         e.view = -hit.normal;
         e.finish = &entry_;
-        e.colour = Colour{Vec3(1), 0, 0};
+        e.colour = Colour{Rgb(1), 0, 0};
         return vertex;
     }
 
@@ -175,18 +175,18 @@ private:
     }
 
     /// Light that enters where a sampled line crosses the solid's surface.
-    Vec3 spread_light(const Draw& draw) {
+    Rgb spread_light(const Draw& draw) {
         const std::size_t axis = draw.u < chances[0] ? 0 : draw.u < chances[0] + chances[1] ? 1 : 2;
         const double radius = std::sqrt(radius2(draw.choice));
-        if (radius > reach_) return Vec3(0);
+        if (radius > reach_) return Rgb(0);
         const double angle = 2 * pi * draw.v;
         const Vec3 aside = on_circle(angle, axes_[(axis + 1) % 3], axes_[(axis + 2) % 3]);
         const Ray line{s_.position + radius * aside - reach_ * axes_[axis], axes_[axis]};
-        Vec3 sum(0);
+        Rgb sum(0);
         double from = 0;
         for (std::uint32_t branch = 0; const auto hit = next(line, from, 2 * reach_); ++branch) {
             const Vec3 offset = hit->position - s_.position;
-            Vec3 factor = dipole_.spread(dot(offset, offset)) / density(offset, hit->normal);
+            Rgb factor = dipole_.spread(dot(offset, offset)) / density(offset, hit->normal);
             const Key own = draw.key.with_branch(branch);
             // Russian roulette for small factors.
             const double kept = std::fmin(1, max_component(factor) / min_factor);
@@ -197,49 +197,49 @@ private:
         return sum;
     }
 
-    Vec3 light_at(const Vertex& vertex, const Vec3& throughput, const Key& key) {
+    Rgb light_at(const Vertex& vertex, const Rgb& throughput, const Key& key) {
         const Bsdf bsdf = Bsdf::entering(vertex.shading, rules_, ior_);
         return lights_({vertex, bsdf, layer_.light, throughput}, key, ledger_);
     }
 
     /// Light of a source that is scattered once, on the refracted ray inside the solid.
-    Vec3 light_scattered_once(const Draw& draw) {
-        if (world_.lights.sources.empty() || !layer_.light.has_any(all_sources)) return Vec3(0);
+    Rgb light_scattered_once(const Draw& draw) {
+        if (world_.lights.sources.empty() || !layer_.light.has_any(all_sources)) return Rgb(0);
         const double cosine = std::fmax(-dot(s_.view, s_.geometric_normal), 0);
         const double behind = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const Ray inner{s_.position,
                         unit(s_.view / ior_ + (cosine / ior_ - behind) * s_.geometric_normal)};
         const double u = 3 * draw.choice;
-        const Vec3& extinction = dipole_.extinction();
+        const Rgb& extinction = dipole_.extinction();
         const double way = -math::log(1 - draw.u) / extinction[static_cast<int>(u)];
-        const Vec3 left = math::exp(-extinction * way);
-        const double chance = dot(extinction, left) / 3;
+        const Rgb left = math::exp(-extinction * way);
+        const Rgb densities = extinction * left;  // of the channels
+        const double chance = (densities.r + densities.g + densities.b) / 3;
         double from = layer_.vertex.tolerance();
-        if (!(chance > 0) || next(inner, from, way)) return Vec3(0);
+        if (!(chance > 0) || next(inner, from, way)) return Rgb(0);
         const auto count = static_cast<double>(world_.lights.sources.size());
         const auto light = static_cast<std::uint32_t>(count * draw.v);
-        const Vec3 factor = dipole_.scattering() * left * (count / (4 * pi * chance));
+        const Rgb factor = dipole_.scattering() * left * (count / (4 * pi * chance));
         return factor * light_from(light, inner.at(way), draw.throughput * factor, draw.key);
     }
 
     /// Light of a source at a point inside. The path from the source is straight, but as long
     /// inside as the refracted one. As in POV-Ray, the light per area of the surface counts.
-    Vec3 light_from(std::uint32_t light, const Vec3& point, const Vec3& throughput,
-                    const Key& key) {
+    Rgb light_from(std::uint32_t light, const Vec3& point, const Rgb& throughput, const Key& key) {
         if (!world_.reaches(world_.lights.reach[light].group, *layer_.vertex.material))
-            return Vec3(0);
+            return Rgb(0);
         const PointLight& source = world_.lights.sources[light];
         const Vec3 direction = incidence(source, source.location, point).direction;
         double from = layer_.vertex.tolerance();
         const auto way_in = next({point, direction}, from, 1e20);
-        if (!way_in) return Vec3(0);
+        if (!way_in) return Rgb(0);
         const Vertex vertex = entry(*way_in);
         const double cosine = dot(vertex.shading.normal, direction);
-        if (!(cosine > 0)) return Vec3(0);
+        if (!(cosine > 0)) return Rgb(0);
         const Bsdf bsdf = Bsdf::entering(vertex.shading, rules_, ior_);
         const double bent = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const double way = length(way_in->position - point) * cosine / bent;
-        const Vec3 left = math::exp(-dipole_.extinction() * way);
+        const Rgb left = math::exp(-dipole_.extinction() * way);
         return left * lights_.from_source(light, 1, {vertex, bsdf, all_sources, throughput * left},
                                           key, ledger_);
     }
@@ -265,12 +265,12 @@ private:
 
 bool scatters_inside(const World& world, const Shading& s) {
     return world.rules.settings.subsurface.on && world.rules.quality >= quality_full &&
-           s.finish->subsurface.translucency != Vec3(0) && s.finish->diffuse != 0 &&
+           s.finish->subsurface.translucency != Rgb(0) && s.finish->diffuse != 0 &&
            !s.finish->microfacet.on;
 }
 
-Vec3 light_from_inside(const World& world, DirectLight& lights, const LitLayer& layer,
-                       const PathState& path, LightLedger& ledger) {
+Rgb light_from_inside(const World& world, DirectLight& lights, const LitLayer& layer,
+                      const PathState& path, LightLedger& ledger) {
     return Inside(world, lights, layer, ledger).seen(path);
 }
 

@@ -5,6 +5,7 @@
 // source.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/direct_light.h"
 #include "transport/path.h"
 
@@ -15,6 +16,6 @@ bool scatters_inside(const World&, const Shading&);
 
 /// Radiance towards the viewer by light from inside the solid that the path has hit. The path's
 /// weight, which is the greatest change of the pixel by it, determines the number of samples.
-Vec3 light_from_inside(const World&, DirectLight&, const LitLayer&, const PathState&, LightLedger&);
+Rgb light_from_inside(const World&, DirectLight&, const LitLayer&, const PathState&, LightLedger&);
 
 }  // namespace candelabra

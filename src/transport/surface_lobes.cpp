@@ -14,7 +14,7 @@ namespace {
 /// Whether a layer reflects and transmits no more than all light, as its finish says.
 bool adds_no_light(const Shading& s) {
     const Finish& f = *s.finish;
-    const bool mirrors = f.reflection.least != Vec3(0) || f.reflection.greatest != Vec3(0);
+    const bool mirrors = f.reflection.least != Rgb(0) || f.reflection.greatest != Rgb(0);
     const bool amplifies =
         max_component(f.reflection.least) > 1 || max_component(f.reflection.greatest) > 1;
     const bool scatters = !f.microfacet.on && f.diffuse + f.diffuse_back > 1;
@@ -23,7 +23,7 @@ bool adds_no_light(const Shading& s) {
            max_component(s.colour.rgb) <= 1 && s.colour.opacity() >= 0;
 }
 
-double weight_of(const Lobe& lobe) { return max_component(glm::abs(lobe.share)); }
+double weight_of(const Lobe& lobe) { return max_abs_component(lobe.share); }
 
 }  // namespace
 
@@ -33,18 +33,18 @@ SurfaceLobes::SurfaceLobes(const World& world, const ShadingRules& rules, const 
 
 void SurfaceLobes::add(const LayerStack::Seen& layer, const LobeKinds& wanted) {
     adds_no_light_ &= adds_no_light(layer.shading);
-    if (wanted.mirror && layer.reflected != Vec3(0)) {
+    if (wanted.mirror && layer.reflected != Rgb(0)) {
         const Vec3 direction = reflected_direction(layer.shading);
-        const Vec3 film = iridescence(layer.shading, rules_, direction);
+        const Rgb film = iridescence(layer.shading, rules_, direction);
         lobes_.push_back(
             {LobeKind::mirror, layer.scattering(), layer.reflected, layer.reflected * film});
     }
     if (!wanted.facets && !wanted.diffuse) return;
     const Bsdf bsdf(layer.scattering(), rules_);
-    const Vec3 through = layer.through * layer.below_mirror;
-    const auto add = [&](LobeKind kind, const Vec3& albedo) {
-        const Vec3 share = through * albedo;
-        if (share != Vec3(0)) lobes_.push_back({kind, bsdf.shading(), through, share});
+    const Rgb through = layer.through * layer.below_mirror;
+    const auto add = [&](LobeKind kind, const Rgb& albedo) {
+        const Rgb share = through * albedo;
+        if (share != Rgb(0)) lobes_.push_back({kind, bsdf.shading(), through, share});
     };
     if (wanted.facets) add(LobeKind::facets, bsdf.facets_albedo());
     if (wanted.diffuse) add(LobeKind::diffuse, bsdf.diffuse_albedo());
@@ -52,7 +52,7 @@ void SurfaceLobes::add(const LayerStack::Seen& layer, const LobeKinds& wanted) {
 
 void SurfaceLobes::add_behind() {
     if (!stack_.is_clear()) return;
-    const Vec3 left =
+    const Rgb left =
         left_inside(world_, path_, vertex_.hit) * stack_.top().finish->refraction * stack_.behind();
     lobes_.push_back(
         {stack_.reflects_totally() ? LobeKind::total : LobeKind::behind, stack_.top(), left, left});
@@ -60,7 +60,7 @@ void SurfaceLobes::add_behind() {
 
 std::optional<SurfaceLobes::Choice> SurfaceLobes::choose(double u) const {
     double all = 0;
-    Vec3 share(0);
+    Rgb share(0);
     for (const Lobe& lobe : lobes_) {
         all += weight_of(lobe);
         share += lobe.share;

@@ -4,6 +4,7 @@
 // choose one at random.
 #pragma once
 
+#include "base/rgb.h"
 #include "transport/layer_stack.h"
 #include "transport/path_steps.h"
 
@@ -28,9 +29,9 @@ struct Lobe {
     LobeKind kind = LobeKind::mirror;
     Shading shading = {};  ///< of the layer
     /// Factor on the radiance of the next ray, apart from that of the sampled direction.
-    Vec3 through = Vec3(1);
+    Rgb through = Rgb(1);
     /// Expected factor altogether: the fraction of uniform light that the lobe sends to the viewer.
-    Vec3 share = Vec3(0);
+    Rgb share = Rgb(0);
 };
 
 class SurfaceLobes {

@@ -32,7 +32,7 @@ ShadingRules shading_rules(const World& world) {
     const GlobalSettings& settings = world.rules.settings;
     // The ambient term stands for light between surfaces. Old scenes keep both, as in POV-Ray.
     const bool ambient = !world.facts.has_indirect_light || world.rules.language_version < 3.7;
-    return {settings.irid_wavelength, ambient ? settings.ambient_light : Vec3(0),
+    return {settings.irid_wavelength, ambient ? settings.ambient_light : Rgb(0),
             world.pattern_scene().noise_generator};
 }
 

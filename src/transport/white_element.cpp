@@ -20,7 +20,7 @@ const Material& opaque() {
 const Finish& white() {
     static const Finish finish = [] {
         Finish made;
-        made.ambient = Vec3(0);
+        made.ambient = Rgb(0);
         made.diffuse = 1;
         return made;
     }();
@@ -47,7 +47,7 @@ Vertex WhiteElement::vertex(std::span<const PrimitiveIndex> around) const {
 
 Layers WhiteElement::layers() const {
     Layers layers;
-    layers.push_back({{Vec3(1)}, normal_, &white()});
+    layers.push_back({{Rgb(1)}, normal_, &white()});
     return layers;
 }
 

@@ -3,6 +3,7 @@
 // state their fields once, in their .cpp files; language, manual and tests read them from ItemInfo.
 #pragma once
 
+#include "base/rgb.h"
 #include "vocabulary/item_info.h"
 
 #include <tuple>
@@ -13,9 +14,10 @@ namespace candelabra {
 /// For fields that are not stored in one member.
 struct NoMember {};
 
-/// The types of members that a field can refer to. A Vec3 may hold a colour; see Field::colour.
+/// The types of members that a field can refer to. An Rgb takes any colour, without filter and
+/// transmit.
 using MemberTypes =
-    std::tuple<double, int, bool, Vec2, Vec3, Vec4, Colour, std::string, std::optional<int>,
+    std::tuple<double, int, bool, Vec2, Vec3, Vec4, Rgb, Colour, std::string, std::optional<int>,
                std::optional<double>, std::optional<Vec2>, std::optional<Vec3>, std::vector<double>,
                std::vector<Vec2>, std::vector<Vec3>, std::vector<Ball>, std::vector<Face>,
                Handle<Formula>, NoMember>;
@@ -68,21 +70,12 @@ struct Field {
     Placement place;
     std::string_view help;
     Range range = {};
-    /// Whether a Vec3 holds red, green and blue: it takes any colour, without filter and transmit.
-    bool colour = false;
     /// Whether the text may omit the value, such as the hole of a disc.
     bool may_be_left_out = false;
     double chosen = 0;  ///< value that the word of a choice stands for
     int entries = 0;    ///< fixed number of entries of a counted field; 0: given in the text
     const PartsInfo* parts = nullptr;  ///< see parts.h
 };
-
-/// The same field, as a colour.
-template <class T>
-constexpr Field<T> as_colour(Field<T> field) {
-    field.colour = true;
-    return field;
-}
 
 /// The same counted field with a fixed number of entries, which the text does not give.
 template <class T>

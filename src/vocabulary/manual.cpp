@@ -218,7 +218,7 @@ Json json_value(const FieldValue& value) {
     if (const auto* v = std::get_if<Vec3>(&value)) return {v->x, v->y, v->z};
     if (const auto* v = std::get_if<Vec4>(&value)) return {v->x, v->y, v->z, v->w};
     if (const auto* c = std::get_if<Colour>(&value))
-        return {c->rgb.x, c->rgb.y, c->rgb.z, c->filter, c->transmit};
+        return {c->rgb.r, c->rgb.g, c->rgb.b, c->filter, c->transmit};
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (std::holds_alternative<std::monostate>(value)) return nullptr;
     return Json::array();

@@ -2,6 +2,7 @@
 // How an item's .cpp file states its typed vocabulary, which described() makes untyped.
 #pragma once
 
+#include "base/rgb.h"
 #include "base/shared.h"
 #include "vocabulary/field.h"
 #include "vocabulary/parts.h"
@@ -43,7 +44,7 @@ consteval auto schema(std::string_view name, ItemText text, F... fields) {
 namespace schema_detail {
 
 template <class V>
-constexpr FieldType type_of(bool colour) {
+constexpr FieldType type_of() {
     if constexpr (std::is_same_v<V, double> || std::is_same_v<V, std::optional<double>>)
         return FieldType::number;
     else if constexpr (std::is_same_v<V, int> || std::is_same_v<V, std::optional<int>>)
@@ -53,11 +54,13 @@ constexpr FieldType type_of(bool colour) {
     else if constexpr (std::is_same_v<V, Vec2> || std::is_same_v<V, std::optional<Vec2>>)
         return FieldType::vector2;
     else if constexpr (std::is_same_v<V, Vec3> || std::is_same_v<V, std::optional<Vec3>>)
-        return colour ? FieldType::rgb : FieldType::vector3;
+        return FieldType::vector3;
     else if constexpr (std::is_same_v<V, Vec4>)
         return FieldType::vector4;
     else if constexpr (std::is_same_v<V, NoMember>)
         return FieldType::parts;
+    else if constexpr (std::is_same_v<V, Rgb>)
+        return FieldType::rgb;
     else if constexpr (std::is_same_v<V, Colour>)
         return FieldType::colour;
     else if constexpr (std::is_same_v<V, std::string>)
@@ -87,7 +90,7 @@ constexpr FieldInfo describe(const Field<T>& field) {
     return {field.name,
             field.help,
             field.place,
-            type_of<V>(field.colour),
+            type_of<V>(),
             field.range,
             field.may_be_left_out || is_optional<V>,
             reserved_word(field.name),
@@ -108,6 +111,8 @@ void store(V& to, const FieldValue& value) {
         to = std::get<Vec2>(value);
     else if constexpr (std::is_same_v<V, std::optional<Vec3>>)
         to = std::get<Vec3>(value);
+    else if constexpr (std::is_same_v<V, Rgb>)
+        to = rgb_of(std::get<Vec3>(value));
     else
         to = std::get<V>(value);
 }
@@ -120,6 +125,8 @@ FieldValue load(const V& from) {
         return from ? FieldValue(static_cast<double>(*from)) : FieldValue();
     else if constexpr (is_optional<V>)
         return from ? FieldValue(*from) : FieldValue();
+    else if constexpr (std::is_same_v<V, Rgb>)
+        return vec3_of(from);
     else
         return from;
 }

@@ -36,7 +36,7 @@ struct Writer {
     }
     std::string operator()(const Vec4& v) const { return numbers(&v.x, 4); }
     std::string operator()(const Colour& c) const {
-        const double all[] = {c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit};
+        const double all[] = {c.rgb.r, c.rgb.g, c.rgb.b, c.filter, c.transmit};
         return c.filter == 0 && c.transmit == 0 ? "rgb " + numbers(all, 3)
                                                 : "rgbft " + numbers(all, 5);
     }

@@ -106,7 +106,7 @@ Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<V
         const bool dark =
             luminaire.one_sided &&
             radiance_seen(world, {luminaire, {from, point->direction}, 0, point->distance}) ==
-                Vec3(0);
+                Rgb(0);
         const bool away =
             !dark && gets_away(world, eye, {point->position, -point->direction}, start, near);
         const bool to_axis = i % 2 == 0;

@@ -8,7 +8,7 @@ namespace candelabra {
 namespace {
 
 bool emits_nothing(const Texture& texture) {
-    return texture.finish.emission == Vec3(0) && !texture.choice && !texture.below;
+    return texture.finish.emission == Rgb(0) && !texture.choice && !texture.below;
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ bool cannot_emit(const Object& object, const Handle<Texture>* inherited) {
 bool emits(const Object& object, const Handle<Texture>* inherited) {
     const Handle<Texture>* own = object.texture ? &object.texture : inherited;
     const auto glows = [](const Handle<Texture>& texture) {
-        return greatest_emission(*texture) != Vec3(0);
+        return greatest_emission(*texture) != Rgb(0);
     };
     const auto any_emits = [&](const std::vector<ObjectHandle>& parts) {
         return std::ranges::any_of(parts,

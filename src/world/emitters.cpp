@@ -23,12 +23,12 @@ constexpr int max_guides = 64;
 
 bool receives_light(const Finish& f) {
     return f.diffuse != 0 || f.diffuse_back != 0 || f.phong != 0 || f.specular != 0 ||
-           f.microfacet.on || f.subsurface.translucency != Vec3(0);
+           f.microfacet.on || f.subsurface.translucency != Rgb(0);
 }
 
 bool receives_light(const std::vector<Media>& all) {
     return std::ranges::any_of(
-        all, [](const Media& media) { return media.scattering.colour != Vec3(0); });
+        all, [](const Media& media) { return media.scattering.colour != Rgb(0); });
 }
 
 bool receives_light(const Material& material) {
@@ -154,11 +154,11 @@ void set_radiance(const World& world, Luminaire& luminaire) {
     luminaire.radiance = greatest_emission(look);
     luminaire.varying = varied(*look.texture) || (look.inner && varied(*look.inner));
     luminaire.two_faced = static_cast<bool>(look.inner);
-    luminaire.one_sided = look.inner && (greatest_emission(*look.texture) == Vec3(0) ||
-                                         greatest_emission(*look.inner) == Vec3(0));
+    luminaire.one_sided = look.inner && (greatest_emission(*look.texture) == Rgb(0) ||
+                                         greatest_emission(*look.inner) == Rgb(0));
     luminaire.keeps_inner_light = !look.transparent && !look.inner;
     const auto include = [&](const Handle<Texture>& other) {
-        luminaire.radiance = glm::max(luminaire.radiance, greatest_emission(*other));
+        luminaire.radiance = max(luminaire.radiance, greatest_emission(*other));
         luminaire.varying = true;
     };
     if (look.texture2) include(look.texture2), include(look.texture3);
@@ -184,7 +184,7 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
         Luminaire luminaire;
         luminaire.primitive = world.geometry.primitive(glow.kind, glow.index);
         set_radiance(world, luminaire);
-        if (luminaire.radiance == Vec3(0)) continue;
+        if (luminaire.radiance == Rgb(0)) continue;
         luminaire.emitter = emitters.of(luminaire, glow.closure);
         if (emitting_area(luminaire.emitter) > 0) {
             world.lights.luminaires.push_back(std::move(luminaire));
@@ -207,7 +207,7 @@ bool receives_light(const World& world) {
 std::size_t glows_without_light(const World& world) {
     std::vector<bool> glows;
     for (const Material& material : world.appearance.materials)
-        glows.push_back(greatest_emission(material) != Vec3(0));
+        glows.push_back(greatest_emission(material) != Rgb(0));
     std::size_t count = 0;
     for (std::size_t i = 0; i < world.appearance.material_of.size(); ++i)
         if (world.lights.luminaire_of.empty() || world.lights.luminaire_of[i] == no_primitive)

@@ -30,7 +30,7 @@ void answer_about_light(const World& world, WorldFacts& facts) {
     facts.keeps_energy = path_traced;
     const Sky& sky = world.sky;
     const bool other_sky =
-        sky.light.empty() && (sky.sphere || sky.daylight || sky.background.radiance() != Vec3(0));
+        sky.light.empty() && (sky.sphere || sky.daylight || sky.background.radiance() != Rgb(0));
     facts.is_lit_by_lamps_only = !other_sky && !facts.dims_between && world.photon_targets.empty();
     facts.has_other_light = world.appearance.any_other_light || !facts.is_lit_by_lamps_only;
 }

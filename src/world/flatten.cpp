@@ -491,7 +491,7 @@ private:
 
 /// The sun as parallel light, from beyond all scenes.
 std::optional<PlacedLight> sun_of(const std::optional<DaylightSky>& sky, const Span& statement) {
-    if (!sky || sky->sunlight() == Vec3(0)) return std::nullopt;
+    if (!sky || sky->sunlight() == Rgb(0)) return std::nullopt;
     constexpr double away = 1e7;
     PointLight light;
     light.location = away * sky->sun();

@@ -145,7 +145,7 @@ PatternScene World::pattern_scene(const SeenPoint& seen, SurfaceAxes& axes) cons
     return scene;
 }
 
-Vec3 passed(const World& world, const Passage& passage, const Ray& ray) {
+Rgb passed(const World& world, const Passage& passage, const Ray& ray) {
     const Material& m = world.material(passage.primitive);
     const double power = m.interior ? caustics_power * m.interior->caustics : 0;
     const Vec3 normal = unit(passage.normal);
@@ -158,7 +158,7 @@ Vec3 passed(const World& world, const Passage& passage, const Ray& ray) {
     PatternScene scene =
         world.pattern_scene({passage.primitive, passage.part, point, normal, side}, axes);
     scene.view = &view;
-    Vec3 sum(0);
+    Rgb sum(0);
     const auto pass = [&](double share, const Texture& texture) {
         sum += share * (power != 0 ? passing(texture, point, scene, light)
                                    : passing(texture, point, scene));
@@ -168,18 +168,18 @@ Vec3 passed(const World& world, const Passage& passage, const Ray& ray) {
     return sum;
 }
 
-Vec3 World::passed(const Hit& hit, const Ray& ray) const {
+Rgb World::passed(const Hit& hit, const Ray& ray) const {
     const Material& m = material(hit.primitive);
-    if (m.no_shadow) return Vec3(1);
-    if (!m.transparent) return Vec3(0);
+    if (m.no_shadow) return Rgb(1);
+    if (!m.transparent) return Rgb(0);
     const double t = dot(hit.position - ray.origin, ray.direction);
     return candelabra::passed(*this, {t, hit.primitive, hit.normal, hit.part}, ray);
 }
 
-Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point, Side side,
-                     const Vec3* direction) const {
+Rgb World::emission(PrimitiveIndex primitive, const Vec3& point, Side side,
+                    const Vec3* direction) const {
     const PatternScene scene = pattern_scene(primitive, any_part, point);
-    Vec3 sum(0);
+    Rgb sum(0);
     for_textures(primitive, any_part, point, side, [&](double weight, const Texture& texture) {
         sum += weight * candelabra::emission(texture, point, scene,
                                              [&](const Colour& colour) { return opacity(colour); });

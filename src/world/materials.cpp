@@ -111,7 +111,7 @@ void Materials::add(const Inherited& look) {
         if (material.interior->luminaire && look.hollow && !look.no_luminaire &&
             !std::isinf(world_.rules.settings.luminaires_above))
             for (Media& media : material.interior.edit().media)
-                media.luminaire = media.emission != Vec3(0);
+                media.luminaire = media.emission != Rgb(0);
         const auto repeats = [](const Media& media) { return media.scattering.multiple; };
         if (world_.facts.keeps_energy && std::ranges::any_of(material.interior->media, repeats))
             for (Media& media : material.interior.edit().media)
@@ -154,7 +154,7 @@ void Materials::add(const Inherited& look) {
     const bool glows = world_.rules.quality >= quality_shadows && !look.no_luminaire &&
                        (stated ? emission > 0 && !std::isinf(above) : emission > above);
     glows_.push_back(glows);
-    emits_.push_back(emission > 0 || greatest_emission(material) != Vec3(0));
+    emits_.push_back(emission > 0 || greatest_emission(material) != Rgb(0));
     lamps_.push_back(std::move(lamp));
     material.other_light = material.transparent || material.by_view || look.double_illuminate ||
                            (emission != 0 && !glows) || has_other_light(texture) ||

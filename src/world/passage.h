@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/ray.h"
+#include "base/rgb.h"
 #include "world/geometry.h"
 
 #include <cstdint>
@@ -19,6 +20,6 @@ struct Passage {
 };
 
 /// Fraction of light that the surface transmits, per channel.
-Vec3 passed(const World&, const Passage&, const Ray&);
+Rgb passed(const World&, const Passage&, const Ray&);
 
 }  // namespace candelabra

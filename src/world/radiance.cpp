@@ -8,12 +8,12 @@
 
 namespace candelabra {
 
-Vec3 greatest_emission(const Material& material) {
-    const Vec3 outer = greatest_emission(*material.texture);
-    return material.inner ? glm::max(outer, greatest_emission(*material.inner)) : outer;
+Rgb greatest_emission(const Material& material) {
+    const Rgb outer = greatest_emission(*material.texture);
+    return material.inner ? max(outer, greatest_emission(*material.inner)) : outer;
 }
 
-Vec3 radiance_of(const World& world, const Luminaire& luminaire, const EmittingPoint& point) {
+Rgb radiance_of(const World& world, const Luminaire& luminaire, const EmittingPoint& point) {
     if (luminaire.is_volume()) return volume_emission(world, luminaire.primitive, point.position);
     const bool same_everywhere = !luminaire.varying && !luminaire.two_faced && !luminaire.web;
     return same_everywhere
@@ -27,7 +27,7 @@ double luminance_at(const World& world, PrimitiveIndex primitive, const Vec3& po
     return std::max(outer, luminance(world.emission(primitive, point, Side::inner)));
 }
 
-Vec3 radiance_seen(const World& world, const PointOnRay& point) {
+Rgb radiance_seen(const World& world, const PointOnRay& point) {
     const Luminaire& luminaire = point.luminaire;
     if (luminaire.is_volume()) {
         if (!world.lights.glow_beside_openings)
@@ -38,7 +38,7 @@ Vec3 radiance_seen(const World& world, const PointOnRay& point) {
             {point.ray, point.tolerance, point.distance, {around.data(), around.size()}});
     }
     const Interval place = World::end_of_way(point.tolerance, point.distance);
-    Vec3 seen(0), left(1);
+    Rgb seen(0), left(1);
     world.along(point.ray, place.min, RayKind::light, [&](const Hit& hit, double distance) {
         if (distance > place.max) return false;
         // A luminaire may be met more than once.
@@ -48,7 +48,7 @@ Vec3 radiance_seen(const World& world, const PointOnRay& point) {
             return false;
         }
         left *= world.passed(hit, point.ray);
-        return left != Vec3(0);
+        return left != Rgb(0);
     });
     return seen;
 }

@@ -3,12 +3,13 @@
 // luminaire lights by those points that are seen.
 #pragma once
 
+#include "base/rgb.h"
 #include "world/world.h"
 
 namespace candelabra {
 
 /// Maximum emission anywhere on the outer or the inner side of a material, per channel.
-Vec3 greatest_emission(const Material&);
+Rgb greatest_emission(const Material&);
 
 /// A point of a luminaire, and how its light leaves it.
 struct EmittingPoint {
@@ -23,7 +24,7 @@ inline EmittingPoint emitting_point(const Hit& hit, const Ray& ray) {
 }
 
 /// Radiance of a luminaire at one of its points; for volumes, per unit of length.
-Vec3 radiance_of(const World&, const Luminaire&, const EmittingPoint&);
+Rgb radiance_of(const World&, const Luminaire&, const EmittingPoint&);
 
 /// Luminance of the brighter side of a primitive at a point.
 double luminance_at(const World&, PrimitiveIndex, const Vec3& point);
@@ -45,6 +46,6 @@ struct PointOnRay {
 /// surfaces that lie in the same place, the first one along the ray counts, as for any ray: behind
 /// an opaque one the radiance is 0. (World::transmittance() leaves out surfaces so close to the
 /// light.)
-Vec3 radiance_seen(const World&, const PointOnRay&);
+Rgb radiance_seen(const World&, const PointOnRay&);
 
 }  // namespace candelabra

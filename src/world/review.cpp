@@ -18,7 +18,7 @@ namespace {
 /// Minimum ambient of a surface that is meant to be seen by its ambient colour alone.
 constexpr double noticeable_ambient = 0.3;
 
-double greatest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
+double greatest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
 
 bool shows_itself(const Texture& texture) {
     return texture.choice || texture.below ||
@@ -30,7 +30,7 @@ bool shows_itself(const Material& material) {
 }
 
 bool dark(const World& world) {
-    const auto black = [](const PointLight& light) { return light.colour == Vec3(0); };
+    const auto black = [](const PointLight& light) { return light.colour == Rgb(0); };
     return std::ranges::all_of(world.lights.sources, black) && world.lights.luminaires.empty() &&
            !world.sky.sphere && !world.sky.daylight &&
            greatest(world.sky.background.radiance()) <= 0 &&
@@ -40,8 +40,8 @@ bool dark(const World& world) {
 
 /// Whether it glows, but with black.
 bool glows_black(const Material& material) {
-    const bool glows = material.texture->finish.emission != Vec3(0) ||
-                       (material.inner && material.inner->finish.emission != Vec3(0));
+    const bool glows = material.texture->finish.emission != Rgb(0) ||
+                       (material.inner && material.inner->finish.emission != Rgb(0));
     return glows && greatest(greatest_emission(material)) <= 0;
 }
 

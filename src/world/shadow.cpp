@@ -33,11 +33,11 @@ public:
     void keep_apart(double distance, double apart);
 
     /// Fraction of light that passes all surfaces.
-    Vec3 passed() const;
+    Rgb passed() const;
     /// The same, asking `use` about those that keep energy.
-    Vec3 passed(Solids around, const World::UseSurface& use) const;
+    Rgb passed(Solids around, const World::UseSurface& use) const;
     /// Attenuation by the interiors of solids along the way.
-    Vec3 dimmed(Solids around) const;
+    Rgb dimmed(Solids around) const;
     /// Passes on the parts of the way between the surfaces.
     void for_stretches(Solids around, double distance, const World::UseStretch& use) const;
 
@@ -99,15 +99,15 @@ void Passages::keep_apart(double distance, double apart) {
     double before = 0;
     for (const Passage& each : met_) {
         const bool close = each.t - before <= apart || distance - each.t <= apart;
-        if (close && candelabra::passed(world_, each, ray_) != Vec3(0)) continue;
+        if (close && candelabra::passed(world_, each, ray_) != Rgb(0)) continue;
         before = each.t;
         kept.push_back(each);
     }
     met_ = kept;
 }
 
-Vec3 Passages::passed() const {
-    Vec3 left(1);
+Rgb Passages::passed() const {
+    Rgb left(1);
     for (const Passage& each : met_) left *= candelabra::passed(world_, each, ray_);
     return left;
 }
@@ -118,9 +118,9 @@ EnteredSolids entered(std::span<const PrimitiveIndex> solids) {
     return inside;
 }
 
-Vec3 Passages::passed(Solids around, const World::UseSurface& use) const {
+Rgb Passages::passed(Solids around, const World::UseSurface& use) const {
     EnteredSolids inside = entered(around);
-    Vec3 left(1);
+    Rgb left(1);
     for (const Passage& each : met_) {
         left *= world_.material(each.primitive).keeps_energy
                     ? use(hit_at(each), {inside.data(), inside.size()})
@@ -132,14 +132,14 @@ Vec3 Passages::passed(Solids around, const World::UseSurface& use) const {
 
 // As in POV-Ray, light that leaves a solid is attenuated by the distance since the last surface,
 // whichever that is.
-Vec3 Passages::dimmed(Solids around) const {
+Rgb Passages::dimmed(Solids around) const {
     const bool fades = std::ranges::any_of(met_, [&](const Passage& each) {
         const auto& interior = world_.material(each.primitive).interior;
         return interior && interior->fade_distance != 0 && interior->fade_power > 0;
     });
-    if (!fades) return Vec3(1);
+    if (!fades) return Rgb(1);
     EnteredSolids inside = entered(around);
-    Vec3 left(1);
+    Rgb left(1);
     double before = 0;
     for (const Passage& each : met_) {
         const auto& interior = world_.material(each.primitive).interior;
@@ -193,13 +193,13 @@ bool opaque_between(const World& world, std::uint32_t item, RayConstants& consta
 
 }  // namespace
 
-Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
-                          std::span<const PrimitiveIndex> around, double apart) const {
+Rgb World::transmittance(const Ray& ray, double tolerance, double distance,
+                         std::span<const PrimitiveIndex> around, double apart) const {
     return transmittance(ray, tolerance, distance, Shade{around, apart});
 }
 
-Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
-                          const Shade& shade) const {
+Rgb World::transmittance(const Ray& ray, double tolerance, double distance,
+                         const Shade& shade) const {
     count_work(work_of_ray);
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, end_of_way(tolerance, distance).min};
@@ -211,10 +211,10 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     };
     for (const InfinitePlane& plane : geometry.infinite.planes) {
         if (!range.contains(plane.intersect(ray))) continue;
-        if (material(plane.primitive).stops_light()) return Vec3(0);
+        if (material(plane.primitive).stops_light()) return Rgb(0);
         clear.push_back(plane.primitive);
     }
-    if (std::ranges::any_of(geometry.infinite.others, blocks)) return Vec3(0);
+    if (std::ranges::any_of(geometry.infinite.others, blocks)) return Rgb(0);
     PackRay packed(ray);
     Asked asked;
     const auto blocks_in_tree = [&](std::uint32_t item) {
@@ -225,7 +225,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
             return appearance.any_clear ? packed.candidates(leaf, whole, blocks_in_tree)
                                         : packed.blocked(leaf, whole, blocks_in_tree);
         });
-    if (blocked) return Vec3(0);
+    if (blocked) return Rgb(0);
 
     // An item may be tested twice, but counts once.
     std::ranges::sort(clear);
@@ -235,9 +235,9 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     found.sort();
     const Passages all = shade.stretches ? found : Passages(*this, ray);
     if (shade.apart > 0) found.keep_apart(distance, shade.apart);
-    Vec3 left = shade.surfaces ? found.passed(shade.around, *shade.surfaces) : found.passed();
+    Rgb left = shade.surfaces ? found.passed(shade.around, *shade.surfaces) : found.passed();
     left *= found.dimmed(shade.around);
-    if (shade.stretches && left != Vec3(0))
+    if (shade.stretches && left != Rgb(0))
         all.for_stretches(shade.around, distance, *shade.stretches);
     return left;
 }

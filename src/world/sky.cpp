@@ -6,21 +6,21 @@
 
 namespace candelabra {
 
-Vec3 World::sky_radiance(const Vec3& direction, const Vec3& behind) const {
-    const Vec3 farthest = sky.daylight ? sky.daylight->radiance(direction) : behind;
+Rgb World::sky_radiance(const Vec3& direction, const Rgb& behind) const {
+    const Rgb farthest = sky.daylight ? sky.daylight->radiance(direction) : behind;
     if (!sky.sphere) return farthest;
     return radiance(*sky.sphere, direction, farthest, pattern_scene(),
                     rules.language_version < 3.7);
 }
 
-Vec3 World::sun_radiance(const Vec3& direction) const {
-    const Vec3 seen = sky.daylight ? sky.daylight->disc(direction) : Vec3(0);
-    if (seen == Vec3(0) || !sky.sphere) return seen;
-    const auto clouded = [&](const Vec3& behind) {
+Rgb World::sun_radiance(const Vec3& direction) const {
+    const Rgb seen = sky.daylight ? sky.daylight->disc(direction) : Rgb(0);
+    if (seen == Rgb(0) || !sky.sphere) return seen;
+    const auto clouded = [&](const Rgb& behind) {
         return radiance(*sky.sphere, direction, behind, pattern_scene(),
                         rules.language_version < 3.7);
     };
-    return clouded(seen) - clouded(Vec3(0));
+    return clouded(seen) - clouded(Rgb(0));
 }
 
 double World::sky_clear(const Vec3& direction) const {
@@ -28,10 +28,10 @@ double World::sky_clear(const Vec3& direction) const {
     if (rules.language_version < 3.7) return 1;
     const double clear = std::clamp(grey(sky.background.colour.passing()), 0.0, 1.0);
     if (!sky.sphere) return clear;
-    const auto seen = [&](const Vec3& behind) {
+    const auto seen = [&](const Rgb& behind) {
         return radiance(*sky.sphere, direction, behind, pattern_scene(), false);
     };
-    return std::min(1.0, clear * std::abs(grey(seen(Vec3(1)) - seen(Vec3(0)))));
+    return std::min(1.0, clear * std::abs(grey(seen(Rgb(1)) - seen(Rgb(0)))));
 }
 
 }  // namespace candelabra

@@ -21,8 +21,8 @@ bool same_direction_everywhere(const PointLight& light) {
 
 /// Whether the light can be sampled: one with negative colour has no probability.
 bool can_be_chosen(const PointLight& light) {
-    return std::isfinite(light.colour.x + light.colour.y + light.colour.z) &&
-           std::min({light.colour.x, light.colour.y, light.colour.z}) >= 0;
+    return std::isfinite(light.colour.r + light.colour.g + light.colour.b) &&
+           std::min({light.colour.r, light.colour.g, light.colour.b}) >= 0;
 }
 
 Falloff falloff(const PointLight& light) {
@@ -80,7 +80,7 @@ public:
             const PointLight& light = lights_[i];
             if (!can_be_chosen(light))
                 asked.push_back(i);
-            else if (light.colour != Vec3(0))
+            else if (light.colour != Rgb(0))
                 (same_direction_everywhere(light) ? directed : placed).push_back(i);
         }
         if (!asked.empty()) result.push_back({group, std::move(asked)});

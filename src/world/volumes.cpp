@@ -21,18 +21,18 @@ constexpr std::uint32_t points_in_cell = 2;
 /// Minimum mean brightness of a box, as a fraction of that of all: the points may miss something.
 constexpr double min_of_mean = 0.01;
 
-Vec3 emission_of_media(const World& world, PrimitiveIndex volume, const Vec3& point) {
-    Vec3 sum(0);
+Rgb emission_of_media(const World& world, PrimitiveIndex volume, const Vec3& point) {
+    Rgb sum(0);
     for (const Media& media : world.material(volume).interior->media)
         if (media.luminaire) sum += density(media, point, world.pattern_scene()) * media.emission;
     return sum;
 }
 
 /// Upper bound of the emission per unit of length anywhere in the volume.
-Vec3 greatest_emission_of(const World& world, PrimitiveIndex volume) {
-    Vec3 sum(0);
+Rgb greatest_emission_of(const World& world, PrimitiveIndex volume) {
+    Rgb sum(0);
     for (const Media& media : world.material(volume).interior->media)
-        if (media.luminaire) sum += max_density(media) * glm::abs(media.emission);
+        if (media.luminaire) sum += max_density(media) * abs(media.emission);
     return sum;
 }
 
@@ -87,8 +87,8 @@ public:
                                 Purpose::light_representative);
                 const Vec3 point = box.low + (corner + within) * size;
                 if (world_.contains_point(volume_, point))
-                    cells[cell] += luminance(glm::abs(emission_of_media(world_, volume_, point))) /
-                                   points_in_cell;
+                    cells[cell] +=
+                        luminance(abs(emission_of_media(world_, volume_, point))) / points_in_cell;
             }
         }
         return cells;
@@ -114,7 +114,7 @@ public:
             for (const double each : cells[i])
                 mean += each / static_cast<double>(cells.size() * EmissionGrid::count);
         }
-        const Vec3 greatest = greatest_emission_of(world_, volume);
+        const Rgb greatest = greatest_emission_of(world_, volume);
         const double least = min_of_mean * (mean > 0 ? mean : luminance(greatest));
         for (std::size_t i = 0; i < cells.size(); ++i) {
             Luminaire luminaire;
@@ -194,7 +194,7 @@ bool lights_from_inside(const Material& material) {
 bool glows_within(const World& world, const Material& material) {
     return material.interior &&
            std::ranges::any_of(material.interior->media, [&](const Media& media) {
-               return media.luminaire || (world.facts.keeps_energy && media.emission != Vec3(0));
+               return media.luminaire || (world.facts.keeps_energy && media.emission != Rgb(0));
            });
 }
 
@@ -242,19 +242,19 @@ bool all_hollow(const World& world, std::span<const PrimitiveIndex> solids) {
 
 }  // namespace
 
-Vec3 volume_emission(const World& world, PrimitiveIndex volume, const Vec3& point) {
-    if (!world.contains_point(volume, point)) return Vec3(0);
+Rgb volume_emission(const World& world, PrimitiveIndex volume, const Vec3& point) {
+    if (!world.contains_point(volume, point)) return Rgb(0);
     const EnteredSolids there = world.containing(point);
     const std::span<const PrimitiveIndex> solids(there.data(), there.size());
     const int parts = parts_there(world, volume, solids);
-    if (parts % 2 == 0 || !all_hollow(world, solids)) return Vec3(0);
+    if (parts % 2 == 0 || !all_hollow(world, solids)) return Rgb(0);
     return emission_of_media(world, volume, point) / static_cast<double>(parts);
 }
 
-Vec3 volume_emission(const World& world, PrimitiveIndex volume, const SightOfVolume& sight) {
+Rgb volume_emission(const World& world, PrimitiveIndex volume, const SightOfVolume& sight) {
     const Vec3 point = sight.ray.at(sight.distance);
     if (!world.lights.glow_beside_openings) return volume_emission(world, volume, point);
-    if (!world.contains_point(volume, point)) return Vec3(0);
+    if (!world.contains_point(volume, point)) return Rgb(0);
     const EnteredSolids there = world.containing(point);
     const int parts = parts_there(world, volume, {there.data(), there.size()});
     EnteredSolids entered(sight.solids.begin(), sight.solids.end());
@@ -267,7 +267,7 @@ Vec3 volume_emission(const World& world, PrimitiveIndex volume, const SightOfVol
     const std::span<const PrimitiveIndex> solids(entered.data(), entered.size());
     const bool seen = std::ranges::any_of(
         solids, [&](PrimitiveIndex solid) { return is_same_solid(world, solid, volume); });
-    if (!ends || !seen || !all_hollow(world, solids)) return Vec3(0);
+    if (!ends || !seen || !all_hollow(world, solids)) return Rgb(0);
     return emission_of_media(world, volume, point) / static_cast<double>(parts);
 }
 

@@ -4,6 +4,7 @@
 // world's primitives and materials are complete, and for the emission of the media.
 #pragma once
 
+#include "base/rgb.h"
 #include "text/diagnostic.h"
 #include "world/emitters.h"
 
@@ -31,7 +32,7 @@ void add_volumes(World&, std::span<const GlowingPrimitive>, bool surveyed, Diagn
 /// Radiance per unit of length that the media of a volume emit at a point. Where parts that share
 /// their media overlap, they emit it together. As in POV-Ray, nothing is emitted where an even
 /// number of them overlap, nor in a solid that is not hollow.
-Vec3 volume_emission(const World&, PrimitiveIndex volume, const Vec3& point);
+Rgb volume_emission(const World&, PrimitiveIndex volume, const Vec3& point);
 
 /// A ray inside of some solids, for emission that it sees at a distance.
 struct SightOfVolume {
@@ -42,7 +43,7 @@ struct SightOfVolume {
 };
 /// The same as a ray that is followed sees it: the media of the solids that the ray has entered
 /// through a surface and not left, on its way from one surface to the next.
-Vec3 volume_emission(const World&, PrimitiveIndex volume, const SightOfVolume&);
+Rgb volume_emission(const World&, PrimitiveIndex volume, const SightOfVolume&);
 
 /// Whether the point is inside of the solid.
 bool is_within(const World&, PrimitiveIndex solid, const Vec3& point);

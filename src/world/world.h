@@ -3,6 +3,7 @@
 // number of threads may use it. What depends on the camera is in a Shot (world/shot.h).
 #pragma once
 
+#include "base/rgb.h"
 #include "camera/camera.h"
 #include "scene/scene.h"
 #include "world/facts.h"
@@ -72,8 +73,8 @@ public:
     /// something opaque is in between. Surfaces within the tolerance of either end do not count,
     /// nor do clear surfaces that are `apart` or less behind another one or from an end. Light that
     /// starts inside of the solids `around` leaves these first. Media do not count.
-    Vec3 transmittance(const Ray&, double tolerance, double distance,
-                       std::span<const PrimitiveIndex> around = {}, double apart = 0) const;
+    Rgb transmittance(const Ray&, double tolerance, double distance,
+                      std::span<const PrimitiveIndex> around = {}, double apart = 0) const;
 
     /// The distances about the end of a light's way at which transmittance() leaves out surfaces.
     static Interval end_of_way(double tolerance, double distance) {
@@ -86,7 +87,7 @@ public:
     using UseStretch = FunctionRef<void(const Interval&, std::span<const PrimitiveIndex>)>;
     /// Takes a surface and the solids that contain the way in front of it; returns the fraction of
     /// light that passes, per channel.
-    using UseSurface = FunctionRef<Vec3(const Hit&, std::span<const PrimitiveIndex>)>;
+    using UseSurface = FunctionRef<Rgb(const Hit&, std::span<const PrimitiveIndex>)>;
     struct Shade {
         std::span<const PrimitiveIndex> around = {};
         double apart = 0;
@@ -96,7 +97,7 @@ public:
     };
     /// The same, and calls `stretches` for each part of the way if light passes. Objects that cast
     /// no shadow are ignored.
-    Vec3 transmittance(const Ray&, double tolerance, double distance, const Shade&) const;
+    Rgb transmittance(const Ray&, double tolerance, double distance, const Shade&) const;
 
     // Solids: solids.cpp
 
@@ -123,7 +124,7 @@ public:
 
     /// Radiance that one side of the primitive emits at a point of its surface in a direction, a
     /// unit vector away from it; null: in the brightest direction.
-    Vec3 emission(PrimitiveIndex, const Vec3& point, Side, const Vec3* direction = nullptr) const;
+    Rgb emission(PrimitiveIndex, const Vec3& point, Side, const Vec3* direction = nullptr) const;
 
     /// Factor by which the primitive emits more than its textures say in that direction; null: the
     /// greatest one.
@@ -144,7 +145,7 @@ public:
     Vec2 uv(PrimitiveIndex, std::uint32_t part, const Vec3& point) const;
 
     /// Fraction of the light from behind that the surface at a hit transmits, per channel.
-    Vec3 passed(const Hit&, const Ray&) const;
+    Rgb passed(const Hit&, const Ray&) const;
 
     /// Opacity of a surface of this colour, by the rules of the scene's language version.
     double opacity(const Colour&) const;
@@ -170,14 +171,14 @@ public:
     // The sky: sky.cpp
 
     /// Radiance from a direction without surfaces.
-    Vec3 sky_radiance(const Vec3& direction) const {
+    Rgb sky_radiance(const Vec3& direction) const {
         return sky_radiance(direction, sky.background.radiance());
     }
     /// The same with that radiance of the background.
-    Vec3 sky_radiance(const Vec3& direction, const Vec3& behind) const;
+    Rgb sky_radiance(const Vec3& direction, const Rgb& behind) const;
 
     /// Radiance of the sun's disc, which is a light source, and so no part of the light of the sky.
-    Vec3 sun_radiance(const Vec3& direction) const;
+    Rgb sun_radiance(const Vec3& direction) const;
 
     /// Transparency of the sky in that direction, 0 to 1, for a picture with alpha: POV-Ray 3.7's
     /// rules.

@@ -89,7 +89,7 @@ TEST_CASE("assumed_gamma reaches the file") {
         REQUIRE(shell({shell.path("flat.pov"), "-V", "+W2", "+H2",
                        "+O" + shell.path("flat.exr")}) == 0);
         Diagnostics diagnostics;
-        return read_picture(shell.path("flat.exr"), diagnostics).value().at(0, 0).x;
+        return read_picture(shell.path("flat.exr"), diagnostics).value().at(0, 0).r;
     };
     CHECK(corner("#version 3.7; global_settings { assumed_gamma 1 }") == Approx(0.5));
     CHECK(corner("#version 3.7; global_settings { assumed_gamma 2 }") == Approx(0.25));
@@ -190,8 +190,8 @@ TEST_CASE("an animation leaves a picture for each frame, each with its clock", "
     CHECK(has(shell.err, "frame 11 (11 of 11), clock 1"));
     CHECK(fs::exists(shell.path("out01.png")));
     Diagnostics none;
-    CHECK(read_picture(shell.path("out11.png"), none)->pixels[0].x > 0.99);
-    CHECK(read_picture(shell.path("out01.png"), none)->pixels[0].x == 0);
+    CHECK(read_picture(shell.path("out11.png"), none)->pixels[0].r > 0.99);
+    CHECK(read_picture(shell.path("out01.png"), none)->pixels[0].r == 0);
 
     fs::remove(shell.path("out07.png"));
     std::vector<std::string> again = words;

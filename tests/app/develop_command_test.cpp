@@ -408,8 +408,8 @@ TEST_CASE("numbers of light are shown in false colours") {
     const auto light = LightFile::read(darkroom.path("lit.exr"), diagnostics);
     REQUIRE(light);
     // 400 cd at 2 m are 100 lux, and grey of 0.5 shows them as 50 / pi.
-    CHECK(light->image("illuminance")->at(4, 4).x == Approx(100).epsilon(1e-3));
-    CHECK(light->image("luminance")->at(4, 4).x == Approx(50 / 3.14159265).epsilon(1e-3));
+    CHECK(light->image("illuminance")->at(4, 4).r == Approx(100).epsilon(1e-3));
+    CHECK(light->image("luminance")->at(4, 4).r == Approx(50 / 3.14159265).epsilon(1e-3));
     const std::string picture = darkroom.path("lit.png");
     CHECK(darkroom({"develop", darkroom.path("lit.exr"), "--false-colour", "lux", "--isolines",
                     "--scale=200", "-o", picture}) == 0);

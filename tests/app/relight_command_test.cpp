@@ -2,6 +2,7 @@
 #include "app/relight_command.h"
 
 #include "output/light_file.h"
+#include "support/rgb.h"
 #include "support/shell.h"
 #include "text/message.h"
 
@@ -68,8 +69,8 @@ struct Relit : Shell {
 double error_of(const Image& made, const Image& right) {
     double squares = 0, sum = 0;
     for (std::size_t i = 0; i < made.pixels.size(); ++i) {
-        const Vec3 off = made.pixels[i] - right.pixels[i];
-        squares += dot(off, off) / 3;
+        const Rgb off = made.pixels[i] - right.pixels[i];
+        squares += length(off) * length(off) / 3;
         sum += grey(right.pixels[i]);
     }
     const auto count = static_cast<double>(made.pixels.size());

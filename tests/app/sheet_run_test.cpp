@@ -34,11 +34,11 @@ TEST_CASE("a contact sheet has the pictures in their places", "[app]") {
         const Image sheet = read_back(shell, file);
         CHECK(sheet.width == 2 * 16 + 2);
         CHECK(sheet.height == 2 * 12 + 2);
-        CHECK(sheet.at(8, 6).x == Approx(0.2).epsilon(0.01));
-        CHECK(sheet.at(26, 6).x == Approx(0.5).epsilon(0.01));
-        CHECK(sheet.at(8, 20).x == Approx(0.8).epsilon(0.01));
-        CHECK(sheet.at(26, 20).x == Approx(0.03).epsilon(0.05));
-        CHECK(sheet.at(16, 6).y == Approx(0.03).epsilon(0.05));
+        CHECK(sheet.at(8, 6).r == Approx(0.2).epsilon(0.01));
+        CHECK(sheet.at(26, 6).r == Approx(0.5).epsilon(0.01));
+        CHECK(sheet.at(8, 20).r == Approx(0.8).epsilon(0.01));
+        CHECK(sheet.at(26, 20).r == Approx(0.03).epsilon(0.05));
+        CHECK(sheet.at(16, 6).g == Approx(0.03).epsilon(0.05));
     }
     // Nothing else remains beside the two scenes.
     CHECK(std::distance(std::filesystem::directory_iterator(shell.folder), {}) == 4);
@@ -50,9 +50,9 @@ TEST_CASE("two values of a contact sheet lie across and down", "[app]") {
     REQUIRE(shell({"-V", shell.path("a.pov"), "--sheet", "2x2", "Level=0..1", "clock=0,0.5", "+W8",
                    "+H6", "+O" + shell.path("s.png")}) == 0);
     const Image sheet = read_back(shell, "s.png");
-    const Vec3 lower_right = sheet.at(14, 12);
-    CHECK(lower_right.x == Approx(1).epsilon(0.01));
-    CHECK(lower_right.y == Approx(0.5).epsilon(0.01));
+    const Rgb lower_right = sheet.at(14, 12);
+    CHECK(lower_right.r == Approx(1).epsilon(0.01));
+    CHECK(lower_right.g == Approx(0.5).epsilon(0.01));
 }
 
 TEST_CASE("a contact sheet keeps the options that follow, and tells its command", "[app]") {

@@ -20,8 +20,8 @@ struct ShowReader {
         Diagnostics diagnostics;
         if (!read_show(files, show, options, diagnostics)) return diagnostics.all()[0].message;
         std::string text = std::to_string(show.frames());
-        for (const Vec3& factor : show.factors(show.frames() - 1))
-            text += " " + std::to_string(factor.x).substr(0, 4);
+        for (const Rgb& factor : show.factors(show.frames() - 1))
+            text += " " + std::to_string(factor.r).substr(0, 4);
         return text;
     }
 };

@@ -23,9 +23,9 @@ ColourMap map_of(const std::string& entries) {
 }  // namespace
 
 TEST_CASE("an entry has a value and a colour, or two of each", "[appearance]") {
-    CHECK(map_of("[0 Red] [0.5, rgb 1]") == ColourMap{{0, {Vec3(1, 0, 0)}}, {0.5, {Vec3(1)}}});
+    CHECK(map_of("[0 Red] [0.5, rgb 1]") == ColourMap{{0, {Rgb(1, 0, 0)}}, {0.5, {Rgb(1)}}});
     CHECK(map_of("[0.25, 0.75 color Red color rgb 1]") ==
-          ColourMap{{0.25, {Vec3(1, 0, 0)}}, {0.75, {Vec3(1)}}});
+          ColourMap{{0.25, {Rgb(1, 0, 0)}}, {0.75, {Rgb(1)}}});
 }
 
 TEST_CASE("values are kept in single precision", "[appearance]") {

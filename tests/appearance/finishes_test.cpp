@@ -19,7 +19,7 @@ Finish finish_of(const std::string& text) {
 
 TEST_CASE("a finish has its words, and may be declared", "[appearance]") {
     CHECK(finish_of("ambient 0.2 diffuse 0.3 emission rgb <1, 2, 3> brilliance 2").emission ==
-          Vec3(1, 2, 3));
+          Rgb(1, 2, 3));
     CHECK(finish_of("F phong_size 10").phong == 0.5);
     CHECK(finish_of("F phong_size 10").phong_size == 10);
     CHECK(finish_of("specular 1 metallic").metallic == 1);
@@ -33,29 +33,29 @@ TEST_CASE("a finish has its words, and may be declared", "[appearance]") {
 TEST_CASE("a block of reflection changes only what it says", "[appearance]") {
     const std::string before = "reflection { 0.1, 0.9 falloff 3 metallic exponent 0.5 fresnel } ";
     const Reflection after = finish_of(before + "reflection { 0.2, 0.8 }").reflection;
-    CHECK(after.least == Vec3(0.2));
-    CHECK(after.greatest == Vec3(0.8));
+    CHECK(after.least == Rgb(0.2));
+    CHECK(after.greatest == Rgb(0.8));
     CHECK(after.falloff == 3);
     CHECK(after.metallic == 1);
     CHECK(after.exponent == 0.5);
     CHECK(after.fresnel);
-    CHECK(finish_of(before + "reflection { 0.5 }").reflection.least == Vec3(0.5));
-    CHECK(finish_of(before + "reflection { 0.5 fresnel }").reflection.least == Vec3(0));
+    CHECK(finish_of(before + "reflection { 0.5 }").reflection.least == Rgb(0.5));
+    CHECK(finish_of(before + "reflection { 0.5 fresnel }").reflection.least == Rgb(0));
 }
 
 TEST_CASE("reflection is an amount or a block", "[appearance]") {
     const Reflection amount = finish_of("reflection 0.5").reflection;
-    CHECK(amount.least == Vec3(0.5));
-    CHECK(amount.greatest == Vec3(0.5));
-    CHECK(finish_of("reflection rgb <1, 0, 0> phong 1").reflection.greatest == Vec3(1, 0, 0));
+    CHECK(amount.least == Rgb(0.5));
+    CHECK(amount.greatest == Rgb(0.5));
+    CHECK(finish_of("reflection rgb <1, 0, 0> phong 1").reflection.greatest == Rgb(1, 0, 0));
     const Reflection both = finish_of("reflection { 0.1, rgb 0.9 falloff 3 metallic }").reflection;
-    CHECK(both.least == Vec3(0.1));
-    CHECK(both.greatest == Vec3(0.9));
+    CHECK(both.least == Rgb(0.1));
+    CHECK(both.greatest == Rgb(0.9));
     CHECK(both.falloff == 3);
     CHECK(both.metallic == 1);
     const Reflection fresnel = finish_of("reflection { 0.8 fresnel }").reflection;
-    CHECK(fresnel.least == Vec3(0));
-    CHECK(fresnel.greatest == Vec3(0.8));
+    CHECK(fresnel.least == Rgb(0));
+    CHECK(fresnel.greatest == Rgb(0.8));
     CHECK(fresnel.fresnel);
 }
 

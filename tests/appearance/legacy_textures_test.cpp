@@ -20,9 +20,9 @@ Script old_sphere(const std::string& texture) {
 TEST_CASE("an old texture holds the words of its parts", "[appearance]") {
     const Script done = old_sphere("color red 1 phong 0.5 bumps 0.3 frequency 2 reflection 0.2");
     REQUIRE(done.text.empty());
-    CHECK(done.texture().pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(done.texture().pigment.colour.rgb == Rgb(1, 0, 0));
     CHECK(done.texture().finish.phong == 0.5);
-    CHECK(done.texture().finish.reflection.least == Vec3(0.2));
+    CHECK(done.texture().finish.reflection.least == Rgb(0.2));
     REQUIRE(done.texture().normal.pattern);
     CHECK(done.texture().normal.pattern->settings.bump_size == 0.3);
     CHECK(old_sphere("0.1 color red 1").texture().finish.crand == 0.1);

@@ -25,11 +25,11 @@ TEST_CASE("media have coefficients, scattering, densities and hints", "[appearan
     REQUIRE(done.scene.media.size() == 1);
     const Media& media = done.scene.media[0];
     CHECK(media.scattering.type == 5);
-    CHECK(media.scattering.colour == Vec3(0.1, 0.2, 0.3));
+    CHECK(media.scattering.colour == Rgb(0.1, 0.2, 0.3));
     CHECK(media.scattering.eccentricity == 0.4);
     CHECK(media.scattering.extinction == 0.5);
-    CHECK(media.absorption == Vec3(4));
-    CHECK(media.emission == Vec3(0.5));
+    CHECK(media.absorption == Rgb(4));
+    CHECK(media.emission == Rgb(0.5));
     CHECK(media.samples == 5);
     CHECK(media.max_samples == 20);
     CHECK(media.intervals == 2);
@@ -37,7 +37,7 @@ TEST_CASE("media have coefficients, scattering, densities and hints", "[appearan
     REQUIRE(media.densities.size() == 3);
     CHECK(media.densities[0].transform.point(Vec3(1, 0, 0)) == Vec3(3, 0, 0));
     CHECK(std::holds_alternative<PigmentMap>(media.densities[1].pattern->map));
-    CHECK(media.densities[2].colour.rgb == Vec3(2));
+    CHECK(media.densities[2].colour.rgb == Rgb(2));
     const Object& sphere = *done.scene.objects.at(0);
     REQUIRE(sphere.interior);
     CHECK(sphere.interior->media.size() == 2);

@@ -37,9 +37,9 @@ TEST_CASE("pictures of models are named by their numbers", "[appearance]") {
         REQUIRE(done.said.empty());
         return evaluate(done.texture().pigment, Vec3(0.5, 0.5, 0)).rgb;
     };
-    CHECK(colour("\"m/a.gltf\" picture 0") == Vec3(1, 0, 0));
-    CHECK(colour("\"m/a.gltf\" picture 1") == Vec3(0, 0, 1));
-    CHECK(colour("\"m/a.gltf\" picture 0 tint <0.5, 1, 1>") == Vec3(0.5, 0, 0));
+    CHECK(colour("\"m/a.gltf\" picture 0") == Rgb(1, 0, 0));
+    CHECK(colour("\"m/a.gltf\" picture 1") == Rgb(0, 0, 1));
+    CHECK(colour("\"m/a.gltf\" picture 0 tint <0.5, 1, 1>") == Rgb(0.5, 0, 0));
 }
 
 TEST_CASE("wrong numbers and files of pictures are errors", "[appearance]") {
@@ -71,7 +71,7 @@ TEST_CASE("profiles of models are named by their numbers", "[appearance]") {
     REQUIRE(inside.said.empty());
     const auto below = [](const Script& done) {
         const PointLight& lamp = done.scene.lights.at(0).light;
-        return incidence(lamp, Vec3(0), Vec3(0, -1, 0)).colour.x;
+        return incidence(lamp, Vec3(0), Vec3(0, -1, 0)).colour.r;
     };
     CHECK(below(inside) == Approx(2 * below(beside)));
     CHECK_FALSE(light("ies \"a.gltf\" profile 0", gltf()).said.empty());

@@ -150,10 +150,10 @@ TEST_CASE("an object is a pattern, and the list stands in its braces", "[appeara
         "plane { y, 0 texture { object { Thing texture { pigment { rgb 0 } },"
         "  texture { pigment { rgb 1 } } } } }");
     const Texture& plain = *world->appearance.materials[0].texture;
-    CHECK(evaluate(plain.pigment, Vec3(3.5, 0, 0)).rgb == Vec3(0, 1, 0));
-    CHECK(evaluate(plain.pigment, Vec3(1.5, 0, 0)).rgb == Vec3(1, 0, 0));
+    CHECK(evaluate(plain.pigment, Vec3(3.5, 0, 0)).rgb == Rgb(0, 1, 0));
+    CHECK(evaluate(plain.pigment, Vec3(1.5, 0, 0)).rgb == Rgb(1, 0, 0));
     CHECK(evaluate(world->appearance.materials[1].texture->pigment, Vec3(1.5, 0, 0)).rgb ==
-          Vec3(0, 1, 0));
+          Rgb(0, 1, 0));
     CHECK(world->appearance.materials[2].texture->choice);
 }
 

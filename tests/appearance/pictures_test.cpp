@@ -50,7 +50,7 @@ TEST_CASE("pictures of version 3.8 have its opacity and its gamma", "[appearance
     CHECK(colour_at(image("3.8", opaque), middle)->transmit == 0.5);
     const double stored = 128.0 / 255;
     const auto light = [&](const std::string& version, const std::string& gamma) {
-        return colour_at(image(version, "ppm \"p.ppm\" " + gamma), middle)->rgb.x;
+        return colour_at(image(version, "ppm \"p.ppm\" " + gamma), middle)->rgb.r;
     };
     CHECK(light("3.7", "") == Approx(stored).margin(1e-6));
     const double video = std::pow((stored + 0.099) / 1.099, 1 / 0.45);

@@ -32,19 +32,19 @@ std::string pigment_complaint(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a pigment is one colour", "[appearance]") {
-    CHECK(pigment_of("rgb 1").colour == Colour{Vec3(1)});
-    CHECK(pigment_of("Red").colour == Colour{Vec3(1, 0, 0)});
-    CHECK(pigment_of("color Red").colour == Colour{Vec3(1, 0, 0)});
-    CHECK(pigment_of("Red filter 0.5").colour == Colour{Vec3(1, 0, 0), 0.5, 0});
-    CHECK(pigment_of("red 1 green 0.5").colour == Colour{Vec3(1, 0.5, 0)});
-    CHECK(pigment_of("color <1, 2, 3, 0.1, 0.2>").colour == Colour{Vec3(1, 2, 3), 0.1, 0.2});
+    CHECK(pigment_of("rgb 1").colour == Colour{Rgb(1)});
+    CHECK(pigment_of("Red").colour == Colour{Rgb(1, 0, 0)});
+    CHECK(pigment_of("color Red").colour == Colour{Rgb(1, 0, 0)});
+    CHECK(pigment_of("Red filter 0.5").colour == Colour{Rgb(1, 0, 0), 0.5, 0});
+    CHECK(pigment_of("red 1 green 0.5").colour == Colour{Rgb(1, 0.5, 0)});
+    CHECK(pigment_of("color <1, 2, 3, 0.1, 0.2>").colour == Colour{Rgb(1, 2, 3), 0.1, 0.2});
     CHECK_FALSE(pigment_of("P rgb 1").pattern);
 }
 
 TEST_CASE("a pigment is a pattern with its colours", "[appearance]") {
     const Pigment checker = pigment_of("checker rgb 1, Red scale 2");
     CHECK(std::holds_alternative<Checker>(checker.pattern->use.pattern));
-    CHECK(colours_of(checker) == ColourMap{{0, {Vec3(1)}}, {1, {Vec3(1, 0, 0)}}});
+    CHECK(colours_of(checker) == ColourMap{{0, {Rgb(1)}}, {1, {Rgb(1, 0, 0)}}});
     CHECK(checker.transform.point(Vec3(1)) == Vec3(2));
     CHECK(colours_of(pigment_of("checker")) == default_map(Checker{}));
     CHECK(colours_of(pigment_of("checker Red"))[1] == default_map(Checker{})[1]);
@@ -52,21 +52,20 @@ TEST_CASE("a pigment is a pattern with its colours", "[appearance]") {
 
     const Pigment gradient = pigment_of("gradient y color_map { [0.25 rgb 1] [1, Red] }");
     CHECK(std::get<Gradient>(gradient.pattern->use.pattern).direction == Vec3(0, 1, 0));
-    CHECK(colours_of(gradient) == ColourMap{{0.25, {Vec3(1)}}, {1, {Vec3(1, 0, 0)}}});
+    CHECK(colours_of(gradient) == ColourMap{{0.25, {Rgb(1)}}, {1, {Rgb(1, 0, 0)}}});
     CHECK(colours_of(pigment_of("gradient y")) == default_map(Gradient{}));
     CHECK(colours_of(pigment_of("gradient y colour_map { M }")) ==
-          ColourMap{{0, {Vec3(0)}}, {1, {Vec3(1)}}});
+          ColourMap{{0, {Rgb(0)}}, {1, {Rgb(1)}}});
     CHECK(colours_of(pigment_of("gradient y color_map { [0, 0.5 rgb 1 color Red] }")) ==
-          ColourMap{{0, {Vec3(1)}}, {0.5, {Vec3(1, 0, 0)}}});
-    CHECK(colours_of(pigment_of("P gradient y")) ==
-          ColourMap{{0, {Vec3(1, 0, 0)}}, {1, {Vec3(1)}}});
+          ColourMap{{0, {Rgb(1)}}, {0.5, {Rgb(1, 0, 0)}}});
+    CHECK(colours_of(pigment_of("P gradient y")) == ColourMap{{0, {Rgb(1, 0, 0)}}, {1, {Rgb(1)}}});
     // A map that is given is kept by other patterns, a default map is not.
     CHECK(colours_of(pigment_of("P bozo")) == colours_of(pigment_of("P gradient y")));
     CHECK(colours_of(pigment_of("P checker")) == default_map(Checker{}));
     CHECK(colours_of(pigment_of("Plain bozo")) == default_map(Bozo{}));
     // Colours of lists need no word.
     CHECK(colours_of(pigment_of("checker <1, 0, 0>, 0.5")) ==
-          ColourMap{{0, {Vec3(1, 0, 0)}}, {1, {Vec3(0.5), 0.5, 0.5}}});
+          ColourMap{{0, {Rgb(1, 0, 0)}}, {1, {Rgb(0.5), 0.5, 0.5}}});
 }
 
 TEST_CASE("what is declared can be changed on", "[appearance]") {
@@ -86,8 +85,8 @@ TEST_CASE("a pigment map holds pigments", "[appearance]") {
     REQUIRE(map.size() == 3);
     CHECK(map[0].value == static_cast<double>(0.3f));
     CHECK(map[0].pigment.transform.point(Vec3(1)) == Vec3(2));
-    CHECK(colours_of(map[1].pigment)[1].colour == Colour{Vec3(1, 0, 0)});
-    CHECK(map[2].pigment.colour == Colour{Vec3(0.5)});
+    CHECK(colours_of(map[1].pigment)[1].colour == Colour{Rgb(1, 0, 0)});
+    CHECK(map[2].pigment.colour == Colour{Rgb(0.5)});
     CHECK(std::get<PigmentMap>(pigment_of("wood pigment_map { Q }").pattern->map).size() == 2);
 }
 

@@ -12,8 +12,8 @@ namespace candelabra {
 TEST_CASE("a texture starts from the default one", "[appearance]") {
     const Script done = sphere_with("texture { finish { ambient 1 } }",
                                     "#default { pigment { rgb 1 } finish { diffuse 0.1 } }");
-    CHECK(done.texture().pigment.colour.rgb == Vec3(1));
-    CHECK(done.texture().finish.ambient == Vec3(1));
+    CHECK(done.texture().pigment.colour.rgb == Rgb(1));
+    CHECK(done.texture().finish.ambient == Rgb(1));
     CHECK(done.texture().finish.diffuse == 0.1);
 }
 
@@ -21,8 +21,8 @@ TEST_CASE("an object without a texture has the default one of its own time", "[a
     const Script done =
         run("#version 3.7; sphere { 0, 1 } #default { pigment { rgb 1 } } sphere { 0, 1 } sphere { "
             "0, 1 }");
-    CHECK(done.texture(0).pigment.colour.rgb == Vec3(0));
-    CHECK(done.texture(1).pigment.colour.rgb == Vec3(1));
+    CHECK(done.texture(0).pigment.colour.rgb == Rgb(0));
+    CHECK(done.texture(1).pigment.colour.rgb == Rgb(1));
     CHECK(done.object(1).texture == done.object(2).texture);
 }
 
@@ -31,14 +31,14 @@ TEST_CASE("pigment and finish of an object change its texture, in turn", "[appea
         "#declare T = texture { pigment { rgb 0.5 } finish { ambient 0.7 } }";
     const Script done = sphere_with(
         "texture { T } pigment { rgb 1 } finish { diffuse 0.3 } finish { phong 1 }", declared);
-    CHECK(done.texture().pigment.colour.rgb == Vec3(1));
-    CHECK(done.texture().finish.ambient == Vec3(0.7));
+    CHECK(done.texture().pigment.colour.rgb == Rgb(1));
+    CHECK(done.texture().finish.ambient == Rgb(0.7));
     CHECK(done.texture().finish.diffuse == 0.3);
     CHECK(done.texture().finish.phong == 1);
     const Script parts = sphere_with(
         "texture { P F }", "#declare P = pigment { rgb 1 } #declare F = finish { ambient 1 }");
-    CHECK(parts.texture().pigment.colour.rgb == Vec3(1));
-    CHECK(parts.texture().finish.ambient == Vec3(1));
+    CHECK(parts.texture().pigment.colour.rgb == Rgb(1));
+    CHECK(parts.texture().finish.ambient == Rgb(1));
 }
 
 TEST_CASE("a declared texture is shared until it is changed", "[appearance]") {
@@ -54,12 +54,12 @@ TEST_CASE("a declared texture is shared until it is changed", "[appearance]") {
 TEST_CASE("an opaque texture covers another; others show what is below", "[appearance]") {
     const std::string glass = "texture { pigment { rgbt 0.5 } }";
     const std::string red = "texture { pigment { rgb x } }";
-    CHECK(sphere_with(glass + red).texture().pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(sphere_with(glass + red).texture().pigment.colour.rgb == Rgb(1, 0, 0));
     CHECK_FALSE(sphere_with(glass + red).texture().below);
     const Script layers = sphere_with(red + glass + glass);
     REQUIRE(layers.texture().below);
     REQUIRE(layers.texture().below->below);
-    CHECK(layers.texture().below->below->pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(layers.texture().below->below->pigment.colour.rgb == Rgb(1, 0, 0));
     CHECK(sphere_with("texture { T scale 2 }", "#declare T = " + red + glass).texture().below);
     CHECK(sphere_with("texture { finish { reflection 1 } }" + red).texture().below);
 }
@@ -76,8 +76,8 @@ TEST_CASE("textures in a row that a macro gives are layers of one that is declar
         CHECK(done.text.empty());
         REQUIRE(done.texture().below);
         REQUIRE(done.texture().below->below);
-        CHECK(done.texture().pigment.colour.rgb == Vec3(0, 0, 1));
-        CHECK(done.texture().below->below->pigment.colour.rgb == Vec3(1, 0, 0));
+        CHECK(done.texture().pigment.colour.rgb == Rgb(0, 0, 1));
+        CHECK(done.texture().below->below->pigment.colour.rgb == Rgb(1, 0, 0));
     }
     const Script element =
         sphere_with("texture { A[0] }", macro + "#declare A = array[1]; #declare A[0] = M();");
@@ -93,12 +93,12 @@ TEST_CASE("textures behind a call that gives one are layers of what is declared"
     CHECK(done.text.empty());
     REQUIRE(done.texture().below);
     REQUIRE(done.texture().below->below);
-    CHECK(done.texture().below->below->pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(done.texture().below->below->pigment.colour.rgb == Rgb(1, 0, 0));
     // Names in a layer are resolved in the scope of the call.
     CHECK(sphere_with("texture { T }",
                       macro + "#declare T = M(x) texture { pigment { rgb C transmit 0.5 } }")
               .texture()
-              .pigment.colour.rgb == Vec3(0, 0, 1));
+              .pigment.colour.rgb == Rgb(0, 0, 1));
     // The same holds within an object, but not behind a semicolon or behind other values.
     CHECK(sphere_with("#declare T = M(x) " + glass + "#declare U = 1; texture { T }", macro)
               .texture()
@@ -124,13 +124,13 @@ TEST_CASE("a texture chooses from others by a pattern", "[appearance]") {
     const Handle<PatternedTexture>& choice = map.texture().choice;
     REQUIRE(choice);
     CHECK(choice->map.size() == 2);
-    CHECK(choice->map[1].texture->pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(choice->map[1].texture->pigment.colour.rgb == Rgb(1, 0, 0));
     CHECK(choice->transform.point(Vec3(1)) == Vec3(2));
     const Script list = sphere_with("texture { hexagon texture { pigment { rgb 1 } } }");
     CHECK(list.texture().choice->map.size() == 3);
     const Script tiles = sphere_with(
         "texture { tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } } } }");
-    CHECK(tiles.texture().choice->map[1].texture->pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(tiles.texture().choice->map[1].texture->pigment.colour.rgb == Rgb(1, 0, 0));
 }
 
 TEST_CASE("a function chooses textures", "[appearance]") {

@@ -39,7 +39,7 @@ TEST_CASE("a light source with a file has its intensity, its flux, or a stated o
         INFO(done.text);
         REQUIRE(done.text.empty());
         const PointLight& light = done.scene.lights.at(0).light;
-        CHECK(incidence(light, Vec3(0), Vec3(0.1, 2, 0)).colour == Vec3(0));
+        CHECK(incidence(light, Vec3(0), Vec3(0.1, 2, 0)).colour == Rgb(0));
         return incidence(light, Vec3(0), Vec3(0, -2, 0)).colour.g * std::numbers::pi * 4;
     };
     CHECK(colour_below("") == Approx(100));

@@ -36,7 +36,7 @@ TEST_CASE("a sky has the level that is stated", "[backdrop]") {
     const DaylightSky overcast(day, candelas);
     CHECK(luminance_of(overcast, {0, 1, 0}) == Approx(5000));
     CHECK(luminance_of(overcast, {1, 1e-9, 0}) == Approx(5000 / 3.0).epsilon(0.1));
-    CHECK(overcast.sunlight() == Vec3(0));
+    CHECK(overcast.sunlight() == Rgb(0));
     // The ground gives back a fifth of 2.44954 times the zenith.
     CHECK(luminance_of(overcast, {0, -1, 0}) ==
           Approx(0.2 * 2.44954 * 5000 / std::numbers::pi).epsilon(1e-3));
@@ -74,11 +74,11 @@ TEST_CASE("the sun stands where the compass says, and has its disc", "[backdrop]
     const auto beside = [&](double degrees) {
         return unit(sky.sun() + std::tan(degrees * radians_per_degree) * Vec3(1, 0, 0));
     };
-    CHECK(sky.disc(beside(0.26)) != Vec3(0));
-    CHECK(sky.disc(beside(0.28)) == Vec3(0));
+    CHECK(sky.disc(beside(0.26)) != Rgb(0));
+    CHECK(sky.disc(beside(0.28)) == Rgb(0));
     CHECK(luminance_of(sky, sky.sun()) < 1e5);
     day.direct = 0;
-    CHECK(DaylightSky(day, candelas).disc(sky.sun()) == Vec3(0));
+    CHECK(DaylightSky(day, candelas).disc(sky.sun()) == Rgb(0));
 }
 
 TEST_CASE("place, date and time are the same as the sun that they give", "[backdrop]") {
@@ -93,7 +93,7 @@ TEST_CASE("place, date and time are the same as the sun that they give", "[backd
     day.time = 1;
     const DaylightSky night(day, candelas);
     CHECK(night.sun().y < 0);
-    CHECK(night.sunlight() == Vec3(0));
+    CHECK(night.sunlight() == Rgb(0));
     CHECK(luminance_of(night, {0, 1, 0}) < 1);
     CHECK(luminance_of(night, {0, 1, 0}) > 0);
 }
@@ -117,12 +117,12 @@ TEST_CASE("weather by irradiances or by its two numbers gives one sky", "[backdr
 
 TEST_CASE("clear skies are blue unless a temperature is stated", "[backdrop]") {
     Daylight day = at_sun(12, 40, 180);
-    const Vec3 zenith = DaylightSky(day, candelas).radiance({0, 1, 0});
+    const Rgb zenith = DaylightSky(day, candelas).radiance({0, 1, 0});
     CHECK(zenith.b > 1.5 * zenith.r);
-    const Vec3 cloud = DaylightSky(at_sun(1, 40, 180), candelas).radiance({0, 1, 0});
+    const Rgb cloud = DaylightSky(at_sun(1, 40, 180), candelas).radiance({0, 1, 0});
     CHECK(cloud.b == Approx(cloud.r).epsilon(0.01));
     day.temperature = 5000;
-    const Vec3 warm = DaylightSky(day, candelas).radiance({0, 1, 0});
+    const Rgb warm = DaylightSky(day, candelas).radiance({0, 1, 0});
     CHECK(warm.r > 1.3 * warm.b);
     CHECK(light_luminance(warm) == Approx(light_luminance(zenith)));
 }

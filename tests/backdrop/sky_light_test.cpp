@@ -20,13 +20,13 @@ Vec2 place(std::uint32_t i) {
 }
 
 /// A bright disc around the zenith, and a dim sky around it.
-constexpr auto sun = [](const Vec3& direction) { return Vec3(direction.y > 0.98 ? 200 : 1); };
+constexpr auto sun = [](const Vec3& direction) { return Rgb(direction.y > 0.98 ? 200 : 1); };
 
 }  // namespace
 
 TEST_CASE("a sky without light is still drawn from, evenly", "[backdrop]") {
     CHECK(SkyLight().empty());
-    const SkyLight dark([](const Vec3&) { return Vec3(0); });
+    const SkyLight dark([](const Vec3&) { return Rgb(0); });
     REQUIRE_FALSE(dark.empty());
     for (std::uint32_t i = 0; i < 100; ++i) {
         const SkyLight::Drawn drawn = dark.draw(place(i));
@@ -57,7 +57,7 @@ TEST_CASE("directions are drawn where the sky is bright, without bias", "[backdr
         const SkyLight::Drawn drawn = sky.draw(place(i));
         CHECK(drawn.density == Approx(sky.density(drawn.direction)));
         bright += drawn.direction.y > 0.98;
-        light += sun(drawn.direction).x / drawn.density;
+        light += sun(drawn.direction).r / drawn.density;
     }
     // The disc has 1 % of the directions and two thirds of the light.
     CHECK(bright > 0.5 * count);

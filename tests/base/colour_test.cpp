@@ -21,13 +21,13 @@ TEST_CASE("sRGB codes of linear values", "[base]") {
 }
 
 TEST_CASE("what passes through a colour", "[base]") {
-    const Colour glass{Vec3(1, 0.5, 0), 0.5, 0.25};
-    CHECK(glass.passing() == Vec3(0.75, 0.5, 0.25));
+    const Colour glass{Rgb(1, 0.5, 0), 0.5, 0.25};
+    CHECK(glass.passing() == Rgb(0.75, 0.5, 0.25));
     CHECK(glass.opacity() == 0.25);
-    CHECK(Colour{Vec3(1)}.passing() == Vec3(0));
-    CHECK(Colour{Vec3(1)}.opacity() == 1);
-    CHECK(grey(Vec3(1, 0.5, 0)) == Approx(0.5915));
-    CHECK(grey(Vec3(1)) == Approx(1));
+    CHECK(Colour{Rgb(1)}.passing() == Rgb(0));
+    CHECK(Colour{Rgb(1)}.opacity() == 1);
+    CHECK(grey(Rgb(1, 0.5, 0)) == Approx(0.5915));
+    CHECK(grey(Rgb(1)) == Approx(1));
 }
 
 }  // namespace candelabra

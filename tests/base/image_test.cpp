@@ -8,9 +8,9 @@ namespace candelabra {
 TEST_CASE("pixels are stored row by row from the top, black at first", "[base]") {
     Image image(3, 2);
     REQUIRE(image.pixels.size() == 6);
-    CHECK(image.at(2, 1) == Vec3(0));
-    image.at(1, 1) = Vec3(1, 2, 3);
-    CHECK(image.pixels[4] == Vec3(1, 2, 3));
+    CHECK(image.at(2, 1) == Rgb(0));
+    image.at(1, 1) = Rgb(1, 2, 3);
+    CHECK(image.pixels[4] == Rgb(1, 2, 3));
     CHECK(Image().pixels.empty());
 }
 

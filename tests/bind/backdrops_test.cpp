@@ -18,7 +18,7 @@ TEST_CASE("a sky has pigments, the last one counts of several", "[bind]") {
     REQUIRE(done.scene.sky);
     CHECK(done.scene.sky->pigments.size() == 2);
     CHECK(done.scene.sky->pigments[1].transform.point(Vec3(1)) == Vec3(2));
-    CHECK(done.scene.sky->emission == Vec3(3));
+    CHECK(done.scene.sky->emission == Rgb(3));
 }
 
 TEST_CASE("a sky has its luminance by a formula", "[bind]") {

@@ -12,9 +12,9 @@ TEST_CASE("an object without a texture gets the default one at its end", "[bind]
         run("#version 3.7; sphere { 0, 1 } #default { pigment { rgb <1, 0, 0> } } sphere { x, 1 } "
             "sphere { y, 1 pigment { rgb 1 } }");
     REQUIRE(done.scene.objects.size() == 3);
-    CHECK(done.texture(0).pigment.colour.rgb == Vec3(0));
-    CHECK(done.texture(1).pigment.colour.rgb == Vec3(1, 0, 0));
-    CHECK(done.texture(2).pigment.colour.rgb == Vec3(1));
+    CHECK(done.texture(0).pigment.colour.rgb == Rgb(0));
+    CHECK(done.texture(1).pigment.colour.rgb == Rgb(1, 0, 0));
+    CHECK(done.texture(2).pigment.colour.rgb == Rgb(1));
 }
 
 TEST_CASE("lights leave the objects that they stand in", "[bind]") {

@@ -14,7 +14,7 @@ TEST_CASE("global settings add up", "[bind]") {
             "global_settings { adc_bailout 0.1 assumed_gamma 1 }");
     REQUIRE(done.text.empty());
     CHECK(done.scene.settings.max_trace_level == 7);
-    CHECK(done.scene.settings.ambient_light == Vec3(0.5));
+    CHECK(done.scene.settings.ambient_light == Rgb(0.5));
     CHECK(done.scene.settings.adc_bailout == 0.1);
 }
 
@@ -22,7 +22,7 @@ TEST_CASE("colours by srgb are in the space of the assumed_gamma before them", "
     // 0.5 is decoded to 0.21404, and that to the power of 1 / 2.2 is 0.49621.
     const Script done =
         run("#version 3.7; global_settings { assumed_gamma 2.2 ambient_light srgb 0.5 }");
-    CHECK(done.scene.settings.ambient_light.x == Approx(0.49621).epsilon(1e-4));
+    CHECK(done.scene.settings.ambient_light.r == Approx(0.49621).epsilon(1e-4));
 }
 
 TEST_CASE("photometry states a unit of length and the luminance of white", "[bind]") {
@@ -149,7 +149,7 @@ TEST_CASE("a background is one colour, the last one", "[bind]") {
     const Script done =
         run("#version 3.7; background { rgb 1 } background { color rgb <1, 2, 3> }");
     REQUIRE(done.text.empty());
-    CHECK(done.scene.background.colour.rgb == Vec3(1, 2, 3));
+    CHECK(done.scene.background.colour.rgb == Rgb(1, 2, 3));
 }
 
 TEST_CASE("wrong settings are told of once", "[bind]") {

@@ -63,12 +63,12 @@ TEMPLATE_TEST_CASE("an integrator is a pure function of ray and key", "[transpor
     Tracing tracing;
     tracing.sent = SentLight::of(shot, 0, 1);
     TestType forwards(shot, tracing), backwards(shot, tracing);
-    std::vector<Vec3> seen(pixels);
+    std::vector<Rgb> seen(pixels);
     for (std::uint32_t i = 0; i < pixels; ++i) seen[i] = forwards.radiance(ray_of(i), key_of(i, 3));
     int lit = 0;
     for (std::uint32_t i = pixels; i-- > 0;) {
         CHECK(backwards.radiance(ray_of(i), key_of(i, 3)) == seen[i]);
-        lit += seen[i] != Vec3(0);
+        lit += seen[i] != Rgb(0);
     }
     CHECK(lit > 200);
 }
@@ -81,9 +81,9 @@ TEMPLATE_TEST_CASE("an integrator's ledger has each camera ray, and all light by
     tracing.counts_lights = true;
     TestType integrator(shot, tracing);
     for (std::uint32_t i = 0; i < pixels; ++i) {
-        const Vec3 seen = integrator.radiance(ray_of(i), key_of(i, 1));
-        Vec3 sum(0);
-        take_lights(integrator.ledger(), [&](std::size_t, const Vec3& light) { sum += light; });
+        const Rgb seen = integrator.radiance(ray_of(i), key_of(i, 1));
+        Rgb sum(0);
+        take_lights(integrator.ledger(), [&](std::size_t, const Rgb& light) { sum += light; });
         for (int c = 0; c < 3; ++c) CHECK(sum[c] == Approx(seen[c]).margin(1e-9));
         CHECK(integrator.clear() >= 0);
         CHECK(integrator.clear() <= 1);
@@ -102,7 +102,7 @@ TEMPLATE_TEST_CASE("a ray without a direction sees nothing", "[transport]", PovR
     Tracing tracing;
     tracing.sent = SentLight::of(shot, 0, 1);
     TestType integrator(shot, tracing);
-    CHECK(integrator.radiance({Vec3(0), Vec3(0)}, Key()) == Vec3(0));
+    CHECK(integrator.radiance({Vec3(0), Vec3(0)}, Key()) == Rgb(0));
 }
 
 TEST_CASE("integrators agree without bounces", "[transport]") {

@@ -55,7 +55,7 @@ struct LitPlace {
         shading.normal = shading.smooth_normal = shading.geometric_normal = point.normal;
         shading.view = unit(Vec3(0.3, 0.1, 0.2) - 1.2 * point.normal);
         shading.finish = &*finish;
-        shading.colour = {Vec3(0.7)};
+        shading.colour = {Rgb(0.7)};
         shading.both_sides = point.horizon == Horizon::both_sides;
         return Bsdf(shading, rules);
     }

@@ -5,6 +5,7 @@
 #include "support/folder.h"
 #include "support/gltf.h"
 #include "support/models.h"
+#include "support/rgb.h"
 #include "support/script.h"
 #include "text/excerpt.h"
 
@@ -62,8 +63,8 @@ C: "OO",3,2 }
 )";
 
 /// `around` comes before the statements.
-std::vector<Vec3> pixels_of(const std::string& statements, const Folder& folder,
-                            const std::string& around = surroundings) {
+std::vector<Rgb> pixels_of(const std::string& statements, const Folder& folder,
+                           const std::string& around = surroundings) {
     SessionSettings settings;
     folder.put("scene.pov", around + statements);
     settings.source.path = folder / "scene.pov";
@@ -163,7 +164,7 @@ TEST_CASE("cameras of models see what the same camera in the language sees", "[m
     const auto seen = [&](const std::string& camera) {
         return pixels_of(objects, folder, start + "camera { " + camera + " }\n");
     };
-    const auto check_alike = [](const std::vector<Vec3>& one, const std::vector<Vec3>& other) {
+    const auto check_alike = [](const std::vector<Rgb>& one, const std::vector<Rgb>& other) {
         REQUIRE(one.size() == other.size());
         double sum = 0, apart = 0;
         for (std::size_t i = 0; i < one.size(); ++i) {
@@ -199,10 +200,10 @@ TEST_CASE("the outside of a model is the side from which its corners run counter
           "model { file \"a.gltf\" replace \"Paint\" texture { pigment { rgb x }" + light +
               " interior_texture { pigment { rgb y }" + light + " }"}) {
         const auto outside = pixels_of(model, folder, start);
-        Vec3 sum(0);
-        for (const Vec3& pixel : outside) sum += pixel;
-        CHECK(sum.x > 10);
-        CHECK(sum.y == 0);
+        Rgb sum(0);
+        for (const Rgb& pixel : outside) sum += pixel;
+        CHECK(sum.r > 10);
+        CHECK(sum.g == 0);
     }
 }
 
@@ -290,7 +291,7 @@ TEST_CASE("the dump of a model that has its pictures and profiles inside shows t
     double sum = 0;
     for (std::size_t i = 0; i < model.size(); ++i) {
         CHECK(length(again[i] - model[i]) <= 1e-9 * length(model[i]));
-        sum += model[i].x;
+        sum += model[i].r;
     }
     CHECK(sum > 1);
 }
@@ -307,12 +308,12 @@ TEST_CASE("what emits in a model lights the scene as a luminaire", "[model]") {
                                    "<8, 4, 2> } translate -0.3*z }",
                                folder);
     REQUIRE(model.size() == own.size());
-    Vec3 sum(0);
+    Rgb sum(0);
     for (std::size_t i = 0; i < model.size(); ++i) {
         CHECK(length(model[i] - own[i]) < 2e-3 * (1 + length(own[i])));
         sum += own[i];
     }
-    CHECK(sum.x > 100);
+    CHECK(sum.r > 100);
 }
 
 TEST_CASE("models are not mirrored, and u and v lie as in the file", "[model]") {

@@ -127,12 +127,12 @@ void keep_tight(std::size_t rays) {
                     const Vec3 way = draw.direction();
                     const double facing = dot(way, hit.normal);
                     if (std::abs(facing) < 0.02) continue;
-                    const Vec3 light =
+                    const Rgb light =
                         world->transmittance({hit.position, way}, hit.tolerance, 10 * size + off);
                     if (facing > 0)
-                        specks += light != Vec3(1);
+                        specks += light != Rgb(1);
                     else
-                        leaks += light != Vec3(0);
+                        leaks += light != Rgb(0);
                 }
                 CHECK(specks == 0);
                 CHECK(leaks == 0);

@@ -35,8 +35,8 @@ TEST_CASE("every example renders", "[examples]") {
         const bool estimates_depth = shot.world->appearance.any_drawn_media ||
                                      std::ranges::any_of(shot.world->sky.media, &Media::drawn);
         double sum = 0;
-        for (const Vec3& pixel : render(shot, settings).image.pixels) {
-            REQUIRE(std::isfinite(pixel.x + pixel.y + pixel.z));
+        for (const Rgb& pixel : render(shot, settings).image.pixels) {
+            REQUIRE(std::isfinite(pixel.r + pixel.g + pixel.b));
             if (!estimates_depth) REQUIRE(min_component(pixel) >= 0);
             sum += grey(pixel);
         }

@@ -16,7 +16,7 @@ constexpr double usual_key = 0.18;
 
 Image grey_picture(double light) {
     Image image(20, 10);
-    for (Vec3& pixel : image.pixels) pixel = Vec3(light);
+    for (Rgb& pixel : image.pixels) pixel = Rgb(light);
     return image;
 }
 
@@ -30,9 +30,9 @@ Image street(int frame) {
             const double away = std::hypot(x - 20 - frame, y - 30);
             const double noise =
                 0.5 + chance(static_cast<std::uint64_t>((frame * 90 + y) * 160 + x));
-            image.at(x, y) = Vec3(0.9, 0.7, 0.4) * noise * (0.02 + 2 / (20 + away * away));
+            image.at(x, y) = Rgb(0.9, 0.7, 0.4) * noise * (0.02 + 2 / (20 + away * away));
             const bool lit = (frame / 3 + y / 30) % 2 == 0;
-            if (lit && away < 4) image.at(x, y) = Vec3(500);
+            if (lit && away < 4) image.at(x, y) = Rgb(500);
         }
     return image;
 }
@@ -53,9 +53,9 @@ TEST_CASE("an even picture is exposed as a middle grey, and night stays dark", "
 TEST_CASE("strange pixels do not count in an exposure", "[film]") {
     Image image = grey_picture(0.18);
     const double usual = stops_asked_by(image, usual_key);
-    image.at(3, 3) = Vec3(NAN);
-    image.at(4, 4) = Vec3(std::numeric_limits<double>::infinity());
-    image.at(5, 5) = Vec3(-1e9);
+    image.at(3, 3) = Rgb(NAN);
+    image.at(4, 4) = Rgb(std::numeric_limits<double>::infinity());
+    image.at(5, 5) = Rgb(-1e9);
     CHECK(stops_asked_by(image, usual_key) == Approx(usual).margin(0.05));
 }
 

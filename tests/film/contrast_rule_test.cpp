@@ -11,7 +11,7 @@ namespace {
 
 /// Returns a pixel of the middle row.
 double seen(const std::string& scene, const RenderSettings& settings, int column) {
-    return render(shot_of(scene), settings).image.at(column, 1).x;
+    return render(shot_of(scene), settings).image.at(column, 1).r;
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ TEST_CASE("a pixel is compared with what the one before it has become", "[render
     for (const auto& [first, all, expected] : rows_of) {
         CAPTURE(expected);
         std::string got = "0000";
-        const auto value = [](double v) { return DisplayValue{Vec3(v), 0}; };
+        const auto value = [](double v) { return DisplayValue{Rgb(v), 0}; };
         const auto first_of = [&](int x, int) {
             return value(x < 10 ? first[0] : first[static_cast<std::size_t>(x) - 10]);
         };

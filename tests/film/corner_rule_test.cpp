@@ -25,9 +25,9 @@ TEST_CASE("corners and quarters at an edge are as in POV-Ray", "[render]") {
         CAPTURE(depth);
         const Rendering picture = render(shot_of(edge(1.6, 0, 1)), by_corners(depth));
         const std::size_t i = static_cast<std::size_t>(depth) - 1;
-        CHECK(picture.image.at(0, 1).x == 0);
-        CHECK(picture.image.at(1, 1).x == Approx(expected[i]));
-        CHECK(picture.image.at(2, 1).x == 1);
+        CHECK(picture.image.at(0, 1).r == 0);
+        CHECK(picture.image.at(1, 1).r == Approx(expected[i]));
+        CHECK(picture.image.at(2, 1).r == 1);
         CHECK(picture.rays.camera == rays[i]);
     }
 }
@@ -87,10 +87,10 @@ TEST_CASE("tiles have the corners of the whole picture", "[render]") {
     CornerCells cells(corner_rule(settings, 1), right);
     const PixelSample sight = cells.pixel(40, 2, [&](int x, int, std::uint32_t) {
         most = std::max(most, x);
-        return PixelSample{Vec3(x % 2), 0, {}, 1};
+        return PixelSample{Rgb(x % 2), 0, {}, 1};
     });
     CHECK(most == 41);
-    CHECK(sight.colour.x == Approx(1.0 / 32));
+    CHECK(sight.colour.r == Approx(1.0 / 32));
     CHECK(sight.shadow_rays == 15);
 }
 

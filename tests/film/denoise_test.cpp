@@ -2,6 +2,7 @@
 #include "film/denoise.h"
 
 #include "base/random.h"
+#include "support/rgb.h"
 
 #include <catch2/catch.hpp>
 
@@ -24,11 +25,9 @@ struct QuietView {
                 const bool sky = y < 8, wall = y < 20;
                 const bool dark = (x / 6 + y / 6) % 2 == 0;
                 const double away = std::hypot(x - 30, y - 40) / 20;
-                albedo.at(x, y) = sky    ? Vec3(0)
-                                  : wall ? Vec3(0.6, 0.5, 0.4)
-                                         : Vec3(dark ? 0.2 : 0.7);
-                normal.at(x, y) = sky ? Vec3(0) : wall ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
-                light.at(x, y) = sky ? Vec3(0.1, 0.1, 0.3) : albedo.at(x, y) / (1 + away * away);
+                albedo.at(x, y) = sky ? Rgb(0) : wall ? Rgb(0.6, 0.5, 0.4) : Rgb(dark ? 0.2 : 0.7);
+                normal.at(x, y) = sky ? Rgb(0) : wall ? Rgb(0, 0, -1) : Rgb(0, 1, 0);
+                light.at(x, y) = sky ? Rgb(0.1, 0.1, 0.3) : albedo.at(x, y) / (1 + away * away);
                 depth.push_back(sky ? INFINITY : wall ? 10 : 10 - 0.2 * (y - 20));
             }
     }
@@ -44,19 +43,19 @@ NoisyPicture noisy(const QuietView& view, int samples, double noise = 1) {
     made.depth = view.depth;
     std::uint64_t n = 0;
     for (std::size_t i = 0; i < made.light.pixels.size(); ++i) {
-        Vec3 sum(0), squares(0);
+        Rgb sum(0), squares(0);
         for (int k = 0; k < samples; ++k) {
             // Mostly small, occasionally large, with mean 1.
             const double chance = static_cast<double>(mix(++n) >> 11) * 0x1p-53;
             const double factor = 1 + noise * (3 * chance * chance - 1);
-            const Vec3 sample = factor * view.light.pixels[i];
+            const Rgb sample = factor * view.light.pixels[i];
             sum += sample;
             squares += sample * sample;
         }
-        const Vec3 mean = sum / static_cast<double>(samples);
+        const Rgb mean = sum / static_cast<double>(samples);
         made.light.pixels[i] = mean;
         made.variance.pixels[i] =
-            glm::max(squares / static_cast<double>(samples) - mean * mean, Vec3(0)) /
+            max(squares / static_cast<double>(samples) - mean * mean, Rgb(0)) /
             std::max(samples - 1.0, 1.0);
     }
     return made;
@@ -65,8 +64,8 @@ NoisyPicture noisy(const QuietView& view, int samples, double noise = 1) {
 double error_of(const Image& made, const Image& exact) {
     double sum = 0;
     for (std::size_t i = 0; i < made.pixels.size(); ++i) {
-        const Vec3 off = made.pixels[i] - exact.pixels[i];
-        sum += dot(off, off);
+        const Rgb off = made.pixels[i] - exact.pixels[i];
+        sum += length(off) * length(off);
     }
     return std::sqrt(sum / static_cast<double>(made.pixels.size()));
 }
@@ -104,14 +103,14 @@ TEST_CASE("edges of surfaces and of shadows stay", "[film][denoise]") {
     for (int y = 24; y < 44; ++y)
         for (int x = 4; x < 16; ++x) view.light.at(x, y) *= 0.05;
     for (int y = 2; y < 6; ++y)
-        for (int x = 20; x < 24; ++x) view.light.at(x, y) = Vec3(500);
+        for (int x = 20; x < 24; ++x) view.light.at(x, y) = Rgb(500);
     const Image made = denoised(noisy(view, 16), 1).light;
     for (int y = 26; y < 42; ++y) {
-        CHECK(made.at(14, y).x < 3 * view.light.at(14, y).x);
-        CHECK(made.at(18, y).x > 0.5 * view.light.at(18, y).x);
+        CHECK(made.at(14, y).r < 3 * view.light.at(14, y).r);
+        CHECK(made.at(18, y).r > 0.5 * view.light.at(18, y).r);
     }
-    CHECK(made.at(19, 4).x < 0.5);
-    CHECK(made.at(21, 4).x > 250);
+    CHECK(made.at(19, 4).r < 0.5);
+    CHECK(made.at(21, 4).r > 250);
 }
 
 TEST_CASE("what glows stays as it is, and its neighbours do not get its light",
@@ -122,28 +121,28 @@ TEST_CASE("what glows stays as it is, and its neighbours do not get its light",
     // A small lamp, which covers a noisy share of its pixels.
     for (int y = 30; y < 33; ++y)
         for (int x = 30; x < 33; ++x) {
-            picture.glow.at(x, y) = Vec3(x == 31 && y == 31 ? 90 : 22.5 * ((x + y) % 3));
+            picture.glow.at(x, y) = Rgb(x == 31 && y == 31 ? 90 : 22.5 * ((x + y) % 3));
             picture.light.at(x, y) += picture.glow.at(x, y);
         }
     picture.parts = {picture.light};
     const QuietPicture made = denoised(picture, 1);
     const Image without = denoised(dark, 1).light;
     for (std::size_t i = 0; i < made.light.pixels.size(); ++i) {
-        const Vec3 expected = without.pixels[i] + picture.glow.pixels[i];
-        CHECK(made.light.pixels[i].x == Approx(expected.x));
-        CHECK(made.parts[0].pixels[i].x == Approx(expected.x));
+        const Rgb expected = without.pixels[i] + picture.glow.pixels[i];
+        CHECK(made.light.pixels[i].r == Approx(expected.r));
+        CHECK(made.parts[0].pixels[i].r == Approx(expected.r));
     }
 }
 
 TEST_CASE("a bright pixel that chance has made does not spread", "[film][denoise]") {
     const QuietView view;
     NoisyPicture picture = noisy(view, 4);
-    picture.light.at(30, 30) = Vec3(50);
-    picture.variance.at(30, 30) = Vec3(2500);
+    picture.light.at(30, 30) = Rgb(50);
+    picture.variance.at(30, 30) = Rgb(2500);
     const Image made = denoised(picture, 1).light;
     for (int y = 25; y < 36; ++y)
         for (int x = 25; x < 36; ++x)
-            if (x != 30 || y != 30) CHECK(made.at(x, y).x < 1.5);
+            if (x != 30 || y != 30) CHECK(made.at(x, y).r < 1.5);
 }
 
 TEST_CASE("a denoised picture does not depend on threads, and one sample is left alone",
@@ -163,7 +162,7 @@ TEST_CASE("parts of the light are denoised with it, and are the light together",
     NoisyPicture picture = noisy(view, 4);
     picture.parts.assign(2, picture.light);
     for (std::size_t i = 0; i < picture.light.pixels.size(); ++i) {
-        picture.parts[0].pixels[i] = 0.25 * picture.light.pixels[i] + Vec3(0.01, 0, 0);
+        picture.parts[0].pixels[i] = 0.25 * picture.light.pixels[i] + Rgb(0.01, 0, 0);
         picture.parts[1].pixels[i] = picture.light.pixels[i] - picture.parts[0].pixels[i];
     }
     const QuietPicture made = denoised(picture, 2);

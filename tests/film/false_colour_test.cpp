@@ -13,11 +13,11 @@ namespace {
 Image rising(double most, int width = 200) {
     Image values(width, 60);
     for (int y = 0; y < values.height; ++y)
-        for (int x = 0; x < width; ++x) values.at(x, y) = Vec3(most * x / (width - 1));
+        for (int x = 0; x < width; ++x) values.at(x, y) = Rgb(most * x / (width - 1));
     return values;
 }
 
-double lightness(const Vec3& c) { return dot(c, Vec3(0.2126, 0.7152, 0.0722)); }
+double lightness(const Rgb& c) { return c.r * 0.2126 + c.g * 0.7152 + c.b * 0.0722; }
 
 }  // namespace
 
@@ -30,8 +30,8 @@ TEST_CASE("scales end at 1, 2 and 5 times powers of ten", "[film]") {
     CHECK(fitting_scale(rising(900)) == 1000);
     CHECK(fitting_scale(Image(10, 10)) == 1);
     Image one = rising(0.4);
-    one.at(3, 3) = Vec3(1e9);
-    one.at(4, 4) = Vec3(std::numeric_limits<double>::infinity());
+    one.at(3, 3) = Rgb(1e9);
+    one.at(4, 4) = Rgb(std::numeric_limits<double>::infinity());
     CHECK(fitting_scale(one) == Approx(0.5));
 }
 
@@ -42,10 +42,10 @@ TEST_CASE("greater values are lighter, and those beyond the scale have a colour 
     CHECK(shown.height > 60);
     for (int x = 1; x < 155; ++x) CHECK(lightness(shown.at(x, 5)) >= lightness(shown.at(x - 1, 5)));
     CHECK(shown.at(199, 5) == shown.at(165, 5));
-    CHECK(shown.at(199, 5).x > 2 * shown.at(199, 5).y);
+    CHECK(shown.at(199, 5).r > 2 * shown.at(199, 5).g);
     Image none = rising(1);
-    none.at(7, 7) = Vec3(std::numeric_limits<double>::infinity());
-    CHECK(false_coloured(none, {}).at(7, 7).x == Approx(false_coloured(none, {}).at(7, 7).z));
+    none.at(7, 7) = Rgb(std::numeric_limits<double>::infinity());
+    CHECK(false_coloured(none, {}).at(7, 7).r == Approx(false_coloured(none, {}).at(7, 7).b));
 }
 
 TEST_CASE("isolines stand at the marks of the scale", "[film]") {
@@ -64,7 +64,7 @@ TEST_CASE("isolines stand at the marks of the scale", "[film]") {
         CHECK(lines[static_cast<std::size_t>(i)] == Approx(39.8 * (i + 1)).margin(2));
     // One pixel of noise makes no line.
     Image spot = rising(0);
-    spot.at(50, 30) = Vec3(90);
+    spot.at(50, 30) = Rgb(90);
     CHECK(false_coloured(spot, lined).at(49, 30) == false_coloured(spot, plain).at(49, 30));
 }
 

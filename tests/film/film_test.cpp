@@ -12,46 +12,46 @@ namespace candelabra {
 
 TEST_CASE("a film averages its samples", "[render]") {
     Film film(2, 1);
-    film.at(1, 0).add(Vec3(1, 2, 3));
-    film.at(1, 0).add(Vec3(3, 2, 1));
+    film.at(1, 0).add(Rgb(1, 2, 3));
+    film.at(1, 0).add(Rgb(3, 2, 1));
     const Image image = film.image();
-    CHECK(image.at(0, 0) == Vec3(0));
-    CHECK(image.at(1, 0) == Vec3(2));
+    CHECK(image.at(0, 0) == Rgb(0));
+    CHECK(image.at(1, 0) == Rgb(2));
 }
 
 TEST_CASE("the deviation is that of displayed values", "[render]") {
     PixelSum pixel;
-    pixel.add(Vec3(0));
-    pixel.add(Vec3(100));  // clipped to 1
+    pixel.add(Rgb(0));
+    pixel.add(Rgb(100));  // clipped to 1
     CHECK(pixel.deviation() == Approx(3 * std::sqrt(0.5)));
     PixelSum even;
-    for (int i = 0; i < 5; ++i) even.add(Vec3(0.3));
+    for (int i = 0; i < 5; ++i) even.add(Rgb(0.3));
     CHECK(even.deviation() == Approx(0).margin(1e-7));
 }
 
 TEST_CASE("samples that are subtracted count below zero", "[render]") {
     PixelSum pixel;
-    pixel.add(Vec3(1));
-    pixel.add(Vec3(1));
-    pixel.add(Vec3(0.25), true);
+    pixel.add(Rgb(1));
+    pixel.add(Rgb(1));
+    pixel.add(Rgb(0.25), true);
     CHECK(pixel.samples == 3);
     CHECK(pixel.weight() == 1);
-    CHECK(pixel.mean() == Vec3(1.75));
+    CHECK(pixel.mean() == Rgb(1.75));
     PixelSum other;
-    other.add(Vec3(1));
+    other.add(Rgb(1));
     other.add(pixel);
     CHECK(other.negative == 1);
-    CHECK(other.mean() == Vec3(1.375));
+    CHECK(other.mean() == Rgb(1.375));
     PixelSum alone;
-    alone.add(Vec3(1), true);
-    CHECK(alone.mean() == Vec3(0));
+    alone.add(Rgb(1), true);
+    CHECK(alone.mean() == Rgb(0));
 }
 
 TEST_CASE("noise is that of light as it is exposed", "[render]") {
     PixelSum dark, exposed;
     for (const double light : {0.0, 0.01}) {
-        dark.add(Vec3(light));
-        exposed.add(Vec3(light), false, 100);
+        dark.add(Rgb(light));
+        exposed.add(Rgb(light), false, 100);
     }
     CHECK(exposed.deviation() == Approx(10 * dark.deviation()));
     CHECK(exposed.mean() == dark.mean());
@@ -84,8 +84,8 @@ TEST_CASE("exact sums do not depend on the order of what is added", "[render]") 
 
 TEST_CASE("the variance of the mean is that of the worst channel", "[render]") {
     PixelSum pixel;
-    pixel.add(Vec3(0, 0, 1));
-    pixel.add(Vec3(1, 0, 0.25));
+    pixel.add(Rgb(0, 0, 1));
+    pixel.add(Rgb(1, 0, 0.25));
     CHECK(pixel.variance_of_mean() == Approx(0.25));
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("a film in a file has the sums of one in memory") {
     Film memory(width, height, 2), file(width, height, 2, std::move(*pages));
     for (Film* film : {&memory, &file})
         film->each([&](std::size_t i) {
-            film->pixels()[i].add(Vec3(static_cast<double>(i % 7)));
+            film->pixels()[i].add(Rgb(static_cast<double>(i % 7)));
             film->extra(i)[1].add(static_cast<double>(i));
         });
     CHECK(memory == file);

@@ -9,9 +9,9 @@ namespace candelabra {
 
 namespace {
 
-Vec3 sum_of(const Image& image) {
-    Vec3 sum(0);
-    for (const Vec3& pixel : image.pixels) sum += pixel;
+Rgb sum_of(const Image& image) {
+    Rgb sum(0);
+    for (const Rgb& pixel : image.pixels) sum += pixel;
     return sum;
 }
 
@@ -31,10 +31,10 @@ TEST_CASE("a kernel has all light, and is the same in opposite directions", "[fi
         glare.blades = blades;
         glare.angle = 17;
         const GlareKernel kernel(glare, 40, 31);
-        Vec3 sum(0);
+        Rgb sum(0);
         for (int dy = -30; dy <= 30; ++dy)
             for (int dx = -39; dx <= 39; ++dx) {
-                const Vec3 share = kernel.at(dx, dy);
+                const Rgb share = kernel.at(dx, dy);
                 sum += share;
                 for (int c = 0; c < 3; ++c) {
                     CHECK(share[c] >= 0);
@@ -53,25 +53,25 @@ TEST_CASE("glare keeps the energy of a lamp whose light cannot leave the picture
     image.at(48, 40) = {1e6, 2e5, 3e4};
     image.at(45, 38) = {10, 0, 5};
     const Image made = spread(image, kernel, 1);
-    const Vec3 before = sum_of(image), after = sum_of(made);
+    const Rgb before = sum_of(image), after = sum_of(made);
     for (int c = 0; c < 3; ++c) CHECK(after[c] == Approx(before[c]).epsilon(1e-9));
-    CHECK(made.at(48, 40).x < 0.8e6);
-    CHECK(made.at(48, 40).x > 0.45e6);
+    CHECK(made.at(48, 40).r < 0.8e6);
+    CHECK(made.at(48, 40).r > 0.45e6);
     // Light is scattered within the kernel, and not beyond.
-    CHECK(made.at(48 + 20, 40 + 10).x == Approx(1e6 * kernel.at(20, 10).x).epsilon(1e-4));
-    CHECK(std::abs(made.at(48 + 35, 40).x) < 1e-6);
+    CHECK(made.at(48 + 20, 40 + 10).r == Approx(1e6 * kernel.at(20, 10).r).epsilon(1e-4));
+    CHECK(std::abs(made.at(48 + 35, 40).r) < 1e-6);
 }
 
 TEST_CASE("a spread picture is the sum that defines it", "[film][glare]") {
     const GlareKernel kernel(glare_of(0.3, 0.1, 0.1), 9, 7);
     Image image(9, 7);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        image.pixels[i] = Vec3(static_cast<double>(i % 5), static_cast<double>(i % 7), 1);
+        image.pixels[i] = Rgb(static_cast<double>(i % 5), static_cast<double>(i % 7), 1);
     const Image made = spread(image, kernel, 2);
     CHECK(made.pixels == spread(image, kernel, 1).pixels);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
-            Vec3 sum(0);
+            Rgb sum(0);
             for (int v = 0; v < image.height; ++v)
                 for (int u = 0; u < image.width; ++u)
                     sum += kernel.at(x - u, y - v) * image.at(u, v);
@@ -88,7 +88,7 @@ TEST_CASE("a veil falls as the eye's does", "[film][glare]") {
     const double plane = width / 2.0 / std::tan(20 * M_PI / 180);
     const auto share = [&](int pixels) {
         const double angle = std::atan(pixels / plane);
-        return kernel.at(pixels, 0).x / std::pow(std::cos(angle), 3);
+        return kernel.at(pixels, 0).r / std::pow(std::cos(angle), 3);
     };
     const auto eye = [&](int pixels) {
         const double away = std::atan(pixels / plane) * 180 / M_PI + 0.02;
@@ -106,10 +106,10 @@ TEST_CASE("a halo is a ring, wider and redder outside", "[film][glare]") {
     const auto at = [&](double degrees) {
         return kernel.at(static_cast<int>(std::lround(degrees * per_degree)), 0);
     };
-    CHECK(at(3).y > 2 * at(1.5).y);
-    CHECK(at(3).y > 2 * at(4.5).y);
-    CHECK(at(4.2).x > 1.5 * at(4.2).z);
-    CHECK(at(1.6).z > 1.5 * at(1.6).x);
+    CHECK(at(3).g > 2 * at(1.5).g);
+    CHECK(at(3).g > 2 * at(4.5).g);
+    CHECK(at(4.2).r > 1.5 * at(4.2).b);
+    CHECK(at(1.6).b > 1.5 * at(1.6).r);
 }
 
 TEST_CASE("a star has rays by the blades of the aperture", "[film][glare]") {
@@ -127,7 +127,7 @@ TEST_CASE("a star has rays by the blades of the aperture", "[film][glare]") {
                 const double here = kernel
                                         .at(static_cast<int>(std::lround(60 * std::cos(turn))),
                                             static_cast<int>(std::lround(60 * std::sin(turn))))
-                                        .y;
+                                        .g;
                 if (pass == 0) {
                     brightest = std::max(brightest, here);
                     continue;
@@ -143,18 +143,18 @@ TEST_CASE("a star has rays by the blades of the aperture", "[film][glare]") {
     CHECK(rays(5) == 10);
     Glare round = glare_of(0, 0, 0.2);
     round.blades = 0;
-    CHECK(GlareKernel(round, 20, 20).at(0, 0) == Vec3(1));
+    CHECK(GlareKernel(round, 20, 20).at(0, 0) == Rgb(1));
 }
 
 TEST_CASE("pixels that are no numbers do not spread", "[film][glare]") {
     const GlareKernel kernel(glare_of(0.3, 0.1, 0.1), 8, 8);
     Image image(8, 8);
-    image.at(2, 2) = Vec3(NAN);
-    image.at(4, 4) = Vec3(INFINITY);
-    image.at(6, 6) = Vec3(1);
-    for (const Vec3& pixel : spread(image, kernel, 1).pixels)
+    image.at(2, 2) = Rgb(NAN);
+    image.at(4, 4) = Rgb(INFINITY);
+    image.at(6, 6) = Rgb(1);
+    for (const Rgb& pixel : spread(image, kernel, 1).pixels)
         for (int c = 0; c < 3; ++c) CHECK(std::isfinite(pixel[c]));
-    CHECK(spread(Image(1, 1), GlareKernel(Glare(), 1, 1), 1).at(0, 0) == Vec3(0));
+    CHECK(spread(Image(1, 1), GlareKernel(Glare(), 1, 1), 1).at(0, 0) == Rgb(0));
 }
 
 }  // namespace candelabra

@@ -25,7 +25,7 @@ Image falling_cone(double deviation) {
             double noise = -6;  // the sum of twelve uniform numbers is nearly normal
             for (int i = 0; i < 12; ++i) noise += random.next();
             const double away = glm::length(Vec2(x + 0.5, y + 0.5) - middle);
-            values.at(x, y) = Vec3(100 - away + deviation * noise);
+            values.at(x, y) = Rgb(100 - away + deviation * noise);
         }
     return values;
 }
@@ -60,7 +60,7 @@ TEST_CASE("noise makes isolines hardly ragged", "[film]") {
     // Without calming, noise of four pixels' worth breaks lines into hundreds.
     const Image noisy = falling_cone(4);
     NumberField raw{wide, high, {}};
-    for (const Vec3& each : noisy.pixels) raw.numbers.push_back(each.x);
+    for (const Rgb& each : noisy.pixels) raw.numbers.push_back(each.r);
     CHECK(isolines_of(raw, 40, 100, 0).size() > 100);
     const std::vector<Isoline> lines = isolines_of(calmed(noisy), 40, 100, 28);
     CHECK(lines.size() == 2);
@@ -70,16 +70,16 @@ TEST_CASE("noise makes isolines hardly ragged", "[film]") {
 TEST_CASE("steps of objects remain, and no line follows them", "[film]") {
     Image values(wide, high);
     for (int y = 0; y < high; ++y)
-        for (int x = 0; x < wide; ++x) values.at(x, y) = Vec3(x < 80 ? 5 : 95);
+        for (int x = 0; x < wide; ++x) values.at(x, y) = Rgb(x < 80 ? 5 : 95);
     const NumberField field = calmed(values);
     CHECK(field.at(79, 50) == 5);
     CHECK(field.at(80, 50) == 95);
     CHECK(isolines_of(field, 20, 100, 0).empty());
-    values.at(3, 3) = Vec3(std::numeric_limits<double>::infinity());
-    values.at(4, 3) = Vec3(std::numeric_limits<double>::quiet_NaN());
+    values.at(3, 3) = Rgb(std::numeric_limits<double>::infinity());
+    values.at(4, 3) = Rgb(std::numeric_limits<double>::quiet_NaN());
     CHECK(calmed(values).at(3, 3) == 5);
     Image one(1, 1);
-    one.at(0, 0) = Vec3(std::numeric_limits<double>::quiet_NaN());
+    one.at(0, 0) = Rgb(std::numeric_limits<double>::quiet_NaN());
     CHECK(calmed(one).at(0, 0) == 0);
     CHECK(isolines_of(calmed(one), 1, 5, 0).empty());
     CHECK(isolines_of(calmed(Image()), 1, 5, 0).empty());
@@ -88,7 +88,7 @@ TEST_CASE("steps of objects remain, and no line follows them", "[film]") {
 TEST_CASE("a saddle has two lines that do not meet", "[film]") {
     Image values(40, 40);
     for (int y = 0; y < 40; ++y)
-        for (int x = 0; x < 40; ++x) values.at(x, y) = Vec3(1 + 0.01 * (x - 19.6) * (y - 20.3));
+        for (int x = 0; x < 40; ++x) values.at(x, y) = Rgb(1 + 0.01 * (x - 19.6) * (y - 20.3));
     const std::vector<Isoline> lines = isolines_of(calmed(values), 1, 1, 5);
     CHECK(lines.size() == 2);
 }
@@ -96,12 +96,12 @@ TEST_CASE("a saddle has two lines that do not meet", "[film]") {
 TEST_CASE("long lines have their number in a gap, and nothing is drawn below", "[film]") {
     const std::vector<Isoline> lines = isolines_of(calmed(falling_cone(0)), 40, 80, 10);
     Image picture(wide, high);
-    const IsolineLook look{1, [](double) { return Vec3(1); },
+    const IsolineLook look{1, [](double) { return Rgb(1); },
                            [](double value) { return std::to_string(static_cast<int>(value)); }};
     draw_isolines(lines, look, 100, picture);
     double drawn = 0, below = 0;
     for (int y = 0; y < high; ++y)
-        for (int x = 0; x < wide; ++x) (y < 100 ? drawn : below) += picture.at(x, y).x;
+        for (int x = 0; x < wide; ++x) (y < 100 ? drawn : below) += picture.at(x, y).r;
     CHECK(drawn > 200);
     CHECK(below == 0);
     Image without(wide, high);

@@ -8,7 +8,7 @@ namespace candelabra {
 namespace {
 
 void fill(PixelSum& pixel, double a, double b) {
-    for (int i = 0; i < 4; ++i) pixel.add(Vec3(i % 2 ? a : b));
+    for (int i = 0; i < 4; ++i) pixel.add(Rgb(i % 2 ? a : b));
 }
 
 }  // namespace

@@ -11,9 +11,9 @@ namespace candelabra {
 TEST_CASE("letters of numbers and units differ, and stay inside of the picture", "[film]") {
     const auto drawn = [](std::string_view text, int size, PixelPlace at) {
         Image picture(20, 20);
-        write_text(picture, at, text, size, Vec3(1));
+        write_text(picture, at, text, size, Rgb(1));
         std::string bits;
-        for (const Vec3& pixel : picture.pixels) bits += pixel == Vec3(1) ? '#' : '.';
+        for (const Rgb& pixel : picture.pixels) bits += pixel == Rgb(1) ? '#' : '.';
         return bits;
     };
     const std::string letters = "0123456789.-+/%elxcdm";

@@ -37,29 +37,29 @@ TEST_CASE("the response curves have the numbers of their formulas", "[film][resp
         INFO("exposure " << point.exposure);
         CHECK(filmic_curve(point.exposure) == Approx(point.filmic).epsilon(1e-10));
         CHECK(agx_curve(point.exposure) == Approx(point.agx).epsilon(1e-10));
-        const Vec3 grey = respond(ResponseCurve::agx, Vec3(point.exposure));
-        CHECK(grey.x == Approx(point.agx).epsilon(1e-10));
-        CHECK(grey.y == Approx(grey.z).epsilon(1e-12));
+        const Rgb grey = respond(ResponseCurve::agx, Rgb(point.exposure));
+        CHECK(grey.r == Approx(point.agx).epsilon(1e-10));
+        CHECK(grey.g == Approx(grey.b).epsilon(1e-12));
     }
 }
 
 TEST_CASE("bright colours become white with agx, in steps that are known", "[film][response]") {
-    const Vec3 dim = respond(ResponseCurve::agx, {0.1, 0.02, 0.02}),
-               bright = respond(ResponseCurve::agx, {10, 0.2, 0.2}),
-               lamp = respond(ResponseCurve::agx, {100, 2, 2}),
-               sun = respond(ResponseCurve::agx, {1000, 20, 20}),
-               sign = respond(ResponseCurve::agx, {4, 0.8, 1.2});
-    CHECK(dim.x == Approx(0.10129845743519102).epsilon(1e-9));
-    CHECK(dim.y == Approx(0.018321292848260392).epsilon(1e-9));
-    CHECK(bright.x == Approx(0.9656777950865603).epsilon(1e-9));
-    CHECK(bright.y == Approx(0.27916634377043764).epsilon(1e-9));
-    CHECK(lamp.x == Approx(1));
-    CHECK(lamp.y == Approx(0.8473353840221882).epsilon(1e-9));
-    CHECK(sun.y == Approx(0.9891968503937009).epsilon(1e-9));
+    const Rgb dim = respond(ResponseCurve::agx, {0.1, 0.02, 0.02}),
+              bright = respond(ResponseCurve::agx, {10, 0.2, 0.2}),
+              lamp = respond(ResponseCurve::agx, {100, 2, 2}),
+              sun = respond(ResponseCurve::agx, {1000, 20, 20}),
+              sign = respond(ResponseCurve::agx, {4, 0.8, 1.2});
+    CHECK(dim.r == Approx(0.10129845743519102).epsilon(1e-9));
+    CHECK(dim.g == Approx(0.018321292848260392).epsilon(1e-9));
+    CHECK(bright.r == Approx(0.9656777950865603).epsilon(1e-9));
+    CHECK(bright.g == Approx(0.27916634377043764).epsilon(1e-9));
+    CHECK(lamp.r == Approx(1));
+    CHECK(lamp.g == Approx(0.8473353840221882).epsilon(1e-9));
+    CHECK(sun.g == Approx(0.9891968503937009).epsilon(1e-9));
     // A small sign of coloured letters is not pale.
-    CHECK(sign.y / sign.x == Approx(0.39193).epsilon(1e-4));
-    const Vec3 clipped = respond(ResponseCurve::linear, {100, 0.5, -1});
-    CHECK(clipped == Vec3(1, 0.5, 0));
+    CHECK(sign.g / sign.r == Approx(0.39193).epsilon(1e-4));
+    const Rgb clipped = respond(ResponseCurve::linear, {100, 0.5, -1});
+    CHECK(clipped == Rgb(1, 0.5, 0));
 }
 
 TEST_CASE("more light never shows as less, and all is within a display", "[film][response]") {
@@ -75,13 +75,13 @@ TEST_CASE("more light never shows as less, and all is within a display", "[film]
     constexpr double inf = std::numeric_limits<double>::infinity();
     for (const ResponseCurve curve :
          {ResponseCurve::linear, ResponseCurve::filmic, ResponseCurve::agx})
-        for (const Vec3& strange : {Vec3(inf), Vec3(-inf, 1, 0), Vec3(NAN), Vec3(NAN, 1e300, -5),
-                                    Vec3(1e300), Vec3(0), Vec3(inf, 0, 0)}) {
-            const Vec3 shown = respond(curve, strange);
+        for (const Rgb& strange : {Rgb(inf), Rgb(-inf, 1, 0), Rgb(NAN), Rgb(NAN, 1e300, -5),
+                                   Rgb(1e300), Rgb(0), Rgb(inf, 0, 0)}) {
+            const Rgb shown = respond(curve, strange);
             for (int c = 0; c < 3; ++c) CHECK((shown[c] >= 0 && shown[c] <= 1));
         }
-    CHECK(respond(ResponseCurve::agx, Vec3(0)) == Vec3(0));
-    CHECK(respond(ResponseCurve::filmic, Vec3(0)) == Vec3(0));
+    CHECK(respond(ResponseCurve::agx, Rgb(0)) == Rgb(0));
+    CHECK(respond(ResponseCurve::filmic, Rgb(0)) == Rgb(0));
 }
 
 }  // namespace candelabra

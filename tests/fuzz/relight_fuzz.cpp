@@ -47,7 +47,7 @@ void relight(const LightRecords& records) {
     if (records.tiles.size() != tiles) std::abort();
     constexpr int small = 1000;
     if (records.width > small || records.height > small) return;
-    const std::vector<Vec3> factors(records.lamps.size(), Vec3(1, 0.5, 2));
+    const std::vector<Rgb> factors(records.lamps.size(), Rgb(1, 0.5, 2));
     if (relit(records, factors, 1).pixels.empty()) std::abort();
     if (Relighting(records, 4, 1).picture(factors).pixels.empty()) std::abort();
 }
@@ -91,9 +91,9 @@ TileLight tile_at_work() {
     TileLight tile;
     constexpr std::size_t room = 700;
     for (std::uint32_t i = 0; i < 300; ++i)
-        tile.add(i % lamps, i * 7 % tile_pixels, Vec3(1, 0.5, 0.25), i % 11 == 0);
+        tile.add(i % lamps, i * 7 % tile_pixels, Rgb(1, 0.5, 0.25), i % 11 == 0);
     tile.settle(sound().lamps, room, 1);
-    tile.add(1, 3, Vec3(1), false);
+    tile.add(1, 3, Rgb(1), false);
     return tile;
 }
 
@@ -113,11 +113,11 @@ void read_tile_at_work(std::string_view bytes) {
     if (!same || bytes_of(*same) != again || !left.empty()) std::abort();
     const LampList list = sound().lamps;
     constexpr std::size_t room = 2000;
-    tile->add(2, 5, Vec3(1), false);
+    tile->add(2, 5, Rgb(1), false);
     tile->settle(list, room, 1);
     TilePixels pixels;
     pixels.weight.fill(2);
-    pixels.mean.fill(Vec3(3));
+    pixels.mean.fill(Rgb(3));
     tile->finished(list, pixels, room, 1);
 }
 

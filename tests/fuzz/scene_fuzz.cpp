@@ -32,7 +32,7 @@ Limits small_limits() {
 }
 
 void must_be_numbers(const Image& image) {
-    for (const Vec3& pixel : image.pixels)
+    for (const Rgb& pixel : image.pixels)
         for (int c = 0; c < 3; ++c)
             if (std::isnan(pixel[c])) std::abort();
 }
@@ -43,7 +43,7 @@ void finish(const Film& film, const FilmFiles& files) {
     must_be_numbers(denoised_film(film, files).light);
     if (!files.film.on) return;
     const Image shown = develop(negative_of(film, files), files.film, files.threads);
-    for (const Vec3& pixel : shown.pixels)
+    for (const Rgb& pixel : shown.pixels)
         for (int c = 0; c < 3; ++c)
             if (!(pixel[c] >= 0 && pixel[c] <= 1)) std::abort();
 }

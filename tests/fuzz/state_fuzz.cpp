@@ -18,7 +18,7 @@ const std::string& sound() {
         settings.height = 3;
         Checkpoint checkpoint{
             {{"program", "x"}, {"file a.pov", "12"}}, begin_picture(settings, 1), 3, 9, true};
-        for (PixelSum& pixel : checkpoint.state.film.pixels()) pixel.add(Vec3(0.25, 1, 7));
+        for (PixelSum& pixel : checkpoint.state.film.pixels()) pixel.add(Rgb(0.25, 1, 7));
         Diagnostics diagnostics;
         const auto made = encode(checkpoint, diagnostics);
         if (!made) std::abort();

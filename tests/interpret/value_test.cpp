@@ -14,7 +14,7 @@ TEST_CASE("numbers are promoted as in POV-Ray", "[interpret]") {
     CHECK(Numbers::scalar(2).promoted(3) == Numbers{{2, 2, 2}, 3});
     CHECK(Numbers{{1, 2}, 2}.promoted(4) == Numbers{{1, 2, 0, 0}, 4});
     CHECK(Numbers{{1, 2, 3}, 3}.promoted(2) == Numbers{{1, 2, 3}, 3});
-    CHECK(Numbers::colour({Vec3(1, 2, 3), 4, 5}).to_colour() == Colour{Vec3(1, 2, 3), 4, 5});
+    CHECK(Numbers::colour({Rgb(1, 2, 3), 4, 5}).to_colour() == Colour{Rgb(1, 2, 3), 4, 5});
 }
 
 TEST_CASE("a value tells what it is", "[interpret]") {

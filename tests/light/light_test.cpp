@@ -26,19 +26,19 @@ TEST_CASE("a light fades as POV-Ray 3.7's", "[light]") {
         light.fade_distance = c.fade_distance;
         light.fade_power = c.fade_power;
         light.location = Vec3(0, c.distance, 0);
-        light.colour = Vec3(1);
+        light.colour = Rgb(1);
         if (c.distance > 0)
-            CHECK(incidence(light, light.location, Vec3(0)).colour.x == Approx(c.share));
+            CHECK(incidence(light, light.location, Vec3(0)).colour.r == Approx(c.share));
     }
 }
 
 TEST_CASE("a light fades from its source on as POV-Ray 3.8's", "[light]") {
     PointLight light;
     light.fades_from_source = true;
-    light.colour = Vec3(1);
+    light.colour = Rgb(1);
     const auto at = [&](double distance, double power) {
         light.fade_power = power;
-        return incidence(light, Vec3(0, distance, 0), Vec3(0)).colour.x;
+        return incidence(light, Vec3(0, distance, 0), Vec3(0)).colour.r;
     };
     CHECK(at(1, 2) == 1);
     CHECK(at(2, 2) == Approx(0.25));
@@ -50,11 +50,11 @@ TEST_CASE("a light fades from its source on as POV-Ray 3.8's", "[light]") {
 
 TEST_CASE("beams are bright in the middle and end at their falloff", "[light]") {
     PointLight light;
-    light.colour = Vec3(1);
+    light.colour = Rgb(1);
     light.location = Vec3(0, 0, -5);
     light.point_at = Vec3(0);
     const auto at = [&](double x) {
-        return incidence(light, light.location, Vec3(x, 0, 0)).colour.x;
+        return incidence(light, light.location, Vec3(x, 0, 0)).colour.r;
     };
     light.beam = cone;
     CHECK(at(1) == 1);
@@ -72,7 +72,7 @@ TEST_CASE("a settled cone gives the same light, and none beside it", "[light]") 
          {std::pair{5.0, 9.0}, {30.0, 45.0}, {40.0, 20.0}, {95.0, 100.0}, {70.0, 110.0}}) {
         PointLight light;
         light.beam = cone;
-        light.colour = Vec3(1, 2, 3);
+        light.colour = Rgb(1, 2, 3);
         light.location = Vec3(1, 2, 3);
         light.point_at = Vec3(-1, 0, 2);
         light.radius = radius;
@@ -82,12 +82,12 @@ TEST_CASE("a settled cone gives the same light, and none beside it", "[light]") 
         int beside = 0;
         for (int i = 0; i < 1000; ++i) {
             const Vec3 point(i % 10 - 4.5, i / 10 % 10 - 4.5, i / 100 - 4.5);
-            const Vec3 colour = incidence(light, light.location, point).colour;
+            const Rgb colour = incidence(light, light.location, point).colour;
             CHECK(incidence(settled, light.location, point).colour == colour);
             CHECK_FALSE(is_beside_cone(light, point));
             if (!is_beside_cone(settled, point)) continue;
             ++beside;
-            CHECK(colour == Vec3(0));
+            CHECK(colour == Rgb(0));
         }
         CHECK(beside > 100);
     }
@@ -95,7 +95,7 @@ TEST_CASE("a settled cone gives the same light, and none beside it", "[light]") 
 
 TEST_CASE("each light of a parallel grid has an axis of its own", "[light]") {
     PointLight light;
-    light.colour = Vec3(1);
+    light.colour = Rgb(1);
     light.location = Vec3(0, 10, 0);
     light.point_at = Vec3(0);
     light.parallel = true;
@@ -106,7 +106,7 @@ TEST_CASE("each light of a parallel grid has an axis of its own", "[light]") {
 
 TEST_CASE("a light without shadows keeps to no cone and no cylinder, as POV-Ray's", "[light]") {
     PointLight light;
-    light.colour = Vec3(1);
+    light.colour = Rgb(1);
     light.location = Vec3(0, 0, -5);
     light.point_at = Vec3(0);
     light.shadowless = true;
@@ -114,7 +114,7 @@ TEST_CASE("a light without shadows keeps to no cone and no cylinder, as POV-Ray'
     for (const int beam : {cone, parallel_beam}) {
         light.beam = beam;
         const Incidence far = incidence(light, light.location, Vec3(20, 0, 0));
-        CHECK(far.colour == Vec3(1));
+        CHECK(far.colour == Rgb(1));
         CHECK((far.direction == Vec3(0, 0, -1)) == (beam == parallel_beam));
         CHECK_FALSE(ignored(light).empty());
     }

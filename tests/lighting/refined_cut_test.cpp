@@ -26,7 +26,7 @@ std::vector<Luminaire> many() {
 
 TEST_CASE("a refined cut holds every luminaire that is not dark once", "[lighting]") {
     std::vector<Luminaire> luminaires = many();
-    for (std::size_t i = 0; i < 3; ++i) luminaires[100 * i].radiance = Vec3(0);
+    for (std::size_t i = 0; i < 3; ++i) luminaires[100 * i].radiance = Rgb(0);
     const LightTree tree(*choices(luminaires));
     for (const int most : {1, 16, 100, 256}) {
         const RefinedCut cut = refined_cut(tree, refined_cell, {1e-9, most});
@@ -36,7 +36,7 @@ TEST_CASE("a refined cut holds every luminaire that is not dark once", "[lightin
         for (const LightCluster& c : cut.clusters) {
             CHECK(c.first >= next);
             CHECK_FALSE(tree.dark(c));
-            for (; next < c.first; ++next) CHECK(luminaires[tree.light(next)].radiance == Vec3(0));
+            for (; next < c.first; ++next) CHECK(luminaires[tree.light(next)].radiance == Rgb(0));
             next = c.first + c.count;
             held += c.count;
         }

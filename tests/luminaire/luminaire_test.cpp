@@ -10,12 +10,12 @@
 namespace candelabra {
 
 TEST_CASE("luminance is above 0 when any channel is, and drops what is below 0", "[luminaire]") {
-    CHECK(luminance(Vec3(0)) == 0);
-    CHECK(luminance(Vec3(-1, -2, -3)) == 0);
-    CHECK(luminance(Vec3(1)) == Approx(1));
-    CHECK(luminance(Vec3(-5, 0, 2)) == Approx(luminance(Vec3(0, 0, 2))));
-    CHECK(luminance(Vec3(0, 0, 1e-320)) > 0);
-    CHECK(std::isfinite(luminance(Vec3(1e308))));
+    CHECK(luminance(Rgb(0)) == 0);
+    CHECK(luminance(Rgb(-1, -2, -3)) == 0);
+    CHECK(luminance(Rgb(1)) == Approx(1));
+    CHECK(luminance(Rgb(-5, 0, 2)) == Approx(luminance(Rgb(0, 0, 2))));
+    CHECK(luminance(Rgb(0, 0, 1e-320)) > 0);
+    CHECK(std::isfinite(luminance(Rgb(1e308))));
 }
 
 TEST_CASE("no luminaire is estimated at 0 where a part of it is above the horizon",

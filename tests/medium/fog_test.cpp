@@ -10,14 +10,14 @@ namespace candelabra {
 namespace {
 
 double seen(const Fog& fog, const Ray& ray, double distance) {
-    return veil_of(std::span(&fog, 1), ray, distance, NoiseGenerator::full_range).added.x;
+    return veil_of(std::span(&fog, 1), ray, distance, NoiseGenerator::full_range).added.r;
 }
 
 }  // namespace
 
 TEST_CASE("fog takes its colour by the distance", "[medium]") {
     Fog fog;
-    fog.colour.rgb = Vec3(1);
+    fog.colour.rgb = Rgb(1);
     fog.distance = 4;
     const Ray ray{Vec3(0), Vec3(0, 0, 1)};
     CHECK(seen(fog, ray, 4) == Approx(1 - std::exp(-1)));
@@ -30,7 +30,7 @@ TEST_CASE("fog takes its colour by the distance", "[medium]") {
 
 TEST_CASE("everything in a ground fog without a direction is black, as in POV-Ray", "[medium]") {
     Fog fog;
-    fog.colour.rgb = Vec3(1);
+    fog.colour.rgb = Rgb(1);
     fog.distance = 4;
     fog.up = Vec3(0);
     const Ray ray{Vec3(0, 5, 0), Vec3(0, 0, 1)};
@@ -39,14 +39,14 @@ TEST_CASE("everything in a ground fog without a direction is black, as in POV-Ra
     for (const double distance : {0.1, 4.0, std::numeric_limits<double>::infinity()}) {
         const auto veil =
             veil_of(std::span(&fog, 1), ray, distance, NoiseGenerator::full_range);
-        CHECK(veil.through(Vec3(1)) == Vec3(0));
-        CHECK(left_by(std::span(&fog, 1), ray, distance, NoiseGenerator::full_range) == Vec3(0));
+        CHECK(veil.through(Rgb(1)) == Rgb(0));
+        CHECK(left_by(std::span(&fog, 1), ray, distance, NoiseGenerator::full_range) == Rgb(0));
     }
 }
 
 TEST_CASE("ground fog thins out upwards", "[medium]") {
     Fog fog;
-    fog.colour.rgb = Vec3(1);
+    fog.colour.rgb = Rgb(1);
     fog.distance = 4;
     fog.fog_type = 2;
     fog.fog_offset = 1;

@@ -19,14 +19,14 @@ TEST_CASE(
 
 TEST_CASE("light is dimmed inside as POV-Ray 3.7 does it", "[surface]") {
     Interior interior;
-    CHECK(attenuation(interior, 5) == Vec3(1));
+    CHECK(attenuation(interior, 5) == Rgb(1));
     interior.fade_distance = 2;
     interior.fade_power = 2;
-    CHECK(attenuation(interior, 2) == Vec3(0.5));
-    interior.fade_color = Vec3(1, 0.5, 0);
-    CHECK(attenuation(interior, 2) == Vec3(1, 0.75, 0.5));
+    CHECK(attenuation(interior, 2) == Rgb(0.5));
+    interior.fade_color = Rgb(1, 0.5, 0);
+    CHECK(attenuation(interior, 2) == Rgb(1, 0.75, 0.5));
     interior.fade_power = 1001;
-    CHECK(attenuation(interior, 4).z == Approx(std::exp(-2)));
+    CHECK(attenuation(interior, 4).b == Approx(std::exp(-2)));
 }
 
 }  // namespace candelabra

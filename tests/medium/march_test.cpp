@@ -13,7 +13,7 @@ namespace candelabra {
 namespace {
 
 struct Means {
-    Vec3 left = Vec3(0), emitted = Vec3(0), first = Vec3(0), second = Vec3(0);
+    Rgb left, emitted, first, second;
 };
 
 /// Means over many marches; `first` and `second` are the integrals of scattering, and of scattering
@@ -30,7 +30,7 @@ Means marched(const Media& media, double distance, double near, std::uint32_t co
         means.left += out.veil.transmittance / static_cast<double>(count);
         means.emitted += out.veil.added / static_cast<double>(count);
         for (const MediaPlace& place : out.places) {
-            const Vec3 light = place.weight * place.scattering / static_cast<double>(count);
+            const Rgb light = place.weight * place.scattering / static_cast<double>(count);
             means.first += light;
             means.second += light * place.distance;
         }
@@ -44,11 +44,11 @@ TEST_CASE("a march through a medium that is the same everywhere has the closed f
     const Media media =
         media_of("absorption 0.5 emission <1, 2, 0> scattering { 1, 0.25 extinction 2 }");
     const Means found = marched(media, 3, 5, 2000);
-    CHECK(found.left.x == Approx(std::exp(-3)));
-    CHECK(found.emitted.x == Approx(1 - std::exp(-3)));
-    CHECK(found.emitted.y == Approx(2 - 2 * std::exp(-3)));
-    CHECK(found.first.x == Approx(0.25 * (1 - std::exp(-3))).epsilon(1e-3));
-    CHECK(found.second.x == Approx(0.25 * (1 - 4 * std::exp(-3))).epsilon(1e-3));
+    CHECK(found.left.r == Approx(std::exp(-3)));
+    CHECK(found.emitted.r == Approx(1 - std::exp(-3)));
+    CHECK(found.emitted.g == Approx(2 - 2 * std::exp(-3)));
+    CHECK(found.first.r == Approx(0.25 * (1 - std::exp(-3))).epsilon(1e-3));
+    CHECK(found.second.r == Approx(0.25 * (1 - 4 * std::exp(-3))).epsilon(1e-3));
 }
 
 TEST_CASE("a march through a density that grows is unbiased", "[medium]") {
@@ -57,9 +57,9 @@ TEST_CASE("a march through a density that grows is unbiased", "[medium]") {
         "}");
     // The density is x / 3: the optical depth is x^2 / 6.
     const Means found = marched(media, 3 - 0.002, 5, 20000);
-    CHECK(found.left.x == Approx(std::exp(-1.5)).epsilon(0.01));
-    CHECK(found.emitted.x == Approx(2 * (1 - std::exp(-1.5))).epsilon(0.01));
-    CHECK(found.first.x == Approx(0.5 * (1 - std::exp(-1.5))).epsilon(0.01));
+    CHECK(found.left.r == Approx(std::exp(-1.5)).epsilon(0.01));
+    CHECK(found.emitted.r == Approx(2 * (1 - std::exp(-1.5))).epsilon(0.01));
+    CHECK(found.first.r == Approx(0.5 * (1 - std::exp(-1.5))).epsilon(0.01));
 }
 
 TEST_CASE("far parts of a ray are not forgotten", "[medium]") {
@@ -68,8 +68,8 @@ TEST_CASE("far parts of a ray are not forgotten", "[medium]") {
                                     "[1 rgb 1] } }"}) {
         INFO(words);
         const Means found = marched(media_of(words), 2e10, 10, 20000);
-        CHECK(found.first.x == Approx(1).epsilon(0.03));
-        CHECK(found.left.x == Approx(0).margin(1e-6));
+        CHECK(found.first.r == Approx(1).epsilon(0.03));
+        CHECK(found.left.r == Approx(0).margin(1e-6));
     }
 }
 
@@ -84,9 +84,9 @@ TEST_CASE("where points are dense does not change what is expected", "[medium]")
             std::string("absorption 0.7 scattering { 1, 0.5 extinction 1 } ") + density;
         const Means even = marched(media_of(words), 2.9, 5, 20000),
                     dense = marched(media_of(words), 2.9, 5, 20000, &worth);
-        CHECK(dense.left.x == Approx(even.left.x).epsilon(0.01));
-        CHECK(dense.first.x == Approx(even.first.x).epsilon(0.01));
-        CHECK(dense.second.x == Approx(even.second.x).epsilon(0.01));
+        CHECK(dense.left.r == Approx(even.left.r).epsilon(0.01));
+        CHECK(dense.first.r == Approx(even.first.r).epsilon(0.01));
+        CHECK(dense.second.r == Approx(even.second.r).epsilon(0.01));
     }
 }
 
@@ -97,10 +97,10 @@ TEST_CASE("what scatters nothing has no places", "[medium]") {
     const Ray ray{Vec3(0), Vec3(1, 0, 0)};
     march(view, {ray, 4, 4, 8}, {}, {}, out);
     CHECK(out.places.empty());
-    CHECK(out.veil.transmittance == Vec3(1));
-    CHECK(out.veil.added.x > 0);
+    CHECK(out.veil.transmittance == Rgb(1));
+    CHECK(out.veil.added.r > 0);
     march({}, {ray, 4, 4, 8}, {}, {}, out);
-    CHECK(out.veil.added == Vec3(0));
+    CHECK(out.veil.added == Rgb(0));
 }
 
 }  // namespace candelabra

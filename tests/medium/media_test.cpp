@@ -12,7 +12,7 @@ namespace {
 Scattering of_type(int type, double eccentricity = 0) {
     Scattering s;
     s.type = type;
-    s.colour = Vec3(1);
+    s.colour = Rgb(1);
     s.eccentricity = eccentricity;
     return s;
 }
@@ -45,29 +45,29 @@ TEST_CASE("means of phase functions over the sphere", "[medium]") {
 
 TEST_CASE("densities multiply, and coefficients of several media add up", "[medium]") {
     Media haze, glow;
-    haze.absorption = Vec3(1, 0.5, 0);
+    haze.absorption = Rgb(1, 0.5, 0);
     haze.scattering = of_type(1);
     haze.scattering.extinction = 0.5;
     haze.densities.resize(2);
-    haze.densities[0].colour = {Vec3(0.5, 1, 2), 0.3, 0.2};
-    haze.densities[1].colour.rgb = Vec3(3);
-    glow.emission = Vec3(0, 0, 2);
-    CHECK(density(haze, Vec3(0), {}) == Vec3(1.5, 3, 6));
-    CHECK(max_density(haze) == Vec3(1.5, 3, 6));
+    haze.densities[0].colour = {Rgb(0.5, 1, 2), 0.3, 0.2};
+    haze.densities[1].colour.rgb = Rgb(3);
+    glow.emission = Rgb(0, 0, 2);
+    CHECK(density(haze, Vec3(0), {}) == Rgb(1.5, 3, 6));
+    CHECK(max_density(haze) == Rgb(1.5, 3, 6));
     CHECK(haze.homogeneous());
     const std::array<const Media*, 2> both = {&haze, &glow};
     const MediumPoint here = coefficients(both, Vec3(0), {});
-    CHECK(here.extinction == Vec3(1.5, 3, 6) * Vec3(1.5, 1, 0.5));
-    CHECK(here.emission == Vec3(0, 0, 2));
-    CHECK(here.scattering == Vec3(1.5, 3, 6));
+    CHECK(here.extinction == Rgb(1.5, 3, 6) * Rgb(1.5, 1, 0.5));
+    CHECK(here.emission == Rgb(0, 0, 2));
+    CHECK(here.scattering == Rgb(1.5, 3, 6));
 }
 
 TEST_CASE("a transformation moves densities, and no coefficient", "[medium]") {
     Media media;
-    media.absorption = Vec3(2);
+    media.absorption = Rgb(2);
     media.densities.resize(1);
     const Media moved = transformed(media, Transform::translation(Vec3(1, 2, 3)));
-    CHECK(moved.absorption == Vec3(2));
+    CHECK(moved.absorption == Rgb(2));
     CHECK(moved.densities[0].transform.point(Vec3(0)) == Vec3(1, 2, 3));
 }
 

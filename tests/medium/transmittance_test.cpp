@@ -13,7 +13,7 @@ namespace candelabra {
 namespace {
 
 struct Estimate {
-    Vec3 mean = Vec3(0);
+    Rgb mean;
     double deviation = 0;  ///< standard deviation of one sample of the red channel
 };
 
@@ -23,12 +23,12 @@ Estimate left_behind(const Media& media, const Ray& ray, double distance, std::u
     double squares = 0;
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) {
-        const Vec3 left = transmittance(view, ray, {0, distance}, {}, key);
+        const Rgb left = transmittance(view, ray, {0, distance}, {}, key);
         result.mean += left;
-        squares += left.x * left.x;
+        squares += left.r * left.r;
     }
     result.mean /= count;
-    result.deviation = std::sqrt(std::fmax(0, squares / count - result.mean.x * result.mean.x));
+    result.deviation = std::sqrt(std::fmax(0, squares / count - result.mean.r * result.mean.r));
     return result;
 }
 
@@ -37,9 +37,9 @@ Estimate left_behind(const Media& media, const Ray& ray, double distance, std::u
 TEST_CASE("transmittance is exact where the density is the same everywhere", "[medium]") {
     const Media media = media_of("absorption <1, 0.5, -0.2> scattering { 1, 0.3 extinction 2 }");
     const Estimate found = left_behind(media, {Vec3(0), Vec3(0, 0, 1)}, 2, 3);
-    CHECK(found.mean.x == Approx(std::exp(-3.2)));
-    CHECK(found.mean.y == Approx(std::exp(-2.2)));
-    CHECK(found.mean.z == Approx(std::exp(-0.8)));
+    CHECK(found.mean.r == Approx(std::exp(-3.2)));
+    CHECK(found.mean.g == Approx(std::exp(-2.2)));
+    CHECK(found.mean.b == Approx(std::exp(-0.8)));
     CHECK(found.deviation < 1e-9);
 }
 
@@ -65,8 +65,8 @@ TEST_CASE("transmittance is unbiased where densities differ", "[medium]") {
             media_of(c.words), {Vec3(0.001, 0.01, 0.02), Vec3(1, 0, 0)}, 3 - 0.002, count);
         INFO(c.words << ": deviation " << found.deviation);
         const double error = 5 * found.deviation / std::sqrt(count) + 0.003;
-        CHECK(found.mean.x == Approx(std::exp(-c.depth.x)).margin(error));
-        CHECK(found.mean.y == Approx(std::exp(-c.depth.y)).margin(error));
+        CHECK(found.mean.r == Approx(std::exp(-c.depth.x)).margin(error));
+        CHECK(found.mean.g == Approx(std::exp(-c.depth.y)).margin(error));
         CHECK(found.deviation < 1);
     }
 }

@@ -11,10 +11,10 @@ namespace candelabra {
 namespace {
 
 /// The colour at a point on one part of the scene's only object.
-Vec3 colour(const Script& script, std::size_t part, const Vec3& point) {
+Rgb colour(const Script& script, std::size_t part, const Vec3& point) {
     const Handle<Texture> texture = std::get<Union>(script.object(0).form).children[part]->texture;
-    if (!texture) return Vec3(-1);
-    Vec3 sum(0);
+    if (!texture) return Rgb(-1);
+    Rgb sum(0);
     for_layers(*texture, point, Vec3(0, 1, 0), PatternScene{},
                [&](double weight, std::span<const Layer> layers) {
                    sum += weight * layers.front().colour.rgb;
@@ -22,7 +22,7 @@ Vec3 colour(const Script& script, std::size_t part, const Vec3& point) {
     return sum;
 }
 
-const Vec3 red(1, 0, 0), green(0, 1, 0), none(-1);
+const Rgb red(1, 0, 0), green(0, 1, 0), none(-1);
 
 }  // namespace
 
@@ -40,8 +40,8 @@ TEST_CASE("an intersection shows the mean of its other parts", "[objects]") {
     const Script done =
         run("#version 3.7; intersection { box { -1, 1 pigment { rgb <1, 0, 0> } } sphere { 0, 1.2 "
             "pigment { rgb <0, 1, 0> } } sphere { 0.1, 1 } plane { y, 0 } cutaway_textures }");
-    CHECK(colour(done, 2, Vec3(0)) == Vec3(0.5, 0.5, 0));
-    CHECK(colour(done, 3, Vec3(0)) == Vec3(0.5, 0.5, 0));
+    CHECK(colour(done, 2, Vec3(0)) == Rgb(0.5, 0.5, 0));
+    CHECK(colour(done, 3, Vec3(0)) == Rgb(0.5, 0.5, 0));
 }
 
 TEST_CASE("of a union it is the parts that contain the point", "[objects]") {
@@ -52,7 +52,7 @@ TEST_CASE("of a union it is the parts that contain the point", "[objects]") {
     CHECK(colour(done, 0, Vec3(0)) == none);
     CHECK(colour(done, 1, Vec3(0.2, -0.9, -0.9)) == red);
     CHECK(colour(done, 1, Vec3(2, 1, 1)) == green);
-    CHECK(colour(done, 1, Vec3(1.4, 0.4, 0.4)) == Vec3(0.5, 0.5, 0));
+    CHECK(colour(done, 1, Vec3(1.4, 0.4, 0.4)) == Rgb(0.5, 0.5, 0));
 }
 
 TEST_CASE("cutaway_textures changes nothing where there is a texture for the whole", "[objects]") {

@@ -3,6 +3,7 @@
 
 #include "scene/dump.h"
 #include "support/gltf.h"
+#include "support/rgb.h"
 #include "support/script.h"
 
 #include <catch2/catch.hpp>
@@ -162,7 +163,7 @@ TEST_CASE("measured lights of a model are those of the same file in the scene", 
     }
     const PointLight& first = done.scene.lights[0].light;
     const auto at = [&](const Vec3& offset) {
-        return incidence(first, first.location, first.location + offset).colour.x;
+        return incidence(first, first.location, first.location + offset).colour.r;
     };
     CHECK(at({-1, 0, 1}) > 3 * at({1, 0, 1}));  // C90 and C270
     CHECK(at({-1, 0, 1}) > 3 * at({0, 1, 1}));
@@ -200,7 +201,7 @@ TEST_CASE("measured lights of a model follow the tilt of their lamp", "[objects]
     const auto along_aim = [&](std::size_t i) {
         PointLight light = done.scene.lights[i].light;
         settle(light);
-        return incidence(light, Vec3(0), light.aim).colour.x;
+        return incidence(light, Vec3(0), light.aim).colour.r;
     };
     // The first one shines along the horizon, the other one straight down.
     CHECK(along_aim(1) > 0);

@@ -2,6 +2,7 @@
 #include "objects/imported_looks.h"
 
 #include "support/gltf.h"
+#include "support/rgb.h"
 #include "support/script.h"
 
 #include <catch2/catch.hpp>
@@ -56,9 +57,9 @@ TEST_CASE("facets, colours and opacity of a material become a texture", "[object
     const Looked paint = look_of(R"({"alphaMode": "BLEND", "pbrMetallicRoughness": {
         "baseColorFactor": [0.5, 0.25, 0.125, 0.75], "metallicFactor": 0.5, "roughnessFactor": 0.25}})");
     CHECK(paint.done.said.empty());
-    CHECK(paint.texture.pigment.colour.rgb == Vec3(0.5, 0.25, 0.125));
+    CHECK(paint.texture.pigment.colour.rgb == Rgb(0.5, 0.25, 0.125));
     CHECK(paint.texture.pigment.colour.transmit == 0.25);
-    CHECK(paint.texture.finish.ambient == Vec3(0));
+    CHECK(paint.texture.finish.ambient == Rgb(0));
     CHECK(paint.texture.finish.microfacet.on);
     CHECK(paint.texture.finish.microfacet.roughness == 0.25);
     CHECK(paint.texture.finish.microfacet.metallic == 0.5);
@@ -85,7 +86,7 @@ TEST_CASE("the light of a surface is its emission, whatever its colour", "[objec
     };
     for (const char* colour : {"1, 1, 1", "0, 0, 0", "0.5, 0, 0.25"}) {
         INFO(colour);
-        CHECK(length(light(colour) - Vec3(8, 4, 0)) < 1e-12);
+        CHECK(length(light(colour) - Rgb(8, 4, 0)) < 1e-12);
     }
 }
 
@@ -97,13 +98,13 @@ TEST_CASE("pictures beside a model are multiplied with its colours", "[objects]"
     REQUIRE(painted.texture.pigment.pattern);
     CHECK(painted.texture.pigment.uv);
     PatternScene place;
-    CHECK(brightest(painted.texture.pigment) == Vec3(0.5, 0, 0.25));
+    CHECK(brightest(painted.texture.pigment) == Rgb(0.5, 0, 0.25));
     place.uv = {0.25, 0.5};
-    const Vec3 left = evaluate(painted.texture.pigment, Vec3(0), place).rgb;
+    const Rgb left = evaluate(painted.texture.pigment, Vec3(0), place).rgb;
     place.uv = {0.75, 0.5};
-    const Vec3 right = evaluate(painted.texture.pigment, Vec3(0), place).rgb;
-    CHECK(left.x > right.x);
-    CHECK(left.z < right.z);
+    const Rgb right = evaluate(painted.texture.pigment, Vec3(0), place).rgb;
+    CHECK(left.r > right.r);
+    CHECK(left.b < right.b);
 }
 
 TEST_CASE("materials that are cut out are there or not", "[objects]") {
@@ -143,7 +144,7 @@ TEST_CASE("pictures of light glow", "[objects]") {
         "pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1]}})",
                                   one_picture);
     CHECK(screen.done.text.empty());
-    CHECK(greatest_emission(screen.texture) == Vec3(1, 0, 1));
+    CHECK(greatest_emission(screen.texture) == Rgb(1, 0, 1));
     CHECK(varied(screen.texture));
 }
 
@@ -154,7 +155,7 @@ TEST_CASE("pictures that are missing or broken are left out with a warning", "[o
     const auto warning_of = [&](const std::string& picture) {
         const Looked made = look_of(
             painted, R"(, "textures": [{"source": 0}], "images": [{"uri": ")" + picture + "\"}]");
-        CHECK(made.texture.pigment.colour.rgb == Vec3(0.5, 1, 0.25));
+        CHECK(made.texture.pigment.colour.rgb == Rgb(0.5, 1, 0.25));
         REQUIRE(made.done.said.size() == 1);
         CHECK(made.done.said[0].severity == Severity::warning);
         return made.done.said[0].message;

@@ -25,10 +25,10 @@ TEST_CASE("a light source has its place, colour and words", "[objects]") {
             "shadowless } light_source { 0 } light_source { x 2 scale 3 }");
     REQUIRE(done.text.empty());
     CHECK(light(done).location == Vec3(1, 2, 3));
-    CHECK(light(done).colour == Vec3(1, 0.5, 0));
+    CHECK(light(done).colour == Rgb(1, 0.5, 0));
     CHECK(light(done).fade_distance == 2);
     CHECK(light(done).shadowless);
-    CHECK(light(done, 1).colour == Vec3(0));
+    CHECK(light(done, 1).colour == Rgb(0));
     CHECK(light(done, 2).location == Vec3(3, 0, 0));
     CHECK(done.scene.objects.empty());
 }
@@ -43,7 +43,7 @@ TEST_CASE("an intensity makes a light of nature, whose colour is a hue", "[objec
     INFO(done.text);
     REQUIRE(done.text.empty());
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 colour = incidence(light(done, i), Vec3(0), Vec3(0, -4, 0)).colour;
+        const Rgb colour = incidence(light(done, i), Vec3(0), Vec3(0, -4, 0)).colour;
         CHECK(light_luminance(colour) == Approx(250 / (200 * std::numbers::pi)).epsilon(1e-9));
         if (i < 2) CHECK(colour.r == Approx(colour.b));
     }
@@ -67,7 +67,7 @@ TEST_CASE("a light may be dimmed to nothing", "[objects]") {
         const Script done =
             run(std::string("#version 3.7; light_source { 0, rgb 1 ") + words + " }");
         REQUIRE(done.text.empty());
-        CHECK(done.scene.lights.at(0).light.colour == Vec3(0));
+        CHECK(done.scene.lights.at(0).light.colour == Rgb(0));
     }
     CHECK(run("#version 3.7; sphere { 0, 1 pigment { rgb 1 } luminaire { flux 0 } }").text.empty());
 }
@@ -136,7 +136,7 @@ TEST_CASE("a light that points at its own place lights nothing, as in POV-Ray", 
           "warning degenerate: this light lights nothing: `point_at` is its own location");
     const Script done = run("#version 3.7; " + text);
     REQUIRE(done.scene.lights.size() == 1);
-    CHECK(done.scene.lights[0].light.colour == Vec3(0));
+    CHECK(done.scene.lights[0].light.colour == Rgb(0));
 }
 
 TEST_CASE("a light may look like an object, which moves with it", "[objects]") {

@@ -49,7 +49,7 @@ TEST_CASE("objects become meshes", "[objects]") {
     const Script named = made(
         "#declare B = blob { threshold 0.5 sphere { 0, 1, 1 } pigment { rgb <0, 1, 0> } }\n"
         "mesh { object { B } resolution 12 }");
-    CHECK(named.texture().pigment.colour.rgb == Vec3(0, 1, 0));
+    CHECK(named.texture().pigment.colour.rgb == Rgb(0, 1, 0));
 }
 
 TEST_CASE("hulls are made of points and objects", "[objects]") {

@@ -41,7 +41,7 @@ TEST_CASE("a union takes objects from everywhere", "[objects]") {
     REQUIRE(children.size() == 7);
     CHECK(children[0] == children[6]);
     CHECK_FALSE(children[0]->texture);
-    CHECK(done.texture().pigment.colour.rgb == Vec3(1));
+    CHECK(done.texture().pigment.colour.rgb == Rgb(1));
 }
 
 TEST_CASE("objects come from macros and arrays", "[objects]") {
@@ -56,7 +56,7 @@ TEST_CASE("objects come from macros and arrays", "[objects]") {
     CHECK(done.shape<Sphere>(0).radius == 2);
     CHECK(done.shape<Sphere>(1).radius == 3);
     CHECK(done.shape<Sphere>(3).radius == 4);
-    CHECK(done.texture(2).pigment.colour.rgb == Vec3(4));
+    CHECK(done.texture(2).pigment.colour.rgb == Rgb(4));
 }
 
 TEST_CASE("switches are those of the text", "[objects]") {

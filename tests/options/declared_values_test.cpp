@@ -12,7 +12,7 @@ TEST_CASE("declared values are numbers, switches, strings, vectors and colours")
     CHECK(declared_value("<1, -2, 3>") == DeclaredValue(Numbers::vector(Vec3(1, -2, 3))));
     CHECK(declared_value("<1,2>") == DeclaredValue(Numbers{{1, 2}, 2}));
     CHECK(declared_value("rgb <1, 0.5, 0>") ==
-          DeclaredValue(Numbers::colour({Vec3(1, 0.5, 0), 0, 0})));
+          DeclaredValue(Numbers::colour({Rgb(1, 0.5, 0), 0, 0})));
     for (const char* text : {"", "x", "<1>", "<>", "<1,,2>", "<1,2", "<1,2,3,4,5,6>", "<1,x>",
                              "rgb 1", "rgb <1, 2>", "rgb", "1+2"}) {
         CAPTURE(text);
@@ -34,7 +34,7 @@ TEST_CASE("a set of values is a JSON object of names") {
     CHECK(((*set)[1] == Declaration("A", 1.0)));
     CHECK(((*set)[2] == Declaration("Name", std::string("x"))));
     CHECK(((*set)[3] == Declaration("At", Numbers::vector(Vec3(1, 2, 3)))));
-    CHECK(((*set)[4] == Declaration("Tint", Numbers::colour({Vec3(1, 0.5, 0), 0, 0}))));
+    CHECK(((*set)[4] == Declaration("Tint", Numbers::colour({Rgb(1, 0.5, 0), 0, 0}))));
     for (const char* text :
          {"", "[1]", "{", "{\"A\": null}", "{\"A\": [1]}", "{\"A\": [1, \"x\"]}",
           "{\"A\": {\"rgb\": 1}}", "{\"A\": {}}", "{\"sphere\": 1}", "{\"a b\": 1}"}) {

@@ -25,15 +25,15 @@ std::vector<std::string> with(std::vector<std::string> more) {
 TEST_CASE("rows that a film does not keep to are clear and black", "[output][film]") {
     Film film(3, 6, 1);
     film.keep_to_rows(2, 4);
-    film.at(1, 2).add(Vec3(1, 2, 3));
+    film.at(1, 2).add(Rgb(1, 2, 3));
     film.extra(film.index(1, 2))[0].add(0.25);
-    std::vector<Vec3> pixels(3, Vec3(9));
+    std::vector<Rgb> pixels(3, Rgb(9));
     std::vector<double> alpha(3, 9);
     film_row(film, 1, pixels, alpha);
-    CHECK(pixels == std::vector<Vec3>(3, Vec3(0)));
+    CHECK(pixels == std::vector<Rgb>(3, Rgb(0)));
     CHECK(alpha == std::vector<double>(3, 0));
     film_row(film, 2, pixels, alpha);
-    CHECK(pixels == std::vector<Vec3>{Vec3(0), Vec3(1, 2, 3), Vec3(0)});
+    CHECK(pixels == std::vector<Rgb>{Rgb(0), Rgb(1, 2, 3), Rgb(0)});
     CHECK(alpha == std::vector<double>{0, 0.75, 0});
     film_row(film, 2, pixels, {});
     CHECK(pixels[1] == film.image().at(1, 2));
@@ -46,12 +46,12 @@ TEST_CASE("compressed samples make a smooth picture", "[output][film]") {
     Film film(1, 1, files.aovs().count(std::size_t{0}));
     REQUIRE(film.aovs() == 3);
     for (const double light : {1000.0, 0.0}) {
-        const Vec3 sample = compressed(Vec3(light), 1);
-        film.at(0, 0).add(Vec3(light));
+        const Rgb sample = compressed(Rgb(light), 1);
+        film.at(0, 0).add(Rgb(light));
         for (int c = 0; c < 3; ++c) film.extra(0)[static_cast<std::size_t>(c)].add(sample[c]);
     }
-    CHECK(smooth_image(film, files).at(0, 0).x == Approx(1).epsilon(0.01));
-    CHECK(negative_of(film, files).light.at(0, 0).x == Approx(500));
+    CHECK(smooth_image(film, files).at(0, 0).r == Approx(1).epsilon(0.01));
+    CHECK(negative_of(film, files).light.at(0, 0).r == Approx(500));
 }
 
 TEST_CASE("a denoised picture lies beside the exact one, which stays", "[output][denoise]") {

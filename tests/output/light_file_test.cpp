@@ -36,8 +36,8 @@ TEST_CASE("a file of light has pictures in colours and in grey, and alpha from 0
     Files files;
     const LightFile file = files.made(
         {{"R", 1}, {"G", 2}, {"B", 3}, {"A", 7}, {"dim.Y", 0.5F}, {"odd.R", 1}, {"odd.G", 1}});
-    CHECK(file.image("")->at(0, 0) == Vec3(1, 2, 3));
-    CHECK(file.image("dim")->at(0, 0) == Vec3(0.5));
+    CHECK(file.image("")->at(0, 0) == Rgb(1, 2, 3));
+    CHECK(file.image("dim")->at(0, 0) == Rgb(0.5));
     CHECK_FALSE(file.image("odd"));
     CHECK(file.alpha("") == std::vector<double>{1});
     CHECK(file.alpha("dim").empty());

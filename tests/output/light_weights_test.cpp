@@ -2,6 +2,7 @@
 #include "output/light_weights.h"
 
 #include "base/colour.h"
+#include "support/rgb.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>
@@ -19,8 +20,8 @@ struct Weighed : Shell {
         if (!weights.read(path(name), diagnostics)) return diagnostics.all()[0].message;
         std::string result = std::to_string(weights.frames()) + ":";
         for (const auto& [lamp, factor] : weights.of(frame))
-            result += " " + lamp + " " + std::to_string(factor.x).substr(0, 4) + " " +
-                      std::to_string(factor.z).substr(0, 4);
+            result += " " + lamp + " " + std::to_string(factor.r).substr(0, 4) + " " +
+                      std::to_string(factor.b).substr(0, 4);
         return result;
     }
 };
@@ -31,12 +32,12 @@ TEST_CASE("a weight is a number, a colour, or both", "[output]") {
     const double half = srgb_decode(0x88 / 255.0);
     struct Case {
         std::string text;
-        Vec3 factor;
+        Rgb factor;
     };
     for (const Case& each :
-         {Case{"Top=4", Vec3(4)}, Case{"Top=0", Vec3(0)}, Case{"Top=#ff8800", Vec3(1, half, 0)},
-          Case{"Top=4,#f80", Vec3(4, 4 * half, 0)},
-          Case{"Top=#ff8800 0.5", Vec3(0.5, half / 2, 0)}}) {
+         {Case{"Top=4", Rgb(4)}, Case{"Top=0", Rgb(0)}, Case{"Top=#ff8800", Rgb(1, half, 0)},
+          Case{"Top=4,#f80", Rgb(4, 4 * half, 0)},
+          Case{"Top=#ff8800 0.5", Rgb(0.5, half / 2, 0)}}) {
         INFO(each.text);
         Diagnostics diagnostics;
         LightWeights weights;
@@ -85,25 +86,25 @@ TEST_CASE("options replace the weights of a file, lamp by lamp", "[output]") {
     LightWeights weights;
     REQUIRE(weights.add("Low=9", diagnostics));
     REQUIRE(weights.read(file.path("a.csv"), diagnostics));
-    CHECK(weights.of(1) == LightFactors{{"Top", Vec3(3)}, {"Low", Vec3(9)}});
+    CHECK(weights.of(1) == LightFactors{{"Top", Rgb(3)}, {"Low", Rgb(9)}});
     CHECK_FALSE(weights.read(file.path("none.csv"), diagnostics));
 }
 
 TEST_CASE("light is weighted exactly", "[output]") {
     Image picture(2, 1), lamp(2, 1);
-    picture.pixels = {Vec3(0.3f, 0.7f, 1e-9f), Vec3(5)};
-    lamp.pixels = {Vec3(0.1f, 0.7f, 0), Vec3(2)};
+    picture.pixels = {Rgb(0.3f, 0.7f, 1e-9f), Rgb(5)};
+    lamp.pixels = {Rgb(0.1f, 0.7f, 0), Rgb(2)};
     Image same = picture;
-    relight(same, std::vector<LampLight>{{lamp, Vec3(1)}});
+    relight(same, std::vector<LampLight>{{lamp, Rgb(1)}});
     CHECK(same.pixels == picture.pixels);
     Image more = picture;
-    relight(more, std::vector<LampLight>{{lamp, Vec3(3, 1, 1)}});
-    CHECK(more.pixels[1] == Vec3(9, 5, 5));
+    relight(more, std::vector<LampLight>{{lamp, Rgb(3, 1, 1)}});
+    CHECK(more.pixels[1] == Rgb(9, 5, 5));
     Image less = picture;
-    relight(less, std::vector<LampLight>{{lamp, Vec3(0)}});
-    CHECK(less.pixels[0].x == Approx(0.2));
-    CHECK(less.pixels[0].y == 0);
-    CHECK(less.pixels[0].z == 1e-9f);
+    relight(less, std::vector<LampLight>{{lamp, Rgb(0)}});
+    CHECK(less.pixels[0].r == Approx(0.2));
+    CHECK(less.pixels[0].g == 0);
+    CHECK(less.pixels[0].b == 1e-9f);
 }
 
 }  // namespace candelabra

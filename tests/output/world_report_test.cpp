@@ -9,8 +9,8 @@ namespace candelabra {
 
 TEST_CASE("the report tells what a world is made of") {
     Texture glow;
-    glow.pigment.colour.rgb = Vec3(1);
-    glow.finish.emission = Vec3(2);
+    glow.pigment.colour.rgb = Rgb(1);
+    glow.finish.emission = Rgb(2);
     Object lamp, floor;
     lamp.form = Sphere{Vec3(0, 2, 0), 1};
     lamp.texture = make_handle<Texture>(glow);

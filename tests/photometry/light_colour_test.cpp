@@ -24,7 +24,7 @@ TEST_CASE("a black body has the chromaticity and the colour of the tables", "[ph
         const Vec2 xy = planck_chromaticity(row.kelvin);
         CHECK(xy.x == Approx(row.x).epsilon(2e-4));
         CHECK(xy.y == Approx(row.y).epsilon(4e-4));
-        const Vec3 rgb = planck_colour(row.kelvin);
+        const Rgb rgb = planck_colour(row.kelvin);
         for (int channel = 0; channel < 3; ++channel)
             CHECK(rgb[channel] == Approx(row.rgb[channel]).epsilon(1e-3).margin(1e-4));
         CHECK(light_luminance(rgb) == Approx(1));
@@ -32,7 +32,7 @@ TEST_CASE("a black body has the chromaticity and the colour of the tables", "[ph
 }
 
 TEST_CASE("the red of embers has no negative blue, and luminance 1", "[photometry]") {
-    const Vec3 rgb = planck_colour(1000);
+    const Rgb rgb = planck_colour(1000);
     CHECK(rgb.b == 0);
     CHECK(rgb.r > 4);
     CHECK(light_luminance(rgb) == Approx(1));
@@ -42,7 +42,7 @@ TEST_CASE("daylight at 6504 K is the white of D65", "[photometry]") {
     const Vec2 xy = daylight_chromaticity(6504);
     CHECK(xy.x == Approx(0.312714).epsilon(1e-4));
     CHECK(xy.y == Approx(0.329119).epsilon(1e-4));
-    const Vec3 rgb = daylight_colour(6504);
+    const Rgb rgb = daylight_colour(6504);
     CHECK(rgb.r == Approx(0.999422).epsilon(1e-3));
     CHECK(rgb.g == Approx(1.00026).epsilon(1e-3));
     CHECK(rgb.b == Approx(0.999139).epsilon(1e-3));
@@ -58,8 +58,8 @@ TEST_CASE("a watt of one wavelength has the lumens of the observer", "[photometr
 }
 
 TEST_CASE("light of one wavelength has the hue of its part of the rainbow", "[photometry]") {
-    const Vec3 sodium = spectral_colour(589), green = spectral_colour(530),
-               blue = spectral_colour(450);
+    const Rgb sodium = spectral_colour(589), green = spectral_colour(530),
+              blue = spectral_colour(450);
     CHECK(sodium.r > sodium.g);
     CHECK(sodium.g > sodium.b);
     CHECK(green.g > 1);

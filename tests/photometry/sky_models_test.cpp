@@ -116,12 +116,12 @@ TEST_CASE("the way through the air is long at the horizon", "[photometry]") {
 }
 
 TEST_CASE("skies are blue where they are dark, and the low sun is red", "[photometry]") {
-    const Vec3 deep = blue_sky_colour(1500), pale = blue_sky_colour(30000);
+    const Rgb deep = blue_sky_colour(1500), pale = blue_sky_colour(30000);
     CHECK(deep.b / deep.r > 2);
     CHECK(pale.b / pale.r < 1.5);
     for (const double luminance : {0.0, 1e-9, 100.0, 1e9})
         CHECK(light_luminance(blue_sky_colour(luminance)) == Approx(1));
-    const Vec3 noon = sun_colour(std::numbers::pi / 2), evening = sun_colour(0.03);
+    const Rgb noon = sun_colour(std::numbers::pi / 2), evening = sun_colour(0.03);
     // As black bodies of 5500 and of 5000 kelvin.
     CHECK(noon.r / noon.b > 1.33);
     CHECK(noon.r / noon.b < 1.59);

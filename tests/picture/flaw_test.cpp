@@ -15,7 +15,7 @@ TEST_CASE("a whole picture has no flaw, and one that ends early has, in every fo
     Image image(20, 15);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         image.pixels[i] =
-            Vec3(0.01 * static_cast<double>(i % 97), 0.3, 0.002 * static_cast<double>(i));
+            Rgb(0.01 * static_cast<double>(i % 97), 0.3, 0.002 * static_cast<double>(i));
     for (const PictureTypeInfo& row : picture_types())
         for (const bool compressed : {false, true}) {
             const PictureType type = row.type;

@@ -19,9 +19,9 @@ Image room(int width, int height, double noise = 0.02) {
             const auto chance =
                 static_cast<double>(mix(static_cast<std::uint64_t>(y * width + x)) >> 11) * 0x1p-53;
             const double slope = static_cast<double>(x) / width;
-            image.at(x, y) = Vec3(slope, slope * slope, 0.1) * (1 + noise * (chance - 0.5));
+            image.at(x, y) = Rgb(slope, slope * slope, 0.1) * (1 + noise * (chance - 0.5));
             if (std::hypot(x - width / 3.0, y - height / 2.0) < height / 5.0)
-                image.at(x, y) = Vec3(5000, 400, 20);
+                image.at(x, y) = Rgb(5000, 400, 20);
         }
     return image;
 }
@@ -70,8 +70,8 @@ TEST_CASE("a light code keeps within its bytes, and uses them") {
 
 TEST_CASE("a light code takes values that are no light, and does not depend on threads") {
     Image odd = room(40, 30);
-    odd.pixels[3] = Vec3(-1, std::nan(""), INFINITY);
-    odd.pixels[4] = Vec3(1e300, 0, -INFINITY);
+    odd.pixels[3] = Rgb(-1, std::nan(""), INFINITY);
+    odd.pixels[4] = Rgb(1e300, 0, -INFINITY);
     const Image images[] = {odd, room(40, 30)};
     const LightCode one = light_code(images, 0.1, 1), four = light_code(images, 0.1, 4);
     CHECK(one.bytes == four.bytes);

@@ -18,12 +18,12 @@ namespace {
 
 Image sample() {
     Image image(3, 2);
-    image.at(0, 0) = Vec3(1, 0, 0);
-    image.at(1, 0) = Vec3(0.25, 0.5, 0.75);
-    image.at(2, 0) = Vec3(0.01, 0.1, 0.9);
-    image.at(0, 1) = Vec3(0);
-    image.at(1, 1) = Vec3(0.5, 0.5, 0.5);
-    image.at(2, 1) = Vec3(0, 0, 1);
+    image.at(0, 0) = Rgb(1, 0, 0);
+    image.at(1, 0) = Rgb(0.25, 0.5, 0.75);
+    image.at(2, 0) = Rgb(0.01, 0.1, 0.9);
+    image.at(0, 1) = Rgb(0);
+    image.at(1, 1) = Rgb(0.5, 0.5, 0.5);
+    image.at(2, 1) = Rgb(0, 0, 1);
     return image;
 }
 
@@ -62,15 +62,15 @@ TEST_CASE("what is written is read back, as exactly as the format allows") {
 TEST_CASE("the linear formats keep what no display can show") {
     const Folder folder;
     Image image(1, 1);
-    image.at(0, 0) = Vec3(1000, 0.001, 2);
+    image.at(0, 0) = Rgb(1000, 0.001, 2);
     Diagnostics diagnostics;
     for (const PictureType type : {PictureType::exr, PictureType::hdr}) {
         const std::string path = folder / ("bright." + std::string(extension(type)));
         REQUIRE(write_picture(image, path, {type}, diagnostics));
         const auto back = read_picture(path, diagnostics);
         REQUIRE(back);
-        CHECK(std::abs(back->at(0, 0).x - 1000) < 4);
-        CHECK(std::abs(back->at(0, 0).z - 2) < 4);
+        CHECK(std::abs(back->at(0, 0).r - 1000) < 4);
+        CHECK(std::abs(back->at(0, 0).b - 2) < 4);
     }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("greys of PNG files are those that POV-Ray keeps", "[picture]") {
     constexpr std::array stored = {2, 4, 5, 6, 10, 11, 254, 255};
     constexpr std::array kept = {2, 4, 4, 5, 9, 11, 253, 255};
     Image image(8, 1);
-    for (std::size_t i = 0; i < stored.size(); ++i) image.pixels[i] = Vec3(stored[i] / 255.0);
+    for (std::size_t i = 0; i < stored.size(); ++i) image.pixels[i] = Rgb(stored[i] / 255.0);
     const std::string path = folder / "grey.png";
     PictureFormat format;
     format.grey = true;
@@ -119,7 +119,7 @@ TEST_CASE("texels are coded as the scene wants them", "[picture]") {
         Diagnostics diagnostics;
         const auto texels = read_texels(found(plain), coding, diagnostics);
         REQUIRE(texels);
-        CHECK(texels->greatest.z == 1);
+        CHECK(texels->greatest.b == 1);
         return texels->values.at(0);
     };
     TexelCoding coding;

@@ -18,7 +18,7 @@ namespace {
 Image ramp(int width, int height) {
     Image image(width, height);
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) image.at(x, y) = Vec3(x * 0.01, y * 0.02, -0.5 + x * y);
+        for (int x = 0; x < width; ++x) image.at(x, y) = Rgb(x * 0.01, y * 0.02, -0.5 + x * y);
     return image;
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("no file has infinity or what is no number", "[picture]") {
     CHECK(finite_float(NAN) == 0);
     CHECK(finite_float(0.25) == 0.25f);
     Image image(4, 1);
-    image.pixels = {Vec3(endless, -endless, NAN), Vec3(1e300), Vec3(5), Vec3(1e39, 0.5, 0)};
+    image.pixels = {Rgb(endless, -endless, NAN), Rgb(1e300), Rgb(5), Rgb(1e39, 0.5, 0)};
     for (const PictureTypeInfo& row : picture_types()) {
         const PictureType type = row.type;
         PictureFormat format;
@@ -123,10 +123,10 @@ TEST_CASE("a picture that is made row by row has the bytes of one in memory") {
     std::vector<double> alpha;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         alpha.push_back(i % 3 == 0 ? 1 : 0.5);
-        image.pixels[i] = alpha[i] * Vec3(0.01 * static_cast<double>(i), 0.3, 0.9);
+        image.pixels[i] = alpha[i] * Rgb(0.01 * static_cast<double>(i), 0.3, 0.9);
     }
     int rows = 0;
-    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double> opaque) {
+    const auto row = [&](int y, std::span<Rgb> pixels, std::span<double> opaque) {
         CHECK(y == rows++);
         for (int x = 0; x < width; ++x) {
             const auto place = static_cast<std::size_t>(x);
@@ -153,7 +153,7 @@ TEST_CASE("a picture that is made row by row has the bytes of one in memory") {
 
 TEST_CASE("the bytes of a picture are those of a file") {
     const Image image = ramp(7, 5);
-    const auto row = [&](int y, std::span<Vec3> pixels, std::span<double>) {
+    const auto row = [&](int y, std::span<Rgb> pixels, std::span<double>) {
         for (int x = 0; x < 7; ++x) pixels[static_cast<std::size_t>(x)] = image.at(x, y);
     };
     const PictureFormat format{PictureType::ppm, 8};
@@ -222,14 +222,14 @@ TEST_CASE("a picture that cannot be encoded is an error, not a crash") {
 
 TEST_CASE("a grey picture has one channel of the brightness") {
     Image image(1, 1);
-    image.at(0, 0) = Vec3(1, 0.5, 0);
+    image.at(0, 0) = Rgb(1, 0.5, 0);
     Diagnostics diagnostics;
     PictureFormat format{PictureType::ppm};
     format.grey = true;
     const auto bytes = encode(image, format, diagnostics);
     REQUIRE(bytes);
     CHECK(bytes->starts_with("P5\n"));
-    CHECK(static_cast<unsigned char>(bytes->back()) == quantised(grey(Vec3(1, 0.5, 0)), 255));
+    CHECK(static_cast<unsigned char>(bytes->back()) == quantised(grey(Rgb(1, 0.5, 0)), 255));
 }
 
 TEST_CASE("many values are rounded as each of them is") {
@@ -237,8 +237,8 @@ TEST_CASE("many values are rounded as each of them is") {
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         // Include the borders between two bytes and the values next to them.
         const double border = srgb_decode((static_cast<double>(i % 255) + 0.5) / 255);
-        image.pixels[i] = Vec3(static_cast<double>(i) / 54000 - 0.05, border,
-                               std::nextafter(border, i % 2 == 0 ? 0.0 : 1.0));
+        image.pixels[i] = Rgb(static_cast<double>(i) / 54000 - 0.05, border,
+                              std::nextafter(border, i % 2 == 0 ? 0.0 : 1.0));
     }
     for (const double gamma : {-1.0, 1.0, 2.2}) {
         Diagnostics diagnostics;
@@ -259,8 +259,8 @@ TEST_CASE("many values are rounded as each of them is") {
 
 TEST_CASE("what is brighter than its alpha has more alpha") {
     Image image(2, 1);
-    image.at(0, 0) = Vec3(0.2);
-    image.at(1, 0) = Vec3(0.9);
+    image.at(0, 0) = Rgb(0.2);
+    image.at(1, 0) = Rgb(0.9);
     Diagnostics diagnostics;
     const PictureFormat format{PictureType::tga};
     const auto bytes = encode(image, format, diagnostics, std::array{0.5, 0.5});

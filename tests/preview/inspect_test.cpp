@@ -77,19 +77,19 @@ TEST_CASE("layers can be looked at, each in a way that a screen shows", "[previe
         CAPTURE(name);
         const auto image = view(shown, name);
         REQUIRE(image);
-        for (const Vec3& pixel : image->pixels) CHECK(std::isfinite(pixel.x));
+        for (const Rgb& pixel : image->pixels) CHECK(std::isfinite(pixel.r));
     }
-    CHECK(colour("albedo", 10, 12).y == Approx(0.5));
-    CHECK(colour("normal", 30, 2).z == Approx(0));  // towards the camera
-    CHECK(colour("depth", 10, 12).x > colour("depth", 30, 2).x);
+    CHECK(colour("albedo", 10, 12).g == Approx(0.5));
+    CHECK(colour("normal", 30, 2).b == Approx(0));  // towards the camera
+    CHECK(colour("depth", 10, 12).r > colour("depth", 30, 2).r);
     CHECK(colour("object", 10, 12) != colour("object", 30, 2));
-    CHECK(colour("samples", 0, 0).x == 1);
+    CHECK(colour("samples", 0, 0).r == 1);
     CHECK_FALSE(view(shown, "nothing like it"));
     const auto small = view(shown, "albedo", 4);
     REQUIRE(small);
     CHECK(small->width == 8);
     CHECK(small->height == 6);
-    CHECK(small->at(2, 3).y == Approx(0.5));
+    CHECK(small->at(2, 3).g == Approx(0.5));
     CHECK(view(shown, "samples", 5)->width == 7);
     CHECK(is_still("albedo"));
     CHECK_FALSE(is_still("samples"));

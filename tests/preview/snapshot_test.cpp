@@ -9,9 +9,9 @@ namespace candelabra {
 
 namespace {
 
-Image filled(int width, int height, const Vec3& colour) {
+Image filled(int width, int height, const Rgb& colour) {
     Image image(width, height);
-    for (Vec3& pixel : image.pixels) pixel = colour;
+    for (Rgb& pixel : image.pixels) pixel = colour;
     return image;
 }
 
@@ -19,8 +19,8 @@ Image filled(int width, int height, const Vec3& colour) {
 LightSnapshot lit_snapshot() {
     LightSnapshot snapshot;
     snapshot.width = snapshot.height = 2;
-    snapshot.light = filled(2, 2, Vec3(0.6));
-    snapshot.lights = {filled(2, 2, Vec3(0.4)), filled(2, 2, Vec3(0.1))};
+    snapshot.light = filled(2, 2, Rgb(0.6));
+    snapshot.lights = {filled(2, 2, Rgb(0.4)), filled(2, 2, Rgb(0.1))};
     return snapshot;
 }
 
@@ -35,52 +35,52 @@ TEST_CASE("lamps are dimmed and coloured without being rendered", "[preview]") {
     const LightSnapshot snapshot = lit_snapshot();
     Look look;
     CHECK_FALSE(look.relights());
-    CHECK(relit(snapshot, context().names, look).at(1, 1) == Vec3(0.6));
-    look.lamps["lamp"] = {0, Vec3(1)};
+    CHECK(relit(snapshot, context().names, look).at(1, 1) == Rgb(0.6));
+    look.lamps["lamp"] = {0, Rgb(1)};
     CHECK(look.relights());
-    CHECK(relit(snapshot, context().names, look).at(1, 1).y == Approx(0.2));
-    look.lamps["candle"] = {2, Vec3(1, 0.5, 0)};
-    const Vec3 shown = relit(snapshot, context().names, look).at(0, 1);
-    CHECK(shown.x == Approx(0.3));
-    CHECK(shown.y == Approx(0.2));
-    CHECK(shown.z == Approx(0.1));
-    look.lamps["nobody"] = {9, Vec3(1)};
+    CHECK(relit(snapshot, context().names, look).at(1, 1).g == Approx(0.2));
+    look.lamps["candle"] = {2, Rgb(1, 0.5, 0)};
+    const Rgb shown = relit(snapshot, context().names, look).at(0, 1);
+    CHECK(shown.r == Approx(0.3));
+    CHECK(shown.g == Approx(0.2));
+    CHECK(shown.b == Approx(0.1));
+    look.lamps["nobody"] = {9, Rgb(1)};
     CHECK(relit(snapshot, context().names, look).at(0, 1) == shown);
 }
 
 TEST_CASE("pixels without samples show the coarse picture", "[preview]") {
     Film film(4, 4, 3);
-    film.at(1, 1).add(Vec3(0.5));
+    film.at(1, 1).add(Rgb(0.5));
     film.extra(film.index(1, 1))[0].add(0.25);
     Aovs aovs;
     aovs.lights = true;
     LightSnapshot coarse;
-    coarse.light = filled(2, 2, Vec3(0.1));
-    coarse.light.at(1, 1) = Vec3(0.9);
-    coarse.lights = {filled(2, 2, Vec3(0.05))};
+    coarse.light = filled(2, 2, Rgb(0.1));
+    coarse.light.at(1, 1) = Rgb(0.9);
+    coarse.lights = {filled(2, 2, Rgb(0.05))};
     const LightSnapshot snapshot = snapshot_of(film, aovs, {}, true, &coarse);
-    CHECK(snapshot.light.at(1, 1).x == Approx(0.5));
-    CHECK(snapshot.light.at(0, 0).x == Approx(0.1));
-    CHECK(snapshot.light.at(3, 3).x == Approx(0.9));
-    CHECK(snapshot.light.at(2, 2).x > 0.1);
-    CHECK(snapshot.light.at(2, 2).x < 0.9);
-    CHECK(snapshot.lights.at(0).at(1, 1).x == Approx(0.25));
-    CHECK(snapshot.lights.at(0).at(3, 0).x == Approx(0.05));
+    CHECK(snapshot.light.at(1, 1).r == Approx(0.5));
+    CHECK(snapshot.light.at(0, 0).r == Approx(0.1));
+    CHECK(snapshot.light.at(3, 3).r == Approx(0.9));
+    CHECK(snapshot.light.at(2, 2).r > 0.1);
+    CHECK(snapshot.light.at(2, 2).r < 0.9);
+    CHECK(snapshot.lights.at(0).at(1, 1).r == Approx(0.25));
+    CHECK(snapshot.lights.at(0).at(3, 0).r == Approx(0.05));
     CHECK(snapshot_of(film, aovs, {}, false, &coarse).lights.empty());
-    CHECK(snapshot_of(film, aovs, {}, true).light.at(0, 0) == Vec3(0));
+    CHECK(snapshot_of(film, aovs, {}, true).light.at(0, 0) == Rgb(0));
 }
 
 TEST_CASE("a snapshot is made smaller by means of its pixels", "[preview]") {
     LightSnapshot snapshot = lit_snapshot();
     snapshot.light = Image(5, 3);
-    snapshot.light.at(0, 0) = Vec3(1);
-    snapshot.light.at(4, 2) = Vec3(0.5);
+    snapshot.light.at(0, 0) = Rgb(1);
+    snapshot.light.at(4, 2) = Rgb(0.5);
     const LightSnapshot small = reduced(snapshot, 2);
     CHECK(small.light.width == 3);
     CHECK(small.light.height == 2);
-    CHECK(small.light.at(0, 0).x == Approx(0.25));
-    CHECK(small.light.at(2, 1).x == Approx(0.5));
-    CHECK(small.lights.at(0).at(0, 0).x == Approx(0.4));
+    CHECK(small.light.at(0, 0).r == Approx(0.25));
+    CHECK(small.light.at(2, 1).r == Approx(0.5));
+    CHECK(small.lights.at(0).at(0, 0).r == Approx(0.4));
     CHECK(small.width == 2);  // of the whole picture
 }
 
@@ -105,8 +105,8 @@ TEST_CASE("the page changes the film setting by setting", "[preview]") {
 TEST_CASE("a display image has the bytes that a file of it would have", "[preview]") {
     Image image(256, 2);
     for (int x = 0; x < 256; ++x) {
-        image.at(x, 0) = Vec3(x / 255.0, x / 2550.0, 1.5 * x / 255.0);
-        image.at(x, 1) = Vec3(-1, std::nan(""), 1e30);
+        image.at(x, 0) = Rgb(x / 255.0, x / 2550.0, 1.5 * x / 255.0);
+        image.at(x, 1) = Rgb(-1, std::nan(""), 1e30);
     }
     for (const double gamma : {1.0, 2.2}) {
         PictureFormat format;
@@ -128,17 +128,17 @@ TEST_CASE("exposure doubles the light of a display image", "[preview]") {
     Look look;
     look.film = {{"exposure", "1"}};
     const DisplayImage shown = display_image(lit_snapshot(), context(), look);
-    CHECK(shown.image.at(0, 0).x == 1);  // clipped
+    CHECK(shown.image.at(0, 0).r == 1);  // clipped
     look.film = {{"exposure", "-1"}};
-    CHECK(display_image(lit_snapshot(), context(), look).image.at(0, 0).x == Approx(0.3));
+    CHECK(display_image(lit_snapshot(), context(), look).image.at(0, 0).r == Approx(0.3));
     LightSnapshot layer = lit_snapshot();
-    layer.view = filled(2, 2, Vec3(0.7));
-    CHECK(display_image(layer, context(), look).image.at(0, 0) == Vec3(0.7));
+    layer.view = filled(2, 2, Rgb(0.7));
+    CHECK(display_image(layer, context(), look).image.at(0, 0) == Rgb(0.7));
 }
 
 TEST_CASE("the light of the preview is saved with the light of each lamp", "[preview]") {
     Look look;
-    look.lamps["lamp"] = {2, Vec3(1)};
+    look.lamps["lamp"] = {2, Rgb(1)};
     Diagnostics diagnostics;
     const auto bytes = exr_of(lit_snapshot(), context(), look, diagnostics);
     REQUIRE(bytes);

@@ -20,7 +20,7 @@ TEST_CASE("what the page sets is told to the renderer, and comes back in the sta
     CHECK_FALSE(state.dim(0, {}));
     state.show_scene({projection(Perspective{}), 5}, {}, {{"lamp", "a.pov:1: sphere"}}, true);
     const int before = state.wish_version();
-    CHECK(state.dim(0, {2, Vec3(1, 0, 0)}));
+    CHECK(state.dim(0, {2, Rgb(1, 0, 0)}));
     CHECK_FALSE(state.dim(1, {}));
     CHECK(state.choose_view("normal"));
     CHECK_FALSE(state.choose_view("nothing"));

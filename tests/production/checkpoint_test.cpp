@@ -22,7 +22,7 @@ Checkpoint example() {
     double value = -1;
     for (PixelSum& pixel : checkpoint.state.film.pixels()) {
         pixel.target = 5;
-        for (int i = 0; i < 3; ++i, value += 0.37) pixel.add(Vec3(value, 1e9 * value, 1e-9));
+        for (int i = 0; i < 3; ++i, value += 0.37) pixel.add(Rgb(value, 1e9 * value, 1e-9));
     }
     for (std::size_t i = 0; i < 35; ++i) checkpoint.state.film.extra(i)[i % 2].add(-1e6 * value);
     return checkpoint;

@@ -16,7 +16,7 @@ constexpr int by_chance = 20;
 
 Image one(double value) {
     Image image(1, 1);
-    image.pixels.front() = Vec3(value);
+    image.pixels.front() = Rgb(value);
     return image;
 }
 
@@ -52,8 +52,8 @@ Image mean_of(const std::vector<Image>& one_way, const std::vector<Image>& other
     for (const auto* samples : {&one_way, &other_way})
         for (const Image& sample : *samples)
             for (std::size_t i = 0; i < mean.pixels.size(); ++i)
-                mean.pixels[i] += glm::abs(sample.pixels[i]) /
-                                  static_cast<double>(one_way.size() + other_way.size());
+                mean.pixels[i] +=
+                    abs(sample.pixels[i]) / static_cast<double>(one_way.size() + other_way.size());
     return mean;
 }
 

@@ -43,7 +43,7 @@ Image readings(const Prepared& scene, Meter meter, bool by_lamps, int samples, i
         double value = by_lamps ? 0 : found.values[i].value;
         for (std::size_t k = 0; k < count; ++k)
             for (const MeterHalf& half : found.halves) value += half.by_column[i * count + k] / 2;
-        image.pixels[i] = Vec3(value);
+        image.pixels[i] = Rgb(value);
     }
     return image;
 }

@@ -14,8 +14,7 @@ namespace {
 /// Pixels that are rarely bright, as those of a lamp that is found by chance.
 Image rare_light(Dice& dice, double mean, double probability) {
     Image image(24, 18);
-    for (Vec3& each : image.pixels)
-        each = Vec3(dice.chance(probability) ? mean / probability : 0.0);
+    for (Rgb& each : image.pixels) each = Rgb(dice.chance(probability) ? mean / probability : 0.0);
     return image;
 }
 
@@ -62,8 +61,8 @@ TEST_CASE("a black picture may have missed what hardly ever comes", "[proof]") {
         Comparison comparison(0);
         for (int batch = 0; batch < 16; ++batch) {
             Image left(24, 18), right(24, 18);
-            for (Vec3& each : left.pixels) each = Vec3(dim);
-            left.pixels[0] = right.pixels[0] = Vec3(3);  // a lamp that both see
+            for (Rgb& each : left.pixels) each = Rgb(dim);
+            left.pixels[0] = right.pixels[0] = Rgb(3);  // a lamp that both see
             comparison.add(left, right);
         }
         // The last block has 6 x 4 or 5 pixels, 16 samples each, in 16 batches.
@@ -77,7 +76,7 @@ TEST_CASE("equal pictures, and those within the tolerance, do not differ", "[pro
     Comparison comparison(1e-2);
     const Image image = rare_light(dice, 1, 0.4);
     Image other = image;
-    for (Vec3& each : other.pixels) each *= 1.005;
+    for (Rgb& each : other.pixels) each *= 1.005;
     comparison.add(image, other);
     CHECK(comparison.t(comparison.worst()) == 0);
 }
@@ -86,7 +85,7 @@ TEST_CASE("what is no number differs from everything", "[proof]") {
     Comparison comparison(1e-2);
     Image image(24, 18);
     const Image black = image;
-    image.at(3, 3).y = std::nan("");
+    image.at(3, 3).g = std::nan("");
     comparison.add(image, black);
     CHECK(std::isinf(comparison.t(comparison.worst())));
 }

@@ -132,12 +132,12 @@ private:
     void fill(Image& image, const Image& like) const {
         if (!image.pixels.empty()) return;
         image = Image(like.width, like.height);
-        for (Vec3& each : image.pixels) each = Vec3(claim_.constant);
+        for (Rgb& each : image.pixels) each = Rgb(claim_.constant);
     }
 
     /// Beside a constant a few pixels of any brightness would only be noise, which hides itself.
     void clip(Image& image) const {
-        for (Vec3& each : image.pixels) each = min(each, Vec3(brightest * claim_.constant));
+        for (Rgb& each : image.pixels) each = min(each, Rgb(brightest * claim_.constant));
     }
 
     /// Returns |t| of the batches if the region may break the law; else 0.
@@ -194,7 +194,7 @@ private:
             ++unequal;
             if (here <= greatest) continue;
             greatest = here;
-            verdict_.left = left.pixels[i].x, verdict_.right = right.pixels[i].x;
+            verdict_.left = left.pixels[i].r, verdict_.right = right.pixels[i].r;
         }
         if (unequal > 0) verdict_.outcome = Outcome::fails;
         verdict_.said = std::to_string(unequal) + " pixels differ, by at most their " +

@@ -27,9 +27,9 @@ TEST_CASE("colours are taken where only red, green and blue count", "[reading]")
         run("#version 3.7; sphere { 0, 1 finish { ambient 0.5 emission rgbt <1, 2, 3, 0.4> } } "
             "background { <1, 2, 3> }");
     REQUIRE(done.text.empty());
-    CHECK(done.texture().finish.ambient == Vec3(0.5));
-    CHECK(done.texture().finish.emission == Vec3(1, 2, 3));
-    CHECK(done.scene.background.colour == Colour{Vec3(1, 2, 3)});
+    CHECK(done.texture().finish.ambient == Rgb(0.5));
+    CHECK(done.texture().finish.emission == Rgb(1, 2, 3));
+    CHECK(done.scene.background.colour == Colour{Rgb(1, 2, 3)});
 }
 
 TEST_CASE("no field takes what is not finite", "[reading]") {

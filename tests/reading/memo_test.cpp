@@ -55,9 +55,9 @@ TEST_CASE("what a pass changes is not taken from the pass before", "[reading]") 
     for (std::size_t i = 0; i < 6; ++i) {
         INFO(i);
         const Texture& texture = done.texture(i);
-        CHECK(texture.pigment.colour.rgb == Vec3(i % 2 == 0 ? 1 : 0));
+        CHECK(texture.pigment.colour.rgb == Rgb(i % 2 == 0 ? 1 : 0));
         CHECK(texture.finish.phong == (i > 3 ? 1 : 0));
-        CHECK(texture.finish.ambient == Vec3(0));
+        CHECK(texture.finish.ambient == Rgb(0));
         CHECK((done.object(i).transform->point(Vec3(0)) == Vec3(0)) == (i < 3));
     }
 }

@@ -12,7 +12,7 @@ namespace candelabra {
 TEST_CASE("equal plain textures are one", "[reading]") {
     TextureStore store;
     Texture red;
-    red.pigment.colour.rgb = Vec3(1, 0, 0);
+    red.pigment.colour.rgb = Rgb(1, 0, 0);
     Texture dull = red;
     dull.finish.phong = 0.1;
     const auto share = [&](const Texture& texture) {
@@ -30,7 +30,7 @@ TEST_CASE("many textures keep apart", "[reading]") {
     std::vector<Handle<Texture>> made;
     for (int i = 0; i < 1000; ++i) {
         Texture texture;
-        texture.pigment.colour.rgb = Vec3(i % 10, i / 10 % 10, i / 100);
+        texture.pigment.colour.rgb = Rgb(i % 10, i / 10 % 10, i / 100);
         made.push_back(store.share(make_handle<Texture>(texture)));
     }
     for (const Handle<Texture>& texture : made) {
@@ -44,12 +44,12 @@ TEST_CASE("where hardly any are equal, no more are looked for", "[reading]") {
     Pool<Texture> pool;
     const auto share = [&](double red) {
         Texture texture;
-        texture.pigment.colour.rgb = Vec3(red, 0, 0);
+        texture.pigment.colour.rgb = Rgb(red, 0, 0);
         return store.share(std::move(texture), pool);
     };
     for (int i = 0; i < 20'000; ++i) share(i);
     const Handle<Texture> late = share(30'000);
-    CHECK(late->pigment.colour.rgb == Vec3(30'000, 0, 0));
+    CHECK(late->pigment.colour.rgb == Rgb(30'000, 0, 0));
     CHECK(share(30'000) != late);
 
     TextureStore other;

@@ -75,7 +75,7 @@ TEST_CASE("what differs is computed, unless it is unusual", "[reading]") {
     REQUIRE(found.variation);
     CHECK(found.variation->count == 2);
     CHECK(found.variation->values[0] == Numbers::vector(Vec3(3, 0, 0)));
-    CHECK(found.variation->colour.rgb == Vec3(3, 0, 1));
+    CHECK(found.variation->colour.rgb == Rgb(3, 0, 1));
     CHECK(length(found.variation->movement->point(Vec3(0)) - Vec3(-3, 0, 0)) < 1e-12);
     for (const char* block : {"Q, 1", "I, 1 pigment { rgb Q }", "I, 1 scale I - 3",
                               "I, 1 translate <I, I, I, I>", "I, 1 pigment { rgb 1/(I - 3) }"}) {

@@ -46,14 +46,14 @@ TEST_CASE("readings are sums of the light of nodes, by means of their powers", "
     CHECK(kept.meters[0].quantity == "illuminance");
     CHECK(kept.meters[0].unit == "lx");
     CHECK(kept.meters[0].rest[0] == 22 - (2 + 2 + 3 + 4));
-    const auto at = [&](std::vector<Vec3> factors) {
+    const auto at = [&](std::vector<Rgb> factors) {
         return relit_readings(kept, kept.meters[0], lamps, factors)[0];
     };
-    CHECK(at({Vec3(1), Vec3(1), Vec3(1)}) == 22);
-    CHECK(at({Vec3(0), Vec3(0), Vec3(0)}) == 11);
-    CHECK(at({Vec3(0), Vec3(0), Vec3(0.5, 9, 9)}) == 13);
+    CHECK(at({Rgb(1), Rgb(1), Rgb(1)}) == 22);
+    CHECK(at({Rgb(0), Rgb(0), Rgb(0)}) == 11);
+    CHECK(at({Rgb(0), Rgb(0), Rgb(0.5, 9, 9)}) == 13);
     // The first lamp has three quarters of the power of its node.
-    CHECK(at({Vec3(0), Vec3(1), Vec3(0)}) == 11 + 7 / 4.0);
+    CHECK(at({Rgb(0), Rgb(1), Rgb(0)}) == 11 + 7 / 4.0);
 }
 
 TEST_CASE("ratings and shares are no sums of lamps", "[relight]") {

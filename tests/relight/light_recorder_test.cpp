@@ -74,7 +74,7 @@ TEST_CASE("the picture is that of its records at the powers rendered", "[relight
         INFO(more);
         const Recorded made = recorded(std::string(three_lamps) + more, of_samples(8));
         CHECK(made.records.lamps.size() == 3);
-        const Image same = relit(made.records, std::vector<Vec3>(3, Vec3(1)), 1);
+        const Image same = relit(made.records, std::vector<Rgb>(3, Rgb(1)), 1);
         CHECK(difference(made.image, same) < 1e-3);
     }
 }
@@ -109,7 +109,7 @@ TEST_CASE("records keep to a noise, in rounds", "[relight]") {
     RenderSettings settings = of_samples(0);
     settings.noise = 0.02;
     const Recorded made = recorded(four_lamps, settings, 60000);
-    const Image same = relit(made.records, std::vector<Vec3>(12, Vec3(1)), 1);
+    const Image same = relit(made.records, std::vector<Rgb>(12, Rgb(1)), 1);
     CHECK(difference(made.image, same) < 1e-3);
 }
 
@@ -117,15 +117,15 @@ TEST_CASE("a small file has the mean light of a large one", "[relight]") {
     const RenderSettings settings = of_samples(64);
     const Recorded large = recorded(four_lamps, settings),
                    small = recorded(four_lamps, settings, 20000);
-    std::vector<Vec3> factors;
+    std::vector<Rgb> factors;
     for (int i = 0; i < 12; ++i) factors.emplace_back(i % 3 == 0 ? 1.0 : 0.0, 1.0, i / 12.0);
     const auto mean = [](const Image& image) {
-        Vec3 sum(0);
-        for (const Vec3& pixel : image.pixels) sum += pixel;
+        Rgb sum(0);
+        for (const Rgb& pixel : image.pixels) sum += pixel;
         return sum / static_cast<double>(image.pixels.size());
     };
-    const Vec3 right = mean(relit(large.records, factors, 1)),
-               made = mean(relit(small.records, factors, 1));
+    const Rgb right = mean(relit(large.records, factors, 1)),
+              made = mean(relit(small.records, factors, 1));
     for (int c = 0; c < 3; ++c) CHECK(made[c] == Approx(right[c]).epsilon(0.03));
 }
 

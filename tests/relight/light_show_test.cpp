@@ -22,10 +22,10 @@ std::string shown(const std::string& text, std::size_t frame = 0, double rate = 
     Diagnostics diagnostics;
     const auto frames = show_of_table(text, "a.csv", names, rate, diagnostics);
     if (!frames) return diagnostics.all()[0].message;
-    std::vector<Vec3> factors(4, Vec3(1));
+    std::vector<Rgb> factors(4, Rgb(1));
     frames->set(frame, factors);
     std::string result = std::to_string(frames->count()) + ":";
-    for (const Vec3& factor : factors) result += " " + std::to_string(factor.x).substr(0, 4);
+    for (const Rgb& factor : factors) result += " " + std::to_string(factor.r).substr(0, 4);
     return result;
 }
 
@@ -80,16 +80,16 @@ TEST_CASE("settings hold in all frames", "[relight]") {
     CHECK(show.set("Row[1]=0.5,#ff8800", diagnostics));
     CHECK(show.set("Key=0", diagnostics));
     const double half = srgb_decode(0x88 / 255.0);
-    const std::vector<Vec3> factors = show.factors(0);
-    CHECK(factors[0] == Vec3(0));
-    CHECK(factors[1] == Vec3(1));
-    CHECK(length(factors[2] - Vec3(0.5, half / 2, 0)) < 1e-12);
+    const std::vector<Rgb> factors = show.factors(0);
+    CHECK(factors[0] == Rgb(0));
+    CHECK(factors[1] == Rgb(1));
+    CHECK(length(factors[2] - Rgb(0.5, half / 2, 0)) < 1e-12);
     Folder folder;
     folder.put("a.csv", "Key,Row\n0.5,0.25\n1,2\n");
     show.set(read_show_table(folder / "a.csv", show.names(), 25, diagnostics));
     CHECK(show.frames() == 2);
-    CHECK(show.factors(1)[0] == Vec3(0));
-    CHECK(show.factors(1)[3] == Vec3(2));
+    CHECK(show.factors(1)[0] == Rgb(0));
+    CHECK(show.factors(1)[3] == Rgb(2));
     CHECK_FALSE(diagnostics.failed());
     for (const char* wrong : {"Row", "=1", "Row=", "Row=-1", "Raw=1", "Row[7]=1"}) {
         Diagnostics said;

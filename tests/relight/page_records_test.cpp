@@ -3,6 +3,7 @@
 
 #include "relight/byte_stream.h"
 #include "relight/relighting.h"
+#include "support/rgb.h"
 
 #include <catch2/catch.hpp>
 
@@ -46,8 +47,8 @@ TEST_CASE("a page has all light, and lamps that are seen as dots", "[relight]") 
     CHECK(page.powers.size() == 400);
     const std::size_t seen = std::size_t{9} * 40 + 17;  // tile 7 begins at 16, 8
     for (std::size_t i = 0; i < page.layers[0].pixels.size(); ++i) {
-        CHECK(length(page.layers[1].pixels[i] - Vec3(0.5)) < 1e-6);
-        CHECK(length(page.layers[0].pixels[i] - Vec3(3)) < 0.01);
+        CHECK(length(page.layers[1].pixels[i] - Rgb(0.5)) < 1e-6);
+        CHECK(length(page.layers[0].pixels[i] - Rgb(3)) < 0.01);
     }
     ByteReader dots(page.dots);
     REQUIRE(dots.short_number() == 1);
@@ -77,9 +78,9 @@ TEST_CASE("a strong lamp has a layer", "[relight]") {
     const PageRecords page = page_records(records, FilmSettings(), 1000, 1);
     CHECK(page.strong == std::vector<std::uint32_t>{99});
     REQUIRE(page.layers.size() == 3);
-    CHECK(page.layers[2].at(4, 3).x == 28);
-    CHECK(page.layers[2].at(5, 3).x == 0);
-    CHECK(length(page.layers[0].at(4, 3) - Vec3(3)) < 0.01);
+    CHECK(page.layers[2].at(4, 3).r == 28);
+    CHECK(page.layers[2].at(5, 3).r == 0);
+    CHECK(length(page.layers[0].at(4, 3) - Rgb(3)) < 0.01);
 }
 
 TEST_CASE("glare scatters the light of dots into the crowds", "[relight]") {
@@ -90,11 +91,11 @@ TEST_CASE("glare scatters the light of dots into the crowds", "[relight]") {
                       glaring = page_records(wall(), film, 1000, 1);
     const auto red = [](const PageRecords& page) {
         double sum = 0;
-        for (const Vec3& pixel : page.layers[0].pixels) sum += pixel.x;
+        for (const Rgb& pixel : page.layers[0].pixels) sum += pixel.r;
         return sum;
     };
     const std::size_t beside = std::size_t{9} * 40 + 18;
-    CHECK(glaring.layers[0].pixels[beside].x > plain.layers[0].pixels[beside].x);
+    CHECK(glaring.layers[0].pixels[beside].r > plain.layers[0].pixels[beside].r);
     CHECK(red(glaring) < red(plain) + 8.5);
     CHECK(glaring.cells != plain.cells);
     CHECK(glaring.dots != plain.dots);

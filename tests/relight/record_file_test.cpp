@@ -95,7 +95,7 @@ TEST_CASE("a file with a right digest may still be anything", "[relight]") {
         if (!records) continue;
         REQUIRE(records->tiles.size() ==
                 static_cast<std::size_t>(records->tiles_across() * records->tiles_down()));
-        const std::vector<Vec3> usual(records->lamps.size(), Vec3(1));
+        const std::vector<Rgb> usual(records->lamps.size(), Rgb(1));
         REQUIRE(relit(*records, usual, 1).pixels.size() > 0);
         REQUIRE(Relighting(*records, 4, 1).picture(usual).pixels.size() > 0);
     }

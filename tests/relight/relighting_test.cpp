@@ -29,47 +29,47 @@ LightRecords two_tiles() {
 
 TEST_CASE("a picture is the sum of its records with their factors", "[relight]") {
     const LightRecords records = two_tiles();
-    const Image same = relit(records, std::vector<Vec3>(3, Vec3(1)), 1);
-    CHECK(same.at(0, 0) == Vec3(2));
-    CHECK(same.at(1, 1) == Vec3(3, 2, 2));
-    CHECK(same.at(2, 1) == Vec3(2));  // equal factors: no residual
-    CHECK(same.at(8, 0) == Vec3(0.5, 0, 0));
+    const Image same = relit(records, std::vector<Rgb>(3, Rgb(1)), 1);
+    CHECK(same.at(0, 0) == Rgb(2));
+    CHECK(same.at(1, 1) == Rgb(3, 2, 2));
+    CHECK(same.at(2, 1) == Rgb(2));  // equal factors: no residual
+    CHECK(same.at(8, 0) == Rgb(0.5, 0, 0));
     // The second lamp of the node has three quarters of its power.
-    const std::vector<Vec3> factors = {Vec3(0, 1, 1), Vec3(1), Vec3(0, 1, 2)};
+    const std::vector<Rgb> factors = {Rgb(0, 1, 1), Rgb(1), Rgb(0, 1, 2)};
     const Image other = relit(records, factors, 2);
-    CHECK(other.at(0, 0) == Vec3(0.5, 2, 3.5));
-    CHECK(other.at(1, 1) == Vec3(0.5, 2, 3.5));
-    CHECK(other.at(2, 1) == Vec3(0.5 + 4 * 0.75, 2, 3.5 - 4 * 0.75));
-    CHECK(other.at(8, 0) == Vec3(0.5, 0, 0));
+    CHECK(other.at(0, 0) == Rgb(0.5, 2, 3.5));
+    CHECK(other.at(1, 1) == Rgb(0.5, 2, 3.5));
+    CHECK(other.at(2, 1) == Rgb(0.5 + 4 * 0.75, 2, 3.5 - 4 * 0.75));
+    CHECK(other.at(8, 0) == Rgb(0.5, 0, 0));
 }
 
 TEST_CASE("light of crowds may be smooth, and lamps by themselves stay as they are", "[relight]") {
     const LightRecords records = two_tiles();
     const Relighting smooth(records, 4, 2);
-    CHECK(smooth.picture(std::vector<Vec3>(3, Vec3(1))).at(2, 1).x == Approx(2));
-    CHECK(smooth.picture(std::vector<Vec3>(3, Vec3(1))).at(1, 1).x == Approx(3));
+    CHECK(smooth.picture(std::vector<Rgb>(3, Rgb(1))).at(2, 1).r == Approx(2));
+    CHECK(smooth.picture(std::vector<Rgb>(3, Rgb(1))).at(1, 1).r == Approx(3));
     // The residual of one pixel is that of all around it.
-    const std::vector<Vec3> factors = {Vec3(0), Vec3(1), Vec3(0)};
+    const std::vector<Rgb> factors = {Rgb(0), Rgb(1), Rgb(0)};
     const Image sharp = relit(records, factors, 1), made = smooth.picture(factors);
-    CHECK(sharp.at(2, 1).x == Approx(0.5 + 4 * 0.75));
-    CHECK(sharp.at(5, 1).x == Approx(0.5));
-    CHECK(made.at(2, 1).x < 1);
-    CHECK(made.at(5, 1).x > 0.55);
+    CHECK(sharp.at(2, 1).r == Approx(0.5 + 4 * 0.75));
+    CHECK(sharp.at(5, 1).r == Approx(0.5));
+    CHECK(made.at(2, 1).r < 1);
+    CHECK(made.at(5, 1).r > 0.55);
     double sum = 0, right = 0;
     for (int y = 0; y < 2; ++y)
         for (int x = 0; x < 8; ++x) {
-            sum += made.at(x, y).x;
-            right += sharp.at(x, y).x;
+            sum += made.at(x, y).r;
+            right += sharp.at(x, y).r;
         }
     CHECK(sum == Approx(right).epsilon(0.3));
-    CHECK(smooth.picture(std::vector<Vec3>(3, Vec3(0))).at(1, 1) == Vec3(0));
+    CHECK(smooth.picture(std::vector<Rgb>(3, Rgb(0))).at(1, 1) == Rgb(0));
 }
 
 TEST_CASE("without light the picture is black", "[relight]") {
     LightRecords records = two_tiles();
     records.tiles[1].rest.reset();
-    for (const Vec3& pixel : relit(records, std::vector<Vec3>(3, Vec3(0)), 1).pixels)
-        CHECK(pixel == Vec3(0));
+    for (const Rgb& pixel : relit(records, std::vector<Rgb>(3, Rgb(0)), 1).pixels)
+        CHECK(pixel == Rgb(0));
 }
 
 }  // namespace candelabra

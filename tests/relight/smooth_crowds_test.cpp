@@ -54,7 +54,7 @@ LightRecords records_of(const std::function<Look(int x, int y)>& look) {
     return records;
 }
 
-const std::vector<Vec3> first_node = {Vec3(1), Vec3(1), Vec3(0), Vec3(0)};
+const std::vector<Rgb> first_node = {Rgb(1), Rgb(1), Rgb(0), Rgb(0)};
 
 /// The greatest error where the first node is on alone.
 double error_of(const std::function<Look(int x, int y)>& look, int radius) {
@@ -64,7 +64,7 @@ double error_of(const std::function<Look(int x, int y)>& look, int radius) {
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             const Look own = look(x, y);
-            most = std::max(most, std::abs(made.at(x, y).y - own.light * own.share) / own.light);
+            most = std::max(most, std::abs(made.at(x, y).g - own.light * own.share) / own.light);
         }
     return most;
 }
@@ -108,7 +108,7 @@ TEST_CASE("the light of a smooth crowd has less noise", "[relight]") {
     const auto error = [&](int radius) {
         const Image made = Relighting(records, radius, 1).picture(first_node);
         double squares = 0;
-        for (const Vec3& pixel : made.pixels) squares += (pixel.x - 0.3) * (pixel.x - 0.3);
+        for (const Rgb& pixel : made.pixels) squares += (pixel.r - 0.3) * (pixel.r - 0.3);
         return std::sqrt(squares / static_cast<double>(made.pixels.size()));
     };
     CHECK(error(0) > 0.4);
@@ -122,14 +122,14 @@ TEST_CASE("a smooth crowd is as rendered at the powers rendered, and in equal st
     };
     const LightRecords records = records_of(look);
     const Relighting smooth(records, 4, 1);
-    const Image right = relit(records, std::vector<Vec3>(4, Vec3(1)), 1);
+    const Image right = relit(records, std::vector<Rgb>(4, Rgb(1)), 1);
     for (const double factor : {1.0, 0.25}) {
-        const Image made = smooth.picture(std::vector<Vec3>(4, Vec3(factor)));
+        const Image made = smooth.picture(std::vector<Rgb>(4, Rgb(factor)));
         for (std::size_t i = 0; i < made.pixels.size(); ++i)
-            CHECK(made.pixels[i].x == Approx(factor * right.pixels[i].x).margin(1e-6));
+            CHECK(made.pixels[i].r == Approx(factor * right.pixels[i].r).margin(1e-6));
     }
-    for (const Vec3& pixel : smooth.picture(std::vector<Vec3>(4, Vec3(0))).pixels)
-        CHECK(pixel == Vec3(0));
+    for (const Rgb& pixel : smooth.picture(std::vector<Rgb>(4, Rgb(0))).pixels)
+        CHECK(pixel == Rgb(0));
 }
 
 TEST_CASE("samples of lamps in a smooth crowd count for all that is around them", "[relight]") {
@@ -144,11 +144,11 @@ TEST_CASE("samples of lamps in a smooth crowd count for all that is around them"
         records.tiles[i].residual = {{0, 0, false, {light, light, light}}};
     }
     const Relighting smooth(records, 4, 1);
-    const Image only = smooth.picture(std::vector<Vec3>{Vec3(1), Vec3(0), Vec3(0), Vec3(0)}),
-                other = smooth.picture(std::vector<Vec3>{Vec3(0), Vec3(1), Vec3(0), Vec3(0)});
-    CHECK(only.at(20, 13).x == Approx(0.5).epsilon(0.1));
-    CHECK(only.at(17, 10).x == Approx(0.5).epsilon(0.1));
-    CHECK(other.at(20, 13).x == Approx(0).margin(0.05));
+    const Image only = smooth.picture(std::vector<Rgb>{Rgb(1), Rgb(0), Rgb(0), Rgb(0)}),
+                other = smooth.picture(std::vector<Rgb>{Rgb(0), Rgb(1), Rgb(0), Rgb(0)});
+    CHECK(only.at(20, 13).r == Approx(0.5).epsilon(0.1));
+    CHECK(only.at(17, 10).r == Approx(0.5).epsilon(0.1));
+    CHECK(other.at(20, 13).r == Approx(0).margin(0.05));
 }
 
 TEST_CASE("tiles with lamps that are seen in crowds stay sharp", "[relight]") {
@@ -162,7 +162,7 @@ TEST_CASE("tiles with lamps that are seen in crowds stay sharp", "[relight]") {
     for (int y = 0; y < light_tile; ++y)
         for (int x = 3 * light_tile; x < 4 * light_tile; ++x)
             CHECK(made.at(x, y) == right.at(x, y));
-    CHECK(made.at(20, 4).x == Approx(0.5).margin(0.1));
+    CHECK(made.at(20, 4).r == Approx(0.5).margin(0.1));
 }
 
 TEST_CASE("a smooth picture does not depend on threads", "[relight]") {
@@ -177,8 +177,8 @@ TEST_CASE("light below nothing and none at all leave a smooth picture finite", "
     const LightRecords records = records_of([](int x, int y) {
         return Look{x < 10 ? 0 : random(x, y) - 0.5, 2 * random(y, x), Vec3(0, 1, 0)};
     });
-    for (const Vec3& pixel : Relighting(records, 4, 1).picture(first_node).pixels)
-        CHECK(std::abs(pixel.x) < 10);
+    for (const Rgb& pixel : Relighting(records, 4, 1).picture(first_node).pixels)
+        CHECK(std::abs(pixel.r) < 10);
 }
 
 }  // namespace candelabra

@@ -33,20 +33,20 @@ struct RandomLight {
             const std::uint64_t random = mix(mix(seed) + static_cast<std::uint64_t>(i));
             const std::size_t pixel = random % tile_pixels;
             const std::uint32_t lamp = i % 8 == 0 ? 77 : random >> 20 & (many_lamps - 1);
-            const Vec3 light = lamp == 77 ? Vec3(4, 2, 1) : Vec3(1, 0.5, 0.25);
+            const Rgb light = lamp == 77 ? Rgb(4, 2, 1) : Rgb(1, 0.5, 0.25);
             tile.add(lamp, pixel, light, false);
             count(lamp, pixel, light);
             if (passes > 1 && i % (events / passes) == 0) tile.settle(lamps, room, 1);
         }
-        tile.add(500, 9, Vec3(50, 50, 50), true);
-        count(500, 9, Vec3(50));
+        tile.add(500, 9, Rgb(50, 50, 50), true);
+        count(500, 9, Rgb(50));
         pixels.weight.fill(16);
-        for (Vec3& mean : pixels.mean) mean /= 16;
+        for (Rgb& mean : pixels.mean) mean /= 16;
     }
 
-    void count(std::uint32_t lamp, std::size_t pixel, const Vec3& light) {
+    void count(std::uint32_t lamp, std::size_t pixel, const Rgb& light) {
         pixels.mean[pixel] += light;
-        sums[lamp] += light.x;
+        sums[lamp] += light.r;
     }
 };
 
@@ -131,7 +131,7 @@ TEST_CASE("factors on lamps keep the expected light", "[relight]") {
 
 TEST_CASE("light without a lamp is the rest", "[relight]") {
     RandomLight light(1, 3000);
-    light.pixels.mean[5] += Vec3(0.25, 0, 0);
+    light.pixels.mean[5] += Rgb(0.25, 0, 0);
     const TileRecords tile = light.tile.finished(lamps_in_a_row(), light.pixels, 9000, 1);
     REQUIRE(tile.rest);
     CHECK((*tile.rest)[5] == Approx(0.25));
@@ -141,9 +141,9 @@ TEST_CASE("light without a lamp is the rest", "[relight]") {
 
 TEST_CASE("light that is no number is left out", "[relight]") {
     TileLight tile;
-    tile.add(1, 1, Vec3(std::nan(""), 1, 1), false);
-    tile.add(1, 1, Vec3(1e300), false);
-    tile.add(1, 1, Vec3(0), false);
+    tile.add(1, 1, Rgb(std::nan(""), 1, 1), false);
+    tile.add(1, 1, Rgb(1e300), false);
+    tile.add(1, 1, Rgb(0), false);
     TilePixels pixels;
     CHECK(tile.finished(lamps_in_a_row(), pixels, 9000, 1) == TileRecords());
 }

@@ -24,7 +24,7 @@ TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
     settings.samples = 2000;
     const auto mean = [&] {
         double sum = 0;
-        for (const Vec3& pixel : render(shot, settings).image.pixels) sum += pixel.x;
+        for (const Rgb& pixel : render(shot, settings).image.pixels) sum += pixel.r;
         return sum / (24 * 24);
     };
     const double exact = mean();

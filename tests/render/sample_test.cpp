@@ -22,7 +22,7 @@ Shot filmed(const std::string& film) {
 
 double mean_grey(const Image& image) {
     double sum = 0;
-    for (const Vec3& pixel : image.pixels) sum += pixel.x;
+    for (const Rgb& pixel : image.pixels) sum += pixel.r;
     return sum / static_cast<double>(image.pixels.size());
 }
 
@@ -50,16 +50,16 @@ TEST_CASE("pixel filters keep even light as it is, and the mean of a picture", "
         INFO(name);
         const Image made = render(filmed("pixel_filter " + name), of_samples(64)).image;
         CHECK(mean_grey(made) == Approx(mean_grey(box)).epsilon(0.005));
-        CHECK(made.at(16, 16).x == Approx(0.8).epsilon(1e-9));
-        CHECK(made.at(1, 1).x == Approx(box.at(1, 1).x).epsilon(1e-9));
+        CHECK(made.at(16, 16).r == Approx(0.8).epsilon(1e-9));
+        CHECK(made.at(1, 1).r == Approx(box.at(1, 1).r).epsilon(1e-9));
         CHECK(made.pixels != box.pixels);
     }
     // Negative lobes beside the edge: the ground is darker there, and the lamp brighter.
     const Image sharp = render(filmed("pixel_filter mitchell"), of_samples(256)).image;
     double least = 1, greatest = 0;
-    for (const Vec3& pixel : sharp.pixels) {
-        least = std::min(least, pixel.x);
-        greatest = std::max(greatest, pixel.x);
+    for (const Rgb& pixel : sharp.pixels) {
+        least = std::min(least, pixel.r);
+        greatest = std::max(greatest, pixel.r);
     }
     CHECK(least < 0.295);
     CHECK(greatest > 0.805);

@@ -24,7 +24,7 @@ struct Look {
         shading.view = view;
         shading.normal = shading.geometric_normal = Vec3(0, 1, 0);
         shading.finish = &finish;
-        shading.colour = {Vec3(0.5)};
+        shading.colour = {Rgb(0.5)};
     }
     Look(const Look&) = delete;
     Look& operator=(const Look&) = delete;
@@ -190,7 +190,7 @@ TEST_CASE("each direction from which light counts can be drawn", "[scattering]")
     for_bsdfs([&](const Bsdf& bsdf) {
         for (int i = 0; i < 500; ++i) {
             const Vec3 d = draw.direction();
-            if (bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0.5) == Vec3(0)) continue;
+            if (bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0.5) == Rgb(0)) continue;
             CAPTURE(d.x, d.y, d.z);
             CHECK(bsdf.pdf(d) > 0);
         }
@@ -208,7 +208,7 @@ TEST_CASE("no light comes through the real surface", "[scattering]") {
             if (s.finish->microfacet.on ? real > 0 : real * shown > 0 && (behind || real > 0))
                 continue;
             CAPTURE(d.x, d.y, d.z);
-            CHECK(bsdf.evaluate(d, {}, 0.5) == Vec3(0));
+            CHECK(bsdf.evaluate(d, {}, 0.5) == Rgb(0));
             CHECK(bsdf.pdf(d) == 0);
         }
     });
@@ -219,8 +219,8 @@ TEST_CASE("light of POV-Ray's sources may come through the real surface", "[scat
     look.shading.normal = unit(Vec3(1, 0.5, 0));
     const Vec3 below = unit(Vec3(1, -0.2, 0));
     const Bsdf bsdf(look.shading, ShadingRules());
-    CHECK(bsdf.evaluate(below, {}, 0) == Vec3(0));
-    CHECK(bsdf.evaluate(below, {.through_surface = true}, 0).x > 0.1);
+    CHECK(bsdf.evaluate(below, {}, 0) == Rgb(0));
+    CHECK(bsdf.evaluate(below, {.through_surface = true}, 0).r > 0.1);
 }
 
 TEST_CASE("directions are drawn with the density that is said", "[render]") {
@@ -255,10 +255,10 @@ TEST_CASE("a finish sends on no more light than it claims, at any elevation", "[
     for (const auto& [name, finish] : kinds())
         for (const double height : {1.0, 0.6, 0.3, 0.1, 0.02}) {
             Look look(finish, unit(Vec3(std::sqrt(1 - height * height), -height, 0)));
-            look.shading.colour = {Vec3(1)};
+            look.shading.colour = {Rgb(1)};
             const Bsdf bsdf(look.shading, ShadingRules());
             CAPTURE(name, height);
-            const double claimed = bsdf.diffuse_albedo().x + bsdf.facets_albedo().x;
+            const double claimed = bsdf.diffuse_albedo().r + bsdf.facets_albedo().r;
             const bool shines = finish.phong > 0 || finish.specular > 0;
             if (shines) continue;  // as in POV-Ray, highlights are added to all light
             CHECK(claimed <= 1 + 1e-9);
@@ -267,7 +267,7 @@ TEST_CASE("a finish sends on no more light than it claims, at any elevation", "[
             if (finish.microfacet.on && finish.microfacet.roughness < 0.4) continue;
             double sum = 0;
             over_directions(400, 400, [&](const Vec3& d, double solid_angle) {
-                sum += bsdf.evaluate(d, {}, 0.5).x * solid_angle / pi;
+                sum += bsdf.evaluate(d, {}, 0.5).r * solid_angle / pi;
             });
             if (finish.brilliance == 1 && finish.crand == 0 && finish.irid.amount == 0 &&
                 finish.diffuse_back >= 0)
@@ -290,8 +290,8 @@ TEST_CASE("light takes the same way back", "[scattering]") {
             there = unit(there), back = unit(back);
             const Look from(finish, -back), to(finish, -there);
             CAPTURE(name, there.x, there.y, back.x, back.y);
-            const Vec3 one = Bsdf(from.shading, ShadingRules()).evaluate(there, {}, 0) / there.y,
-                       other = Bsdf(to.shading, ShadingRules()).evaluate(back, {}, 0) / back.y;
+            const Rgb one = Bsdf(from.shading, ShadingRules()).evaluate(there, {}, 0) / there.y,
+                      other = Bsdf(to.shading, ShadingRules()).evaluate(back, {}, 0) / back.y;
             for (int c = 0; c < 3; ++c) CHECK(one[c] == Approx(other[c]).epsilon(1e-9));
         }
     }
@@ -317,7 +317,7 @@ TEST_CASE("what the choice of luminaires knows of highlights is near what they a
             if (d.y < 0.1) continue;
             double sum = known.diffuse * d.y;
             for (std::size_t k = 0; k < known.count; ++k) sum += known.highlights[k].reflected(d);
-            const double answer = bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0).x;
+            const double answer = bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0).r;
             CAPTURE(finish.phong, finish.specular, finish.microfacet.roughness, d.x, d.y, d.z);
             CHECK(sum > 0.3 * answer);
             CHECK(sum < 5 * answer + 0.05);
@@ -334,7 +334,7 @@ TEST_CASE("a highlight of a flat view is as narrow across as it is answered", "[
         REQUIRE(known.count == 1);
         const auto ratio = [&](double up, double across) {
             const Vec3 d = unit(Vec3(1, low + up, across));
-            const double answer = bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0).x;
+            const double answer = bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0).r;
             return (known.diffuse * d.y + known.highlights[0].reflected(d)) / answer;
         };
         const double straight = ratio(0, 0);

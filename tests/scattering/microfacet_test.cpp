@@ -3,6 +3,7 @@
 
 #include "base/degrees.h"
 #include "support/draw.h"
+#include "support/rgb.h"
 
 #include <catch2/catch.hpp>
 
@@ -28,7 +29,7 @@ struct MicrofacetBench {
         shading.view = unit(Vec3(1, -1, 0.3));
         shading.normal = shading.geometric_normal = Vec3(0, 1, 0);
         shading.finish = &finish;
-        shading.colour = {Vec3(1, 1, 1)};
+        shading.colour = {Rgb(1, 1, 1)};
     }
     MicrofacetBench(const MicrofacetBench&) = delete;
     MicrofacetBench& operator=(const MicrofacetBench&) = delete;
@@ -49,16 +50,16 @@ double by_response(const Shading& s) {
         for (int j = 0; j < columns; ++j) {
             const double y = (i + 0.5) / rows, turn = 2 * pi * (j + 0.5) / columns;
             const double across = std::sqrt(1 - y * y);
-            sum += facets.response({across * std::cos(turn), y, across * std::sin(turn)}, false).x;
+            sum += facets.response({across * std::cos(turn), y, across * std::sin(turn)}, false).r;
         }
     return sum / pi * 2 * pi / (rows * columns);
 }
 
 /// The same by sampled directions, which are spread evenly (Roberts, "The Unreasonable
 /// Effectiveness of Quasirandom Sequences", 2018). Fails if one leads into the surface.
-Vec3 by_scattering(const Shading& s, int count = 8000) {
+Rgb by_scattering(const Shading& s, int count = 8000) {
     const Microfacets facets(s);
-    Vec3 sum(0);
+    Rgb sum(0);
     for (int i = 0; i < count; ++i) {
         const auto step = [&](double size) { return i * size - std::floor(i * size); };
         const Vec2 place(step(0.7548776662466927), step(0.5698402909980532));
@@ -84,7 +85,7 @@ TEST_CASE("drawn directions reflect as much as all directions do", "[render]") {
         MicrofacetBench bench(row.roughness, row.metallic, row.coat, 0.5);
         bench.shading.normal = unit(Vec3(row.tilt, 1, 0.2 * row.tilt));
         CAPTURE(row.roughness, row.metallic, row.coat, row.tilt);
-        CHECK(by_scattering(bench.shading).x == Approx(by_response(bench.shading)).epsilon(0.005));
+        CHECK(by_scattering(bench.shading).r == Approx(by_response(bench.shading)).epsilon(0.005));
     }
 }
 
@@ -101,7 +102,7 @@ TEST_CASE("white facets reflect all light at every angle", "[scattering]") {
                 MicrofacetBench bench(roughness, row.metallic, row.coat, row.coat_roughness);
                 bench.look_from(elevation);
                 CAPTURE(row.metallic, row.coat, row.coat_roughness, roughness, elevation);
-                const double reflected = by_scattering(bench.shading).x;
+                const double reflected = by_scattering(bench.shading).r;
                 CHECK(reflected < 1.01);
                 CHECK(reflected > 0.99 - row.lost);
             }
@@ -118,7 +119,7 @@ TEST_CASE("facets with a bent normal lose no light", "[scattering]") {
                         bench.shading.normal =
                             unit(Vec3(tilt * std::cos(turn), 1, tilt * std::sin(turn)));
                         CAPTURE(metallic, roughness, elevation, tilt, turn);
-                        CHECK(by_scattering(bench.shading, 5000).x == Approx(1).margin(0.015));
+                        CHECK(by_scattering(bench.shading, 5000).r == Approx(1).margin(0.015));
                     }
 }
 
@@ -127,36 +128,36 @@ TEST_CASE("a smooth normal that was turned to the viewer is turned back", "[scat
     bench.look_from(5);
     bench.shading.normal = -unit(Vec3(0.3, 1, 0));
     const Microfacets facets(bench.shading);
-    CHECK(facets.response(Vec3(0, 1, 0), false).x > 0);
-    CHECK(by_scattering(bench.shading).x == Approx(1).margin(0.015));
+    CHECK(facets.response(Vec3(0, 1, 0), false).r > 0);
+    CHECK(by_scattering(bench.shading).r == Approx(1).margin(0.015));
 }
 
 TEST_CASE("light that goes from facet to facet takes the metal's colour", "[scattering]") {
     MicrofacetBench gold(1);
-    gold.shading.colour = {Vec3(0.9, 0.6, 0.3)};
+    gold.shading.colour = {Rgb(0.9, 0.6, 0.3)};
     gold.look_from(60);
-    const Vec3 rough = by_scattering(gold.shading);
+    const Rgb rough = by_scattering(gold.shading);
     MicrofacetBench smooth(0.1);
     smooth.shading.colour = gold.shading.colour;
     smooth.look_from(60);
-    const Vec3 clear = by_scattering(smooth.shading);
+    const Rgb clear = by_scattering(smooth.shading);
     for (int i = 0; i < 3; ++i) CHECK(rough[i] < clear[i]);
-    CHECK(rough.x / rough.z > 1.1 * clear.x / clear.z);
-    CHECK(rough.x > 0.7);
+    CHECK(rough.r / rough.b > 1.1 * clear.r / clear.b);
+    CHECK(rough.r > 0.7);
 }
 
 TEST_CASE("a smooth metal is a mirror of its colour", "[render]") {
     MicrofacetBench mirror(0);
-    mirror.shading.colour = {Vec3(0.9, 0.6, 0.3)};
+    mirror.shading.colour = {Rgb(0.9, 0.6, 0.3)};
     mirror.shading.view = Vec3(0, -1, 0);
     const Microfacets facets(mirror.shading);
     const auto drawn = facets.scatter(0.5, {0.3, 0.7});
     REQUIRE(drawn);
     CHECK(drawn->narrow);
     CHECK(drawn->direction.y > 0.999);
-    CHECK(length(drawn->weight - Vec3(0.9, 0.6, 0.3)) < 1e-2);
+    CHECK(length(drawn->weight - Rgb(0.9, 0.6, 0.3)) < 1e-2);
     CHECK(length(facets.response(Vec3(0, 1, 0), true)) < 1e-3);
-    CHECK(facets.response(Vec3(0, 1, 0), false).x > 1);
+    CHECK(facets.response(Vec3(0, 1, 0), false).r > 1);
 }
 
 TEST_CASE("the response is the same both ways", "[render]") {
@@ -169,16 +170,16 @@ TEST_CASE("the response is the same both ways", "[render]") {
         for (int i = 0; i < 20; ++i) {
             MicrofacetBench there(roughness, metallic, coat, 0.4),
                 back(roughness, metallic, coat, 0.4);
-            there.shading.colour = back.shading.colour = {Vec3(0.8, 0.5, 0.2)};
+            there.shading.colour = back.shading.colour = {Rgb(0.8, 0.5, 0.2)};
             const Vec3 light = unit(draw.direction() + Vec3(0, 1.01, 0)),
                        viewer = unit(draw.direction() + Vec3(0, 1.01, 0));
             there.shading.view = -viewer;
             back.shading.view = -light;
-            const Vec3 one = Microfacets(there.shading).response(light, false) / light.y,
-                       other = Microfacets(back.shading).response(viewer, false) / viewer.y;
+            const Rgb one = Microfacets(there.shading).response(light, false) / light.y,
+                      other = Microfacets(back.shading).response(viewer, false) / viewer.y;
             CAPTURE(roughness, metallic, coat, light.y, viewer.y);
             CHECK(length(one - other) < 1e-9 * (1 + length(one)));
-            CHECK(Microfacets(there.shading).response(-light, false) == Vec3(0));
+            CHECK(Microfacets(there.shading).response(-light, false) == Rgb(0));
         }
 }
 

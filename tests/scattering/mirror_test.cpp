@@ -15,7 +15,7 @@ struct MirrorBench {
         shading.view = unit(Vec3(0, -1, 1));
         shading.normal = shading.smooth_normal = shading.geometric_normal = Vec3(0, 1, 0);
         shading.finish = &finish;
-        shading.colour = {Vec3(0.8, 0.5, 0.2)};
+        shading.colour = {Rgb(0.8, 0.5, 0.2)};
     }
 };
 
@@ -23,21 +23,21 @@ struct MirrorBench {
 
 TEST_CASE("reflection goes from straight on to grazing", "[render]") {
     MirrorBench b;
-    b.finish.reflection = {Vec3(0.1), Vec3(0.9), false, 2, 1, 0};
+    b.finish.reflection = {Rgb(0.1), Rgb(0.9), false, 2, 1, 0};
     const double cosine = std::sqrt(0.5);
-    CHECK(reflectivity(b.shading, 1).x == Approx(0.1 + 0.8 * (1 - cosine) * (1 - cosine)));
-    b.finish.reflection = {Vec3(0), Vec3(1), true, 1, 1, 0};
+    CHECK(reflectivity(b.shading, 1).r == Approx(0.1 + 0.8 * (1 - cosine) * (1 - cosine)));
+    b.finish.reflection = {Rgb(0), Rgb(1), true, 1, 1, 0};
     b.shading.view = Vec3(0, -1, 0);
-    CHECK(reflectivity(b.shading, 1 / 1.5).x == Approx(0.04));
+    CHECK(reflectivity(b.shading, 1 / 1.5).r == Approx(0.04));
 }
 
 TEST_CASE("with use_alpha a clear surface reflects less", "[scattering]") {
     MirrorBench b;
-    b.finish.reflection = {Vec3(0.4), Vec3(0.4), false, 1, 1, 0};
+    b.finish.reflection = {Rgb(0.4), Rgb(0.4), false, 1, 1, 0};
     b.shading.opacity = 0.25;
-    CHECK(reflectivity(b.shading, 1).x == Approx(0.4));
+    CHECK(reflectivity(b.shading, 1).r == Approx(0.4));
     b.finish.use_alpha = true;
-    CHECK(reflectivity(b.shading, 1).x == Approx(0.1));
+    CHECK(reflectivity(b.shading, 1).r == Approx(0.1));
 }
 
 TEST_CASE("rays are bent by Snell's law, and reflected where they cannot be", "[scattering]") {

@@ -17,7 +17,7 @@ namespace {
 Media scattering_medium(int type, double colour, double eccentricity = 0) {
     Media media;
     media.scattering.type = type;
-    media.scattering.colour = Vec3(colour);
+    media.scattering.colour = Rgb(colour);
     media.scattering.eccentricity = eccentricity;
     return media;
 }
@@ -42,18 +42,18 @@ TEST_CASE("directions are drawn as media scatter light", "[render]") {
             const Vec2 u{uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)};
             const Vec3 direction = phase.sample(u);
             CHECK(length(direction) == Approx(1));
-            weight += phase.evaluate(direction).x / phase.pdf(direction) / count;
+            weight += phase.evaluate(direction).r / phase.pdf(direction) / count;
             towards += dot(direction, view) / count;
             // The same mean by uniform directions.
             const double cosine = 2 * u.x - 1;
             const auto [x, y] = perpendiculars(view);
             const Vec3 any = cosine * view + std::sqrt(1 - cosine * cosine) * x;
             expected += cosine * phase.pdf(any) * 4 * std::numbers::pi / count;
-            mean += phase.evaluate(any).x / count;
+            mean += phase.evaluate(any).r / count;
         }
-        CHECK(mean == Approx(phase.mean().x).epsilon(0.01));
+        CHECK(mean == Approx(phase.mean().r).epsilon(0.01));
         const PhaseFunction again(mixture, Vec3(0), view, {});
-        CHECK(weight == Approx(again.evaluate(Vec3(view)).x / again.pdf(view)).epsilon(0.02));
+        CHECK(weight == Approx(again.evaluate(Vec3(view)).r / again.pdf(view)).epsilon(0.02));
         CHECK(towards == Approx(expected).margin(0.01));
     }
 }
@@ -84,7 +84,7 @@ TEST_CASE("media draw directions with the density that is said, and light takes 
                 said[static_cast<std::size_t>(i / steps)] += share;
                 all += share;
                 const PhaseFunction back(media, Vec3(0), -at(cosine), {});
-                CHECK(back.evaluate(-view).x == Approx(phase.evaluate(at(cosine)).x));
+                CHECK(back.evaluate(-view).r == Approx(phase.evaluate(at(cosine)).r));
             }
             CHECK(all == Approx(1).epsilon(0.002));
             Key key;
@@ -103,11 +103,11 @@ TEST_CASE("media draw directions with the density that is said, and light takes 
 
 TEST_CASE("what scatters nothing answers no light", "[render]") {
     Media clear;
-    clear.emission = Vec3(1);
+    clear.emission = Rgb(1);
     const std::array<const Media*, 1> view = {&clear};
     const PhaseFunction phase(view, Vec3(1, 2, 3), Vec3(0, 0, 1), {});
     CHECK_FALSE(phase.answers_light());
-    CHECK(phase.evaluate(Vec3(0, 0, 1)) == Vec3(0));
+    CHECK(phase.evaluate(Vec3(0, 0, 1)) == Rgb(0));
     const Scatterer scatterer(phase);
     CHECK(scatterer.in_air());
     CHECK(scatterer.phase().receiver().horizon == Horizon::none);
@@ -119,9 +119,9 @@ TEST_CASE("media of physical scattering send on what they take, and no more", "[
         Media medium = scattering_medium(type, 0.3, 0.6), other = scattering_medium(1, 0.2);
         medium.scattering.physical = other.scattering.physical = true;
         const std::vector<const Media*> both = {&medium, &other};
-        const PhaseFunction phase(both, Vec3(0), Vec3(0, 0, 1), {}, Vec3(2));
+        const PhaseFunction phase(both, Vec3(0), Vec3(0, 0, 1), {}, Rgb(2));
         CAPTURE(type);
-        CHECK(phase.share().x == Approx(2 * coefficients(both, Vec3(0), {}).extinction.x));
+        CHECK(phase.share().r == Approx(2 * coefficients(both, Vec3(0), {}).extinction.r));
     }
 }
 

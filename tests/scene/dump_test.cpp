@@ -78,10 +78,10 @@ TEST_CASE("modifiers follow: transformation, switches, interior, texture") {
     glass.hollow = true;
     glass.interior = make_handle<Interior>(Interior{1.5});
     Texture texture;
-    texture.pigment.colour = {Vec3(1), 0.5, 0};
-    texture.finish.ambient = Vec3(0);
-    texture.finish.reflection.least = Vec3(0.25);
-    texture.finish.reflection.greatest = Vec3(0.5);
+    texture.pigment.colour = {Rgb(1), 0.5, 0};
+    texture.finish.ambient = Rgb(0);
+    texture.finish.reflection.least = Rgb(0.25);
+    texture.finish.reflection.greatest = Rgb(0.5);
     texture.finish.reflection.fresnel = true;
     glass.texture = make_handle<Texture>(texture);
     CHECK(body({make_handle<Object>(glass)}) ==
@@ -99,7 +99,7 @@ TEST_CASE("settings, background, camera and lights stand before the objects") {
     LightOctree octree;
     octree.threshold = 0.1;
     scene.settings.light_sampler = octree;
-    scene.background.colour = {Vec3(0, 0, 1)};
+    scene.background.colour = {Rgb(0, 0, 1)};
     Orthographic camera;
     camera.location = Vec3(0, 0, -5);
     camera.look_at = Vec3(0);
@@ -107,7 +107,7 @@ TEST_CASE("settings, background, camera and lights stand before the objects") {
     scene.camera = camera;
     PointLight light;
     light.location = Vec3(9);
-    light.colour = Vec3(1, 1, 0.5);
+    light.colour = Rgb(1, 1, 0.5);
     light.shadowless = true;
     scene.lights.push_back({light, {}});
     scene.objects.push_back(object(Sphere()));

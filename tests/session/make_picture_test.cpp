@@ -47,10 +47,10 @@ TEST_CASE("a text becomes a picture", "[session]") {
     CHECK(steps > 0);
     CHECK(picture->gamma == 1.5);
     CHECK(picture->rays.camera == 16 * 12);
-    const Vec3 middle = picture->image.at(8, 6), corner = picture->image.at(0, 0);
-    CHECK(middle.x > 0.1);
-    CHECK(middle.y == 0);
-    CHECK(corner == Vec3(0));
+    const Rgb middle = picture->image.at(8, 6), corner = picture->image.at(0, 0);
+    CHECK(middle.r > 0.1);
+    CHECK(middle.g == 0);
+    CHECK(corner == Rgb(0));
     const auto again = make_picture(small(red_ball));
     REQUIRE(again);
     CHECK(again->image.pixels == picture->image.pixels);

@@ -138,7 +138,7 @@ TEST_CASE("imposters light like what they stand for", "[statistics][claim-25]") 
         #end #end)";
     const Image image = picture(shot_with(walls, LightOctree{}), 16, 0).image;
     double sum = 0;
-    for (const Vec3& pixel : image.pixels) sum += grey(pixel);
+    for (const Rgb& pixel : image.pixels) sum += grey(pixel);
     CHECK(sum / (size * size) == Approx(0.6 * 2.5).epsilon(0.01));
 }
 

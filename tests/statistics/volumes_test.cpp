@@ -16,22 +16,22 @@ namespace {
 const std::string clear_hollow = " pigment { rgbt 1 } finish { ambient 0 diffuse 0 } hollow ";
 
 struct Found {
-    Vec3 mean = Vec3(0), deviation = Vec3(0);  ///< of the mean
+    Rgb mean, deviation;  ///< of the mean
 };
 
 Found seen(const std::string& script, std::uint32_t count, const Ray& ray) {
     const Shot shot = shot_of("#version 3.7; " + script);
     Integrator integrator(shot, {});
-    Vec3 sum(0), squares(0);
+    Rgb sum(0), squares(0);
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) {
-        const Vec3 one = integrator.radiance(ray, key);
+        const Rgb one = integrator.radiance(ray, key);
         sum += one;
         squares += one * one;
     }
-    const Vec3 mean = sum / static_cast<double>(count);
-    return {mean, glm::sqrt(glm::max(squares / static_cast<double>(count) - mean * mean, Vec3(0)) /
-                            static_cast<double>(count))};
+    const Rgb mean = sum / static_cast<double>(count);
+    return {mean, sqrt(max(squares / static_cast<double>(count) - mean * mean, Rgb(0)) /
+                       static_cast<double>(count))};
 }
 
 void check_alike(const Found& a, const Found& b) {
@@ -64,10 +64,10 @@ TEST_CASE("a ball of glowing gas lights by the square law", "[statistics]") {
             const bool slow = std::string(sampler) == "every_light";
             const Found found = seen(with(sampler, integrator) + scene, slow ? 200 : 4000,
                                      {Vec3(1.5, 1, -8), unit(Vec3(0, -1, 8))});
-            CHECK(std::abs(found.mean.x - expected) <= 4.5 * found.deviation.x);
-            CHECK(found.deviation.x < 0.05 * expected);
-            CHECK(found.mean.y == Approx(found.mean.x / 2));
-            CHECK(found.mean.z == 0);
+            CHECK(std::abs(found.mean.r - expected) <= 4.5 * found.deviation.r);
+            CHECK(found.deviation.r < 0.05 * expected);
+            CHECK(found.mean.g == Approx(found.mean.r / 2));
+            CHECK(found.mean.b == 0);
         }
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("air is lit by glowing gas as by what is small", "[statistics]") {
                                  clear_hollow + "interior { media { emission 400 } luminaire } }",
                              20000, {Vec3(0), Vec3(0, 0, 1)});
     const double volume = 4.0 / 3 * std::acos(-1) * 0.05 * 0.05 * 0.05;
-    CHECK(found.mean.x == Approx(400 * volume / (2 * 2)).epsilon(0.03));
+    CHECK(found.mean.r == Approx(400 * volume / (2 * 2)).epsilon(0.03));
 }
 
 TEST_CASE("in a room full of glowing gas all is as bright", "[statistics]") {
@@ -91,8 +91,8 @@ TEST_CASE("in a room full of glowing gas all is as bright", "[statistics]") {
             CAPTURE(sampler);
             const Found found = seen(with(sampler, "path_traced { bounces 100 }") + room, 1500,
                                      {from, unit(Vec3(0.2, 0.1, 1))});
-            CHECK(std::abs(found.mean.x - 4) <= 4.5 * found.deviation.x);
-            CHECK(found.deviation.x < 0.12);
+            CHECK(std::abs(found.mean.r - 4) <= 4.5 * found.deviation.r);
+            CHECK(found.deviation.r < 0.12);
         }
 }
 

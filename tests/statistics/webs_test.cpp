@@ -31,7 +31,7 @@ double shown(const std::string& script, int samples) {
     settings.samples = samples;
     double sum = 0;
     const auto pixels = render(shot, settings).image.pixels;
-    for (const Vec3& pixel : pixels) sum += light_luminance(pixel);
+    for (const Rgb& pixel : pixels) sum += light_luminance(pixel);
     return sum / static_cast<double>(pixels.size());
 }
 

@@ -18,7 +18,7 @@ inline void take_wanted(Film& film) {
     for (int y = 0; y < film.height(); ++y)
         for (int x = 0; x < film.width(); ++x)
             for (PixelSum& p = film.at(x, y); p.samples < p.target;)
-                p.add(Vec3(x < 10 ? 0.5 : p.samples % 2));
+                p.add(Rgb(x < 10 ? 0.5 : p.samples % 2));
 }
 
 }  // namespace candelabra

@@ -10,7 +10,7 @@ namespace candelabra {
 inline Luminaire glowing(const Emitter& emitter, double radiance = 1) {
     Luminaire result;
     result.emitter = emitter;
-    result.radiance = Vec3(radiance);
+    result.radiance = Rgb(radiance);
     result.primitive = 0;
     return result;
 }

@@ -28,7 +28,7 @@ inline Lit lit_at(const Shot& shot, double x, const ShadowRays& shadow_rays, int
         const Vertex vertex = vertex_at(*shot.world, ray, hit);
         for (const VisibleTexture& each : visible_textures(*shot.world, vertex)) {
             const Bsdf bsdf(with_layer(*shot.world, vertex, each.layers.front()), rules);
-            sum += light({vertex, bsdf, all_light}, key, rays).x;
+            sum += light({vertex, bsdf, all_light}, key, rays).r;
         }
     }
     return {sum / count, static_cast<double>(rays.shadow) / count,

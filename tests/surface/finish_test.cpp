@@ -9,7 +9,7 @@ namespace candelabra {
 
 TEST_CASE("a finish starts with POV-Ray 3.7's values", "[surface]") {
     const Finish finish;
-    CHECK(finish.ambient == Vec3(0.1));
+    CHECK(finish.ambient == Rgb(0.1));
     CHECK(finish.diffuse == 0.6);
     CHECK(finish.phong_size == 40);
     CHECK(finish.roughness == 0.05);

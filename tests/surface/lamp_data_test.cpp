@@ -9,14 +9,14 @@ namespace candelabra {
 
 TEST_CASE("a lamp's temperature gives its emission a hue, and keeps its luminance", "[surface]") {
     LampData lamp;
-    CHECK(lamp_emission(lamp, Vec3(0)) == Vec3(1));
-    CHECK(lamp_emission(lamp, Vec3(3, 2, 1)) == Vec3(3, 2, 1));
+    CHECK(lamp_emission(lamp, Rgb(0)) == Rgb(1));
+    CHECK(lamp_emission(lamp, Rgb(3, 2, 1)) == Rgb(3, 2, 1));
     lamp.temperature = 2700;
-    const Vec3 warm = lamp_emission(lamp, Vec3(4));
+    const Rgb warm = lamp_emission(lamp, Rgb(4));
     CHECK(light_luminance(warm) == Approx(4));
     CHECK(warm.r > warm.b);
     // To state the same once more changes nothing.
-    const Vec3 again = lamp_emission(lamp, warm);
+    const Rgb again = lamp_emission(lamp, warm);
     for (int channel = 0; channel < 3; ++channel)
         CHECK(again[channel] == Approx(warm[channel]).epsilon(1e-6));
 }

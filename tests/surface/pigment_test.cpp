@@ -17,14 +17,14 @@ Pigment pigment_of(const std::string& text) {
     return done.texture().pigment;
 }
 
-double red(const Pigment& pigment, double x) { return evaluate(pigment, Vec3(x, 0, 0)).rgb.x; }
+double red(const Pigment& pigment, double x) { return evaluate(pigment, Vec3(x, 0, 0)).rgb.r; }
 
 constexpr const char* ramp = "color_map { [0 rgb 0] [1 rgb 1] }";
 
 }  // namespace
 
 TEST_CASE("a pattern is looked up in the space before the pigment's transform", "[surface]") {
-    CHECK(evaluate(pigment_of("gradient x scale 2"), Vec3(0.5, 7, 7)).rgb.x == Approx(0.25));
+    CHECK(evaluate(pigment_of("gradient x scale 2"), Vec3(0.5, 7, 7)).rgb.r == Approx(0.25));
 }
 
 TEST_CASE("a pigment map mixes pigments at the warped point", "[surface]") {
@@ -41,8 +41,8 @@ TEST_CASE("average mixes all by their weights", "[surface]") {
     const Pigment pigment =
         pigment_of("average pigment_map { [1 rgb 1] [3 rgbt <5, 0, 0, 1>] [0 rgb 99] }");
     const Colour colour = evaluate(pigment, Vec3(0));
-    CHECK(colour.rgb.x == Approx(4));
-    CHECK(colour.rgb.y == Approx(0.25));
+    CHECK(colour.rgb.r == Approx(4));
+    CHECK(colour.rgb.g == Approx(0.25));
     CHECK(colour.transmit == Approx(0.75));
 }
 
@@ -61,15 +61,15 @@ TEST_CASE("a pigment_pattern has the brightness of its pigment", "[surface]") {
 }
 
 TEST_CASE("brightest and transparent look at everything in it", "[surface]") {
-    CHECK(brightest(pigment_of("rgb <0.5, 2, 0>")) == Vec3(0.5, 2, 0));
+    CHECK(brightest(pigment_of("rgb <0.5, 2, 0>")) == Rgb(0.5, 2, 0));
     CHECK_FALSE(transparent(pigment_of("rgb 1")));
     CHECK_FALSE(transparent(pigment_of("checker rgb 1 rgb 0")));
     const Pigment mixed = pigment_of("checker rgb x rgbt <0, 3, 0, 0.5>");
-    CHECK(brightest(mixed) == Vec3(1, 3, 0));
+    CHECK(brightest(mixed) == Rgb(1, 3, 0));
     CHECK(transparent(mixed));
     const Pigment nested = pigment_of(
         "gradient x pigment_map { [0 rgb 1] [1 checker pigment { rgbf <5, 0, 0, 1> } ] }");
-    CHECK(brightest(nested) == Vec3(5, 1, 1));
+    CHECK(brightest(nested) == Rgb(5, 1, 1));
     CHECK(transparent(nested));
 }
 

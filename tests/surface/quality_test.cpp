@@ -4,6 +4,7 @@
 #include "support/scripts.h"
 
 #include "render/render.h"
+#include "support/rgb.h"
 #include "world/compile.h"
 
 #include <catch2/catch.hpp>
@@ -31,12 +32,11 @@ TEST_CASE("qualities show what POV-Ray 3.7 shows", "[surface]") {
     )");
     struct Case {
         int quality;
-        Vec3 seen;
+        Rgb seen;
     };
-    const Case cases[] = {{0, Vec3(.1, .9, .3)},    {1, Vec3(.1, .9, .3)},
-                          {4, Vec3(.01, .09, .03)}, {5, Vec3(.01, .09, .03)},
-                          {6, Vec3(.08, .05, .02)}, {7, Vec3(.08, .05, .02)},
-                          {8, Vec3(.23, .20, .17)}, {11, Vec3(.23, .20, .17)}};
+    const Case cases[] = {{0, Rgb(.1, .9, .3)},    {1, Rgb(.1, .9, .3)},    {4, Rgb(.01, .09, .03)},
+                          {5, Rgb(.01, .09, .03)}, {6, Rgb(.08, .05, .02)}, {7, Rgb(.08, .05, .02)},
+                          {8, Rgb(.23, .20, .17)}, {11, Rgb(.23, .20, .17)}};
     for (const Case& c : cases) {
         CAPTURE(c.quality);
         Diagnostics diagnostics;
@@ -45,7 +45,7 @@ TEST_CASE("qualities show what POV-Ray 3.7 shows", "[surface]") {
         RenderSettings settings;
         settings.width = settings.height = 1;
         settings.antialias = false;
-        const Vec3 seen =
+        const Rgb seen =
             render(Shot(compile(scene, options, diagnostics)), settings).image.at(0, 0);
         CHECK(length(seen - c.seen) < 1e-9);
     }

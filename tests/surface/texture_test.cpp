@@ -12,7 +12,7 @@ namespace {
 Handle<Texture> coloured(const Colour& colour, Handle<Texture> below = nullptr) {
     Texture texture;
     texture.pigment.colour = colour;
-    texture.finish.emission = Vec3(1);
+    texture.finish.emission = Rgb(1);
     texture.below = std::move(below);
     return make_handle<Texture>(std::move(texture));
 }
@@ -29,30 +29,30 @@ Texture halves(const Handle<Texture>& left, const Handle<Texture>& right) {
 }  // namespace
 
 TEST_CASE("light passes through all layers", "[surface]") {
-    const auto lower = coloured({Vec3(0.5, 1, 0), 0.5, 0});
-    const auto both = coloured({Vec3(1), 0, 0.5}, lower);
-    CHECK(passing(*both, Vec3(0), {}) == Vec3(0.125, 0.25, 0));
+    const auto lower = coloured({Rgb(0.5, 1, 0), 0.5, 0});
+    const auto both = coloured({Rgb(1), 0, 0.5}, lower);
+    CHECK(passing(*both, Vec3(0), {}) == Rgb(0.125, 0.25, 0));
     CHECK(transparent(*both));
-    CHECK_FALSE(transparent(*coloured({Vec3(1), 0, 0.5}, coloured({Vec3(1)}))));
+    CHECK_FALSE(transparent(*coloured({Rgb(1), 0, 0.5}, coloured({Rgb(1)}))));
     CHECK_FALSE(both->plain());
 }
 
 TEST_CASE("layers are given from the top, with their normals", "[surface]") {
-    const auto both = coloured({Vec3(1), 0, 0.5}, coloured({Vec3(1, 0, 0)}));
+    const auto both = coloured({Rgb(1), 0, 0.5}, coloured({Rgb(1, 0, 0)}));
     int calls = 0;
     for_layers(*both, Vec3(0), Vec3(0, 1, 0), {}, [&](double weight, std::span<const Layer> all) {
         ++calls;
         CHECK(weight == 1);
         REQUIRE(all.size() == 2);
         CHECK(all[0].colour.transmit == 0.5);
-        CHECK(all[1].colour.rgb == Vec3(1, 0, 0));
+        CHECK(all[1].colour.rgb == Rgb(1, 0, 0));
         CHECK(all[1].normal == Vec3(0, 1, 0));
     });
     CHECK(calls == 1);
 }
 
 TEST_CASE("a pattern mixes two textures by their shares", "[surface]") {
-    const Texture mixed = halves(coloured({Vec3(1)}), coloured({Vec3(0), 0, 1}));
+    const Texture mixed = halves(coloured({Rgb(1)}), coloured({Rgb(0), 0, 1}));
     double sum = 0;
     for_layers(mixed, Vec3(0.25, 0, 0), Vec3(0, 1, 0), {},
                [&](double weight, std::span<const Layer> all) {
@@ -60,19 +60,19 @@ TEST_CASE("a pattern mixes two textures by their shares", "[surface]") {
                    sum += weight;
                });
     CHECK(sum == Approx(1));
-    CHECK(passing(mixed, Vec3(0.25, 0, 0), {}) == Vec3(0.25));
+    CHECK(passing(mixed, Vec3(0.25, 0, 0), {}) == Rgb(0.25));
     CHECK(transparent(mixed));
     const auto opacity = [](const Colour& colour) { return colour.opacity(); };
-    CHECK(emission(mixed, Vec3(0.25, 0, 0), {}, opacity) == Vec3(0.75));
-    CHECK(greatest_emission(mixed) == Vec3(1));
+    CHECK(emission(mixed, Vec3(0.25, 0, 0), {}, opacity) == Rgb(0.75));
+    CHECK(greatest_emission(mixed) == Rgb(1));
     CHECK(nesting(mixed).depth == 1);
 }
 
 TEST_CASE("all layers and choices move with the texture", "[surface]") {
     const Transform twice = Transform::scaling(Vec3(2));
-    const Texture moved = transformed(*coloured({Vec3(1), 0, 1}, coloured({Vec3(1)})), twice);
+    const Texture moved = transformed(*coloured({Rgb(1), 0, 1}, coloured({Rgb(1)})), twice);
     CHECK(moved.below->pigment.transform == twice);
-    CHECK(transformed(halves(coloured({Vec3(1)}), coloured({Vec3(0)})), twice).choice->transform ==
+    CHECK(transformed(halves(coloured({Rgb(1)}), coloured({Rgb(0)})), twice).choice->transform ==
           twice);
 }
 

@@ -33,7 +33,7 @@ double seen_in_haze(const std::string& script, std::uint32_t samples = 16) {
     double sum = 0;
     Key key;
     for (key.sample = 0; key.sample < samples; ++key.sample)
-        sum += integrator.radiance({Vec3(0.1, 0.4, -5), Vec3(0, 0, 1)}, key).x / samples;
+        sum += integrator.radiance({Vec3(0.1, 0.4, -5), Vec3(0, 0, 1)}, key).r / samples;
     return sum;
 }
 
@@ -75,11 +75,11 @@ TEST_CASE("the light that photons bring to the air is their lamps'", "[transport
     Tracing tracing;
     tracing.counts_lights = true;
     Integrator integrator(shot, tracing);
-    const Vec3 found = integrator.radiance({Vec3(0.1, 0.4, -5), Vec3(0, 0, 1)}, {});
-    Vec3 of_lamp(0);
-    take_lights(integrator.ledger(), [&](std::size_t, const Vec3& light) { of_lamp += light; });
-    CHECK(found.x > 0);
-    CHECK(of_lamp.x == Approx(found.x));
+    const Rgb found = integrator.radiance({Vec3(0.1, 0.4, -5), Vec3(0, 0, 1)}, {});
+    Rgb of_lamp(0);
+    take_lights(integrator.ledger(), [&](std::size_t, const Rgb& light) { of_lamp += light; });
+    CHECK(found.r > 0);
+    CHECK(of_lamp.r == Approx(found.r));
 }
 
 TEST_CASE("luminaires shoot photons into the air, too", "[transport]") {

@@ -24,8 +24,8 @@ RenderState made(const Shot& shot, const Aovs& aovs, int samples = 4) {
     return state;
 }
 
-Vec3 light(const RenderState& state, const Aovs& aovs, std::size_t pixel, std::size_t which) {
-    Vec3 result;
+Rgb light(const RenderState& state, const Aovs& aovs, std::size_t pixel, std::size_t which) {
+    Rgb result;
     for (int c = 0; c < 3; ++c)
         result[c] =
             state.film.extra(pixel)[aovs.first_light() + 3 * which + static_cast<std::size_t>(c)]
@@ -59,10 +59,10 @@ TEST_CASE("the light of all statements together is the picture", "[render]") {
     const RenderState state = made(shot, aovs);
     int lit = 0;
     for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
-        Vec3 sum(0);
+        Rgb sum(0);
         for (std::size_t k = 0; k < 3; ++k) sum += light(state, aovs, i, k);
-        const Vec3 seen = state.film.pixels()[i].mean();
-        lit += seen.x > 0.01;
+        const Rgb seen = state.film.pixels()[i].mean();
+        lit += seen.r > 0.01;
         for (int c = 0; c < 3; ++c) CHECK(sum[c] == Approx(seen[c]).margin(1e-9));
     }
     CHECK(lit > 200);
@@ -83,15 +83,15 @@ TEST_CASE("what the camera sees of things that glow is told apart", "[render]") 
         const RenderState state = made(shot, aovs, 1);
         const auto glow = [&](int x, int y) {
             const auto sums = state.film.extra(state.film.index(x, y));
-            return Vec3(sums[0].value(), sums[1].value(), sums[2].value());
+            return Rgb(sums[0].value(), sums[1].value(), sums[2].value());
         };
         const auto square = [&](int x, int y) {
             return state.film.extra(state.film.index(x, y))[aovs.first_square()].value();
         };
-        CHECK(glow(4, 13) == Vec3(0.5));         // a surface, its own light only
-        CHECK(glow(18, 12) == Vec3(0));          // a mirror that shows the lamp
+        CHECK(glow(4, 13) == Rgb(0.5));          // a surface, its own light only
+        CHECK(glow(18, 12) == Rgb(0));           // a mirror that shows the lamp
         CHECK(square(18, 12) > 8);               // its light is what it reflects
-        CHECK(glow(12, 2) == Vec3(0, 0, 0.5));   // the sky
+        CHECK(glow(12, 2) == Rgb(0, 0, 0.5));    // the sky
         CHECK(square(12, 2) == Approx(0).margin(1e-12));
     }
 }
@@ -110,15 +110,15 @@ TEST_CASE("a luminous sky is a lamp like others", "[render]") {
         Aovs aovs;
         aovs.lights = true;
         const RenderState state = made(shot, aovs);
-        Vec3 of_sky(0);
+        Rgb of_sky(0);
         for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
-            const Vec3 seen = state.film.pixels()[i].mean();
+            const Rgb seen = state.film.pixels()[i].mean();
             of_sky += light(state, aovs, i, 1);
             for (int c = 0; c < 3; ++c)
                 CHECK(light(state, aovs, i, 0)[c] + light(state, aovs, i, 1)[c] ==
                       Approx(seen[c]).margin(1e-9));
         }
-        CHECK(of_sky.z > 20);
+        CHECK(of_sky.b > 20);
     }
 }
 
@@ -133,9 +133,9 @@ TEST_CASE("light that surfaces reflect is counted for the statement that it came
         aovs.lights = true;
         const RenderState state = made(shot, aovs);
         for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
-            Vec3 sum(0);
+            Rgb sum(0);
             for (std::size_t k = 0; k < 3; ++k) sum += light(state, aovs, i, k);
-            const Vec3 seen = state.film.pixels()[i].mean();
+            const Rgb seen = state.film.pixels()[i].mean();
             for (int c = 0; c < 3; ++c) CHECK(sum[c] == Approx(seen[c]).margin(1e-9));
         }
     }
@@ -149,7 +149,7 @@ TEST_CASE("a statement's light is the picture that it makes alone", "[render]") 
     for (std::size_t k = 0; k < 2; ++k) {
         const RenderState alone = made(shot_of(room + lamps[k]), {});
         for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
-            const Vec3 part = light(state, aovs, i, k), whole = alone.film.pixels()[i].mean();
+            const Rgb part = light(state, aovs, i, k), whole = alone.film.pixels()[i].mean();
             for (int c = 0; c < 3; ++c) CHECK(part[c] == Approx(whole[c]).margin(1e-9));
         }
     }

@@ -18,19 +18,19 @@ TEST_CASE("fog veils what is behind it, and not inside of solids", "[transport]"
     path.ray = {Vec3(0), Vec3(0, 0, 1)};
     const Veil veil = veil_along(*world, path, 4);
     const double left = std::exp(-1);
-    CHECK(veil.transmittance.x == Approx(left));
-    CHECK(veil.through(Vec3(0)).y == Approx(0.5 * (1 - left)));
-    CHECK(veil.through(Vec3(1)).z == Approx(left));
+    CHECK(veil.transmittance.r == Approx(left));
+    CHECK(veil.through(Rgb(0)).g == Approx(0.5 * (1 - left)));
+    CHECK(veil.through(Rgb(1)).b == Approx(left));
     path.media.push_back(1);
-    CHECK(veil_along(*world, path, 4).transmittance.x == Approx(left));
+    CHECK(veil_along(*world, path, 4).transmittance.r == Approx(left));
     path.media.push_back(0);
-    CHECK(veil_along(*world, path, 4).transmittance == Vec3(1));
-    CHECK(veil_along(*world, path, 4).added == Vec3(0));
+    CHECK(veil_along(*world, path, 4).transmittance == Rgb(1));
+    CHECK(veil_along(*world, path, 4).added == Rgb(0));
 }
 
 TEST_CASE("one veil before another", "[medium]") {
-    const Veil near{Vec3(0.5), Vec3(1)}, far{Vec3(0.25), Vec3(2)};
-    CHECK(near.before(far).through(Vec3(8)) == near.through(far.through(Vec3(8))));
+    const Veil near{Rgb(0.5), Rgb(1)}, far{Rgb(0.25), Rgb(2)};
+    CHECK(near.before(far).through(Rgb(8)) == near.through(far.through(Rgb(8))));
 }
 
 }  // namespace candelabra

@@ -26,7 +26,7 @@ TEST_CASE("rays of light sources have the flux of each, whichever is brighter", 
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto drawn = rays.draw({7, i, 0, 0});
         REQUIRE(drawn);
-        flux.at(drawn->source) += units.lumens(drawn->power.x) / count;
+        flux.at(drawn->source) += units.lumens(drawn->power.r) / count;
     }
     CHECK(flux[0] == Approx(1000).epsilon(0.01));
     CHECK(flux[1] == Approx(10).epsilon(0.25));

@@ -21,7 +21,7 @@ TEST_CASE("rays of lamps have the area of each, whichever is brighter", "[transp
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto drawn = rays.draw({7, i, 0, 0}, 1.0 / count, [](const Luminaire&) { return 0; });
         REQUIRE(drawn);
-        CHECK(drawn->path.throughput == Vec3(1));
+        CHECK(drawn->path.throughput == Rgb(1));
         area.at(drawn->light) += drawn->power_of_one;
     }
     CHECK(area[0] == Approx(std::numbers::pi).epsilon(0.02));

@@ -2,6 +2,7 @@
 #include "transport/layer_stack.h"
 
 #include "scattering/microfacet.h"
+#include "support/rgb.h"
 #include "support/scripts.h"
 #include "world/compile.h"
 
@@ -19,7 +20,7 @@ TEST_CASE("layers are seen through those above them", "[transport]") {
     Hit hit;
     REQUIRE(world->first_hit(path.ray, 0, RayKind::camera, hit));
     const Vertex vertex = vertex_at(*world, path.ray, hit);
-    std::vector<Vec3> through, reflected;
+    std::vector<Rgb> through, reflected;
     for (const auto& [weight, layers] : visible_textures(*world, vertex)) {
         const LayerStack stack(*world, path, vertex, layers);
         CHECK_FALSE(stack.is_clear());  // the lowest layer is opaque
@@ -29,28 +30,28 @@ TEST_CASE("layers are seen through those above them", "[transport]") {
         });
     }
     REQUIRE(through.size() == 3);
-    CHECK(through[0] == Vec3(1));
-    CHECK(length(through[1] - Vec3(0.4, 0.8, 0.8)) < 1e-6);
-    CHECK(length(through[2] - Vec3(0.2, 0.4, 0.4)) < 1e-6);
-    CHECK(reflected[0] == Vec3(0));
-    CHECK(reflected[2] == Vec3(0.3));
+    CHECK(through[0] == Rgb(1));
+    CHECK(length(through[1] - Rgb(0.4, 0.8, 0.8)) < 1e-6);
+    CHECK(length(through[2] - Rgb(0.2, 0.4, 0.4)) < 1e-6);
+    CHECK(reflected[0] == Rgb(0));
+    CHECK(reflected[2] == Rgb(0.3));
 }
 
 namespace {
 
 /// Sum of the fractions of all ways on which light comes to the viewer from a vertex: by mirrors,
 /// by facets, by what is below them, and from behind.
-Vec3 sum_of_ways(const World& world, const PathState& path) {
+Rgb sum_of_ways(const World& world, const PathState& path) {
     Hit hit;
     REQUIRE(world.first_hit(path.ray, 0, RayKind::camera, hit));
     const Vertex vertex = vertex_at(world, path.ray, hit, {path.media.data(), path.media.size()});
-    Vec3 sum(0);
+    Rgb sum(0);
     for (const auto& [weight, layers] : visible_textures(world, vertex)) {
         const LayerStack stack(world, path, vertex, layers);
         stack.visit([&](const LayerStack::Seen& seen) {
             const Shading s = seen.scattering();
             const Finish& f = *s.finish;
-            Vec3 scattered = s.colour.rgb * s.opacity * (f.diffuse + f.diffuse_back);
+            Rgb scattered = s.colour.rgb * s.opacity * (f.diffuse + f.diffuse_back);
             if (f.microfacet.on)
                 scattered = Microfacets(s).facets_albedo() +
                             s.colour.rgb * s.opacity * Microfacets(s).base_albedo();
@@ -91,11 +92,11 @@ TEST_CASE("all ways from a vertex together have no more than all light", "[trans
                     for (const double aside : {0.0, 0.5, 0.9, 0.99}) {
                         PathState path;
                         path.ray = {Vec3(aside, 0, -3), Vec3(0, 0, 1)};
-                        const Vec3 outside = sum_of_ways(*world, path);
+                        const Rgb outside = sum_of_ways(*world, path);
                         path.ray = {Vec3(0, 0, -aside), Vec3(1, 0, 0)};
                         path.media.push_back(0);
-                        const Vec3 inside = sum_of_ways(*world, path);
-                        CAPTURE(aside, outside.x, inside.x);
+                        const Rgb inside = sum_of_ways(*world, path);
+                        CAPTURE(aside, outside.r, inside.r);
                         CHECK(max_component(outside) <= 1 + 1e-9);
                         CHECK(max_component(inside) <= 1 + 1e-9);
                         if (!white || !finish.starts_with("microfacet")) continue;

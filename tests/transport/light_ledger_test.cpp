@@ -14,17 +14,17 @@ TEST_CASE("a ledger has the light of each statement until it is taken", "[transp
         sphere { 3, 1 pigment { rgb 1 } }
         sphere { 6, 1 pigment { rgb 1 } finish { emission 2 } })");
     LightLedger ledger;
-    record_seen(ledger, *world, 0, Vec3(1));  // lights are not counted
+    record_seen(ledger, *world, 0, Rgb(1));  // lights are not counted
     CHECK(ledger.lights.empty());
     ledger = empty_ledger(*world, true);
-    record_seen(ledger, *world, 0, Vec3(1, 2, 3));
-    record_seen(ledger, *world, 1, Vec3(9));  // no luminaire
-    record_seen(ledger, *world, 2, Vec3(4));
+    record_seen(ledger, *world, 0, Rgb(1, 2, 3));
+    record_seen(ledger, *world, 1, Rgb(9));  // no luminaire
+    record_seen(ledger, *world, 2, Rgb(4));
     for (const bool again : {false, true}) {
-        std::vector<Vec3> taken;
-        take_lights(ledger, [&](std::size_t, const Vec3& light) { taken.push_back(light); });
+        std::vector<Rgb> taken;
+        take_lights(ledger, [&](std::size_t, const Rgb& light) { taken.push_back(light); });
         CHECK(taken ==
-              (again ? std::vector<Vec3>(2, Vec3(0)) : std::vector<Vec3>{Vec3(1, 2, 3), Vec3(4)}));
+              (again ? std::vector<Rgb>(2, Rgb(0)) : std::vector<Rgb>{Rgb(1, 2, 3), Rgb(4)}));
     }
 }
 
@@ -39,9 +39,9 @@ TEST_CASE("a flame's light is counted for the statement of its luminaires", "[tr
     LightLedger ledger = empty_ledger(world, true);
     const EnteredSolids flame = world.containing(Vec3(0));
     REQUIRE(flame.size() == 1);
-    record_volume(ledger, world, {flame.data(), flame.size()}, Vec3(2));
-    CHECK(ledger.lights[0].seen == Vec3(2));
-    CHECK(ledger.lights[1].seen == Vec3(0));
+    record_volume(ledger, world, {flame.data(), flame.size()}, Rgb(2));
+    CHECK(ledger.lights[0].seen == Rgb(2));
+    CHECK(ledger.lights[1].seen == Rgb(0));
 }
 
 TEST_CASE("ledgers of several jobs add up", "[transport]") {

@@ -16,7 +16,7 @@ const char* const clear = " pigment { rgbt 1 } hollow interior { media { absorpt
 
 double left(const World& world, double distance, AirOnWay air = AirOnWay::followed) {
     const Ray ray{Vec3(0, 0, -5), Vec3(0, 0, 1)};
-    return light_left(world, {.ray = ray, .distance = distance, .air = air}, {}).x;
+    return light_left(world, {.ray = ray, .distance = distance, .air = air}, {}).r;
 }
 
 }  // namespace
@@ -61,9 +61,9 @@ TEST_CASE("what is left where no surface lies on the way is that of the walk, to
                                  .distance = 1.0 + sample,
                                  .around = around,
                                  .air = air};
-            const Vec3 left = light_left(*world, way, key);
+            const Rgb left = light_left(*world, way, key);
             CHECK(left_on_free_way(*world, way, key) == left);
-            CHECK((left == Vec3(1)) == (air == AirOnWay::none));
+            CHECK((left == Rgb(1)) == (air == AirOnWay::none));
         }
 }
 

@@ -19,8 +19,8 @@ std::vector<ReflectedLuminaire> sent_into(const Shot& shot, int reflections, std
     return found;
 }
 
-Vec3 power_after(std::span<const ReflectedLuminaire> all, int reflections) {
-    Vec3 sum(0);
+Rgb power_after(std::span<const ReflectedLuminaire> all, int reflections) {
+    Rgb sum(0);
     for (const ReflectedLuminaire& each : all)
         if (each.reflections == reflections) sum += each.power;
     return sum;
@@ -38,15 +38,15 @@ TEST_CASE("in a closed room light keeps its power times the albedo at each refle
         "box { <-3, -2, -4>, <4, 3, 5> pigment { rgb <0.5, 0.8, 0.2> } finish { diffuse 1 } }");
     const auto found = sent_into(shot, 3, 40000);
     // Radiance times area of a glowing sphere, which is its power over pi.
-    Vec3 expected = Vec3(8, 4, 2) * (4 * std::numbers::pi * 0.25 * 0.25);
+    Rgb expected = Rgb(8, 4, 2) * (4 * std::numbers::pi * 0.25 * 0.25);
     for (int n = 1; n <= 3; ++n) {
         // A little of the light returns to the lamp, which is black.
-        expected *= Vec3(0.5, 0.8, 0.2);
-        const Vec3 power = power_after(found, n);
+        expected *= Rgb(0.5, 0.8, 0.2);
+        const Rgb power = power_after(found, n);
         CAPTURE(n);
         for (int i = 0; i < 3; ++i) CHECK(power[i] == Approx(expected[i]).epsilon(0.03));
     }
-    CHECK(power_after(found, 4) == Vec3(0));
+    CHECK(power_after(found, 4) == Rgb(0));
 }
 
 TEST_CASE("reflected luminaires shine to the side from which light has come", "[transport]") {
@@ -67,19 +67,19 @@ TEST_CASE("light that clear surfaces let pass is as a shadow ray finds it", "[tr
                     "disc { -2*y, y, 4 pigment { rgb 1 } finish { diffuse 1 } }");
         return power_after(sent_into(shot, 1, 40000), 1);
     };
-    const Vec3 open = floor_lit(""),
-               dimmed = floor_lit(
-                   "box { <-9, -1, -9>, <9, -0.9, 9> pigment { rgbt <0, 0, 0, 0.5> }"
-                   " finish { diffuse 0 } }"),
-               unseen = floor_lit(
-                   "box { <-9, -1, -9>, <9, -0.9, 9> pigment { rgb 1 } finish { "
-                   "diffuse 0 } no_shadow }"),
-               shut = floor_lit("plane { y, -1 pigment { rgb 1 } finish { diffuse 0 } }");
+    const Rgb open = floor_lit(""),
+              dimmed = floor_lit(
+                  "box { <-9, -1, -9>, <9, -0.9, 9> pigment { rgbt <0, 0, 0, 0.5> }"
+                  " finish { diffuse 0 } }"),
+              unseen = floor_lit(
+                  "box { <-9, -1, -9>, <9, -0.9, 9> pigment { rgb 1 } finish { "
+                  "diffuse 0 } no_shadow }"),
+              shut = floor_lit("plane { y, -1 pigment { rgb 1 } finish { diffuse 0 } }");
     for (int i = 0; i < 3; ++i) {
         CHECK(dimmed[i] == Approx(0.25 * open[i]).epsilon(0.001));
         CHECK(unseen[i] == Approx(open[i]).epsilon(0.001));
     }
-    CHECK(shut == Vec3(0));
+    CHECK(shut == Rgb(0));
 }
 
 TEST_CASE("paths of sources and of the sky have the power that these send", "[transport]") {
@@ -88,7 +88,7 @@ TEST_CASE("paths of sources and of the sky have the power that these send", "[tr
             "#version 3.7; #default { finish { ambient 0 } } camera { location <0, 3, -4> "
             "look_at 0 } disc { 0, y, 1 pigment { rgb 1 } finish { diffuse 1 } }" +
             light);
-        return power_after(sent_into(shot, 1, 60000), 1).x;
+        return power_after(sent_into(shot, 1, 60000), 1).r;
     };
     using std::numbers::pi;
     CHECK(floor_lit("light_source { 100*y, 2 parallel point_at 0 }") ==
@@ -120,7 +120,7 @@ TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in
     const Row rows[] = {
         {"plain", [](Shading&, Finish&) {}, true},
         {"phong", [](Shading&, Finish& f) { f.phong = 1; }, true},
-        {"mirror", [](Shading&, Finish& f) { f.reflection.greatest = Vec3(1); }, true},
+        {"mirror", [](Shading&, Finish& f) { f.reflection.greatest = Rgb(1); }, true},
         {"brilliance", [](Shading&, Finish& f) { f.brilliance = 2; }, true},
         {"behind", [](Shading&, Finish& f) { f.diffuse_back = 0.5; }, false},
         {"both sides", [](Shading& s, Finish&) { s.both_sides = true; }, false},

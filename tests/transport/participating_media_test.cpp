@@ -16,10 +16,10 @@ namespace candelabra {
 namespace {
 
 /// Mean of many samples of one ray.
-Vec3 seen_in_air(const std::string& script, std::uint32_t count, const Ray& ray) {
+Rgb seen_in_air(const std::string& script, std::uint32_t count, const Ray& ray) {
     const Shot shot = shot_of("#version 3.7; " + script);
     Integrator integrator(shot, {});
-    Vec3 sum(0);
+    Rgb sum(0);
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) sum += integrator.radiance(ray, key);
     return sum / static_cast<double>(count);
@@ -38,16 +38,16 @@ TEST_CASE("a luminaire lights the air as its light integrated over the ray", "[t
                                  "global_settings { light_sampler { every_light } } ",
                                  "global_settings { light_sampler { light_octree { paper } } } "};
     for (const char* const sampler : lamps) {
-        const Vec3 found = seen_in_air(
+        const Rgb found = seen_in_air(
             std::string(sampler) +
                 "media { scattering { 1, rgb <1, 0.5, 0> extinction 0 } } sphere { <2, 0, 0>, 0.05 "
                 "pigment { rgb 1 } finish { emission 40 } }",
             40000, {Vec3(0), Vec3(0, 0, 1)});
         const double expected = 40 * 0.05 * 0.05 * std::acos(-1) / 2 / 2;
         CAPTURE(sampler);
-        CHECK(found.x == Approx(expected).epsilon(0.03));
-        CHECK(found.y == Approx(expected / 2).epsilon(0.03));
-        CHECK(found.z == 0);
+        CHECK(found.r == Approx(expected).epsilon(0.03));
+        CHECK(found.g == Approx(expected / 2).epsilon(0.03));
+        CHECK(found.b == 0);
     }
 }
 
@@ -64,9 +64,9 @@ TEST_CASE("light in air is dimmed on both ways", "[transport]") {
         CAPTURE(sampler);
         const std::string chosen =
             sampler.empty() ? "" : "global_settings { light_sampler { " + sampler + " } } ";
-        const Vec3 found =
+        const Rgb found =
             seen_in_air(chosen + slab + lamp, 20000, {Vec3(0, 0, -20), Vec3(0, 0, 1)});
-        CHECK(found.x == Approx(expected).epsilon(0.02));
+        CHECK(found.r == Approx(expected).epsilon(0.02));
     }
 }
 
@@ -76,8 +76,8 @@ TEST_CASE("integrators see the same light in air", "[transport]") {
         "light_source { <3, 4, 1>, rgb 1 media_attenuation on } "
         "box { <-3, -2, -1>, <-2, 2, 1> pigment { rgb 1 } finish { emission 3 diffuse 0 } } "
         "plane { -z, -6 pigment { rgb 0.5 } finish { ambient 0 } } ";
-    const Vec3 plain = seen_in_air(scene, 20000, along_z);
-    const Vec3 traced = seen_in_air(
+    const Rgb plain = seen_in_air(scene, 20000, along_z);
+    const Rgb traced = seen_in_air(
         "global_settings { integrator { path_traced { bounces 0 } } } " + scene, 20000, along_z);
     for (int i = 0; i < 3; ++i) CHECK(traced[i] == Approx(plain[i]).epsilon(0.02));
 }
@@ -85,7 +85,7 @@ TEST_CASE("integrators see the same light in air", "[transport]") {
 TEST_CASE("multiple scattering makes no energy", "[transport]") {
     // In a closed room that glows everywhere, scattering without loss changes nothing.
     for (const char* const extinction : {"1", "3"}) {
-        const Vec3 found = seen_in_air(
+        const Rgb found = seen_in_air(
             std::string("global_settings { max_trace_level 12 integrator { path_traced { bounces "
                         "200 } } } media { scattering { 5, 0.4 eccentricity 0.5 multiple "
                         "extinction ") +
@@ -94,9 +94,9 @@ TEST_CASE("multiple scattering makes no energy", "[transport]") {
                 "0 diffuse 0 emission 2 no_luminaire } }",
             4000, {Vec3(0, 0, -4), Vec3(0, 0, 1)});
         if (*extinction == '1')
-            CHECK(found.x == Approx(2).epsilon(0.02));
+            CHECK(found.r == Approx(2).epsilon(0.02));
         else
-            CHECK(found.x < 1.5);
+            CHECK(found.r < 1.5);
     }
 }
 
@@ -111,11 +111,11 @@ TEST_CASE("media are not there for low quality, nor beyond what the scene has", 
     LightLedger ledger;
     PathState path;
     path.ray = along_z;
-    CHECK(media.along(path, 3, light, ledger).added == Vec3(0));
+    CHECK(media.along(path, 3, light, ledger).added == Rgb(0));
     path.media.push_back(0);
-    CHECK(media.along(path, 3, light, ledger).added == Vec3(3));
+    CHECK(media.along(path, 3, light, ledger).added == Rgb(3));
     CHECK(media.along(path, std::numeric_limits<double>::infinity(), light, ledger).added ==
-          Vec3(0));
+          Rgb(0));
 }
 
 TEST_CASE("media with multiple scattering change nothing in a furnace", "[transport]") {

@@ -25,7 +25,7 @@ TEST_CASE("a path begins inside of what is around its origin", "[transport]") {
     PathEnds ends(shot, false, false);
     const PathState path = ends.begin({Vec3(0), Vec3(0, 0, 1)}, Key());
     CHECK(path.media.size() == 1);
-    CHECK(path.throughput == Vec3(1));
+    CHECK(path.throughput == Rgb(1));
     CHECK(path.kind == RayKind::camera);
 }
 
@@ -36,7 +36,7 @@ TEST_CASE("what is clear counts until the next sample", "[transport]") {
     for (int sample = 0; sample < 2; ++sample) {
         PathState path = ends.begin({Vec3(0), Vec3(0, 0, 1)}, Key());
         CHECK(ends.clear() == 0);
-        path.dim(Vec3(0.25));
+        path.dim(Rgb(0.25));
         ends.background(path, ledger);
         CHECK(ends.clear() == Approx(0.25 * shot.world->sky_clear(path.ray.direction)));
     }

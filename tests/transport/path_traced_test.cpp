@@ -14,10 +14,10 @@ namespace candelabra {
 namespace {
 
 /// Returns the mean of many samples of one ray.
-Vec3 path_seen(const std::string& script, std::uint32_t count, const Ray& ray) {
+Rgb path_seen(const std::string& script, std::uint32_t count, const Ray& ray) {
     const Shot shot = shot_of(script);
     Integrator integrator(shot, {});
-    Vec3 sum(0);
+    Rgb sum(0);
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) sum += integrator.radiance(ray, key);
     return sum / static_cast<double>(count);
@@ -38,12 +38,12 @@ TEST_CASE("a closed room that glows everywhere has the sum of all reflections", 
         for (const int bounces : {0, 1, 2, 5}) {
             double expected = 0, power = 1;
             for (int i = 0; i <= bounces; ++i, power *= 0.5) expected += power;
-            const Vec3 found =
+            const Rgb found =
                 path_seen(traced(bounces) + room +
                               " pigment { rgb 0.5 } finish { emission 2 no_luminaire } }",
                           4000, {Vec3(0.3, 0.2, 0.1), unit(Vec3(1, 2, 3))});
             CAPTURE(room, bounces);
-            CHECK(found.x == Approx(expected).epsilon(0.01));
+            CHECK(found.r == Approx(expected).epsilon(0.01));
         }
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("in a closed isothermal room all things look the same", "[transport]")
     for (key.sample = 0; key.sample < count; ++key.sample) {
         Vec3 towards = draw.direction();
         towards.z = std::abs(towards.z);
-        const double seen = integrator.radiance({Vec3(-1.5, 0.5, -2.7), towards}, key).x;
+        const double seen = integrator.radiance({Vec3(-1.5, 0.5, -2.7), towards}, key).r;
         sum += seen, squares += seen * seen;
     }
     const double mean = sum / count;
@@ -84,7 +84,7 @@ TEST_CASE("a sheet that is lit from behind shows light from everywhere", "[trans
     for (const char* const integrator : {"pov_ray", "path_traced { reflected_luminaires 0 }"})
         for (const auto& [finish, expected] : std::vector<std::pair<std::string, double>>{
                  {"diffuse 0.4, 0.4", 0.8}, {"diffuse 0.7, 0.3", 1.0}, {"diffuse 0, 0.6", 0.6}}) {
-            const Vec3 seen = path_seen(
+            const Rgb seen = path_seen(
                 "#version 3.7; global_settings { integrator { " + std::string(integrator) +
                     " } } sphere { 0, 20 hollow pigment { rgb 1 } finish { ambient 0 diffuse 0 "
                     "emission 1 } } polygon { 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> "
@@ -92,7 +92,7 @@ TEST_CASE("a sheet that is lit from behind shows light from everywhere", "[trans
                     finish + " } }",
                 4000, {Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)});
             CAPTURE(integrator, finish);
-            CHECK(seen.x == Approx(expected).epsilon(0.01));
+            CHECK(seen.r == Approx(expected).epsilon(0.01));
         }
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("a convex body that glows does not light itself, however smooth it loo
             for (key.sample = 0; key.sample < 300; ++key.sample) {
                 const Vec3 from = 5.0 * draw.direction();
                 const double seen =
-                    integrating.radiance({from, unit(draw.point(0.7) - from)}, key).x;
+                    integrating.radiance({from, unit(draw.point(0.7) - from)}, key).r;
                 if (seen == 0) continue;
                 CHECK(seen == Approx(1).epsilon(1e-9));
                 ++met;
@@ -151,7 +151,7 @@ TEST_CASE("a closed body keeps the light of a lamp inside, however smooth it loo
             CAPTURE(body, lamp);
             for (key.sample = 0; key.sample < 3000; ++key.sample) {
                 const Vec3 from = 5.0 * draw.direction();
-                sum += integrating.radiance({from, unit(draw.point(1) - from)}, key).x;
+                sum += integrating.radiance({from, unit(draw.point(1) - from)}, key).r;
             }
             CHECK(sum == 0);
         }
@@ -178,7 +178,7 @@ TEST_CASE("white facets disappear before a white sky, at every angle and with an
                     const double x = draw.between(-1, 1);
                     const double seen =
                         integrating.radiance({Vec3(x, 1, 0), unit(Vec3(0.1, -elevation, 1))}, key)
-                            .x;
+                            .r;
                     sum += seen, squares += seen * seen;
                 }
                 const double mean = sum / count;
@@ -198,7 +198,7 @@ TEST_CASE("luminaires light by reflections as surfaces that glow do", "[transpor
                              finish + " } }",
                          60000, {Vec3(3, 3, -9), unit(Vec3(-2, -3, 9))});
     };
-    const Vec3 chosen = corner(2, ""), met = corner(3, "no_luminaire");
+    const Rgb chosen = corner(2, ""), met = corner(3, "no_luminaire");
     for (int i = 0; i < 3; ++i) CHECK(chosen[i] == Approx(met[i]).epsilon(0.03));
 }
 
@@ -216,8 +216,8 @@ TEST_CASE("without bounces all integrators see the same", "[transport]") {
         "#default { finish { ambient 0 diffuse 1 } }\n";
     for (const Vec3& towards : {Vec3(-1.5, 0.1, 0), Vec3(1.4, 0.2, 0), Vec3(0.2, -1, -1)}) {
         const Ray ray{Vec3(0, 1, -6), unit(towards - Vec3(0, 1, -6))};
-        const Vec3 one = path_seen(pov + scene, 4000, ray),
-                   other = path_seen(traced(0) + scene, 40000, ray);
+        const Rgb one = path_seen(pov + scene, 4000, ray),
+                  other = path_seen(traced(0) + scene, 40000, ray);
         CAPTURE(towards.x);
         for (int i = 0; i < 3; ++i) CHECK(other[i] == Approx(one[i]).epsilon(0.03));
     }
@@ -245,7 +245,7 @@ TEST_CASE("light that photons bring by a mirror lights others as light that is m
         Integrator integrator(shot, {});
         const Vec3 camera(0.5, 1.5, -5);
         Draw draw(2);
-        Vec3 sum(0);
+        Rgb sum(0);
         Key key;
         constexpr std::uint32_t rays = 32;
         for (; key.sample < count; ++key.sample)
@@ -258,7 +258,7 @@ TEST_CASE("light that photons bring by a mirror lights others as light that is m
     };
     const std::string target = "photons { target reflection on refraction off }";
     for (const Vec3& towards : {Vec3(1, 0.5, -1), Vec3(0.5, 0.8, 2)}) {
-        const Vec3 brought = seen(target, 1, towards, 300), met = seen("", 2, towards, 40000);
+        const Rgb brought = seen(target, 1, towards, 300), met = seen("", 2, towards, 40000);
         CAPTURE(towards.z);
         for (int i = 0; i < 3; ++i) CHECK(brought[i] == Approx(met[i]).epsilon(0.03));
     }
@@ -272,7 +272,7 @@ TEST_CASE("a thin surface lets diffuse light through to what is behind", "[trans
                              "no_luminaire } } disc { 0, z, 100 pigment { rgb 1 } finish { " +
                              finish + " } }",
                          2000, {Vec3(0, 0, -3), Vec3(0, 0, 1)})
-            .x;
+            .r;
     };
     CHECK(seen("diffuse 0, 0.5") == Approx(0.5).epsilon(0.02));
     CHECK(seen("diffuse 0.5, 0") == 0);
@@ -327,7 +327,7 @@ TEST_CASE("no solid makes light in a furnace", "[transport]") {
         for (; key.sample < count; ++key.sample) {
             const Vec3 towards(draw.between(-0.9, 0.9), draw.between(-0.9, 0.9), 0);
             const Vec3 from(0.3, 0.9, -3.3);
-            const Vec3 seen = integrator.radiance({from, unit(towards - from)}, key);
+            const Rgb seen = integrator.radiance({from, unit(towards - from)}, key);
             sum += grey(seen), most = std::fmax(most, max_component(seen));
         }
         CAPTURE(solid);

@@ -30,7 +30,7 @@ double seen_on_floor(Integrator& integrator, double from, double to, int samples
                        .radiance({above + away * Vec3(std::cos(angle), 0, std::sin(angle)),
                                   Vec3(0, -1, 0)},
                                  key)
-                       .x;
+                       .r;
         }
     return sum / (places * samples);
 }

@@ -39,7 +39,7 @@ Arriving arriving(const Shot& shot, std::uint32_t count = 1 << 14) {
             const double away = dot(-shot->ray.origin, shot->ray.direction);
             const Vec3 nearest = shot->ray.at(away);
             if (length(nearest) > 1 + 1e-6) ++result.missed;
-            const double power = shot->power_after(std::fmax(away, 0)).x;
+            const double power = shot->power_after(std::fmax(away, 0)).r;
             sum += power;
             squares += power * power;
         }

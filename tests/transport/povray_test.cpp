@@ -13,8 +13,8 @@ namespace candelabra {
 
 namespace {
 
-Vec3 seen(const std::string& script, const Vec3& from = Vec3(0),
-          const Vec3& direction = Vec3(0, 0, 1)) {
+Rgb seen(const std::string& script, const Vec3& from = Vec3(0),
+         const Vec3& direction = Vec3(0, 0, 1)) {
     const Shot shot = shot_of(script);
     return Integrator(shot, {}).radiance({from, unit(direction)}, Key());
 }
@@ -22,7 +22,7 @@ Vec3 seen(const std::string& script, const Vec3& from = Vec3(0),
 }  // namespace
 
 TEST_CASE("a ray that meets nothing sees the background", "[render]") {
-    CHECK(seen("background { rgb <0.1, 0.2, 0.3> }") == Vec3(0.1, 0.2, 0.3));
+    CHECK(seen("background { rgb <0.1, 0.2, 0.3> }") == Rgb(0.1, 0.2, 0.3));
 }
 
 TEST_CASE("facing mirrors show as many surfaces as the level allows", "[render]") {
@@ -32,7 +32,7 @@ TEST_CASE("facing mirrors show as many surfaces as the level allows", "[render]"
         box { <-9, -9, -6>, <9, 9, -5> texture { Mirror } }
         global_settings { max_trace_level )";
     for (const int level : {1, 3, 7})
-        CHECK(seen(mirrors + std::to_string(level) + " }").x == Approx(level));
+        CHECK(seen(mirrors + std::to_string(level) + " }").r == Approx(level));
 }
 
 TEST_CASE("a camera ray whose rays multiply ends at a bound, the same each time", "[render]") {
@@ -45,7 +45,7 @@ TEST_CASE("a camera ray whose rays multiply ends at a bound, the same each time"
     const Shot shot = shot_of(scene);
     const auto traced = [&](const Shot& shot, std::uint64_t max_rays) {
         Integrator integrator(shot, {.max_rays = max_rays});
-        const Vec3 light = integrator.radiance({Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)}, Key());
+        const Rgb light = integrator.radiance({Vec3(0.1, 0.2, -3), Vec3(0, 0, 1)}, Key());
         return std::tuple(light, integrator.cut(), integrator.ledger().scattered);
     };
     const auto [light, cut, rays] = traced(shot, 5000);
@@ -68,9 +68,9 @@ TEST_CASE("clear surfaces without refraction use up no level", "[render]") {
         #for (I, 1, 30) box { <-9, -9, I>, <9, 9, I + 0.5> pigment { rgbt 1 } } #end
         background { rgb 0.5 }
         global_settings { max_trace_level )";
-    CHECK(seen(panes + "5 }").x == Approx(0.5));
-    CHECK(seen(panes + "2 }").x == Approx(0.5));
-    CHECK(seen(panes + "1 }").x == 0);  // but they need one to be left
+    CHECK(seen(panes + "5 }").r == Approx(0.5));
+    CHECK(seen(panes + "2 }").r == Approx(0.5));
+    CHECK(seen(panes + "1 }").r == 0);  // but they need one to be left
 }
 
 TEST_CASE("a glass sphere turns the picture upside down", "[render]") {
@@ -79,21 +79,21 @@ TEST_CASE("a glass sphere turns the picture upside down", "[render]") {
         plane { z, 20 pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } scale 200 translate -100*y }
                 finish { ambient 1 diffuse 0 } }
         global_settings { max_trace_level 10 })";
-    CHECK(seen(ball, Vec3(0, 0.3, 0)).x < 0.5);
-    CHECK(seen(ball, Vec3(0, -0.3, 0)).x > 0.5);
+    CHECK(seen(ball, Vec3(0, 0.3, 0)).r < 0.5);
+    CHECK(seen(ball, Vec3(0, -0.3, 0)).r > 0.5);
 }
 
 TEST_CASE("a negative transparency takes away what is behind", "[render]") {
     CHECK(length(seen("plane { -z, -5 pigment { rgb 0.5 transmit -1 } finish { ambient 0.8 "
                       "diffuse 0 } } background { rgb <0.2, 0.3, 0.1> }") -
-                 Vec3(0.6, 0.5, 0.7)) < 1e-12);
+                 Rgb(0.6, 0.5, 0.7)) < 1e-12);
 }
 
 TEST_CASE("filtered light takes the pigment's colour", "[render]") {
     CHECK(length(seen("box { <-9, -9, 5>, <9, 9, 6> pigment { rgbf <1, 0.5, 0, 1> } finish { "
                       "ambient 0 diffuse 0 } }"
                       "background { rgb 1 } global_settings { adc_bailout 0 }") -
-                 Vec3(1, 0.25, 0)) < 1e-12);
+                 Rgb(1, 0.25, 0)) < 1e-12);
 }
 
 TEST_CASE("of what is clear only the grey of each surface counts", "[render]") {
@@ -103,7 +103,7 @@ TEST_CASE("of what is clear only the grey of each surface counts", "[render]") {
     wanted.clear_sky = true;
     Integrator integrator(shot, wanted);
     integrator.radiance({Vec3(0), Vec3(0, 0, 1)}, Key());
-    const double each = grey(0.5 * Vec3(0.4, 0.8, 0.6));
+    const double each = grey(0.5 * Rgb(0.4, 0.8, 0.6));
     CHECK(integrator.clear() == Approx(each * each));
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("bumps that turn away mirror and bend light as POV-Ray's do", "[render
             " slope_map { [0 <0, 1>] [1 <1, 1>] } accuracy 0.0001 } translate 0.37*x }";
         const double angle = std::numbers::pi / 36;
         const Vec3 from(-5 * std::cos(angle), 5 * std::sin(angle), 0);
-        CHECK(seen(script, from, -from).x == Approx(povray).margin(2e-3));
+        CHECK(seen(script, from, -from).r == Approx(povray).margin(2e-3));
     }
 }
 
@@ -142,8 +142,8 @@ TEST_CASE("a reflection's exponent takes in iridescence, and leaves out total re
               finish { ambient 0 diffuse 0 reflection { 0.6 exponent 2 } } interior { ior 1.5 } }
         box { <2, -0.99, -5>, <3, -0.01, 5> pigment { rgb <0.2, 0.4, 0.6> }
               finish { ambient 1 diffuse 0 } })";
-    const Vec3 wall = seen(glass, Vec3(0, -0.5, 0), Vec3(1, 0.5, 0));
-    CHECK(length(wall - Vec3(0.2, 0.4, 0.6)) < 1e-9);
+    const Rgb wall = seen(glass, Vec3(0, -0.5, 0), Vec3(1, 0.5, 0));
+    CHECK(length(wall - Rgb(0.2, 0.4, 0.6)) < 1e-9);
 
     const auto mirror = [](const std::string& exponent) {
         return seen(
@@ -152,7 +152,7 @@ TEST_CASE("a reflection's exponent takes in iridescence, and leaves out total re
                 exponent + " } irid { 0.5 thickness 0.3 turbulence 0 } } }",
             Vec3(0, 2, -3), Vec3(0, -2, 3));
     };
-    const Vec3 colours = mirror("1") / (0.8 * 0.6);
+    const Rgb colours = mirror("1") / (0.8 * 0.6);
     CHECK(length(mirror("0.5") - 0.8 * (colours * 0.6) * (colours * 0.6)) < 1e-9);
 }
 
@@ -168,11 +168,11 @@ TEST_CASE("the textures of a blob's components flow into each other as POV-Ray's
             pigment { rgb 1 }
         )";
     const auto cases = std::array{// Light below adc_bailout is left out: here 0.0022 of white.
-                                  std::pair{Vec3(-0.9, 0.1, -5), Vec3(0.9978, 0, 0)},
-                                  std::pair{Vec3(-0.2, 0, -5), Vec3(0.7227, 0.3063, 0.0541)},
-                                  std::pair{Vec3(0.3, 0.2, -5), Vec3(0.2328, 0.7175, 0.2712)},
-                                  std::pair{Vec3(0.1, 0.6, -5), Vec3(0.4544, 0.5519, 0.5691)},
-                                  std::pair{Vec3(0.7, -0.3, -5), Vec3(0, 0.8555, 0.1445)}};
+                                  std::pair{Vec3(-0.9, 0.1, -5), Rgb(0.9978, 0, 0)},
+                                  std::pair{Vec3(-0.2, 0, -5), Rgb(0.7227, 0.3063, 0.0541)},
+                                  std::pair{Vec3(0.3, 0.2, -5), Rgb(0.2328, 0.7175, 0.2712)},
+                                  std::pair{Vec3(0.1, 0.6, -5), Rgb(0.4544, 0.5519, 0.5691)},
+                                  std::pair{Vec3(0.7, -0.3, -5), Rgb(0, 0.8555, 0.1445)}};
     for (const std::string end : {"}", "clipped_by { sphere { 0, 9 } } }"})
         for (const auto& [from, colour] : cases)
             CHECK(max_abs_component(seen(blob + end, from) - colour) < 1e-4);
@@ -182,7 +182,7 @@ TEST_CASE("what a pattern gives a small share of is seen all the same", "[render
     CHECK(seen("plane { -z, -5 texture { gradient x texture_map { [0 pigment { rgb 0 } ] "
                "[1 pigment { rgb 50 } finish { ambient 1 diffuse 0 }] } } }",
                Vec3(0.001, 0, 0))
-              .x == Approx(0.05));
+              .r == Approx(0.05));
 }
 
 TEST_CASE("slopes in a patterned texture see the normal from outside, as POV-Ray's", "[render]") {
@@ -198,7 +198,7 @@ TEST_CASE("slopes in a patterned texture see the normal from outside, as POV-Ray
                    std::pair{Vec3(0.3, 0.2, -5), 0.6286}, std::pair{Vec3(0.1, 0.6, -5), 0.3662},
                    std::pair{Vec3(0.7, -0.3, -5), 0.4079}};
     for (const auto& [from, brightness] : cases)
-        CHECK(std::abs(seen(ball, from).x - brightness) < 2e-4);
+        CHECK(std::abs(seen(ball, from).r - brightness) < 2e-4);
 }
 
 namespace {
@@ -217,7 +217,7 @@ TEST_CASE("what is left of light by solids in each other is POV-Ray's", "[render
     const std::string two = "fade_distance 3 fade_power 1001 fade_color <0.2, 0.5, 0.8>";
     struct Case {
         std::string solids;
-        Vec3 seen, lit;  // by POV-Ray 3.7: transmittance for the view, and for light
+        Rgb seen, lit;  // by POV-Ray 3.7: transmittance for the view, and for light
     };
     const Case cases[] = {
         {box("0", "10", one) + box("3", "5", two),
@@ -237,14 +237,13 @@ TEST_CASE("what is left of light by solids in each other is POV-Ray's", "[render
          {0.6703, 0.1353, 0.0273}},
     };
     for (const Case& c : cases) {
-        const Vec3 behind = seen(away + "background { rgb 1 } " + c.solids, Vec3(0, 0, -50));
+        const Rgb behind = seen(away + "background { rgb 1 } " + c.solids, Vec3(0, 0, -50));
         CHECK(max_abs_component(behind - c.seen) < 1e-4);
-        const Vec3 light =
-            seen(away +
-                     "light_source { -50*z rgb 1 parallel point_at 0 } plane { z, 60 "
-                     "pigment { rgb 1 } finish { ambient 0 diffuse 1 } } " +
-                     c.solids,
-                 Vec3(0, 0, 50));
+        const Rgb light = seen(away +
+                                   "light_source { -50*z rgb 1 parallel point_at 0 } plane { z, 60 "
+                                   "pigment { rgb 1 } finish { ambient 0 diffuse 1 } } " +
+                                   c.solids,
+                               Vec3(0, 0, 50));
         CHECK(max_abs_component(light - c.lit) < 1e-4);
     }
 }
@@ -256,8 +255,8 @@ TEST_CASE("parts of a union that overlap bend light as in POV-Ray", "[render]") 
         "plane { z, 30 pigment { gradient x color_map { [0 rgb 0] [1 rgb 1] } scale 80 "
         "translate -40*x } finish { ambient 1 diffuse 0 } }";
     const Vec3 from(-34, 0, -50), towards(0.564642473395, 0, 0.82533561491);
-    CHECK(seen(away + "union { " + rest, from, towards).x == Approx(0.7313).margin(1e-4));
-    CHECK(seen(away + "merge { " + rest, from, towards).x == Approx(0.7244).margin(1e-4));
+    CHECK(seen(away + "union { " + rest, from, towards).r == Approx(0.7313).margin(1e-4));
+    CHECK(seen(away + "merge { " + rest, from, towards).r == Approx(0.7244).margin(1e-4));
 }
 
 TEST_CASE(
@@ -276,7 +275,7 @@ TEST_CASE(
             double sum = 0, expected = 0;
             Key key;
             for (key.sample = 0; key.sample < 2000; ++key.sample)
-                sum += integrator.radiance({Vec3(0.3, 0.1, 0.2), unit(Vec3(3, 1, 2))}, key).x;
+                sum += integrator.radiance({Vec3(0.3, 0.1, 0.2), unit(Vec3(3, 1, 2))}, key).r;
             const int reflections = limit + (light == lamp ? 0 : 1);
             for (int i = 1; i <= reflections; ++i) expected += std::pow(0.5, i);
             CAPTURE(light, limit);

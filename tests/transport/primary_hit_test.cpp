@@ -37,15 +37,15 @@ TEST_CASE("what a ray meets first has a colour, a direction, a distance and an o
     const PrimaryHit ball = look({0, 0, -5}, Vec3(0));
     CHECK(ball.met);
     CHECK(ball.distance == Approx(4.5));
-    CHECK(ball.albedo.y == Approx(0.5));  // the pigment's colour, whatever the finish
+    CHECK(ball.albedo.g == Approx(0.5));  // the pigment's colour, whatever the finish
     CHECK(ball.normal.z == Approx(-1));
     REQUIRE(texture_at(*world, ball));
     CHECK(texture_at(*world, ball)->finish.diffuse == Approx(0.2));
     const PrimaryHit floor = look({0, 0, -5}, {0, -1, -3});
-    CHECK(floor.albedo == Vec3(0.3));
+    CHECK(floor.albedo == Rgb(0.3));
     CHECK(floor.normal.y == Approx(1));
     const PrimaryHit clear = look({-0.7, 2.5, -5}, {-0.7, 2.5, 0});
-    CHECK(clear.albedo.x == Approx(0.6));  // weighted by its opacity
+    CHECK(clear.albedo.r == Approx(0.6));  // weighted by its opacity
     const PrimaryHit nothing = look({0, 0, -5}, {0, 9, -5});
     CHECK_FALSE(nothing.met);
     CHECK(nothing.object == 0);

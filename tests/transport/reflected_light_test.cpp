@@ -14,25 +14,25 @@ namespace {
 
 /// Mean of many samples of one ray, and its standard deviation.
 struct Estimate {
-    Vec3 mean = Vec3(0);
-    Vec3 deviation = Vec3(0);
+    Rgb mean;
+    Rgb deviation;
 };
 Estimate estimate(const Shot& shot, std::uint32_t generations, const Ray& ray) {
     Integrator integrator(shot, {});
     // Samples of one generation depend on each other, so their mean counts as one sample.
     constexpr std::uint32_t pixels = 24, served = 4;
-    Vec3 sum(0), squares(0);
+    Rgb sum(0), squares(0);
     for (std::uint32_t generation = 0; generation < generations; ++generation) {
-        Vec3 part(0);
+        Rgb part(0);
         for (std::uint32_t i = 0; i < pixels * served; ++i)
             part += integrator.radiance(ray, {i % pixels, served * generation + i / pixels, 0, 0});
         part /= static_cast<double>(pixels * served);
         sum += part;
         squares += part * part;
     }
-    const Vec3 mean = sum / static_cast<double>(generations);
-    const Vec3 variance = squares / static_cast<double>(generations) - mean * mean;
-    return {mean, glm::sqrt(glm::max(variance, Vec3(0)) / static_cast<double>(generations))};
+    const Rgb mean = sum / static_cast<double>(generations);
+    const Rgb variance = squares / static_cast<double>(generations) - mean * mean;
+    return {mean, sqrt(max(variance, Rgb(0)) / static_cast<double>(generations))};
 }
 Estimate estimate(const std::string& script, std::uint32_t generations, const Ray& ray) {
     return estimate(shot_of(script), generations, ray);
@@ -47,7 +47,7 @@ void check_same(const char* name, const std::string& scene, std::uint32_t genera
         const Ray ray{eye, unit(towards - eye)};
         const Estimate traced = estimate(by_paths, generations, ray),
                        reflected = estimate(with_luminaires, generations, ray);
-        CAPTURE(name, towards.x, traced.mean.x, reflected.mean.x);
+        CAPTURE(name, towards.x, traced.mean.r, reflected.mean.r);
         for (int i = 0; i < 3; ++i) {
             const double sigma = std::hypot(traced.deviation[i], reflected.deviation[i]);
             CHECK(std::abs(traced.mean[i] - reflected.mean[i]) < 4 * sigma);
@@ -209,7 +209,7 @@ TEST_CASE("a closed room that glows everywhere is as bright with reflected lumin
                 "sphere { <0, 1, 0>, 3 inverse pigment { rgb 0.5 } finish { emission 2 } }",
             60, {Vec3(0.3, 0.2, 0.1), unit(Vec3(1, 2, 3))});
         CAPTURE(bounces);
-        CHECK(found.mean.x == Approx(expected).epsilon(0.01));
+        CHECK(found.mean.r == Approx(expected).epsilon(0.01));
     }
 }
 
@@ -234,11 +234,11 @@ TEST_CASE("reflected light over an endless plane is as quiet as over a wide floo
         const Estimate endless = estimate(scene(plane, 600), 150, ray),
                        bounded = estimate(scene(wide, 600), 150, ray),
                        by_paths = estimate(scene(plane, 0), 400, ray);
-        CAPTURE(towards.x, endless.mean.x, by_paths.mean.x);
-        CHECK(std::abs(endless.mean.x - by_paths.mean.x) <
-              4.5 * std::hypot(endless.deviation.x, by_paths.deviation.x));
-        of_plane += endless.deviation.x * endless.deviation.x;
-        of_wide += bounded.deviation.x * bounded.deviation.x;
+        CAPTURE(towards.x, endless.mean.r, by_paths.mean.r);
+        CHECK(std::abs(endless.mean.r - by_paths.mean.r) <
+              4.5 * std::hypot(endless.deviation.r, by_paths.deviation.r));
+        of_plane += endless.deviation.r * endless.deviation.r;
+        of_wide += bounded.deviation.r * bounded.deviation.r;
     }
     CHECK(of_plane < 4 * of_wide);
 }

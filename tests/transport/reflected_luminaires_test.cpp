@@ -105,7 +105,7 @@ TEST_CASE("a closed body that glows and reflects is a furnace inside, whatever i
         for (std::uint32_t group = 0; group < groups; ++group) {
             double seen = 0;  // by the samples of one generation
             for (int i = 0; i < 4; ++i, ++key.sample)
-                seen += integrator.radiance({Vec3(0.1, 0.2, 0.3), draw.direction()}, key).x / 4;
+                seen += integrator.radiance({Vec3(0.1, 0.2, 0.3), draw.direction()}, key).r / 4;
             sum += seen, squares += seen * seen;
         }
         const double mean = sum / groups,
@@ -132,7 +132,7 @@ TEST_CASE("light paths leave the side of a lamp that glows, and of lamps in one 
         constexpr std::uint32_t count = 4000;
         for (key.sample = 0; key.sample < count; ++key.sample) {
             const Vec3 from(2.5 * draw.number(), 0.5, 2.5 * draw.number() - 1.2);
-            sum += integrator.radiance({from, Vec3(0, -1, 0)}, key).x / count;
+            sum += integrator.radiance({from, Vec3(0, -1, 0)}, key).r / count;
         }
         return sum;
     };

@@ -40,16 +40,16 @@ public:
         return use(ShadowRay(at, Vec3(0, 1, 0), Key()));
     }
     double left(double distance) const {
-        return ask([&](const ShadowRay& ray) { return ray.left(distance).x; });
+        return ask([&](const ShadowRay& ray) { return ray.left(distance).r; });
     }
     double left_from_sky() const {
-        return ask([](const ShadowRay& ray) { return ray.left_from_sky().x; });
+        return ask([](const ShadowRay& ray) { return ray.left_from_sky().r; });
     }
     double left_by_air(double distance) const {
-        return ask([&](const ShadowRay& ray) { return ray.left_by_air(distance, 1e-9).x; });
+        return ask([&](const ShadowRay& ray) { return ray.left_by_air(distance, 1e-9).r; });
     }
     double emitted(LightIndex light, double distance) const {
-        return ask([&](const ShadowRay& ray) { return ray.emitted(light, distance).x; });
+        return ask([&](const ShadowRay& ray) { return ray.emitted(light, distance).r; });
     }
 
 private:

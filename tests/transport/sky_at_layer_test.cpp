@@ -28,7 +28,7 @@ TEST_CASE("directions to the sky come as often as their density says, and bring 
     const ArrivingLight at{world, layer, false, ledger};
     constexpr int count = 4000;
     double high = 0, said = 0;
-    Vec3 sum(0);
+    Rgb sum(0);
     for (int i = 0; i < count; ++i) {
         Key key;
         key.sample = static_cast<std::uint32_t>(i);
@@ -41,12 +41,12 @@ TEST_CASE("directions to the sky come as often as their density says, and bring 
                      across = std::sqrt(1 - height * height);
         said += 2 * std::numbers::pi * 0.3 / count *
                 sky.density({across * std::cos(turn), height, across * std::sin(turn)});
-        const Vec3 response = layer.response(*direction, key);
-        if (response == Vec3(0)) continue;
+        const Rgb response = layer.response(*direction, key);
+        if (response == Rgb(0)) continue;
         sum += sky.from(*direction, response / (std::numbers::pi * sky.density(*direction)));
     }
     CHECK(high == Approx(said).epsilon(0.05));
-    CHECK((sum / static_cast<double>(count)).x == Approx(0.8 * 0.5 * 2).epsilon(0.02));
+    CHECK((sum / static_cast<double>(count)).r == Approx(0.8 * 0.5 * 2).epsilon(0.02));
     CHECK(ledger.shadow > 0);
 }
 

@@ -13,7 +13,7 @@ namespace candelabra {
 namespace {
 
 /// Returns the picture's only pixel, which shows the floor at the origin.
-Vec3 floor_under(const std::string& lights) {
+Rgb floor_under(const std::string& lights) {
     const Shot shot = shot_of(
         "#version 3.7; camera { location 3*y look_at 0 right 0.001*x up 0.001*z }"
         "plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }" +
@@ -27,7 +27,7 @@ Vec3 floor_under(const std::string& lights) {
 }  // namespace
 
 TEST_CASE("a source lights by its colour, cosine, fading, cone and shadow", "[render]") {
-    const auto x = [](const std::string& lights) { return floor_under(lights).x; };
+    const auto x = [](const std::string& lights) { return floor_under(lights).r; };
     CHECK(x("light_source { <0, 4, 3>, 0.5 }") == Approx(0.5 * 0.8).epsilon(1e-4));
     CHECK(x("light_source { 4*y, 0.5 fade_distance 2 fade_power 2 }") ==
           Approx(0.5 * 2 / 5).epsilon(1e-4));
@@ -57,7 +57,7 @@ TEST_CASE("light that walls reflect counts all lights of a grid as they weigh", 
         settings.samples = 400;
         const Image image = render(shot, settings).image;
         double sum = 0;
-        for (const Vec3& pixel : image.pixels) sum += pixel.x;
+        for (const Rgb& pixel : image.pixels) sum += pixel.r;
         return sum / static_cast<double>(image.pixels.size());
     };
     for (const char* method :
@@ -79,7 +79,7 @@ TEST_CASE("light that walls reflect counts all lights of a grid as they weigh", 
 
 TEST_CASE("fog weakens light that says so", "[render]") {
     const auto x = [](const std::string& words) {
-        return floor_under("fog { rgb 0 distance 4 } light_source { 4*y, 0.5 " + words + " }").x;
+        return floor_under("fog { rgb 0 distance 4 } light_source { 4*y, 0.5 " + words + " }").r;
     };
     CHECK(x("") == Approx(0.5 * std::exp(-0.75)).epsilon(1e-4));
     CHECK(x("media_attenuation on") == Approx(0.5 * std::exp(-1.75)).epsilon(1e-4));

@@ -31,8 +31,8 @@ double light_on_disc(const std::string& sources, double radius) {
         const double way = -ray.origin.y / ray.direction.y;
         const Vec3 point = ray.at(way);
         if (!(way > 0) || length(point) > radius) continue;
-        const Vec3 power = drawn.ray.power_after(way);
-        sum += power.x / count;
+        const Rgb power = drawn.ray.power_after(way);
+        sum += power.r / count;
     }
     return sum;
 }

@@ -12,13 +12,13 @@ namespace {
 
 /// Returns the light of a solid under white light from the viewer's side, seen straight on. `solid`
 /// has no closing brace yet.
-Vec3 seen(const std::string& solid, const std::string& settings, const std::string& finish) {
+Rgb seen(const std::string& solid, const std::string& settings, const std::string& finish) {
     const Shot shot = shot_of("global_settings { " + settings + R"( }
         light_source { -1000*z rgb 1 parallel point_at 0 } )" +
                               solid + R"(
         finish { ambient 0 )" +
                               finish + " } interior { ior 1.3 } }");
-    Vec3 sum(0);
+    Rgb sum(0);
     constexpr std::uint32_t count = 100;
     for (std::uint32_t i = 0; i < count; ++i) {
         Key key;
@@ -36,7 +36,7 @@ TEST_CASE("light comes out of a half space as in POV-Ray 3.7", "[render]") {
     // Measured with POV-Ray for pigments of one grey and samples 400, 40.
     const Vec3 expected(0.8128, 0.5215, 0.1188);
     for (const char* const translucency : {"0.3", "1", "<3, 1, 0.3>"}) {
-        const Vec3 found =
+        const Rgb found =
             seen(box, "subsurface { samples 50, 50 }",
                  std::string("diffuse 1 subsurface { translucency ") + translucency + " }");
         for (int i = 0; i < 3; ++i) CHECK(found[i] == Approx(expected[i]).epsilon(0.03));
@@ -44,14 +44,14 @@ TEST_CASE("light comes out of a half space as in POV-Ray 3.7", "[render]") {
 }
 
 TEST_CASE("a plane gives back twice what spreads in it, as in POV-Ray 3.7", "[render]") {
-    const Vec3 found = seen("plane { -z, 0 pigment { rgb 0.5 } ", "subsurface { samples 50, 50 }",
-                            "diffuse 1 subsurface { translucency 1 }");
-    CHECK(found.x == Approx(1.005).epsilon(0.03));
+    const Rgb found = seen("plane { -z, 0 pigment { rgb 0.5 } ", "subsurface { samples 50, 50 }",
+                           "diffuse 1 subsurface { translucency 1 }");
+    CHECK(found.r == Approx(1.005).epsilon(0.03));
 }
 
 TEST_CASE("without the global block a finish is diffuse as always", "[render]") {
-    const Vec3 found = seen(box, "mm_per_unit 1", "diffuse 1 subsurface { translucency 1 }");
-    CHECK(found.x == Approx(0.8));
+    const Rgb found = seen(box, "mm_per_unit 1", "diffuse 1 subsurface { translucency 1 }");
+    CHECK(found.r == Approx(0.8));
 }
 
 TEST_CASE("light gets round the edge of a shadow the farther, the larger a millimetre is",
@@ -60,7 +60,7 @@ TEST_CASE("light gets round the edge of a shadow the farther, the larger a milli
         return seen("box { <-0.2, -9, -5>, <0.2, 9, -4> pigment { rgb 0 } no_image } " + box,
                     "subsurface { samples 50, 0 } mm_per_unit " + scale,
                     "diffuse 1 subsurface { translucency 1 }")
-            .x;
+            .r;
     };
     CHECK(shaded("1") > 2 * shaded("10"));
     CHECK(shaded("10") > 2 * shaded("100"));
@@ -77,7 +77,7 @@ TEST_CASE("light inside is as even as POV-Ray's with as many samples", "[render]
     for (std::uint32_t i = 0; i < count; ++i) {
         Key key;
         key.pixel = mix(i);
-        const double light = Integrator(shot, {}).radiance({Vec3(0, 0, -10), Vec3(0, 0, 1)}, key).y;
+        const double light = Integrator(shot, {}).radiance({Vec3(0, 0, -10), Vec3(0, 0, 1)}, key).g;
         sum += light;
         squares += light * light;
     }

@@ -104,7 +104,7 @@ TEST_CASE("paths go on along their lobe, and say what shadow rays have taken", "
         next_of("pigment { rgb 0.5 } finish { diffuse 1 }", LobeKind::diffuse);
     CHECK(diffuse.taken.by_shadow_rays);
     CHECK(diffuse.bounces == 1);
-    CHECK(diffuse.throughput.x == Approx(0.5));
+    CHECK(diffuse.throughput.r == Approx(0.5));
 }
 
 }  // namespace candelabra

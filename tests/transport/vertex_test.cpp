@@ -21,7 +21,7 @@ TEST_CASE("a vertex looks to the side that is seen", "[transport]") {
         for (const auto& [weight, layers] : visible_textures(*world, vertex)) {
             weights += weight;
             const Shading s = with_layer(*world, vertex, layers.front());
-            CHECK(s.colour.rgb == Vec3(1, 0.5, 0));
+            CHECK(s.colour.rgb == Rgb(1, 0.5, 0));
             CHECK(s.opacity == Approx(0.75));
             CHECK(receiver(s).horizon == Horizon::one_side);
         }
@@ -65,7 +65,7 @@ TEST_CASE("normals decide which side of a smooth face is the outer one", "[trans
                     const bool outer = form == "flat" ? wound == (side > 0) : up == (side > 0);
                     for (const auto& [weight, layers] :
                          visible_textures(*world, vertex_at(*world, ray, hit)))
-                        CHECK(layers.front().colour.rgb == (outer ? Vec3(1, 0, 0) : Vec3(0, 0, 1)));
+                        CHECK(layers.front().colour.rgb == (outer ? Rgb(1, 0, 0) : Rgb(0, 0, 1)));
                 }
             }
 }

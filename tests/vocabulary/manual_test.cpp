@@ -16,7 +16,7 @@ struct Lamp {
     double hole = 0;
     int count = 3;
     bool open = false;
-    Vec3 tint = Vec3(1, 0.5, 0);
+    Rgb tint = Rgb(1, 0.5, 0);
     std::optional<double> angle;
     std::string font = "plain";
 
@@ -31,9 +31,9 @@ const ItemInfo Lamp::vocabulary = described<Lamp>([] {
                         maybe(F{"hole", &Lamp::hole, positional, "what is missing", at_least(0)}),
                         F{"count", &Lamp::count, item, "how many", between(1, 9)},
                         F{"open", &Lamp::open, flag, "without ends"},
-                        as_colour(F{"tint", &Lamp::tint, item,
-                                    ".5 is half of it: a very long explanation, so that it does "
-                                    "not fit into one line of \"80\""}),
+                        F{"tint", &Lamp::tint, item,
+                          ".5 is half of it: a very long explanation, so that it does "
+                          "not fit into one line of \"80\""},
                         F{"angle", &Lamp::angle, item, "how wide", Range{0, 360, true}},
                         F{"font", &Lamp::font, item, "how it is written"});
 });

@@ -14,8 +14,8 @@ struct Sample {
     bool on = true;
     Vec2 pair = Vec2(1, 2);
     Vec3 place = Vec3(1, 2, 3);
-    Vec3 light = Vec3(0.5);
-    Colour tint = {Vec3(1), 0.25, 0};
+    Rgb light = Rgb(0.5);
+    Colour tint = {Rgb(1), 0.25, 0};
     std::string text = "word";
     std::optional<double> perhaps;
     std::optional<Vec3> somewhere = Vec3(7);
@@ -33,7 +33,7 @@ const ItemInfo Sample::vocabulary = described<Sample>([] {
         F{"whole", &Sample::whole, item, "an integer", between(0, 9)},
         F{"on", &Sample::on, flag, "a switch"}, F{"pair", &Sample::pair, item, "two numbers"},
         maybe(F{"place", &Sample::place, positional, "three numbers"}),
-        as_colour(F{"light", &Sample::light, item, "a colour without transparency"}),
+        F{"light", &Sample::light, item, "a colour without transparency"},
         F{"tint", &Sample::tint, item, "a colour"}, F{"text", &Sample::text, item, "a text"},
         F{"perhaps", &Sample::perhaps, item, "a number or none", at_least(0)},
         F{"somewhere", &Sample::somewhere, item, "a point or none"},
@@ -93,7 +93,7 @@ TEST_CASE("what is stored in a field is read from it", "[vocabulary]") {
         Vec2(5, 6),
         Vec3(4),
         Vec3(9),
-        Colour{Vec3(2), 0, 1},
+        Colour{Rgb(2), 0, 1},
         std::string("other"),
         8.0,
         Vec3(3),

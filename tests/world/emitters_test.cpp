@@ -27,7 +27,7 @@ TEST_CASE("primitives of each kind become luminaires", "[world]") {
     CHECK(made(SphereEmitter()) == 1);
     CHECK(made(TriangleEmitter()) == 1);
     for (const Luminaire& each : world->lights.luminaires) {
-        CHECK(each.radiance == Vec3(2));
+        CHECK(each.radiance == Rgb(2));
         CHECK_FALSE(each.varying);
         CHECK(world->lights.luminaire_of[each.primitive] ==
               static_cast<LightIndex>(&each - world->lights.luminaires.data()));

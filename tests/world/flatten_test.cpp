@@ -18,8 +18,8 @@ TEST_CASE("children inherit what they do not say", "[world]") {
         }
     )");
     REQUIRE(world->geometry.spheres.size() == 2);
-    CHECK(world->material(0).texture->pigment.colour.rgb.x == 0.25);
-    CHECK(world->material(1).texture->pigment.colour.rgb.x == 0.5);
+    CHECK(world->material(0).texture->pigment.colour.rgb.r == 0.25);
+    CHECK(world->material(1).texture->pigment.colour.rgb.r == 0.5);
     CHECK(world->material(1).no_shadow);
 }
 
@@ -30,7 +30,7 @@ TEST_CASE("textures move with the unions around them", "[world]") {
             translate 10.25*x
         }
     )");
-    CHECK(evaluate(world->material(0).texture->pigment, Vec3(10.5, 0, 0)).rgb.x == Approx(0.25));
+    CHECK(evaluate(world->material(0).texture->pigment, Vec3(10.5, 0, 0)).rgb.r == Approx(0.25));
 }
 
 TEST_CASE("many copies of an object share their looks", "[world]") {

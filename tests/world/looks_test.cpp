@@ -10,11 +10,11 @@ namespace candelabra {
 namespace {
 
 /// Returns the unlit colour that a ray along z sees at x, y.
-Vec3 seen(const World& world, double x, double y) {
+Rgb seen(const World& world, double x, double y) {
     Hit hit;
-    if (!world.first_hit({Vec3(x, y, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit)) return Vec3(-1);
+    if (!world.first_hit({Vec3(x, y, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit)) return Rgb(-1);
     const PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
-    Vec3 sum(0);
+    Rgb sum(0);
     world.for_textures(hit.primitive, hit.part, hit.position, Side::outer,
                        [&](double share, const Texture& texture) {
                            sum += share * evaluate(texture.pigment, hit.position, scene).rgb;
@@ -32,7 +32,7 @@ constexpr auto mesh = R"(#version 3.7;
     }
 )";
 
-bool close(const Vec3& a, const Vec3& b) { return max_abs_component(a - b) < 1e-9; }
+bool close(const Rgb& a, const Rgb& b) { return max_abs_component(a - b) < 1e-9; }
 
 }  // namespace
 
@@ -41,33 +41,33 @@ TEST_CASE("a triangle of its own has u and v of its place, as in POV-Ray", "[wor
         const SharedWorld world =
             world_of(std::string("#version 3.7; ") + kind +
                      "uv_mapping pigment { gradient x } translate <4, 2, 0> }");
-        CHECK(close(seen(*world, 4.25, 2.125), Vec3(0.25)));
+        CHECK(close(seen(*world, 4.25, 2.125), Rgb(0.25)));
     }
 }
 
 TEST_CASE("the textures of a face's corners are mixed", "[world]") {
     const SharedWorld world = world_of(std::string(mesh) + "object { M }");
-    CHECK(close(seen(*world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
-    CHECK(close(seen(*world, 0.7, 0.6), Vec3(0, 1, 0)));
+    CHECK(close(seen(*world, 0.2, 0.3), Rgb(0.5, 0.2, 0.3)));
+    CHECK(close(seen(*world, 0.7, 0.6), Rgb(0, 1, 0)));
 }
 
 TEST_CASE("faces of a mesh in an intersection keep their textures", "[world]") {
     const SharedWorld world =
         world_of(std::string(mesh) + "object { M clipped_by { box { <0, 0, -1>, <0.8, 2, 1> } } }");
-    CHECK(close(seen(*world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
-    CHECK(close(seen(*world, 0.7, 0.6), Vec3(0, 1, 0)));
-    CHECK(seen(*world, 0.9, 0.6) == Vec3(-1));
+    CHECK(close(seen(*world, 0.2, 0.3), Rgb(0.5, 0.2, 0.3)));
+    CHECK(close(seen(*world, 0.7, 0.6), Rgb(0, 1, 0)));
+    CHECK(seen(*world, 0.9, 0.6) == Rgb(-1));
 }
 
 TEST_CASE("what is on u and v is turned with its object", "[world]") {
     const std::string sphere = "#version 3.7; sphere { 0, 1 uv_mapping pigment { gradient x } ";
     // Seen along z: u is 0.75 at -z.
-    CHECK(seen(*world_of(sphere + "}"), 0, 0).x == Approx(0.75));
-    CHECK(seen(*world_of(sphere + "rotate -90*y scale 2 }"), 0, 0).x == Approx(0.5));
+    CHECK(seen(*world_of(sphere + "}"), 0, 0).r == Approx(0.75));
+    CHECK(seen(*world_of(sphere + "rotate -90*y scale 2 }"), 0, 0).r == Approx(0.5));
     CHECK(seen(*world_of("#version 3.7; union { sphere { 0, 1 } rotate -90*y "
                          "pigment { uv_mapping gradient x } }"),
                0, 0)
-              .x == Approx(0.5));
+              .r == Approx(0.5));
 }
 
 TEST_CASE("u and v of meshes and of leaves", "[world]") {
@@ -75,10 +75,10 @@ TEST_CASE("u and v of meshes and of leaves", "[world]") {
         "#version 3.7; mesh { triangle { 0, x, y uv_vectors <0, 0>, <0.5, 0>, <0, 1> } "
         "inside_vector z uv_mapping pigment { gradient x } ";
     for (const auto* end : {"}", "clipped_by { box { -1, 2 } } }"})
-        CHECK(seen(*world_of(triangle + end), 0.4, 0.1).x == Approx(0.2));
+        CHECK(seen(*world_of(triangle + end), 0.4, 0.1).r == Approx(0.2));
     const std::string plane =
         "#version 3.7; plane { z, 0 pigment { uv_mapping gradient y } translate y }";
-    CHECK(seen(*world_of(plane), 0.4, 0.1).x == Approx(0.1));
+    CHECK(seen(*world_of(plane), 0.4, 0.1).r == Approx(0.1));
 }
 
 TEST_CASE("textures of a blob's components are mixed by the strength of their fields", "[world]") {
@@ -99,11 +99,11 @@ TEST_CASE("textures of a blob's components are mixed by the strength of their fi
             Hit hit;
             REQUIRE(world->first_hit({Vec3(x, 0, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
             const double z2 = hit.position.z * hit.position.z;
-            const Vec3 strengths(field((x + 0.5) * (x + 0.5) + z2, 1),
-                                 field((x - 0.5) * (x - 0.5) + z2, 1) / 2,
-                                 field(x * x + z2, 0.6) * 0.3);
+            const Rgb strengths(field((x + 0.5) * (x + 0.5) + z2, 1),
+                                field((x - 0.5) * (x - 0.5) + z2, 1) / 2,
+                                field(x * x + z2, 0.6) * 0.3);
             CAPTURE(end, x);
-            CHECK(close(seen(*world, x, 0), strengths / (strengths.x + strengths.y + strengths.z)));
+            CHECK(close(seen(*world, x, 0), strengths / (strengths.r + strengths.g + strengths.b)));
         }
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("a component that glows makes a luminaire of its blob", "[world]") {
         "#version 3.7; blob { threshold 0.2 sphere { 0, 1, 1 pigment { "
         "rgb 1 } finish { emission 2 } } sphere { x, 1, 1 } }");
     REQUIRE(world->lights.luminaires.size() == 1);
-    CHECK(world->lights.luminaires[0].radiance == Vec3(2));
+    CHECK(world->lights.luminaires[0].radiance == Rgb(2));
     CHECK(world->lights.luminaires[0].varying);
 }
 

@@ -29,7 +29,7 @@ TEST_CASE("faces whose corners differ have a material for all that look so", "[w
     Materials materials(world);
     const auto grey = make_handle<Texture>();
     auto lamp = make_handle<Texture>();
-    lamp.edit().pigment.colour.rgb = lamp.edit().finish.emission = Vec3(1);
+    lamp.edit().pigment.colour.rgb = lamp.edit().finish.emission = Rgb(1);
     Inherited look;
     look.texture = &grey;
     std::vector<std::uint32_t> of_mesh = {materials.index(look)};
@@ -48,7 +48,7 @@ TEST_CASE("faces between two looks have what either of them has", "[world]") {
     World world;
     Materials materials(world);
     auto grey = make_handle<Texture>(), shiny = make_handle<Texture>();
-    grey.edit().finish.ambient = shiny.edit().finish.ambient = Vec3(0);
+    grey.edit().finish.ambient = shiny.edit().finish.ambient = Rgb(0);
     shiny.edit().finish.phong = 1;
     Inherited look;
     look.texture = &grey;
@@ -102,7 +102,7 @@ TEST_CASE("ambient of 1 and more makes luminaires where that is wanted", "[world
     const SharedWorld world =
         world_of("global_settings { luminaires ambient ambient_light 3 } " + spheres);
     REQUIRE(world->lights.luminaires.size() == 1);
-    CHECK(world->lights.luminaires.front().radiance == Vec3(6, 3, 0));
+    CHECK(world->lights.luminaires.front().radiance == Rgb(6, 3, 0));
     const SharedWorld map = world_of(
         "#version 3.7; global_settings { luminaires ambient } sphere { 0, 1 texture { gradient y "
         "texture_map { [0 pigment { rgb 1 } finish { ambient 1 }] [1 pigment { rgb 0 }] } } }");
@@ -142,7 +142,7 @@ TEST_CASE("what lights nothing is seen to glow as before", "[world]") {
         "camera { location -3*z } sphere { 0, 1 pigment { rgb 1 } finish { emission 0.5 "
         "no_luminaire } }");
     REQUIRE(world->lights.luminaires.empty());
-    CHECK(world->emission(0, Vec3(0, 0, -1), Side::outer) == Vec3(0.5));
+    CHECK(world->emission(0, Vec3(0, 0, -1), Side::outer) == Rgb(0.5));
 }
 
 }  // namespace candelabra

@@ -112,12 +112,12 @@ TEST_CASE("a whole copy of a mesh is one luminaire, and as bright as its faces a
     settings.height = 24;
     settings.samples = 16;
     const Rendering a = render(copies, settings), b = render(others, settings);
-    Vec3 sum_a(0), sum_b(0);
+    Rgb sum_a(0), sum_b(0);
     for (std::size_t i = 0; i < a.image.pixels.size(); ++i) {
         sum_a += a.image.pixels[i];
         sum_b += b.image.pixels[i];
     }
-    CHECK(sum_a.x == Approx(sum_b.x).epsilon(0.01));
+    CHECK(sum_a.r == Approx(sum_b.r).epsilon(0.01));
 }
 
 }  // namespace candelabra

@@ -12,7 +12,7 @@ namespace {
 bool is_red(const World& world, const Vec3& from, const Vec3& to) {
     Hit hit;
     REQUIRE(world.first_hit({from, unit(to - from)}, 1e-6, RayKind::camera, hit));
-    return world.material(hit.primitive).texture->pigment.colour.rgb == Vec3(1, 0, 0);
+    return world.material(hit.primitive).texture->pigment.colour.rgb == Rgb(1, 0, 0);
 }
 
 }  // namespace

@@ -13,11 +13,11 @@ namespace {
 const std::string surface_below = "#version 3.7; disc { -50*y, y, 1 pigment { rgb 1 } } ";
 
 /// Radiance of a world's first luminaire where a ray meets it, as seen at that distance.
-Vec3 seen_along(const World& world, const Vec3& from, const Vec3& towards, LightIndex light = 0) {
+Rgb seen_along(const World& world, const Vec3& from, const Vec3& towards, LightIndex light = 0) {
     REQUIRE(world.lights.luminaires.size() > light);
     const Luminaire& luminaire = world.lights.luminaires[light];
     const Ray ray{from, unit(towards - from)};
-    Vec3 seen(0);
+    Rgb seen(0);
     world.along(ray, 0, RayKind::light, [&](const Hit& hit, double distance) {
         if (hit.primitive != luminaire.primitive) return true;
         seen = radiance_seen(world, {luminaire, ray, 0, distance});
@@ -42,14 +42,14 @@ TEST_CASE("a luminaire has the radiance of the side that is seen", "[world]") {
                          " interior_texture " + (inner ? red : dark) + " }");
             REQUIRE_FALSE(world->lights.luminaires.empty());
             CHECK(world->lights.luminaires[0].one_sided);
-            CHECK(world->lights.luminaires[0].radiance == Vec3(3, 0, 0));
+            CHECK(world->lights.luminaires[0].radiance == Rgb(3, 0, 0));
             Hit hit;
             const Ray ray{Vec3(0.1, 5, 0.2), unit(Vec3(0.8, -5, 0))};
             REQUIRE(world->first_hit(ray, 0, RayKind::camera, hit));
             const bool sees_inner = hit.side_towards(ray.direction) == Side::inner;
-            const Vec3 seen = seen_along(*world, ray.origin, ray.origin + ray.direction,
-                                         world->lights.luminaire_of[hit.primitive]);
-            CHECK(seen == (sees_inner == inner ? Vec3(3, 0, 0) : Vec3(0)));
+            const Rgb seen = seen_along(*world, ray.origin, ray.origin + ray.direction,
+                                        world->lights.luminaire_of[hit.primitive]);
+            CHECK(seen == (sees_inner == inner ? Rgb(3, 0, 0) : Rgb(0)));
         }
 }
 
@@ -57,19 +57,19 @@ TEST_CASE("of luminaires in one place the first one along the ray is seen", "[wo
     const std::string lamp = " pigment { rgb 1 } finish { diffuse 0 emission ";
     const SharedWorld nested = world_of(surface_below + "sphere { 0, 1 - 1e-7" + lamp +
                                         "900 } } sphere { 0, 1" + lamp + "2 } }");
-    CHECK(seen_along(*nested, Vec3(0, 9, 0), Vec3(0)) == Vec3(0));
-    CHECK(seen_along(*nested, Vec3(0, 9, 0), Vec3(0), 1) == Vec3(2));
+    CHECK(seen_along(*nested, Vec3(0, 9, 0), Vec3(0)) == Rgb(0));
+    CHECK(seen_along(*nested, Vec3(0, 9, 0), Vec3(0), 1) == Rgb(2));
     const SharedWorld twice =
         world_of(surface_below + "sphere { 0, 1" + lamp + "3 } } sphere { 0, 1" + lamp + "5 } }");
-    CHECK(seen_along(*twice, Vec3(1, 9, 2), Vec3(0)) == Vec3(3));
-    CHECK(seen_along(*twice, Vec3(1, 9, 2), Vec3(0), 1) == Vec3(0));
+    CHECK(seen_along(*twice, Vec3(1, 9, 2), Vec3(0)) == Rgb(3));
+    CHECK(seen_along(*twice, Vec3(1, 9, 2), Vec3(0), 1) == Rgb(0));
     const SharedWorld covered = world_of(surface_below + "disc { 0, y, 1" + lamp +
                                          "3 } } plane { y, 1e-8 pigment { rgb 1 } }");
-    CHECK(seen_along(*covered, Vec3(0, 9, 0), Vec3(0)) == Vec3(0));
+    CHECK(seen_along(*covered, Vec3(0, 9, 0), Vec3(0)) == Rgb(0));
     // A clear surface lets it through.
     const SharedWorld behind = world_of(surface_below + "sphere { 0, 1" + lamp +
                                         "4 } } sphere { 0, 1 + 1e-8 pigment { rgbt 0.5 } }");
-    CHECK(seen_along(*behind, Vec3(0, 9, 0), Vec3(0)).x == Approx(2));
+    CHECK(seen_along(*behind, Vec3(0, 9, 0), Vec3(0)).r == Approx(2));
 }
 
 TEST_CASE("the far side of a luminaire is not its near side, however far it is", "[world]") {
@@ -78,8 +78,8 @@ TEST_CASE("the far side of a luminaire is not its near side, however far it is",
         "pigment { rgb 1 } finish { emission 2 } }");
     const Luminaire& ring = world->lights.luminaires.at(0);
     const Ray ray{Vec3(3, 0, 0), Vec3(0, 0, 1)};
-    CHECK(radiance_seen(*world, {ring, ray, 0, 1e8 - std::sqrt(7)}) == Vec3(2));
-    CHECK(radiance_seen(*world, {ring, ray, 0, 1e8 + std::sqrt(7)}) == Vec3(0));
+    CHECK(radiance_seen(*world, {ring, ray, 0, 1e8 - std::sqrt(7)}) == Rgb(2));
+    CHECK(radiance_seen(*world, {ring, ray, 0, 1e8 + std::sqrt(7)}) == Rgb(0));
 }
 
 }  // namespace candelabra

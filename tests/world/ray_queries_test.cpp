@@ -69,7 +69,7 @@ RayStartCounts leave(const World& world, const Vec3& place, const Vec3& normal, 
         ++counts.rays;
         Hit again;
         counts.surface_again += world.first_hit(out, hit.tolerance, RayKind::reflected, again);
-        counts.shadowed += world.transmittance(out, hit.tolerance, 3 * reach) != Vec3(1);
+        counts.shadowed += world.transmittance(out, hit.tolerance, 3 * reach) != Rgb(1);
     }
     return counts;
 }
@@ -116,7 +116,7 @@ TEST_CASE("of surfaces in one place that of the first object is hit", "[world]")
         for (const auto& [x, red] : {std::pair(21.0, true), {31.0, false}}) {
             const Hit hit = first(*world, Vec3(x - 40, 9, 3), Vec3(x, 1, 3));
             CHECK(hit.position.y == Approx(1));
-            CHECK((world->material(hit.primitive).texture->pigment.colour.rgb == Vec3(1, 0, 0)) ==
+            CHECK((world->material(hit.primitive).texture->pigment.colour.rgb == Rgb(1, 0, 0)) ==
                   red);
         }
     }
@@ -136,7 +136,7 @@ TEST_CASE("an infinite plane hides walls that lie in it", "[world]") {
         // What is in front of the plane stays in front of it.
         const Hit hit = first(*world, eye, aim);
         if (hit.position.y > 1e-9) continue;
-        CHECK(world->material(hit.primitive).texture->pigment.colour.rgb == Vec3(1, 0, 0));
+        CHECK(world->material(hit.primitive).texture->pigment.colour.rgb == Rgb(1, 0, 0));
     }
     CHECK(first(*world, Vec3(150, 9, 350), Vec3(150, 0, 350)).position.y == Approx(0.93));
 }
@@ -257,7 +257,7 @@ TEST_CASE("rays into a large ball meet its other side", "[world]") {
             REQUIRE(world->first_hit(in, hit.tolerance, RayKind::camera, other));
             const double chord = -2 * size * dot(in.direction, hit.normal);
             CHECK(length(other.position - hit.position) == Approx(chord).epsilon(1e-6));
-            CHECK(world->transmittance(in, hit.tolerance, 0.5 * chord) == Vec3(1));
+            CHECK(world->transmittance(in, hit.tolerance, 0.5 * chord) == Rgb(1));
         }
     }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/rgb.h"
 #include "support/scripts.h"
 #include "world/compile.h"
 
@@ -8,7 +9,7 @@ namespace candelabra {
 
 namespace {
 
-Vec3 between(const World& world, const Vec3& from, const Vec3& to) {
+Rgb between(const World& world, const Vec3& from, const Vec3& to) {
     return world.transmittance({from, unit(to - from)}, 0, length(to - from));
 }
 
@@ -20,12 +21,12 @@ TEST_CASE("light passes through what is clear, and counts each surface once", "[
         box { <9, -1, 4>, <11, 1, 5> pigment { rgb 1 } }
         box { <-11, -1, 4>, <-9, 1, 5> pigment { rgb 1 } no_shadow }
     )");
-    const Vec3 passed = between(*world, Vec3(0), Vec3(0, 0, 20));
-    CHECK(length(passed - Vec3(0.25, 0.0625, 0.015625)) < 1e-12);
-    CHECK(between(*world, Vec3(0), Vec3(0, 0, 5)).x == Approx(0.5));
-    CHECK(between(*world, Vec3(10, 0, 0), Vec3(10, 0, 20)) == Vec3(0));
-    CHECK(between(*world, Vec3(10, 0, 0), Vec3(10, 0, 4)) == Vec3(1));
-    CHECK(between(*world, Vec3(-10, 0, 0), Vec3(-10, 0, 20)) == Vec3(1));
+    const Rgb passed = between(*world, Vec3(0), Vec3(0, 0, 20));
+    CHECK(length(passed - Rgb(0.25, 0.0625, 0.015625)) < 1e-12);
+    CHECK(between(*world, Vec3(0), Vec3(0, 0, 5)).r == Approx(0.5));
+    CHECK(between(*world, Vec3(10, 0, 0), Vec3(10, 0, 20)) == Rgb(0));
+    CHECK(between(*world, Vec3(10, 0, 0), Vec3(10, 0, 4)) == Rgb(1));
+    CHECK(between(*world, Vec3(-10, 0, 0), Vec3(-10, 0, 20)) == Rgb(1));
 }
 
 }  // namespace candelabra

@@ -14,7 +14,7 @@ std::vector<PointLight> lights(std::size_t count, const PointLight& like = {}) {
     for (std::size_t i = 0; i < count; ++i) {
         PointLight light = like;
         light.location = Vec3(static_cast<double>(i), 1, 0);
-        light.colour = Vec3(1);
+        light.colour = Rgb(1);
         result.emplace_back(light);
     }
     return result;
@@ -43,8 +43,8 @@ TEST_CASE("few light sources are all asked, some of many", "[world]") {
 
 TEST_CASE("lights that take light away are all asked, those without light never", "[world]") {
     std::vector<PointLight> all = lights(200);
-    all[7].colour = Vec3(1, -0.1, 1);
-    all[8].colour = Vec3(0);
+    all[7].colour = Rgb(1, -0.1, 1);
+    all[8].colour = Rgb(0);
     const auto found = sets(all);
     REQUIRE(found.size() == 2);
     CHECK(found[0].lights == std::vector<std::uint32_t>{7});

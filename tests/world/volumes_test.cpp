@@ -59,7 +59,7 @@ TEST_CASE("media glow within hollow solids only", "[world]") {
         "} ");
     REQUIRE(world->lights.volumes.size() == 3);
     const auto at = [&](std::size_t i, const Vec3& point) {
-        return volume_emission(*world, world->lights.volumes[i].primitive, point).x;
+        return volume_emission(*world, world->lights.volumes[i].primitive, point).r;
     };
     CHECK(at(0, Vec3(0.5)) == 1);
     CHECK(at(0, Vec3(0.9)) == 0);
@@ -83,10 +83,10 @@ TEST_CASE("parts that share their media glow once", "[world]") {
     const PrimitiveIndex left = world->lights.volumes[0].primitive,
                          right = world->lights.volumes[1].primitive,
                          merged = world->lights.volumes[2].primitive;
-    CHECK(volume_emission(*world, left, Vec3(-0.5, 0, 0)).x == 1);
-    CHECK(volume_emission(*world, right, Vec3(-0.5, 0, 0)).x == 0);
-    CHECK(volume_emission(*world, left, Vec3(0.5, 0, 0)).x == 0);
-    CHECK(volume_emission(*world, merged, Vec3(9.5, 0, 0)).x == 1);
+    CHECK(volume_emission(*world, left, Vec3(-0.5, 0, 0)).r == 1);
+    CHECK(volume_emission(*world, right, Vec3(-0.5, 0, 0)).r == 0);
+    CHECK(volume_emission(*world, left, Vec3(0.5, 0, 0)).r == 0);
+    CHECK(volume_emission(*world, merged, Vec3(9.5, 0, 0)).r == 1);
 }
 
 TEST_CASE("what says no is no luminaire", "[world]") {
