@@ -46,6 +46,7 @@ Rgb DirectLight::by_photons(const LitLayer& layer, const Key& key, LightLedger& 
 
 Rgb DirectLight::from_source(std::uint32_t number, double weight, const LitLayer& layer,
                              const Key& key, LightLedger& ledger) const {
+    if (!world_.reaches(world_.lights.reach[number].group, *layer.vertex.material)) return Rgb(0);
     return light_of_source(number, weight, arriving(layer, ledger), key);
 }
 

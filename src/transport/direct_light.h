@@ -21,7 +21,8 @@ public:
     Rgb operator()(const LitLayer&, const Key&, LightLedger&);
     /// The light that photons bring alone.
     Rgb by_photons(const LitLayer&, const Key&, LightLedger&) const;
-    /// The same by one light source, times a weight.
+    /// The light of one light source, times a weight: nothing if it is in a group that does not
+    /// light the material.
     Rgb from_source(std::uint32_t number, double weight, const LitLayer&, const Key&,
                     LightLedger&) const;
 

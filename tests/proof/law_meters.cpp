@@ -76,10 +76,10 @@ Handle<RoadTable> diffuse_road() {
     return make_handle<RoadTable>(std::move(road));
 }
 
-/// The script without what glows behind its lamps, and with a meter, so that no lamp is left out.
+/// The script without what glows around and behind its lamps, and with a meter, so that no lamp is left out.
 Script with_meter(Script script) {
     std::erase_if(script.elements, [](const Element& each) {
-        return each.head == "background" || each.head == "sky_sphere";
+        return each.head == "background" || each.head == "sky_sphere" || each.head == "media";
     });
     script.elements.push_back(block("meter", "points { 1, 0 } direction y"));
     return script;

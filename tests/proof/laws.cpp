@@ -45,8 +45,8 @@ const std::vector<Law>& laws() {
          gathers | photon_light, staged, no_glaring_samples},
         {"dark", "Lamps cost no rays where nothing receives light.", dims | gathers | photon_light,
          staged, free_in_the_dark},
-        {"meters", "A meter reads the sum of what its lamps give.", nonlinear | gathers | fogs,
-         staged, meters_by_parts},
+        {"meters", "A meter reads the sum of what its lamps give.",
+         nonlinear | gathers | fogs | hides, staged, meters_by_parts},
         {"roads", "A road whose table is that of a diffuse floor is as bright as one.",
          refracts | fogs | dims | gathers | hides | photon_light | gains | veils | tiny_light |
              in_lens,

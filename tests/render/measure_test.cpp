@@ -398,6 +398,30 @@ TEST_CASE("a table of a road's reflection has the luminance of EN 13201", "[rend
     }
 }
 
+TEST_CASE("meters receive no light of light groups, which lights their objects only", "[render]") {
+    const std::string lamp = "light_source { <0, 1, 5>, 1 intensity candela(1500) } ",
+                      object = "sphere { 90*y, 1 } ";
+    const std::string meters =
+        "meter { \"road\" luminance eye <-60, 1.5, 0> road_table "
+        "\"tests/meter/files/even_road.csv\" points { 1, <0, 0, 0> } } "
+        "meter { threshold_increment road \"bright\" direction z points { 1, 0 } } "
+        "meter { ugr direction z points { 1, 0 } } meter { points { 1, 0 } direction z } "
+        "meter { \"bright\" luminance points { 1, 0 } direction -z } background { rgb 1 } ";
+    MeasureSettings settings;
+    settings.samples = 16;
+    const auto readings = [&](const std::string& lights) {
+        std::vector<double> values;
+        for (const MeterReading& each : read_meters(lights + meters, settings))
+            values.push_back(each.values.at(0).value);
+        return values;
+    };
+    const std::vector<double> without = readings(object);
+    CHECK(readings("light_group { " + lamp + object + "} ") == without);
+    CHECK(readings(lamp + object)[0] > 0.1);
+    CHECK(readings(lamp + object)[1] > without[1]);
+    CHECK(readings(lamp + object)[2] > without[2]);
+}
+
 TEST_CASE("a grid tells its flux, and how long it was measured", "[render]") {
     // All light of a lamp goes through the sides of a box around it.
     const std::string lamp = "sphere { 0, 0.1 pigment { rgb 1 } luminaire { flux lumen(1000) } } ";
