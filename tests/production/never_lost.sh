@@ -57,7 +57,7 @@ check "no draft is left" test -z "$(find . -name '.candelabra*')"
 # Known before the work, not after it.
 cp "$program" alone
 expect "no library for the format" 3 "the library of picture formats" \
-       timeout 60 ./alone scene.pov -V +Oalone.tga +W9000 +H9000 --samples 1000
+       timeout 60 ./alone scene.pov -V +Oalone.bmp +W9000 +H9000 --samples 1000
 expect "no such folder" 3 "there is no folder" render -V +Onowhere/a.png
 mkdir -m 555 closed
 as_other=()
