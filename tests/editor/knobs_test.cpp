@@ -46,7 +46,7 @@ TEST_CASE("a comment says what kind of value a name has, and headings make secti
                            "The tree"});
     CHECK(found[3] == Knob{"D", std::string("Hello"), text, 0, 0, 0, {}, "", "Colours"});
     CHECK(found[4].kind == colour);
-    CHECK(std::get<Numbers>(found[4].value) == Numbers::colour({Vec3(1, 0.5, 0), 0, 0}));
+    CHECK(std::get<Numbers>(found[4].value) == Numbers::colour({Rgb(1, 0.5, 0), 0, 0}));
     CHECK(found[5].kind == colour);
     CHECK(std::get<Numbers>(found[5].value) == Numbers::vector(Vec3(0, 0.5, 1)));
     CHECK(found[6] ==
@@ -89,7 +89,7 @@ TEST_CASE("texts of the page are values of their knob, or none") {
     const Knob number{"A", 1.0, slider, 0, 2, 0.1}, on{"B", 1.0, toggle},
         one{"C", 5.0, list, 0, 0, 0, {3.0, 5.0}},
         kind{"D", std::string("a"), list, 0, 0, 0, {std::string("a"), std::string("b")}},
-        words{"E", std::string("a"), text}, tint{"F", Numbers::colour({Vec3(1), 0, 0}), colour},
+        words{"E", std::string("a"), text}, tint{"F", Numbers::colour({Rgb(1), 0, 0}), colour},
         place{"G", Numbers::vector(Vec3(0)), vector, -1, 1, 0.1};
     CHECK(value(number, "1.5") == KnobValue(1.5));
     CHECK(value(number, "7") == KnobValue(2.0));
@@ -97,7 +97,7 @@ TEST_CASE("texts of the page are values of their knob, or none") {
     CHECK(value(one, "3") == KnobValue(3.0));
     CHECK(value(kind, "b") == KnobValue(std::string("b")));
     CHECK(value(words, "<script> & more") == KnobValue(std::string("<script> & more")));
-    CHECK(value(tint, "0.5,-1,8") == KnobValue(Numbers::colour({Vec3(0.5, 0, 8), 0, 0})));
+    CHECK(value(tint, "0.5,-1,8") == KnobValue(Numbers::colour({Rgb(0.5, 0, 8), 0, 0})));
     CHECK(value(place, "0.5,-3,3") == KnobValue(Numbers::vector(Vec3(0.5, -1, 1))));
     for (const auto& [knob, wrong] :
          std::initializer_list<std::pair<Knob, std::string>>{{number, "x"},

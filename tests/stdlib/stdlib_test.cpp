@@ -102,8 +102,8 @@ std::string radiances(const std::string& call) {
                                        call + " }");
     std::string text;
     for (const Luminaire& each : world->lights.luminaires)
-        text += message(text.empty() ? "" : " | ", each.radiance.x, " ", each.radiance.y, " ",
-                        each.radiance.z);
+        text += message(text.empty() ? "" : " | ", each.radiance.r, " ", each.radiance.g, " ",
+                        each.radiance.b);
     return text;
 }
 
@@ -349,10 +349,10 @@ Texture library_texture(const std::string& include, const std::string& name) {
 }
 
 /// The mean over many places of what a function makes of a colour there.
-Vec3 mean(const Pigment& pigment, const std::function<Vec3(const Colour&)>& share) {
+Rgb mean(const Pigment& pigment, const std::function<Rgb(const Colour&)>& share) {
     constexpr int count = 40000;
     Draw draw(1);
-    Vec3 sum(0);
+    Rgb sum(0);
     for (int i = 0; i < count; ++i) sum += share(evaluate(pigment, draw.point(20)));
     return sum / double{count};
 }
@@ -364,10 +364,10 @@ TEST_CASE("as many places of a starfield are lit as in POV-Ray, and in its colou
     for (int i = 0; i < 6; ++i) {
         const Pigment stars =
             library_texture("stars.inc", "Starfield" + std::to_string(i + 1)).pigment;
-        const auto is = [](bool yes) { return Vec3(yes ? 1 : 0, 0, 0); };
-        const double all = mean(stars, [&](const Colour& c) { return is(c.rgb != Vec3(0)); }).x;
+        const auto is = [](bool yes) { return Rgb(yes ? 1 : 0, 0, 0); };
+        const double all = mean(stars, [&](const Colour& c) { return is(c.rgb != Rgb(0)); }).r;
         CHECK(all == Approx(lit[i]).margin(0.004));
-        const Vec3 colour = mean(stars, [](const Colour& c) { return c.rgb; }) / all;
+        const Rgb colour = mean(stars, [](const Colour& c) { return c.rgb; }) / all;
         CHECK(colour.r == Approx(0.664).margin(0.02));
         CHECK(colour.g == Approx(0.61).margin(0.02));
         CHECK(colour.b == Approx(0.613).margin(0.02));
@@ -466,7 +466,7 @@ TEST_CASE("woods are as bright, as varied and as fine as in POV-Ray", "[stdlib]"
 TEST_CASE("a finish that is put on a stone reaches its upper layer, as in POV-Ray", "[stdlib]") {
     struct Case {
         const char* stone;
-        Vec3 upper, lower;  ///< what each adds in POV-Ray, in 255ths
+        Rgb upper, lower;  ///< what each adds in POV-Ray, in 255ths
     };
     const Case cases[] = {{"T_Stone1", {73, 64, 59}, {60, 44, 33}},
                           {"T_Stone21", {10, 10, 10}, {88, 43, 48}},
@@ -478,11 +478,11 @@ TEST_CASE("a finish that is put on a stone reaches its upper layer, as in POV-Ra
             library_texture("stones.inc", std::string(c.stone) + " finish { ambient 1 diffuse 0 }");
         REQUIRE(stone.below);
         CHECK_FALSE(stone.below->below);
-        CHECK(stone.below->finish.diffuse + stone.below->finish.ambient.x == Approx(0.7));
-        const Vec3 upper =
+        CHECK(stone.below->finish.diffuse + stone.below->finish.ambient.r == Approx(0.7));
+        const Rgb upper =
             mean(stone.pigment, [](const Colour& at) { return (1 - at.transmit) * at.rgb; });
         const double through = evaluate(stone.pigment, Vec3(0)).transmit;
-        const Vec3 lower =
+        const Rgb lower =
             0.7 * through * mean(stone.below->pigment, [](const Colour& at) { return at.rgb; });
         for (int i = 0; i < 3; ++i) {
             CHECK(255 * upper[i] == Approx(c.upper[i]).margin(3));
