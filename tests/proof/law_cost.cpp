@@ -12,7 +12,7 @@ namespace {
 /// What a sample has to be, in means of its pixel, to be seen as an error of its own.
 constexpr double glaring = 50;
 /// Glaring samples in a picture that chance may bring.
-constexpr int by_chance = 20;
+constexpr int by_chance = 10;
 
 Image one(double value) {
     Image image(1, 1);
@@ -32,7 +32,7 @@ Image none(const Prepared&, int, int, const Deadline&) { return one(0); }
 /// Samples, each of them as a picture.
 std::optional<std::vector<Image>> samples_of(const Prepared& scene, const Deadline& end) {
     std::vector<Image> all;
-    for (int seed = 1; seed <= 64; ++seed) {
+    for (int seed = 1; seed <= 32; ++seed) {
         all.push_back(scene.render(1, seed, end));
         if (all.back().pixels.empty()) return {};
     }

@@ -89,8 +89,8 @@ Script with_meter(Script script) {
 
 /// A lamp whose file says how it dims as it is turned, beside the lamps of the draft.
 Script on_road(Draft& draft) {
-    // The object neither glows nor shows lamps, which a table of a road does not know.
-    draft.finish = block("finish", "diffuse 0.7");
+    // The object neither glows nor shows or reflects lamps, which a table of a road does not know.
+    draft.finish = block("finish", "diffuse 0");
     draft.structure = {};
     draft.modifiers = {};
     Script script = with_meter(staged(draft));
@@ -122,13 +122,16 @@ Claims meters_by_parts(const Script& drawn, Dice& dice) {
 }
 
 Claims roads_by_tables(const Script& script, Dice& dice) {
-    const Script direct = with_setting(script, "integrator", "path_traced bounces 0");
+    // A road is as bright as its lamps are seen, with what these reflect themselves.
+    const Script direct = with_setting(script, "integrator", "path_traced bounces 0"),
+                 once = with_setting(script, "integrator",
+                                     "path_traced reflected_luminaires 0 bounces 1");
     Meter road = of_quantity(Quantity::luminance);
     road.eye = Vec3(-2, 1.2, dice.pick<double>({-3, 0.4}));
     road.surface = diffuse_road();
     const Meter floor = of_quantity(Quantity::illuminance);
     return {same_mean("diffuse road by a table = diffuse floor", read(direct, road),
-                      read(direct, floor, false, 1 / std::numbers::pi), 1e-2),
+                      read(once, floor, false, 1 / std::numbers::pi), 1e-2),
             same_mean("lamps of a road = the road", read(direct, road, true), read(direct, road))};
 }
 
