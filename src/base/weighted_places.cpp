@@ -38,6 +38,11 @@ std::uint32_t WeightedPlaces::at(std::uint64_t place) const {
     return static_cast<std::uint32_t>(std::upper_bound(first, last, place) - ends_.begin());
 }
 
+std::uint32_t WeightedPlaces::at_share(double u) const {
+    const auto place = static_cast<std::uint64_t>(u * static_cast<double>(total()));
+    return at(std::min(place, total() - 1));
+}
+
 std::size_t WeightedPlaces::memory_bytes() const {
     return ends_.capacity() * sizeof(std::uint64_t) + guide_.capacity() * sizeof(std::uint32_t);
 }

@@ -26,6 +26,13 @@ public:
     std::uint64_t of(std::uint32_t i) const { return end(i) - before(i); }
     /// Returns the element that takes the place. Precondition: place < total().
     std::uint32_t at(std::uint64_t place) const;
+    /// Returns the element that takes that fraction of the places, in [0, 1): one drawn by its
+    /// weight for a random number. Precondition: total() is above 0.
+    std::uint32_t at_share(double u) const;
+    /// Fraction of the places that the element takes: its probability.
+    double share_of(std::uint32_t i) const {
+        return static_cast<double>(of(i)) / static_cast<double>(total());
+    }
     std::size_t memory_bytes() const;
 
 private:

@@ -158,12 +158,12 @@ double filled_steradians(const PointLight& light) {
     return 2 * pi * sum;
 }
 
-SpreadCone cone_around(const PointLight& light) {
+LightCone cone_around(const PointLight& light) {
     if (light.web) {
         const AimedWeb web = light.aimed ? *light.aimed : AimedWeb(light);
         return {web.aim(), math::cos(web.dark())};
     }
-    if (light.kept_to() != cone) return {Vec3(0, 1, 0), -1};
+    if (light.kept_to() != cone) return all_directions;
     const LightConeShape shape = cone_shape(light);
     const double edge = shape.bright > 0 ? std::fmin(shape.bright, shape.dark) : 0;
     return {shape.axis, std::fmax(edge, 0)};
@@ -283,6 +283,11 @@ Vec3 grid_point(const PointLight& light, double place1, double place2, const Vec
         side1 *= size;
     }
     return light.location + a * side1 + b * side2;
+}
+
+Vec3 drawn_grid_point(const PointLight& light, const Vec2& u, const Vec3& direction) {
+    return grid_point(light, std::floor(u.x * light.size1), std::floor(u.y * light.size2),
+                      direction);
 }
 
 }  // namespace candelabra

@@ -115,5 +115,7 @@ bool is_beside_cone(const PointLight&, const Vec3& point);
 /// Returns a place in the light's grid: whole numbers from 0 to size - 1 are its lights.
 /// `direction` is the unit direction from the lit point to the location.
 Vec3 grid_point(const PointLight&, double place1, double place2, const Vec3& direction);
+/// Returns the place of one of its lights, each of which is as likely; u is in [0, 1)^2.
+Vec3 drawn_grid_point(const PointLight&, const Vec2& u, const Vec3& direction);
 
 }  // namespace candelabra

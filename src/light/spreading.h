@@ -5,6 +5,8 @@
 
 #include "light/light.h"
 
+#include <numbers>
+
 namespace candelabra {
 
 /// Whether the light falls with the square of the distance from the source, in straight lines: then
@@ -15,11 +17,16 @@ bool has_flux(const PointLight&);
 /// Its colour times this is the flux, in colour of light times area. Precondition: has_flux().
 double filled_steradians(const PointLight&);
 
-/// A cone around an axis outside of which the light has no strength.
-struct SpreadCone {
-    Vec3 axis;    ///< unit
-    double edge;  ///< cosine; -1: all directions
+/// A cone of directions.
+struct LightCone {
+    Vec3 axis;      ///< unit
+    double cosine;  ///< of its half angle; -1: all directions
+
+    double steradians() const { return 2 * std::numbers::pi * (1 - cosine); }
 };
-SpreadCone cone_around(const PointLight&);
+inline constexpr LightCone all_directions{Vec3(0, 0, 1), -1};
+
+/// A cone outside of which a light that is not parallel has no strength.
+LightCone cone_around(const PointLight&);
 
 }  // namespace candelabra

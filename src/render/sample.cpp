@@ -17,8 +17,12 @@ std::vector<Integrator> integrators_of_moments(const RenderPlan& plan, const Tra
     for (std::size_t i = 0; i < plan.shot.moments(); ++i) {
         const Shot& shot = plan.shot.moment(i);
         Tracing there = tracing;
-        if (i > 0 && plan.sent)
-            there.sent = SentLight::of(shot, plan.settings.seed, plan.settings.threads);
+        if (i > 0 && plan.sent) {
+            const int seed = plan.settings.seed, threads = plan.settings.threads;
+            // What the plan leaves to paths is left to them at all moments.
+            there.sent = plan.sent.reflected ? SentLight::of(shot, seed, threads)
+                                             : SentLight{photons_of(shot, seed, threads)};
+        }
         integrators.emplace_back(shot, there);
     }
     return integrators;

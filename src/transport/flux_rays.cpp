@@ -11,20 +11,6 @@
 
 namespace candelabra {
 
-namespace {
-
-/// A point of the source's grid, for light that leaves in a direction.
-Vec3 beginning(const PointLight& light, const Vec3& direction, const Key& key) {
-    if (!light.is_area()) return light.location;
-    const auto place = [&](int size, Purpose purpose) {
-        return std::fmin(std::floor(uniform(key, purpose) * size), size - 1);
-    };
-    return grid_point(light, place(light.size1, Purpose::bounce_u),
-                      place(light.size2, Purpose::bounce_v), -direction);
-}
-
-}  // namespace
-
 bool sends_flux(const World& world, std::uint32_t source) {
     const PointLight& light = world.lights.sources[source];
     return has_flux(light) && !light.shadowless && world.lights.reach[source].group == 0;
@@ -43,21 +29,21 @@ FluxRays::FluxRays(const World& world) : world_(world) {
 }
 
 std::optional<FluxRay> FluxRays::draw(const Key& key) const {
-    const double places = static_cast<double>(places_.total());
-    const auto place = static_cast<std::uint64_t>(uniform(key, Purpose::light_choice) * places);
-    const std::uint32_t source = places_.at(std::min(place, places_.total() - 1));
+    const std::uint32_t source = places_.at_share(uniform(key, Purpose::light_choice));
     const PointLight& light = world_.lights.sources[source];
-    const SpreadCone spread = cone_around(light);
-    const LightCone cone{spread.axis, spread.edge};
+    const LightCone cone = cone_around(light);
     const Vec3 direction =
         direction_in_cone(cone, {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)});
     FluxRay drawn{source, {}, Rgb(0)};
     PathState& path = drawn.path;
-    path.ray = {beginning(light, direction, key), direction};
+    path.ray = {light.location, direction};
+    if (light.is_area())
+        path.ray.origin = drawn_grid_point(
+            light, {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)}, -direction);
     const Handle<Composite>& window = world_.lights.reach[source].window;
     const auto any = [](std::uint32_t) { return true; };
     if (window && !window->first(path.ray, Interval{0}, any)) return std::nullopt;
-    const double chance = static_cast<double>(places_.of(source)) / places;
+    const double chance = places_.share_of(source);
     // At a unit of distance, the colour is that of the intensity.
     drawn.power =
         cone.steradians() / chance * incidence(light, path.ray.origin, path.ray.at(1)).colour;

@@ -33,11 +33,9 @@ LampRays::LampRays(const World& world) : world_(world) {
 
 std::optional<LampRay> LampRays::draw(const Key& key, double choice, double share,
                                       FunctionRef<double(const Luminaire&)> inner) const {
-    const double places = static_cast<double>(places_.total());
-    const auto place = static_cast<std::uint64_t>(choice * places);
-    const LightIndex light = places_.at(std::min(place, places_.total() - 1));
+    const LightIndex light = places_.at_share(choice);
     const Luminaire& luminaire = world_.lights.luminaires[light];
-    const double chance = static_cast<double>(places_.of(light)) / places;
+    const double chance = places_.share_of(light);
     const auto emitted = emit(luminaire, inner(luminaire),
                               {place_on_light(key),
                                {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},

@@ -57,9 +57,10 @@ LightPaths::LightPaths(const Shot& shot, int max_reflections, std::vector<SeenPl
       world_(*shot.world),
       rules_(shading_rules(world_)),
       seen_(std::move(seen)),
+      region_(LitRegion::of(shot, seen_)),
       lamp_rays_(world_),
-      source_rays_(world_.lights.sources, LitRegion::of(shot, seen_)),
-      sky_rays_(world_, LitRegion::of(shot, seen_)),
+      source_rays_(world_.lights.sources, region_),
+      sky_rays_(world_, region_),
       power_(lamp_rays_.power() + source_rays_.power() + sky_rays_.power()),
       max_reflections_(max_reflections) {
     if (!seen_.empty()) learn();
@@ -67,7 +68,7 @@ LightPaths::LightPaths(const Shot& shot, int max_reflections, std::vector<SeenPl
 
 /// Finds which starts of paths bring light to what is seen.
 void LightPaths::learn() {
-    const double near = square(close_to_seen * LitRegion::of(shot_, seen_).radius);
+    const double near = square(close_to_seen * region_.radius);
     const auto worth = [&](const Found& found, const Key& key) {
         double sum = 0;
         std::uint32_t number = 0;

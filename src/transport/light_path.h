@@ -79,6 +79,7 @@ private:
     const World& world_;
     ShadingRules rules_;
     std::vector<SeenPlace> seen_;
+    LitRegion region_;
     LampRays lamp_rays_;
     SourceRays source_rays_;
     SkyRays sky_rays_;

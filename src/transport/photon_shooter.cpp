@@ -174,14 +174,10 @@ std::optional<PhotonShot> PhotonShooter::from_source(std::uint32_t number,
     shot.light_group = world_.lights.reach[number].group;
     const PointLight& light = world_.lights.sources[number];
     Vec3 place = light.location;
-    if (light.is_area() && world_.lights.reach[number].photons_of_grid) {
-        const auto chosen = [&](double u, int size) {
-            return std::floor(u * static_cast<double>(size));
-        };
-        place = grid_point(light, chosen(uniform(key, Purpose::jitter_u), light.size1),
-                           chosen(uniform(key, Purpose::jitter_v), light.size2),
-                           unit(light.location - target.centre));
-    }
+    if (light.is_area() && world_.lights.reach[number].photons_of_grid)
+        place = drawn_grid_point(light,
+                                 {uniform(key, Purpose::jitter_u), uniform(key, Purpose::jitter_v)},
+                                 unit(light.location - target.centre));
     shot.of_source = ray_into({target.centre, target.radius}, light, place, place_on_light(key));
     if (!shot.of_source) return std::nullopt;
     shot.ray = shot.of_source->ray;

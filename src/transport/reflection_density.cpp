@@ -2,10 +2,10 @@
 #include "transport/reflection_density.h"
 
 #include "base/box.h"
-#include "base/order.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <span>
 
 namespace candelabra {
@@ -40,46 +40,21 @@ std::size_t division(std::span<const Vec3> sorted, int axis) {
 ReflectionDensity::ReflectionDensity(std::vector<Vec3> positions) {
     Box all;
     for (const Vec3& position : positions) all = join(all, position);
-    const double size = max_component(all.size());
-    divide(positions, 0, positions.size(), size > 0 ? size : 1);
-}
-
-void ReflectionDensity::divide(std::vector<Vec3>& positions, std::size_t first, std::size_t end,
-                               double greatest) {
-    Box box;
-    for (std::size_t i = first; i < end; ++i) box = join(box, positions[i]);
-    const Vec3 size = box.size();
-    int axis = 0;
-    for (int other : {1, 2})
-        if (size[other] > size[axis]) axis = other;
-    const std::size_t own = parts_.size();
-    parts_.emplace_back();
-    if (end - first < divided_from || !(size[axis] > narrowest * greatest)) {
+    const double whole = max_component(all.size());
+    const double least_width = narrowest * (whole > 0 ? whole : 1);
+    const auto density = [least_width](std::span<const Vec3> part, const Vec3& size,
+                                       int axis) -> std::optional<double> {
+        if (part.size() >= divided_from && size[axis] > least_width) return std::nullopt;
         // The area of a surface that crosses a box is about that of its greatest side.
         const double least = std::fmin(size.x, std::fmin(size.y, size.z));
-        const double longest = std::fmax(size[axis], narrowest * greatest),
-                     middle = std::fmax(size.x + size.y + size.z - size[axis] - least,
-                                        narrowest * greatest);
+        const double longest = std::fmax(size[axis], least_width),
+                     middle = std::fmax(size.x + size.y + size.z - size[axis] - least, least_width);
         // Positions lie up to half of their spacing within the surface that they stand for.
-        const double across = std::sqrt(static_cast<double>(end - first)) - 1;
-        parts_[own].density = across * across / (longest * middle);
-        return;
-    }
-    std::span<Vec3> part(positions.data() + first, end - first);
-    sort_stably(part, {}, [axis](const Vec3& each) { return each[axis]; });
-    const std::size_t middle = first + division(part, axis);
-    parts_[own].axis = static_cast<std::int8_t>(axis);
-    parts_[own].border = positions[middle][axis];
-    divide(positions, first, middle, greatest);
-    parts_[own].second = static_cast<std::uint32_t>(parts_.size());
-    divide(positions, middle, end, greatest);
-}
-
-double ReflectionDensity::at(const Vec3& position) const {
-    std::uint32_t here = 0;
-    while (parts_[here].second != 0)
-        here = position[parts_[here].axis] < parts_[here].border ? here + 1 : parts_[here].second;
-    return parts_[here].density;
+        const double across = std::sqrt(static_cast<double>(part.size())) - 1;
+        return across * across / (longest * middle);
+    };
+    space_ = HalvedSpace(
+        std::span(positions), [](const Vec3& position) { return position; }, density, division);
 }
 
 }  // namespace candelabra

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/seen_share.h"
 
-#include "base/box.h"
-#include "base/order.h"
-
-#include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace candelabra {
 
@@ -28,41 +26,23 @@ std::size_t side_of(const Vec3& normal) {
 SeenShare::SeenShare(std::span<const Trial> trials) {
     std::array<std::vector<Trial>, 6> of_side;
     for (const Trial& trial : trials) of_side[side_of(trial.normal)].push_back(trial);
-    for (std::size_t side = 0; side < of_side.size(); ++side)
-        if (!of_side[side].empty()) divide(parts_[side], of_side[side]);
-}
-
-void SeenShare::divide(Parts& parts, std::span<Trial> trials) {
-    Box box;
-    for (const Trial& trial : trials) box = join(box, trial.position);
-    const Vec3 size = box.size();
-    int axis = 0;
-    for (const int other : {1, 2})
-        if (size[other] > size[axis]) axis = other;
-    const std::size_t own = parts.size();
-    parts.emplace_back();
-    if (trials.size() < smallest_divided || !(size[axis] > 0)) {
+    const auto share = [](std::span<const Trial> part, const Vec3& size,
+                          int axis) -> std::optional<double> {
+        if (part.size() >= smallest_divided && size[axis] > 0) return std::nullopt;
         double seen = seen_before;
-        for (const Trial& trial : trials) seen += trial.seen;
-        parts[own].share = seen / (static_cast<double>(trials.size()) + seen_before);
-        return;
-    }
-    sort_stably(trials, {}, [axis](const Trial& each) { return each.position[axis]; });
-    const std::size_t middle = trials.size() / 2;
-    parts[own].axis = static_cast<std::int8_t>(axis);
-    parts[own].border = trials[middle].position[axis];
-    divide(parts, trials.first(middle));
-    parts[own].second = static_cast<std::uint32_t>(parts.size());
-    divide(parts, trials.subspan(middle));
+        for (const Trial& trial : part) seen += trial.seen;
+        return seen / (static_cast<double>(part.size()) + seen_before);
+    };
+    const auto middle = [](std::span<const Trial> sorted, int) { return sorted.size() / 2; };
+    for (std::size_t side = 0; side < of_side.size(); ++side)
+        sides_[side] = HalvedSpace(
+            std::span(of_side[side]), [](const Trial& trial) { return trial.position; }, share,
+            middle);
 }
 
 double SeenShare::at(const Vec3& position, const Vec3& normal) const {
-    const Parts& parts = parts_[side_of(normal)];
-    if (parts.empty()) return 1;
-    std::uint32_t here = 0;
-    while (parts[here].second != 0)
-        here = position[parts[here].axis] < parts[here].border ? here + 1 : parts[here].second;
-    return parts[here].share;
+    const HalvedSpace& side = sides_[side_of(normal)];
+    return side.empty() ? 1 : side.at(position);
 }
 
 }  // namespace candelabra

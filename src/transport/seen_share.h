@@ -3,6 +3,7 @@
 // places from which it is visible. Light that stays outside of a room must not be chosen in it.
 #pragma once
 
+#include "base/halved_space.h"
 #include "base/vector.h"
 
 #include <array>
@@ -28,18 +29,8 @@ public:
     double at(const Vec3& position, const Vec3& normal) const;
 
 private:
-    struct Part {
-        double border = 0;         ///< between its halves
-        std::uint32_t second = 0;  ///< the upper half, which the lower one precedes; 0: undivided
-        std::int8_t axis = 0;
-        double share = 1;
-    };
-    using Parts = std::vector<Part>;
-
-    static void divide(Parts&, std::span<Trial>);
-
-    /// For normals that lie nearest to each direction along an axis; depth first.
-    std::array<Parts, 6> parts_;
+    /// For normals that lie nearest to each direction along an axis.
+    std::array<HalvedSpace, 6> sides_;
 };
 
 }  // namespace candelabra

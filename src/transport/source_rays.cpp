@@ -45,18 +45,14 @@ bool meets_ball(const Ray& ray, const TargetBall& ball) {
 LightCone cone_to(const Vec3& from, const TargetBall& ball) {
     const Vec3 offset = ball.centre - from;
     const double away2 = dot(offset, offset), radius2 = ball.radius * ball.radius;
-    if (away2 <= radius2) return {Vec3(0, 0, 1), -1};
+    if (away2 <= radius2) return all_directions;
     return {offset / std::sqrt(away2), std::sqrt(1 - radius2 / away2)};
 }
 
-/// The directions in which a source may send light that is not parallel.
+/// The directions in which a source may send light that is not parallel; all of them if it has a
+/// web, whose cone would have to be found for each ray.
 LightCone own_cone(const PointLight& light) {
-    if (light.kept_to() != cone) return {Vec3(0, 0, 1), -1};
-    // A radius beyond the falloff counts, and one of a right angle has no falloff.
-    const double bright = std::abs(light.radius.value_or(30)),
-                 dark = std::abs(light.falloff.value_or(45)),
-                 edge = bright >= 90 ? 90 : std::min(std::fmax(bright, dark), 90.0);
-    return {axis_of(light), math::cos(edge * radians_per_degree)};
+    return light.web ? all_directions : cone_around(light);
 }
 
 /// Radius of the light of a cylinder; nothing if the source has none.
@@ -164,8 +160,6 @@ double power_into(const LitRegion& region, const PointLight& light, std::size_t 
 
 }  // namespace
 
-double LightCone::steradians() const { return 2 * pi * (1 - cosine); }
-
 Vec3 direction_in_cone(const LightCone& cone, const Vec2& u) {
     return unit(turned_from(cone.axis, 1 - u.x * (1 - cone.cosine), 2 * pi * u.y));
 }
@@ -193,13 +187,11 @@ SourceRays::SourceRays(std::span<const PointLight> sources, const LitRegion& reg
 }
 
 SourceRays::Drawn SourceRays::draw(double choice, const Vec2& u) const {
-    const double places = static_cast<double>(places_.total());
-    const auto place = static_cast<std::uint64_t>(choice * places);
-    const std::uint32_t number = places_.at(std::min(place, places_.total() - 1));
+    const std::uint32_t number = places_.at_share(choice);
     const StartGuide::Drawn start =
         guides_.empty() ? StartGuide::Drawn{u, 1} : guides_[number].draw(u);
     Drawn drawn{number, ray_anywhere(region_, sources_[number], start.place)};
-    drawn.ray.extent *= start.factor * places / static_cast<double>(places_.of(number));
+    drawn.ray.extent *= start.factor / places_.share_of(number);
     return drawn;
 }
 

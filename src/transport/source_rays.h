@@ -8,6 +8,7 @@
 #include "base/ray.h"
 #include "base/weighted_places.h"
 #include "light/light.h"
+#include "light/spreading.h"
 #include "transport/lit_region.h"
 #include "transport/start_guide.h"
 
@@ -17,14 +18,6 @@
 #include <vector>
 
 namespace candelabra {
-
-/// A cone, given by its axis.
-struct LightCone {
-    Vec3 axis;
-    double cosine;  ///< of its half angle
-
-    double steradians() const;
-};
 
 /// Samples a unit direction in a cone, uniformly per steradian.
 Vec3 direction_in_cone(const LightCone&, const Vec2& u);

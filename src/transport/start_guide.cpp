@@ -31,8 +31,7 @@ StartGuide::StartGuide(const StartTrials& trials) {
 StartGuide::Drawn StartGuide::draw(const Vec2& u) const {
     if (cells_.size() == 0) return {u, 1};
     const double total = static_cast<double>(cells_.total()), place = u.x * total;
-    const std::uint32_t cell =
-        cells_.at(std::min(static_cast<std::uint64_t>(place), cells_.total() - 1));
+    const std::uint32_t cell = cells_.at_share(u.x);
     const double of_cell = static_cast<double>(cells_.of(cell));
     const double inside =
         std::clamp((place - static_cast<double>(cells_.before(cell))) / of_cell, 0.0, below_one);

@@ -226,8 +226,6 @@ private:
     /// Light of a source at a point inside. The path from the source is straight, but as long
     /// inside as the refracted one. As in POV-Ray, the light per area of the surface counts.
     Rgb light_from(std::uint32_t light, const Vec3& point, const Rgb& throughput, const Key& key) {
-        if (!world_.reaches(world_.lights.reach[light].group, *layer_.vertex.material))
-            return Rgb(0);
         const PointLight& source = world_.lights.sources[light];
         const Vec3 direction = incidence(source, source.location, point).direction;
         double from = layer_.vertex.tolerance();

@@ -57,6 +57,20 @@ LightBalance balance(const std::string& script, BalanceSettings settings = {}) {
     return balance_of_light(remembered(script), settings);
 }
 
+struct BalanceAndMeter {
+    LightBalance balance;  ///< within a thousandth
+    MeterReading meter;    ///< the first one of the script
+};
+BalanceAndMeter balance_and_meter(const std::string& script, int samples_of_meter) {
+    const Shot shot = remembered(script);
+    BalanceSettings settings;
+    settings.error = 0.001;
+    MeasureSettings samples;
+    samples.samples = samples_of_meter;
+    const Scene scene = scene_of(in_metres + script);
+    return {balance_of_light(shot, settings), measure(shot, scene.meters, samples).at(0)};
+}
+
 MeterValue lumens(const MeterValue& value) {
     const LightUnits units{1, 1};
     return {units.lumens(value.value), units.lumens(value.error)};
@@ -287,14 +301,7 @@ TEST_CASE("a floor absorbs what its meter receives", "[render]") {
         "box { <-2, -0.1, -2>, <2, 0, 2> } box { <1, 0, -1>, <1.1, 1.5, 1> finish { diffuse "
         "0.7 } } meter { corner <-2, 0.001, -2> along 4*x across 4*z counts <40, 40> } "
         "global_settings { integrator { path_traced } }";
-    const Shot shot = remembered(script);
-    BalanceSettings settings;
-    settings.error = 0.001;
-    const LightBalance found = balance_of_light(shot, settings);
-    MeasureSettings samples;
-    samples.samples = 256;
-    const Scene scene = scene_of(in_metres + script);
-    const MeterReading reading = measure(shot, scene.meters, samples).at(0);
+    const auto [found, reading] = balance_and_meter(script, 256);
     // A column of points is inside of the other box, and left out of the mean.
     CHECK(reading.left_out.size() == 20);
     const double lumens_through = 16 * (1 - 20.0 / 1600) * reading.summary.mean.value;
@@ -352,6 +359,10 @@ TEST_CASE("light sources send the flux that they state", "[render]") {
          "} }",
          500,
          {0, 0, 50, 0, 50, 0, 0}},
+        {"light_source { 2*y, 1 flux lumen(650) ies "
+         "\"tests/photometry/files/c-axial-2002.ies\" } plane { y, 0 }",
+         650,
+         {100, 0, 0, 0, 0, 0, 0}},
         {"light_source { 2*y, 1 flux lumen(600) projected_through { box { <-9, 2.1, -9>, <9, 2.2, "
          "9> } } }",
          297,  // the window's edges are seen at a height of 0.1 over 9
@@ -381,18 +392,11 @@ TEST_CASE("a floor absorbs the light of sources that its meter receives", "[rend
         "point_at 0 } light_source { <-1, 2, 1>, 1 flux lumen(500) } box { <-2, -0.1, -2>, <2, 0, "
         "2> } sphere { <0.5, 1, 0>, 0.3 } meter { corner <-2, 0.001, -2> along 4*x across 4*z "
         "counts <80, 80> } ";
-    const Shot shot = remembered(script);
-    BalanceSettings settings;
-    settings.error = 0.001;
-    const LightBalance found = balance_of_light(shot, settings);
-    MeasureSettings samples;
-    samples.samples = 16;
-    const Scene scene = scene_of(in_metres + script);
-    const double lux = measure(shot, scene.meters, samples).at(0).summary.mean.value;
+    const auto [found, reading] = balance_and_meter(script, 16);
     double absorbed = 0;
     for (const ObjectBalance& each : found.objects)
         absorbed = std::max(absorbed, each.absorbed.value);
-    CHECK(pi * absorbed == Approx(16 * lux).epsilon(0.01));
+    CHECK(pi * absorbed == Approx(16 * reading.summary.mean.value).epsilon(0.01));
 }
 
 TEST_CASE("a scene without lamps that have a flux has an empty balance", "[render]") {
