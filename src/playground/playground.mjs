@@ -294,6 +294,13 @@ for (const kind of ["dragenter", "dragover", "dragleave", "drop"])
     if (kind === "drop") open(event.dataTransfer.files);
   });
 
+// Files of an address lie beside its scene or in folders there: the library of the page is not theirs to replace.
+function filesBeside(files) {
+  for (const path of Object.keys(files))
+    if (path.startsWith("/") || path.split("/").includes("..")) throw new RangeError(path + " is not beside the scene");
+  return contents(files);
+}
+
 async function beginWithAddress() {
   const words = asked(), code = words.get("scene"), size = words.get("size"), name = words.get("example");
   if (/^\d{1,4}x\d{1,4}$/.test(size ?? "")) {
@@ -306,9 +313,10 @@ async function beginWithAddress() {
     return begin(chosen);
   }
   try {
-    const beside = words.has("files") ? contents(JSON.parse(await unpacked(words.get("files")))) : {};
+    const text = await unpacked(code);
+    const beside = words.has("files") ? filesBeside(JSON.parse(await unpacked(words.get("files")))) : {};
     for (const [path, content] of Object.entries(beside)) addFile(path, content);
-    showOwn(await unpacked(code));
+    showOwn(text);
     later(0);
   } catch {
     toast("The scene in this address is damaged");

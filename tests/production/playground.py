@@ -259,6 +259,11 @@ def shares(page, program, folder):
     words = browser.run("Object.fromEntries(new URLSearchParams(location.hash.slice(1)))")
     page.open(**words, size="96x72", samples="1")
     check("and an address of the page holds them", page.text_of("#file-list").endswith(": lamps.csv"))
+    library = ("../library/colors.inc", "#declare Red = rgb y;")
+    page.open(**words_of_book('#include "../library/colors.inc"\n' + scene, [library]), size="96x72", samples="1")
+    check("an address replaces nothing of the library",
+          "light_arrays.inc" in browser.run("document.getElementById('text').value") and
+          "library" not in page.text_of("#file-list"))
     page.open(scene="broken!", size="96x72", samples="1")
     check("a broken address gives an example", "light_arrays.inc" in browser.run("document.getElementById('text').value"))
 
