@@ -53,7 +53,7 @@ void choices() {
             std::vector<Luminaire> luminaires(static_cast<std::size_t>(count));
             for (Luminaire& luminaire : luminaires) {
                 luminaire.emitter = SphereEmitter{draw.point(100), 0.05};
-                luminaire.radiance = Vec3(1);
+                luminaire.radiance = Rgb(1);
                 luminaire.primitive = 0;
             }
             const Box surface{Vec3(-100), Vec3(100)};
@@ -117,7 +117,7 @@ void contributors() {
                 const auto to = sample(luminaire, seen.point, {0.4, 0.6});
                 if (!to || !(dot(to->direction, seen.point.normal) > 0)) continue;
                 const Ray ray{seen.point.position, to->direction};
-                if (shot.world->transmittance(ray, seen.tolerance, to->distance) != Vec3(0))
+                if (shot.world->transmittance(ray, seen.tolerance, to->distance) != Rgb(0))
                     given.push_back(unoccluded(luminaire, seen.point));
             }
             std::ranges::sort(given, std::greater<>{});
@@ -199,7 +199,7 @@ void split() {
                                    : 0;
             const bool clear =
                 here > 0 && shot.world->transmittance({seen.point.position, to->direction},
-                                                      seen.tolerance, to->distance) != Vec3(0);
+                                                      seen.tolerance, to->distance) != Rgb(0);
             by_choice += whole, by_choice2 += whole * whole;
             open += here, open2 += here * here;
             lit += clear ? here : 0, lit2 += clear ? here * here : 0;

@@ -288,7 +288,7 @@ void million() {
     std::vector<Luminaire> luminaires(1000000);
     for (Luminaire& luminaire : luminaires) {
         luminaire.emitter = SphereEmitter{draw.point(100), 0.01 + 0.05 * draw.number()};
-        luminaire.radiance = Vec3(1 + draw.number());
+        luminaire.radiance = Rgb(1 + draw.number());
         luminaire.primitive = 0;
     }
     const std::vector<Box> surfaces = {{Vec3(-100), Vec3(100)}};
