@@ -52,8 +52,8 @@ void compare(const std::string& title, const std::string& file, const Declares& 
 void flake() {
     compare("flake pair", "examples/paper/fig6.pov", {}, usual(), 320);
     for (const Strategy& strategy :
-         {Strategy{"light_bvh", LightBvh{}, 10}, Strategy{"light_octree", octree(), 10},
-          Strategy{"light_octree, as pays", octree(), 4, 0},
+         {Strategy{"constant_alpha", ConstantAlpha{}, 10}, Strategy{"light_bvh", LightBvh{}, 10},
+          Strategy{"light_octree", octree(), 10}, Strategy{"light_octree, as pays", octree(), 4, 0},
           Strategy{"light_octree { alone }", alone(), 10}}) {
         const auto seconds = [&](const Declares& declares) {
             return measure(shot_of_file("examples/paper/fig6.pov", declares, strategy.sampler),
