@@ -53,7 +53,7 @@ void complete(RunStatistics& run, const Shot& shot, const RenderSettings& settin
               const SourceStore& sources) {
     const World& world = *shot.world;
     run.objects = world.provenance.object_count;
-    run.primitives = world.appearance.material_of.size();
+    run.primitives = world.geometry.primitive_count();
     run.luminaires = world.lights.luminaires.size();
     run.light_sources = world.lights.sources.size();
     run.index = Kinds<RayIndex>::infos[world.rules.settings.index.index()]->name;

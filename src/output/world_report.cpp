@@ -37,6 +37,14 @@ std::string luminaire_text(const World& world) {
                    "), greatest radiance ", greatest);
 }
 
+/// Empty if there are no instances.
+std::string instance_text(const Geometry& geometry) {
+    if (geometry.instances.empty()) return {};
+    return message("instances: ", geometry.instances.size(), " of ", geometry.prototypes.size(),
+                   geometry.prototypes.size() == 1 ? " union, " : " unions, ",
+                   geometry.primitive_count() - geometry.instanced_begin(), " primitives in all\n");
+}
+
 }  // namespace
 
 std::string report(const World& world) {
@@ -47,7 +55,7 @@ std::string report(const World& world) {
         "primitives: ", world.geometry.spheres.size(), " spheres, ",
         world.geometry.triangles.size(), " triangles, ", world.geometry.shapes.size(),
         " other shapes, ", world.geometry.composites.size(), " composites; ",
-        world.geometry.infinite.all.size(), " infinite\n",
+        world.geometry.infinite.all.size(), " infinite\n", instance_text(world.geometry),
         "materials: ", world.appearance.materials.size(), "\n",
         "luminaires: ", luminaire_text(world), "\n", "light sampler: ", sampler_text(world), "\n",
         "light sources: ", world.lights.sources.size(), "\n",

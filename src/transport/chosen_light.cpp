@@ -283,9 +283,7 @@ ChosenLight::Walked ChosenLight::walk_along(const ShadowRay& ray, const Asked& a
         ray.ray(), asked.at.layer.vertex.tolerance(), RayKind::light,
         [&](const Hit& hit, double distance) {
             const bool first = std::exchange(unobstructed, false);
-            const LightIndex light = !counted || world_.lights.luminaire_of.empty()
-                                         ? no_primitive
-                                         : world_.lights.luminaire_of[hit.primitive];
+            const LightIndex light = counted ? world_.luminaire_of(hit.primitive) : no_primitive;
             // The walk is one ray, whatever it meets.
             if (light != no_primitive)
                 on_ray_.push_back({light, distance, 0, hit, first, on_ray_.empty() ? 1U : 0U});

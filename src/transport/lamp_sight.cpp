@@ -21,7 +21,7 @@ std::optional<LightDirection> sight_of_lamp(const World& world, LightIndex lamp,
     constexpr double same_point = 1e-6;
     bool seen = false;
     world.along({from, drawn->direction}, 0, RayKind::camera, [&](const Hit& hit, double met) {
-        if (world.lights.luminaire_of[hit.primitive] == lamp) {
+        if (world.luminaire_of(hit.primitive) == lamp) {
             seen = !distance || std::abs(met - *distance) <= same_point * *distance + hit.tolerance;
             if (seen) return false;
         }

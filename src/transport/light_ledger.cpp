@@ -52,7 +52,7 @@ LightLedger empty_ledger(const World& world, bool counted, bool parts) {
 void record_seen(LightLedger& ledger, const World& world, PrimitiveIndex primitive,
                  const Rgb& light) {
     if (!ledger.provenance || world.lights.luminaires.empty() || primitive == no_primitive) return;
-    const LightIndex luminaire = world.lights.luminaire_of[primitive];
+    const LightIndex luminaire = world.luminaire_of(primitive);
     if (luminaire != no_primitive) ledger.add_visible(Lamp::luminaire(luminaire), light);
 }
 

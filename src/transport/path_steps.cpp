@@ -61,7 +61,7 @@ void record_glow(LightLedger& ledger, const PathState& path, const Rgb& light) {
 
 bool shows_emission(const World& world, const PathState& path, PrimitiveIndex primitive) {
     return !path.taken.lamps() || world.lights.luminaires.empty() ||
-           world.lights.luminaire_of[primitive] == no_primitive;
+           world.luminaire_of(primitive) == no_primitive;
 }
 
 double shown_emission(const World& world, const PathState& path, PrimitiveIndex primitive) {

@@ -237,7 +237,7 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
         double met = 0;
         const Ray ray{entry.position, direction};
         world_.along(ray, 0, RayKind::light, [&](const Hit& hit, double) {
-            if (world_.lights.luminaire_of[hit.primitive] != pick.light) return true;
+            if (world_.luminaire_of(hit.primitive) != pick.light) return true;
             ++met;
             const Key own = key.with_branch(static_cast<std::uint32_t>(met));
             if (uniform(own, Purpose::roulette) * met < 1) {

@@ -8,9 +8,7 @@ std::optional<ProbeHit> first_sight(const World& world, const Ray& ray, double t
     if (!world.first_hit(ray, tolerance, RayKind::light, hit)) return {};
     ProbeHit result{
         dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
-    const LightIndex light = world.lights.luminaire_of.empty()
-                                 ? no_primitive
-                                 : world.lights.luminaire_of[hit.primitive];
+    const LightIndex light = world.luminaire_of(hit.primitive);
     if (light != no_primitive) {
         const Luminaire& luminaire = world.lights.luminaires[light];
         result.light = light;

@@ -9,6 +9,7 @@
 #include "shape/transformed.h"
 #include "surface/quality.h"
 #include "world/flatten.h"
+#include "world/prototype.h"
 #include "world/radiance.h"
 #include "world/shutter.h"
 #include "world/volumes.h"
@@ -22,6 +23,7 @@ namespace candelabra {
 namespace {
 
 Box part_in_tree(const Geometry& geometry, std::uint32_t item, const Box& cell) {
+    if (geometry.instance(item)) return clip(geometry.bounds(item), cell);
     return geometry.visit(
         item,
         [&](const SpherePrimitive& s) {
@@ -38,6 +40,8 @@ Box part_in_tree(const Geometry& geometry, std::uint32_t item, const Box& cell) 
 }
 
 void build_index(Geometry& geometry, const RayIndex& index, int threads) {
+    for (const auto& prototype : geometry.prototypes)
+        build_index(prototype->geometry, index, threads);
     geometry.tree = build_tree(
         geometry.item_count(), [&](std::uint32_t item) { return geometry.finite_bounds(item); },
         [&](std::uint32_t item, const Box& cell) { return part_in_tree(geometry, item, cell); },
@@ -120,7 +124,8 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     world.facts = facts_of(world);  // flatten() asks about the settings
     for (Media& media : world.sky.media)
         media.scattering.physical = media.scattering.multiple && world.facts.keeps_energy;
-    flatten(scene, world, diagnostics, {what, options.remembers_objects, options.follows_lamps});
+    flatten(scene, world, diagnostics,
+            {what, options.remembers_objects, options.follows_lamps, options.instances});
     simplify_lights(world);
     world.facts = facts_of(world);
     find_openings(world);

@@ -6,6 +6,7 @@
 
 #include "text/diagnostic.h"
 #include "text/source.h"
+#include "world/instance_plan.h"
 #include "world/world.h"
 
 #include <functional>
@@ -20,6 +21,7 @@ struct CompileOptions {
     int quality = 9;                            ///< see RenderSettings
     bool remembers_objects = false;             ///< whether to fill Provenance::object_of
     bool follows_lamps = false;  ///< keeps luminaires also if no surface shows their light
+    InstanceLimits instances = {};  ///< which unions are stored once; tests share smaller ones
 };
 
 /// Source of the later scenes of a camera whose shutter stays open.

@@ -210,7 +210,7 @@ std::size_t glows_without_light(const World& world) {
         glows.push_back(greatest_emission(material) != Rgb(0));
     std::size_t count = 0;
     for (std::size_t i = 0; i < world.appearance.material_of.size(); ++i)
-        if (world.lights.luminaire_of.empty() || world.lights.luminaire_of[i] == no_primitive)
+        if (world.luminaire_of(static_cast<PrimitiveIndex>(i)) == no_primitive)
             count += glows[world.appearance.material_of[i]] ? 1 : 0;
     return count;
 }

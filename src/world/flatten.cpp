@@ -11,11 +11,16 @@
 #include "world/light_groups.h"
 #include "world/materials.h"
 #include "world/mesh_copies.h"
+#include "world/primitive_lists.h"
+#include "world/prototype.h"
 #include "world/provenance.h"
 #include "world/stated_lamps.h"
 #include "world/volumes.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -45,13 +50,13 @@ bool has_face_looks(const Object& object) {
 /// Whether components of a blob have textures of their own.
 bool has_component_looks(const Object& object) { return has_looks_of<Blob>(object); }
 
-class Flattener {
+class Flattener : private PrimitiveLists {
 public:
     Flattener(const Scene& scene, World& world, Diagnostics& diagnostics,
               const FlattenOptions& options)
         : world_(world),
           geometry_(world.geometry),
-          diagnostics_(diagnostics),
+          diagnostics_(&diagnostics),
           objects_(world.provenance, options.remembers_objects),
           statements_(world.provenance),
           all_(options.what == Flatten::everything),
@@ -59,7 +64,9 @@ public:
           only_lights_count_(!all_ && !scene.lights.empty() &&
                              !world.rules.settings.ambient_luminaires),
           materials_(world),
-          shapes_(world.rules.settings.index) {}
+          shapes_(world.rules.settings.index) {
+        if (!options.remembers_objects) plan_.emplace(scene, options.instances);
+    }
 
     /// First pass. Primitives are numbered by kind (spheres, triangles, shapes), so each kind is
     /// kept separately until all are known. `whole`: the object is taken apart, but rays see it as
@@ -87,7 +94,8 @@ public:
         if (const Union* group = std::get_if<Union>(&object.form)) {
             enter_group(*group, here);
             if (whole) here.heeded = heeded_in(group->csg);
-            for (const ObjectHandle& child : group->children) add(*child, here);
+            for (const ObjectHandle& child : group->children)
+                if (!add_instance(*child, here)) add(*child, here);
             return;
         }
         TextureList components;
@@ -127,7 +135,7 @@ public:
     /// Adds a top-level object of the scene.
     void add_statement(const Object& object) {
         statements_.begin(object.span);
-        add(object, {});
+        if (!add_instance(object, {})) add(object, {});
     }
 
     /// Adds a light source of the scene, or of a group, already in its place.
@@ -149,39 +157,90 @@ public:
     }
 
     void finish() {
-        auto& all = world_.appearance.material_of;
-        all = std::move(sphere_materials_);
-        for (const auto* more : {&triangle_materials_, &shape_materials_, &leaf_materials_})
-            all.insert(all.end(), more->begin(), more->end());
-        if (!geometry_.normals.empty())
-            geometry_.normals_of.resize(geometry_.triangles.size(), no_primitive);
+        world_.appearance.material_of = materials_in_order(geometry_);
         objects_.finish();
         const PrimitiveIndex shapes = geometry_.shapes_begin(), leaves = geometry_.leaves_begin();
         for (std::uint32_t& item : geometry_.infinite.all) item += shapes;
         for (std::uint32_t i = 0; i < geometry_.composites.size(); ++i) {
-            PlacedComposite& placed = geometry_.composites[i];
-            placed.first_leaf += leaves;
+            const PlacedComposite& placed = geometry_.composites[i];
             if (!placed.composite->bounds().empty() && !finite(placed.composite->bounds()))
                 geometry_.infinite.all.push_back(leaves + i);
         }
         for (Parted& each : parted_)
             world_.appearance.part_textures[geometry_.primitive(each.kind, each.index)] =
                 std::move(each.textures);
-        if (all_) lamps_.settle(world_, diagnostics_);
-        if (!all_ || keeps_lamps_ || receives_light(world_)) {
-            add_luminaires(world_, glowing_, all_, diagnostics_);
-            add_volumes(world_, filled_, all_, diagnostics_);
+        PrimitiveIndex next = geometry_.instanced_begin();
+        for (Instance& placed : geometry_.instances) {
+            placed.first = next;
+            next += static_cast<PrimitiveIndex>(geometry_.prototype_of(placed).primitive_count());
         }
-        if (all_) place_photon_targets(world_, diagnostics_);
+        if (all_) lamps_.settle(world_, *diagnostics_);
+        if (!all_ || keeps_lamps_ || receives_light(world_)) {
+            add_luminaires(world_, glowing_, all_, *diagnostics_);
+            add_volumes(world_, filled_, all_, *diagnostics_);
+        }
+        if (all_) place_photon_targets(world_, *diagnostics_);
     }
 
 private:
-    /// A surface whose parts have textures of their own.
-    struct Parted {
-        PrimitiveKind kind;
-        std::uint32_t index;
-        TextureList textures;
-    };
+    using PrototypeKey = std::pair<const Object*, const Texture*>;
+    static constexpr std::uint32_t no_prototype = ~std::uint32_t{0};
+    /// Number of primitives of all instances; more could not be numbered.
+    static constexpr std::uint64_t max_instanced = std::uint64_t{1} << 31;
+
+    /// Places the object as an instance. Returns false, and adds nothing, if it is not shared.
+    bool add_instance(const Object& object, const Inherited& outer) {
+        if (!plan_ || !plan_->shares(object) || !InstancePlan::is_bare(outer)) return false;
+        const PrototypeKey key{&object, outer.texture ? outer.texture->get() : nullptr};
+        const auto [found, added] = prototypes_.try_emplace(key, no_prototype);
+        if (added) found->second = prototype_number(object, outer);
+        if (found->second == no_prototype) return false;
+        const Prototype& prototype = *geometry_.prototypes[found->second];
+        if (instanced_ + prototype.primitive_count() > max_instanced) return false;
+        instanced_ += prototype.primitive_count();
+        world_.provenance.object_count += prototype.object_count;
+        geometry_.instances.push_back(
+            {outer.transform ? outer.transform : unmoved_, found->second});
+        return true;
+    }
+
+    /// Makes a prototype of an object. Returns its number; no_prototype if it does not look alike
+    /// everywhere.
+    std::uint32_t prototype_number(const Object& object, const Inherited& outer) {
+        auto made = std::make_shared<Prototype>();
+        Diagnostics said;
+        PrimitiveLists lists;
+        std::optional<InstancePlan> plan;
+        const std::size_t objects = std::exchange(world_.provenance.object_count, 0);
+        Diagnostics* const around = std::exchange(diagnostics_, &said);
+        const auto swap_all = [&] {
+            std::swap(geometry_, made->geometry);
+            std::swap(static_cast<PrimitiveLists&>(*this), lists);
+            std::swap(plan_, plan);
+        };
+        swap_all();
+        Inherited here = outer;
+        here.transform = nullptr;
+        add(object, here);
+        swap_all();
+        diagnostics_ = around;
+        made->object_count = std::exchange(world_.provenance.object_count, objects);
+        made->material_of = lists.materials_in_order(made->geometry);
+        for (std::uint32_t item = 0; item < made->geometry.item_count(); ++item)
+            made->box = join(made->box, made->geometry.bounds(item));
+        const bool apart = !lists.filled_.empty() || !lists.parted_.empty() ||
+                           !lists.glowing_.empty() || !made->geometry.infinite.all.empty() ||
+                           !(made->box.empty() || finite(made->box));
+        if (apart || !std::ranges::all_of(made->material_of, [&](std::uint32_t number) {
+                const Material& material = world_.appearance.materials[number];
+                made->blocks_light &= material.stops_light();
+                return InstancePlan::is_alike(material);
+            }))
+            return no_prototype;
+        for (const Diagnostic& each : said.all()) diagnostics_->add(each);
+        geometry_.prototypes.push_back(std::move(made));
+        return static_cast<std::uint32_t>(geometry_.prototypes.size() - 1);
+    }
 
     Inherited inherit(const Object& object, const Inherited& outer) {
         Inherited here = outer;
@@ -427,7 +486,7 @@ private:
         if (bounded) return note_luminaire(kind, index, material, span);
         note_volume(kind, index, material, span);
         if (!materials_.glows(material)) return;
-        diagnostics_.add(
+        diagnostics_->add(
             warning(Fault::degenerate, span, "an unbounded luminaire glows, but lights nothing")
                 .with_help("make it a large `box` or `disc`, which can be sampled"));
     }
@@ -446,7 +505,7 @@ private:
             filled_.push_back(
                 {kind, static_cast<std::uint32_t>(index), span, statements_.number()});
         if ((hollow && solid) || std::exchange(idle_volume_said_, true)) return;
-        diagnostics_.add(
+        diagnostics_->add(
             solid ? warning(Fault::no_effect, span,
                             "the media in this object have no effect: it is not hollow")
                         .with_help("sphere { 0, 1 hollow pigment { rgbt 1 } interior { ... } }")
@@ -466,18 +525,15 @@ private:
 
     World& world_;
     Geometry& geometry_;
-    Diagnostics& diagnostics_;
-    std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_,
-        leaf_materials_;
-    std::vector<Span> leaf_spans_;
-    std::vector<std::uint32_t> leaf_lamps_;
+    Diagnostics* diagnostics_;
+    std::optional<InstancePlan> plan_;  ///< none: everything is taken apart
+    std::map<PrototypeKey, std::uint32_t> prototypes_;
+    std::uint64_t instanced_ = 0;  ///< primitives of the instances so far
+    Handle<Transform> unmoved_ = make_handle<Transform>();
     StatedLamps lamps_;
     std::uint32_t lamp_ = 0;                 ///< of the next primitives, in lamps_; 0: none
     Closure closure_ = Closure::none;        ///< the mesh whose faces they are
-    std::vector<GlowingPrimitive> glowing_;  ///< surfaces
-    std::vector<GlowingPrimitive> filled_;   ///< with media that light the scene
     bool idle_volume_said_ = false;
-    std::vector<Parted> parted_;
     MeshCopies copies_;
     ObjectMemory objects_;
     LightStatements statements_;

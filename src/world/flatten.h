@@ -4,6 +4,7 @@
 #pragma once
 
 #include "text/diagnostic.h"
+#include "world/instance_plan.h"
 #include "world/world.h"
 
 namespace candelabra {
@@ -17,6 +18,7 @@ struct FlattenOptions {
     Flatten what = Flatten::everything;
     bool remembers_objects = false;  ///< whether to fill Provenance::object_of
     bool follows_lamps = false;      ///< keeps luminaires also if no surface shows their light
+    InstanceLimits instances = {};   ///< unions that are stored once; not if objects are remembered
 };
 
 /// Fills the world's primitives, materials and luminaires.

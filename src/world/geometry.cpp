@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/geometry.h"
 
+#include "world/prototype.h"
+
 #include <algorithm>
 
 namespace candelabra {
@@ -19,7 +21,18 @@ PrimitiveIndex Geometry::primitive(PrimitiveKind kind, std::uint32_t index) cons
     return leaves_begin() + index;
 }
 
+std::size_t Geometry::primitive_count() const {
+    if (instances.empty()) return instanced_begin();
+    return instances.back().first + prototype_of(instances.back()).primitive_count();
+}
+
+const Instance& Geometry::instance_of(PrimitiveIndex primitive) const {
+    return *(std::ranges::upper_bound(instances, primitive, {}, &Instance::first) - 1);
+}
+
 Box Geometry::bounds(std::uint32_t item) const {
+    if (const Instance* placed = instance(item))
+        return placed->place->box(prototype_of(*placed).box);
     return visit(
         item,
         [](const SpherePrimitive& s) {
@@ -48,6 +61,7 @@ Box Geometry::noticed_in(std::uint32_t item) const {
     if (const PlacedComposite* placed = composite(item))
         return clip(placed->composite->inside_bounds(), placed->around);
     const Box own = bounds(item);
+    if (instance(item)) return own;
     return finite(own) ? own : inside_bounds(item);
 }
 

@@ -2,10 +2,10 @@
 // The surfaces of a world, and their numbers.
 //
 // Primitives are the surfaces that rays meet. They are numbered by kind: all spheres, all
-// triangles, all other shapes, and all leaves of composites. Items are the elements of the tree,
-// against which rays are tested: spheres, triangles and shapes with the same numbers, followed by
-// the composites. A number from leaves_begin() on is that of a leaf or of a composite; each
-// function below says which of the two it takes.
+// triangles, all other shapes, all leaves of composites, and those of instances. Items are the
+// elements of the tree, against which rays are tested: spheres, triangles and shapes with the same
+// numbers, followed by the composites and the instances. A number from leaves_begin() on is that of
+// a primitive or of an item; each function below says which of the two it takes.
 #pragma once
 
 #include "index/wide_tree.h"
@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace candelabra {
@@ -66,6 +67,17 @@ struct PlacedComposite {
     Box around;                ///< see bounds_of_inside
 };
 
+struct Prototype;
+
+/// A set of surfaces in a place. Others have the same surfaces in other places: these are stored
+/// once, as a Prototype. Its primitives have consecutive numbers, in the order of the prototype's.
+struct Instance {
+    Handle<Transform> place;  ///< never null
+    std::uint32_t prototype = 0;
+    PrimitiveIndex first = 0;           ///< of its primitives
+    std::uint32_t first_luminaire = 0;  ///< of its luminaires, if it has any
+};
+
 /// Solids with an index, so that rays that begin anywhere can find those that contain their origin.
 struct ClearSolids {
     std::vector<std::uint32_t> infinite;
@@ -91,8 +103,18 @@ struct Geometry {
         return shapes_begin() + static_cast<PrimitiveIndex>(shapes.size());
     }
     std::uint32_t item_count() const {
+        return instances_begin() + static_cast<std::uint32_t>(instances.size());
+    }
+    /// The first item that is an instance.
+    std::uint32_t instances_begin() const {
         return leaves_begin() + static_cast<std::uint32_t>(composites.size());
     }
+    /// The first primitive that belongs to an instance.
+    PrimitiveIndex instanced_begin() const {
+        return leaves_begin() + static_cast<PrimitiveIndex>(composite_of.size());
+    }
+    /// Number of primitives, with those of instances.
+    std::size_t primitive_count() const;
 
     /// Returns the primitive with that index among those of its kind.
     PrimitiveIndex primitive(PrimitiveKind, std::uint32_t index) const;
@@ -100,8 +122,14 @@ struct Geometry {
     bool is_triangle(std::uint32_t number) const {
         return number >= triangles_begin() && number < shapes_begin();
     }
-    bool is_leaf(PrimitiveIndex primitive) const { return primitive >= leaves_begin(); }
-    bool is_composite(std::uint32_t item) const { return item >= leaves_begin(); }
+    bool is_leaf(PrimitiveIndex primitive) const {
+        return primitive >= leaves_begin() && primitive < instanced_begin();
+    }
+    bool is_composite(std::uint32_t item) const {
+        return item >= leaves_begin() && item < instances_begin();
+    }
+    /// Whether the primitive belongs to an instance.
+    bool is_instanced(PrimitiveIndex primitive) const { return primitive >= instanced_begin(); }
 
     /// Precondition: the number is that of a triangle.
     const TrianglePrimitive& triangle(std::uint32_t number) const {
@@ -116,8 +144,20 @@ struct Geometry {
     const PlacedComposite* composite(std::uint32_t item) const {
         return is_composite(item) ? &composites[item - leaves_begin()] : nullptr;
     }
-    /// Returns the primitive itself, or the composite of a leaf.
+    /// Null for items of other kinds.
+    const Instance* instance(std::uint32_t item) const {
+        return item >= instances_begin() ? &instances[item - instances_begin()] : nullptr;
+    }
+    /// The instance that a primitive belongs to. Precondition: is_instanced().
+    const Instance& instance_of(PrimitiveIndex primitive) const;
+    const Prototype& prototype_of(const Instance& instance) const {
+        return *prototypes[instance.prototype];
+    }
+    /// Returns the primitive itself, the composite of a leaf, or the instance that it belongs to.
     std::uint32_t item_of(PrimitiveIndex primitive) const {
+        if (is_instanced(primitive))
+            return instances_begin() +
+                   static_cast<std::uint32_t>(&instance_of(primitive) - instances.data());
         return is_leaf(primitive) ? leaves_begin() + composite_of[primitive - leaves_begin()]
                                   : primitive;
     }
@@ -135,7 +175,7 @@ struct Geometry {
     }
 
     /// Calls the one function that takes the item's type: SpherePrimitive, TrianglePrimitive,
-    /// PlacedShape or PlacedComposite.
+    /// PlacedShape or PlacedComposite. Precondition: it is no instance.
     template <class OnSphere, class OnTriangle, class OnShape, class OnComposite>
     auto visit(std::uint32_t item, OnSphere on_sphere, OnTriangle on_triangle, OnShape on_shape,
                OnComposite on_composite) const {
@@ -146,7 +186,7 @@ struct Geometry {
     }
 
     /// The same for a primitive; for a leaf, calls on_leaf(PlacedComposite, number of the leaf in
-    /// it).
+    /// it). Precondition: it belongs to no instance.
     template <class OnSphere, class OnTriangle, class OnShape, class OnLeaf>
     auto visit_primitive(PrimitiveIndex primitive, OnSphere on_sphere, OnTriangle on_triangle,
                          OnShape on_shape, OnLeaf on_leaf) const {
@@ -160,10 +200,11 @@ struct Geometry {
     Box bounds(std::uint32_t item) const;
     /// The same; empty for infinite items.
     Box finite_bounds(std::uint32_t item) const;
-    /// Bounding box of all points inside of an item that is not a triangle.
+    /// Bounding box of all points inside of an item that is neither a triangle nor an instance.
     Box inside_bounds(std::uint32_t item) const;
     /// Where rays that begin inside of an item other than a triangle notice it. As in POV-Ray, that
     /// is only in its bounding box if it has one, although the inside of a disc is half of space.
+    /// That of an instance is where they may be inside of one of its surfaces.
     Box noticed_in(std::uint32_t item) const;
 
     std::vector<SpherePrimitive> spheres;
@@ -171,6 +212,8 @@ struct Geometry {
     std::vector<PlacedShape> shapes;  ///< all but triangles and spheres without a transform
     std::vector<PlacedComposite> composites;
     std::vector<std::uint32_t> composite_of;  ///< for each leaf
+    std::vector<Instance> instances;          ///< in the order of their primitives
+    std::vector<std::shared_ptr<Prototype>> prototypes;
     std::vector<CornerNormals> normals;       ///< of the smooth triangles
     /// Per triangle: index in normals, or no_primitive; empty when none is smooth.
     std::vector<std::uint32_t> normals_of;

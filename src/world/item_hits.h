@@ -2,6 +2,7 @@
 // Where a ray meets one item of a world: for the queries that ask many items.
 #pragma once
 
+#include "base/function_ref.h"
 #include "base/ray.h"
 #include "shape/ray_start.h"
 #include "world/geometry.h"
@@ -17,7 +18,7 @@ namespace candelabra {
 struct MetSurface {
     double t;
     PrimitiveIndex primitive = no_primitive;
-    Vec3 normal = Vec3(0);            ///< of shapes and leaves only
+    Vec3 normal = Vec3(0);            ///< of shapes and leaves only; in the space of an instance
     std::uint32_t part = 0;           ///< of shapes and leaves only: see Crossing
     double weight2 = 0, weight3 = 0;  ///< of triangles only
 };
@@ -86,12 +87,18 @@ inline bool begins_on(const Ray& ray, double t, const TrianglePrimitive& face) {
     return begins_on(ray, t, normal, size);
 }
 
+/// The same as meet_item() for an instance.
+void meet_instance(const Geometry&, const Instance&, const Ray&, const Interval& range,
+                   MetSurface& best, FunctionRef<bool(PrimitiveIndex)> wanted);
+
 /// Finds the nearest surface of the item within the range that is nearer than the best so far. In a
-/// composite only leaves for which wanted(PrimitiveIndex) is true count.
+/// composite or an instance only primitives for which wanted(PrimitiveIndex) is true count.
 template <class Wanted>
 void meet_item(const Geometry& geometry, std::uint32_t item, RayConstants& constants,
                const Interval& range, MetSurface& best, Wanted wanted) {
     const Ray& ray = constants.ray();
+    if (const Instance* placed = geometry.instance(item))
+        return meet_instance(geometry, *placed, ray, range, best, wanted);
     geometry.visit(
         item,
         [&](const SpherePrimitive& s) {

@@ -34,8 +34,8 @@ struct GlowingVolume {
 /// All lights except for the sky.
 struct WorldLights {
     std::vector<Luminaire> luminaires;
-    /// Per primitive: index in luminaires, or no_primitive; empty if there are none. Media inside
-    /// of a primitive do not count as its own luminaire.
+    /// Per primitive that belongs to no instance: index in luminaires, or no_primitive; empty if
+    /// there are none. World::luminaire_of() knows all of them.
     std::vector<std::uint32_t> luminaire_of;
     std::vector<GlowingVolume> volumes;
     /// Whether media glow within solids only, and rays may pass between the inside and the outside

@@ -3,6 +3,7 @@
 #include "shape/triangle.h"
 #include "shape/uv.h"
 #include "world/passage.h"
+#include "world/prototype.h"
 #include "world/world.h"
 
 namespace candelabra {
@@ -68,6 +69,19 @@ void blend_components(const BuiltBlob& blob, const PartLooks& looks, const Vec3&
 }
 
 }  // namespace
+
+std::uint32_t World::instanced_material(PrimitiveIndex primitive) const {
+    const Instance& placed = geometry.instance_of(primitive);
+    return geometry.prototype_of(placed).material_of[primitive - placed.first];
+}
+
+std::uint32_t World::instanced_luminaire(PrimitiveIndex primitive) const {
+    if (!geometry.is_instanced(primitive)) return no_primitive;
+    const Instance& placed = geometry.instance_of(primitive);
+    const auto& own = geometry.prototype_of(placed).luminaire_of;
+    const std::uint32_t light = own.empty() ? no_primitive : own[primitive - placed.first];
+    return light == no_primitive ? light : placed.first_luminaire + light;
+}
 
 void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point, Side side,
                          Use use) const {

@@ -6,6 +6,7 @@
 #include "shape/leaf_pack.h"
 #include "world/item_hits.h"
 #include "world/precedence.h"
+#include "world/prototype.h"
 #include "world/world.h"
 
 #include <bit>
@@ -33,6 +34,19 @@ bool left_out(const Material& m, RayKind kind) {
 }
 
 Hit complete(const Geometry& geometry, const Ray& ray, const MetSurface& found) {
+    if (geometry.is_instanced(found.primitive)) {
+        const Instance& placed = geometry.instance_of(found.primitive);
+        MetSurface own = found;
+        own.primitive -= placed.first;
+        Hit hit =
+            complete(geometry.prototype_of(placed).geometry, placed.place->inverse_ray(ray), own);
+        hit.primitive = found.primitive;
+        hit.position = ray.at(found.t);
+        hit.tolerance = tolerance_at(ray, found.t);
+        hit.normal = unit(placed.place->normal(hit.normal));
+        hit.smooth_normal = unit(placed.place->normal(hit.smooth_normal));
+        return hit;
+    }
     Hit hit;
     hit.primitive = found.primitive;
     hit.part = found.part;
@@ -65,16 +79,12 @@ Hit complete(const Geometry& geometry, const Ray& ray, const MetSurface& found) 
     return hit;
 }
 
-}  // namespace
-
-bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) const {
-    count_work(work_of_ray);
+/// The nearest surface within the range for which wanted(PrimitiveIndex) is true; no_primitive if
+/// there is none.
+template <class Wanted>
+MetSurface nearest(const Geometry& geometry, const Ray& ray, const Interval& range, Wanted wanted) {
     RayConstants constants(ray);
-    MetSurface best{std::numeric_limits<double>::infinity()};
-    const Interval range{tolerance, best.t};
-    const auto there = [&](PrimitiveIndex primitive) {
-        return !appearance.any_left_out || !left_out(material(primitive), kind);
-    };
+    MetSurface best{range.max};
     const std::uint32_t first_shape = geometry.shapes_begin();
     std::uint32_t met = 0;  // the item of `best`
     // One of several coincident surfaces counts, in any order of tests: an infinite one, also where
@@ -86,7 +96,7 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         const MetSurface before = best;
         const bool by_boxes = finite && (item >= first_shape || met >= first_shape);
         if (item < met || by_boxes) best.t = next_up(best.t);
-        meet_item(geometry, item, constants, range, best, there);
+        meet_item(geometry, item, constants, range, best, wanted);
         if (best.primitive == before.primitive)
             best.t = before.t;
         else if (by_boxes && best.t == before.t && !precedes(geometry, item, met, ray))
@@ -96,7 +106,7 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     };
     for (const InfinitePlane& plane : geometry.infinite.planes) {
         const double t = plane.intersect(ray);
-        if (!(t > tolerance && t <= best.t) || !there(plane.primitive)) continue;
+        if (!(t > range.min && t <= best.t) || !wanted(plane.primitive)) continue;
         if (t == best.t && met < plane.primitive) continue;
         best = {t, plane.primitive, plane.normal};
         met = plane.primitive;
@@ -114,14 +124,38 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         return false;
     };
     PackRay packed(ray);
-    geometry.tree.traverse(ray, {tolerance, best.t}, [&](const TreeLeaf& leaf, Interval& left) {
+    geometry.tree.traverse(ray, {range.min, best.t}, [&](const TreeLeaf& leaf, Interval& left) {
         packed.candidates(leaf, left, ask_in_tree);
         left.max = best.t;
         return false;
     });
-    if (best.primitive == no_primitive) return false;
     if (best.primitive == infinite.primitive) best.t = infinite.t;
-    hit = complete(geometry, ray, best);
+    return best;
+}
+
+}  // namespace
+
+void meet_instance(const Geometry& geometry, const Instance& placed, const Ray& ray,
+                   const Interval& range, MetSurface& best,
+                   FunctionRef<bool(PrimitiveIndex)> wanted) {
+    const Ray own = placed.place->inverse_ray(ray);
+    const MetSurface met =
+        nearest(geometry.prototype_of(placed).geometry, own, {range.min, best.t},
+                [&](PrimitiveIndex primitive) { return wanted(placed.first + primitive); });
+    if (met.primitive == no_primitive) return;
+    best = met;
+    best.primitive += placed.first;
+}
+
+bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) const {
+    count_work(work_of_ray);
+    const MetSurface met =
+        nearest(geometry, ray, {tolerance, std::numeric_limits<double>::infinity()},
+                [&](PrimitiveIndex primitive) {
+                    return !appearance.any_left_out || !left_out(material(primitive), kind);
+                });
+    if (met.primitive == no_primitive) return false;
+    hit = complete(geometry, ray, met);
     return true;
 }
 

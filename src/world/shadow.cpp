@@ -9,6 +9,7 @@
 #include "world/corners.h"
 #include "world/item_hits.h"
 #include "world/passage.h"
+#include "world/prototype.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -179,12 +180,39 @@ void Passages::for_stretches(Solids around, double distance, const World::UseStr
 }
 
 bool may_pass(const World& world, std::uint32_t item) {
+    if (world.geometry.instance(item)) return false;
     const PlacedComposite* composite = world.geometry.composite(item);
     return composite ? composite->transparent : world.material(item).transparent;
 }
 
+/// Whether a surface of the instance is in between that stops light.
+bool opaque_between(const World& world, const Instance& placed, const Ray& ray,
+                    const Interval& range) {
+    const Prototype& prototype = world.geometry.prototype_of(placed);
+    const Geometry& geometry = prototype.geometry;
+    const Ray own = placed.place->inverse_ray(ray);
+    RayConstants constants(own);
+    PackRay packed(own);
+    Asked asked;
+    const auto blocks = [&](std::uint32_t item) {
+        if (item >= geometry.shapes_begin() && asked.before(item)) return false;
+        MetSurface nearest{range.max};
+        meet_item(geometry, item, constants, range, nearest, [&](PrimitiveIndex primitive) {
+            return prototype.blocks_light || world.material(placed.first + primitive).stops_light();
+        });
+        return nearest.primitive != no_primitive;
+    };
+    return geometry.tree.traverse_likely(
+        own, range, [&](const TreeLeaf& leaf, const Interval& whole) {
+            return prototype.blocks_light ? packed.blocked(leaf, whole, blocks)
+                                          : packed.candidates(leaf, whole, blocks);
+        });
+}
+
 bool opaque_between(const World& world, std::uint32_t item, RayConstants& constants,
                     const Interval& range) {
+    if (const Instance* placed = world.geometry.instance(item))
+        return opaque_between(world, *placed, constants.ray(), range);
     MetSurface nearest{range.max};
     meet_item(world.geometry, item, constants, range, nearest,
               [&](PrimitiveIndex primitive) { return world.material(primitive).stops_light(); });

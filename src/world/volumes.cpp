@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "luminaire/volume.h"
 #include "text/message.h"
+#include "world/prototype.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -151,6 +152,12 @@ bool is_open(const BuiltShape& shape) {
 
 /// The same for an item.
 bool has_openings(const Geometry& geometry, std::uint32_t item) {
+    if (const Instance* placed = geometry.instance(item)) {
+        const Geometry& own = geometry.prototype_of(*placed).geometry;
+        for (std::uint32_t i = 0; i < own.item_count(); ++i)
+            if (!own.is_triangle(i) && has_openings(own, i)) return true;
+        return false;
+    }
     return geometry.visit(
         item, [](const SpherePrimitive&) { return false; },
         [](const TrianglePrimitive&) { return true; },

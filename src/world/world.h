@@ -119,8 +119,21 @@ public:
     // Appearance: looks.cpp
 
     const Material& material(PrimitiveIndex primitive) const {
-        return appearance.materials[appearance.material_of[primitive]];
+        const auto& own = appearance.material_of;
+        return appearance
+            .materials[primitive < own.size() ? own[primitive] : instanced_material(primitive)];
     }
+    /// The index of a material of an instance's primitive.
+    std::uint32_t instanced_material(PrimitiveIndex) const;
+
+    /// Index of the primitive's luminaire; no_primitive if there is none. Media inside of a
+    /// primitive do not count as its own luminaire.
+    std::uint32_t luminaire_of(PrimitiveIndex primitive) const {
+        const auto& own = lights.luminaire_of;
+        return primitive < own.size() ? own[primitive] : instanced_luminaire(primitive);
+    }
+    /// The same for an instance's primitive, and where no primitive has one.
+    std::uint32_t instanced_luminaire(PrimitiveIndex) const;
 
     /// Radiance that one side of the primitive emits at a point of its surface in a direction, a
     /// unit vector away from it; null: in the brightest direction.
@@ -129,7 +142,7 @@ public:
     /// Factor by which the primitive emits more than its textures say in that direction; null: the
     /// greatest one.
     double output(PrimitiveIndex primitive, const Vec3* direction) const {
-        if (appearance.output_of.empty()) return 1;
+        if (primitive >= appearance.output_of.size()) return 1;
         const LightOutput& found = appearance.outputs[appearance.output_of[primitive]];
         if (!found.web) return found.scale;
         return found.scale * (direction ? found.web->factor(*direction) : found.web->greatest());

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surfaces that many instances share: see Instance (world/geometry.h). A union of a thousand
+// lamps that stands in ten thousand places is stored once, and each place takes some bytes more.
+#pragma once
+
+#include "lighting/light_tree.h"
+#include "luminaire/luminaire.h"
+#include "world/geometry.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace candelabra {
+
+/// Surfaces and luminaires in the space of a declared object, before it is placed. They are opaque,
+/// bounded, and look alike wherever they stand.
+struct Prototype {
+    std::size_t primitive_count() const { return material_of.size(); }
+
+    Geometry geometry;                       ///< without instances
+    Box box;                                 ///< around all of it
+    std::vector<std::uint32_t> material_of;  ///< per primitive, in Appearance::materials
+    bool blocks_light = true;                ///< whether every surface stops shadow rays
+    std::vector<Luminaire> luminaires;
+    /// Per primitive: index in luminaires, or no_primitive; empty if there are none.
+    std::vector<std::uint32_t> luminaire_of;
+    LightTree lights;              ///< of the luminaires
+    double intensity = 0;          ///< of all luminaires: see LightBounds
+    std::size_t object_count = 0;  ///< as the scene counts them
+};
+
+}  // namespace candelabra

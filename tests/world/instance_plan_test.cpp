@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/instance_plan.h"
+
+#include "support/draw.h"
+#include "support/twins.h"
+#include "world/prototype.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+const std::string house = R"(
+    #declare House = union {
+        sphere { 0, 0.3 pigment { rgb <1, 0.5, 0.2> } }
+        sphere { <0.5, 0.2, 0>, 0.2 }
+        box { <-0.2, -0.5, -0.2>, <0.2, 0, 0.2> pigment { rgb 0.5 } }
+        torus { 0.5, 0.05 rotate 40*z pigment { rgb <0, 1, 0> } }
+        difference { sphere { 0.4*y, 0.3 } box { 0, 1 } pigment { rgb 0.1 } }
+        mesh { smooth_triangle { -x, <-0.3, 0.2, 1>, y, <0, 0.1, 1>, 1.5*y, <0.2, 0.3, 1> } }
+        mesh { triangle { -0.7*x, 0.7*z, 0.5*y } triangle { -0.7*x, 0.7*z, -0.5*y } }
+        PART
+        pigment { rgb 0.8 }
+    }
+)";
+std::string house_with(const std::string& part) {
+    return std::string(house).replace(house.find("PART"), 4, part);
+}
+
+/// Places that turn, mirror, stretch and shear.
+const std::string places = R"(
+    #for (I, 0, 5)
+        object { House rotate <20*I, 35*I, 0> scale <1, 1 + 0.2*I, pow(-1, I)> translate <3*I, 0, 0> }
+        object { House matrix <1, 0.3*I, 0, 0.1, 1, 0, 0, -0.2*I, 0.7, 3*I, 3, 0.5> }
+    #end
+    plane { y, -2 pigment { rgb 1 } }
+)";
+
+Ray ray_through_scene(Draw& draw) {
+    const Vec3 from(draw.between(-2, 18), draw.between(-3, 5), -6),
+        to(draw.between(-1, 17), draw.between(-2, 4), draw.between(-1, 1));
+    return {from, unit(to - from)};
+}
+
+/// Number of instances that a script makes of its houses.
+std::size_t instances(const std::string& script) {
+    return twins_of(script).shared->geometry.instances.size();
+}
+
+}  // namespace
+
+TEST_CASE("rays meet instances where they meet what is taken apart", "[instances]") {
+    const Twins twins = twins_of(house_with("") + places);
+    const Geometry& geometry = twins.shared->geometry;
+    REQUIRE(geometry.instances.size() == 12);
+    REQUIRE(geometry.prototypes.size() == 1);
+    REQUIRE(twins.apart->geometry.instances.empty());
+    CHECK(geometry.primitive_count() == twins.apart->geometry.primitive_count());
+    CHECK(twins.shared->provenance.object_count == twins.apart->provenance.object_count);
+    int met = 0;
+    Draw draw(1);
+    for (int i = 0; i < 4000; ++i) {
+        const Ray ray = ray_through_scene(draw);
+        Hit one, other;
+        const bool here = twins.shared->first_hit(ray, 0, RayKind::camera, one);
+        REQUIRE(here == twins.apart->first_hit(ray, 0, RayKind::camera, other));
+        if (!here) continue;
+        met += geometry.is_instanced(one.primitive) ? 1 : 0;
+        CHECK(length(one.position - other.position) < 1e-9);
+        CHECK(std::abs(dot(one.normal, other.normal)) > 1 - 1e-9);
+        CHECK(std::abs(dot(one.smooth_normal, other.smooth_normal)) > 1 - 1e-9);
+        CHECK(twins.shared->material(one.primitive).texture->pigment.colour.rgb ==
+              twins.apart->material(other.primitive).texture->pigment.colour.rgb);
+        // A ray that leaves the surface does not meet it again at once.
+        const Ray on{one.position, unit(ray.direction + 1.5 * Vec3(0.1, 0.7, -0.4))};
+        Hit next, next_apart;
+        const bool more = twins.shared->first_hit(on, one.tolerance, RayKind::reflected, next);
+        REQUIRE(more == twins.apart->first_hit(on, one.tolerance, RayKind::reflected, next_apart));
+        if (more) CHECK(length(next.position - next_apart.position) < 1e-8);
+        const Ray shadow{ray.origin, ray.direction};
+        for (const double share : {0.5, 0.999, 1.5}) {
+            const double distance = share * length(one.position - ray.origin);
+            CHECK(twins.shared->transmittance(shadow, 1e-9, distance) ==
+                  twins.apart->transmittance(shadow, 1e-9, distance));
+        }
+    }
+    CHECK(met > 500);
+}
+
+TEST_CASE("each instance has its own numbers", "[instances]") {
+    const Twins twins = twins_of(house_with("") + places);
+    const Geometry& geometry = twins.shared->geometry;
+    PrimitiveIndex next = geometry.instanced_begin();
+    for (std::size_t i = 0; i < geometry.instances.size(); ++i) {
+        const Instance& placed = geometry.instances[i];
+        CHECK(placed.first == next);
+        next += static_cast<PrimitiveIndex>(geometry.prototype_of(placed).primitive_count());
+        for (PrimitiveIndex primitive = placed.first; primitive < next; ++primitive) {
+            CHECK(&geometry.instance_of(primitive) == &placed);
+            CHECK(geometry.item_of(primitive) == geometry.instances_begin() + i);
+            CHECK_FALSE(geometry.is_leaf(primitive));
+        }
+    }
+    CHECK(next == geometry.primitive_count());
+}
+
+TEST_CASE("the inside of an instance's solids is known where fog is kept out", "[instances]") {
+    const Twins twins = twins_of(house_with("") + places + "fog { distance 5 rgb 0.5 }");
+    REQUIRE(twins.shared->geometry.instances.size() == 12);
+    int inside = 0;
+    Draw draw(2);
+    for (int i = 0; i < 20000; ++i) {
+        const Ray ray = ray_through_scene(draw);
+        const Vec3 point = ray.at(draw.between(2, 10));
+        const EnteredSolids one = twins.shared->containing(point),
+                            other = twins.apart->containing(point);
+        REQUIRE(one.size() == other.size());
+        for (const PrimitiveIndex primitive : one) {
+            CHECK(twins.shared->contains_point(primitive, point));
+            inside += twins.shared->geometry.is_instanced(primitive) ? 1 : 0;
+        }
+    }
+    CHECK(inside > 20);
+}
+
+TEST_CASE("unions whose look depends on their place are taken apart", "[instances]") {
+    CHECK(instances(house_with("") + places) == 12);
+    for (const char* part : {
+             "sphere { 0, 1 pigment { checker rgb 1 rgb 0 } }",
+             "sphere { 0, 1 pigment { rgb 1 } normal { bumps 1 } }",
+             "sphere { 0, 1 pigment { rgbt 0.5 } }",
+             "sphere { 0, 1 interior { ior 1.5 } }",
+             "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { emission 1 } } }",
+             "sphere { 0, 1 clipped_by { plane { y, 0 } } }",
+             "plane { y, -5 }",
+             "smooth_triangle { -x, <-0.3, 0.2, 1>, y, <0, 0.1, 1>, 1.5*y, <0.2, 0.3, 1> }",
+             "light_source { 2*y, rgb 1 }",
+             "light_group { light_source { 2*y, rgb 1 } sphere { 0, 1 } }",
+             "sphere { 0, 1 pigment { rgb 1 } finish { subsurface { translucency 0.1 } } }",
+         }) {
+        INFO(part);
+        CHECK(instances(house_with(part) + places) == 0);
+    }
+    for (const char* around :
+         {"no_shadow", "hollow", "pigment { checker rgb 1 rgb 0 }", "interior { ior 1.3 }",
+          "clipped_by { plane { y, 1 } }", "photons { target }"}) {
+        INFO(around);
+        CHECK(instances(house_with("") + "union { " + places + around + " }") == 0);
+    }
+    CHECK(instances(house_with("") + "camera { shutter 1 } " + places) == 0);
+    CHECK(instances(house_with("") + "global_settings { photons { count 100 } } " + places) == 0);
+}
+
+TEST_CASE("unions of few parts, of very many, and in few places are taken apart", "[instances]") {
+    const Scene scene = scene_of(house_with("") + places);
+    const Object& house_object = *std::get<Union>(scene.objects.front()->form).children.front();
+    const std::size_t parts = house_object.parts;
+    CHECK(InstancePlan(scene, {parts, parts, 12 * parts}).shares(house_object));
+    CHECK_FALSE(InstancePlan(scene, {parts + 1, parts, 12 * parts}).shares(house_object));
+    CHECK_FALSE(InstancePlan(scene, {parts, parts - 1, 12 * parts}).shares(house_object));
+    CHECK_FALSE(InstancePlan(scene, {parts, parts, 12 * parts + 1}).shares(house_object));
+    CHECK_FALSE(InstancePlan(scene, {}).shares(house_object));
+}
+
+TEST_CASE("the largest union that is shared is stored once, with those in it", "[instances]") {
+    const std::string block = house_with("") + R"(
+        #declare Block = union { #for (I, 0, 3) object { House translate 2*I*z } #end }
+        #for (I, 0, 9) object { Block translate 3*I*x } #end
+        object { House translate -5*x }
+    )";
+    const Twins twins = twins_of(block);
+    CHECK(twins.shared->geometry.instances.size() == 11);
+    CHECK(twins.shared->geometry.prototypes.size() == 2);
+    CHECK(twins.shared->geometry.primitive_count() == twins.apart->geometry.primitive_count());
+    // Where the block is too large, its houses are.
+    const SharedWorld houses = world_with(block, {2, 20, 2});
+    CHECK(houses->geometry.instances.size() == 41);
+    CHECK(houses->geometry.prototypes.size() == 1);
+}
+
+}  // namespace candelabra
