@@ -116,8 +116,9 @@ std::pair<Vec3, double> sphere_around(const T& shape) {
 std::optional<SeenFaces> seen_faces(const AreaEmitter& e, const Vec3& from, const Vec3* normal) {
     const Cuboid* box = std::get_if<Cuboid>(&e.shape);
     if (!box) return {};
-    const SeenFaces faces(bounds(*box), e.transform.get(), from, normal);
-    return faces.any() ? std::optional(faces) : std::nullopt;
+    std::optional<SeenFaces> faces(std::in_place, bounds(*box), e.transform.get(), from, normal);
+    if (!faces->any()) faces.reset();
+    return faces;
 }
 
 /// Gives a thin box the axis and the area of its broad side, with some evenness for the others.

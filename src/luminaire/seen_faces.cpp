@@ -31,8 +31,7 @@ SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from, con
                 side1 = map->direction(side1);
                 side2 = map->direction(side2);
             }
-            SeenRectangle& seen = face_[face(axis, high)];
-            seen = SeenRectangle(corner, side1, side2, from, normal);
+            const auto& seen = face_[face(axis, high)].emplace(corner, side1, side2, from, normal);
             sum += share_[face(axis, high)] = seen.weight();
         }
     any_ = sum > 0;
@@ -40,7 +39,7 @@ SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from, con
 }
 
 double SeenFaces::density(int face, const Vec3& direction, double distance) const {
-    return share_[face] > 0 ? share_[face] * face_[face].density(direction, distance) : 0;
+    return share_[face] > 0 ? share_[face] * face_[face]->density(direction, distance) : 0;
 }
 
 std::optional<SeenFaces::Drawn> SeenFaces::draw(Vec2 u) const {
@@ -52,7 +51,7 @@ std::optional<SeenFaces::Drawn> SeenFaces::draw(Vec2 u) const {
         u.x -= share_[face];
     }
     u.x = std::fmin(u.x / share_[last], 1 - 0x1p-53);
-    auto point = face_[last].draw(u);
+    auto point = face_[last]->draw(u);
     if (!point) return {};
     point->density *= share_[last];
     return Drawn{last, *point};

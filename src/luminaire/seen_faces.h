@@ -7,6 +7,7 @@
 #include "luminaire/seen_rectangle.h"
 
 #include <array>
+#include <optional>
 
 namespace candelabra {
 
@@ -33,7 +34,7 @@ public:
     double density(int face, const Vec3& direction, double distance) const;
 
 private:
-    std::array<SeenRectangle, 6> face_;
+    std::array<std::optional<SeenRectangle>, 6> face_;  ///< none: it is turned away
     std::array<double, 6> share_{};  ///< probability that a point is drawn from each face
     bool any_ = false;
 };
