@@ -312,13 +312,13 @@ Factor photons() {
                                      draft.modifiers.push_back(block("photons", object));
                                  }});
     };
-    add("mirrored and broken", "count 4000", "target on reflection on refraction on");
+    add("mirrored and broken", "count 1500", "target on reflection on refraction on");
     add("broken", "spacing 0.05", "target 1 refraction on collect off", photon_light | lengths);
-    add("in media", "count 3000 media 40", "target on refraction on reflection on");
-    add("no target", "count 3000", "collect on pass_through");
+    add("in media", "count 1500 media 20", "target on refraction on reflection on");
+    add("no target", "count 1200", "collect on pass_through");
     factor.levels.push_back(
         {"drawn", photon_light | lengths, [](Draft& draft) {
-             Element global = block("photons", "count 3000",
+             Element global = block("photons", "count 1200",
                                     drawn_words(item_of("Settings", "photons"), draft.dice, 0.15));
              std::erase_if(global.inner, [](const Element& each) {
                  return each.values.starts_with("count") || each.values.starts_with("spacing");

@@ -7,15 +7,37 @@
 #include "proof/features.h"
 #include "proof/studio.h"
 
+#include <compare>
+#include <concepts>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace candelabra::proof {
 
-/// Replaces the camera's view by another way of looking at the world: an image of samples.
-using View = std::function<Image(const Prepared&, int samples, int seed, const Deadline& end)>;
+/// Replaces the camera's view by another way of looking at the world: an image of samples. Copies
+/// are the same view, so that what they see is made once for several claims.
+class View {
+public:
+    using Way = std::function<Image(const Prepared&, int samples, int seed, const Deadline& end)>;
+
+    View() = default;
+    template <class F>
+    requires std::convertible_to<F, Way> View(F way)
+        : way_(std::make_shared<const Way>(std::move(way))) {}
+
+    explicit operator bool() const { return way_ != nullptr; }
+    Image operator()(const Prepared& scene, int samples, int seed, const Deadline& end) const {
+        return (*way_)(scene, samples, seed, end);
+    }
+    friend auto operator<=>(const View&, const View&) = default;
+
+private:
+    std::shared_ptr<const Way> way_;
+};
 
 /// One rendering of a sum.
 struct Term {

@@ -29,7 +29,7 @@ void make_glassy(Draft& draft) {
 Script in_photons(Draft& draft) {
     if (draft.dice.chance(0.6)) make_glassy(draft);
     if (!has_block(draft.settings, "photons")) {
-        draft.settings.push_back(block("photons", "count 4000"));
+        draft.settings.push_back(block("photons", "count 2000"));
         draft.modifiers.push_back(block("photons", "target on reflection on refraction on"));
     }
     return staged(draft);
@@ -64,7 +64,7 @@ Claims with_reflected_luminaires(const Script& script, Dice& dice) {
         "reflected luminaires or not",
         picture(with_setting(script, "integrator", bounces + " reflected_luminaires 300")),
         picture(with_setting(script, "integrator", bounces + " reflected_luminaires 0")));
-    claim.effort = 4;
+    claim.effort = 2;
     return {claim};
 }
 

@@ -9,10 +9,12 @@ namespace candelabra::proof {
 
 namespace {
 
-/// What a sample has to be, in means of its pixel, to be seen as an error of its own.
-constexpr double glaring = 50;
+/// What a sample has to be, in means of the others of its pixel, to be seen as an error of its own.
+constexpr double glaring = 225;
 /// Glaring samples in a picture that chance may bring.
 constexpr int by_chance = 10;
+/// Samples of a first look, which goes on where one way has more glaring ones; and of all.
+constexpr int few = 8, all = 32;
 
 Image one(double value) {
     Image image(1, 1);
@@ -29,33 +31,43 @@ Term number(const Script& script, View view) {
 
 Image none(const Prepared&, int, int, const Deadline&) { return one(0); }
 
-/// Samples, each of them as a picture.
-std::optional<std::vector<Image>> samples_of(const Prepared& scene, const Deadline& end) {
-    std::vector<Image> all;
-    for (int seed = 1; seed <= 32; ++seed) {
-        all.push_back(scene.render(1, seed, end));
-        if (all.back().pixels.empty()) return {};
+/// Samples of two ways, each of them as a picture.
+struct TwoWays {
+    std::vector<Image> own = {}, other = {};
+
+    /// Adds samples until each way has so many; returns false if it takes too long.
+    bool take(std::size_t count, const Prepared& scene, const Prepared& opponent,
+              const Deadline& end) {
+        while (own.size() < count) {
+            const int seed = static_cast<int>(own.size()) + 1;
+            own.push_back(scene.render(1, seed, end));
+            other.push_back(opponent.render(1, seed, end));
+            if (own.back().pixels.empty() || other.back().pixels.empty()) return false;
+        }
+        return true;
     }
-    return all;
-}
-
-double glaring_samples(const std::vector<Image>& samples, const Image& mean) {
-    double count = 0;
-    for (const Image& sample : samples)
-        for (std::size_t i = 0; i < sample.pixels.size(); ++i)
-            count += grey(sample.pixels[i]) > glaring * grey(mean.pixels[i]);
-    return count;
-}
-
-Image mean_of(const std::vector<Image>& one_way, const std::vector<Image>& other_way) {
-    Image mean(one_way.front().width, one_way.front().height);
-    for (const auto* samples : {&one_way, &other_way})
-        for (const Image& sample : *samples)
-            for (std::size_t i = 0; i < mean.pixels.size(); ++i)
-                mean.pixels[i] +=
-                    abs(sample.pixels[i]) / static_cast<double>(one_way.size() + other_way.size());
-    return mean;
-}
+    /// The sum of all samples of each pixel.
+    Image sum() const {
+        Image sum(own.front().width, own.front().height);
+        for (const auto* samples : {&own, &other})
+            for (const Image& sample : *samples)
+                for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+                    sum.pixels[i] += abs(sample.pixels[i]);
+        return sum;
+    }
+    /// How many of the samples are glaring beside all others of their pixels.
+    double glaring_ones(const std::vector<Image>& samples) const {
+        const Image total = sum();
+        const double others = static_cast<double>(own.size() + other.size() - 1);
+        double count = 0;
+        for (const Image& sample : samples)
+            for (std::size_t i = 0; i < sample.pixels.size(); ++i) {
+                const double value = grey(sample.pixels[i]);
+                count += value * others > glaring * (grey(total.pixels[i]) - value);
+            }
+        return count;
+    }
+};
 
 std::string without_finishes(const std::string& text) {
     static const std::regex finish(R"(finish \{[^{}]*(\{[^{}]*\}[^{}]*)*\})");
@@ -90,11 +102,12 @@ Claims no_glaring_samples(const Script& script, Dice&) {
                  plain = with_setting(script, "light_sampler", "every_light");
     const auto more = [plain](const Prepared& scene, int, int, const Deadline& end) {
         const Prepared opponent({}, written(plain), plain.options);
-        const auto own = samples_of(scene, end), others = samples_of(opponent, end);
-        if (!own || !others) return Image();
-        const Image mean = mean_of(*own, *others);
-        const double fewer = 3 * glaring_samples(*others, mean) + by_chance;
-        return one(std::fmax(glaring_samples(*own, mean) - fewer, 0));
+        TwoWays ways;
+        if (!ways.take(few, scene, opponent, end)) return Image();
+        if (ways.glaring_ones(ways.own) <= ways.glaring_ones(ways.other) + 1) return one(0);
+        if (!ways.take(all, scene, opponent, end)) return Image();
+        const double fewer = 3 * ways.glaring_ones(ways.other) + by_chance;
+        return one(std::fmax(ways.glaring_ones(ways.own) - fewer, 0));
     };
     return {same_bytes("no more glaring samples than with every_light", {number(usual, more)},
                        {number(usual, none)})};

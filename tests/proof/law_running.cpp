@@ -26,7 +26,7 @@ Image interrupted(const Prepared& scene, int samples, int seed, const Deadline& 
     const RenderSettings settings = scene.settings(samples, seed);
     RenderState state = begin_picture(settings);
     LightLedger rays;
-    for (int patience = 1; !end.over(); ++patience) {
+    for (int patience = 1; !end.over(); patience += 2) {
         int questions = 0;
         RenderHooks hooks;
         hooks.cancelled = [&] { return ++questions > patience; };

@@ -11,7 +11,7 @@ TEST_CASE("laws hold on the first scenes of the generator", "[proof]") {
     Plan plan;
     for (const Law& law : laws()) plan.laws.push_back(&law);
     plan.scenes = 3;
-    plan.studio.seconds = 6;
+    plan.studio.look_seconds = 3;
     plan.shrink_minutes = 0;
     on_deep_stack(std::size_t{64} << 20, [&](std::size_t) {
         Listening listening;

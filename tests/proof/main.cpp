@@ -6,6 +6,7 @@
 #include "proof/runner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -39,6 +40,19 @@ const Law* law_named(std::string_view name) {
     return found == laws().end() ? nullptr : &*found;
 }
 
+std::string table_of(const std::vector<LawCount>& counts) {
+    std::ostringstream table;
+    table
+        << "| law | scenes | pairs | of | failed | known | undecided | too slow | illegal | CPU s "
+           "|\n|---|---|---|---|---|---|---|---|---|---|\n";
+    for (const LawCount& each : counts)
+        table << "| " << each.law << " | " << each.scenes << " | " << each.covered << " | "
+              << each.pairs << " | " << each.failed << " | " << each.known << " | "
+              << each.undecided << " | " << each.slow << " | " << each.illegal << " | "
+              << std::lround(each.seconds) << " |\n";
+    return table.str();
+}
+
 bool take(Asked& asked, std::string_view option, const char* value) {
     if (option == "--minutes")
         asked.plan.minutes = std::atof(value);
@@ -47,7 +61,7 @@ bool take(Asked& asked, std::string_view option, const char* value) {
     else if (option == "--seed")
         asked.plan.seed = std::strtoull(value, nullptr, 10);
     else if (option == "--seconds")
-        asked.plan.studio.seconds = std::atof(value);
+        asked.plan.studio.seconds = asked.plan.studio.look_seconds = std::atof(value);
     else if (option == "--shrink")
         asked.plan.shrink_minutes = std::atof(value);
     else if (option == "--out")
@@ -100,14 +114,23 @@ int try_laws(Asked& asked) {
                     fault.known.empty() ? fault.row.c_str() : ("known: " + fault.known).c_str());
         std::fflush(stdout);
     };
-    std::printf(
-        "| law | scenes | pairs | of | failed | known | undecided | too slow | illegal | CPU s |\n"
-        "|---|---|---|---|---|---|---|---|---|---|\n");
-    std::string table;
-    for (const LawCount& each : run(asked.plan, listening))
-        std::printf("| %s | %d | %zu | %zu | %d | %d | %d | %d | %d | %.0f |\n",
-                    std::string(each.law).c_str(), each.scenes, each.covered, each.pairs,
-                    each.failed, each.known, each.undecided, each.slow, each.illegal, each.seconds);
+    std::ofstream scenes(asked.out / "scenes.txt");
+    listening.tried = [&](const Tried& tried) {
+        scenes << tried.law.name << ' ' << tried.number << ' ' << tried.seconds << " s "
+               << described(tried.verdict) << std::endl;
+        const bool slow = tried.verdict.outcome == Outcome::too_slow;
+        if (slow || tried.verdict.outcome == Outcome::undecided)
+            write(asked.out / ((slow ? "slow-" : "undecided-") + std::string(tried.law.name) + "-" +
+                               std::to_string(asked.plan.seed) + "-" +
+                               std::to_string(tried.number) + ".pov"),
+                  tried.script);
+    };
+    listening.round = [&](const std::vector<LawCount>& counts) {
+        write(asked.out / "table.md", table_of(counts));
+    };
+    const std::string table = table_of(run(asked.plan, listening));
+    write(asked.out / "table.md", table);
+    std::fputs(table.c_str(), stdout);
     return faults > 0 ? 1 : 0;
 }
 

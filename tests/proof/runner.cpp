@@ -21,6 +21,8 @@ double minutes_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count() / 60;
 }
 
+double seconds_of_processor() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 class Run {
 public:
     Run(const Plan& plan, const Listening& listening) : plan_(plan), listening_(listening) {
@@ -33,24 +35,29 @@ public:
 
     std::vector<LawCount> run() {
         const auto begin = Clock::now();
-        for (int number = 0; number < plan_.scenes; ++number)
+        for (int number = 0; number < plan_.scenes; ++number) {
             for (std::size_t i = 0; i < plan_.laws.size(); ++i) {
                 if (minutes_since(begin) > plan_.minutes) return counts();
-                const std::clock_t before = std::clock();
-                attempt(i, number);
-                counts_[i].seconds += double(std::clock() - before) / CLOCKS_PER_SEC;
+                const double before = seconds_of_processor();
+                attempt(i, number, before);
+                counts_[i].seconds += seconds_of_processor() - before;
                 if (plan_.until_fault && counts_[i].failed > 0) return counts();
             }
+            if (listening_.round) listening_.round(counts());
+        }
         return counts();
     }
 
 private:
-    void attempt(std::size_t i, int number) {
+    void attempt(std::size_t i, int number, double before) {
         const Law& law = *plan_.laws[i];
         const Trial tried = trial(law, coverings_[i], plan_.seed, number);
         if (listening_.scene)
             listening_.scene(std::string(law.name), case_text(law, tried.seed, tried.script, ""));
         const Verdict verdict = judged(law, tried.script, tried.seed, plan_.studio);
+        if (listening_.tried)
+            listening_.tried({law, number, verdict, seconds_of_processor() - before,
+                              case_text(law, tried.seed, tried.script, described(verdict))});
         LawCount& count = counts_[i];
         ++count.scenes;
         switch (verdict.outcome) {

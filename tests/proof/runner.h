@@ -35,11 +35,23 @@ struct LawCount {
     double seconds = 0;  ///< of the processor
 };
 
+/// A scene that was tried.
+struct Tried {
+    const Law& law;
+    int number;  ///< of the scene, from 0
+    const Verdict& verdict;
+    double seconds;      ///< of the processor
+    std::string script;  ///< with its head: see case_text()
+};
+
 struct Listening {
     std::function<void(const Fault&)> fault = {};
     /// Each scene before it is tried: what was tried last when the program ends by itself.
     std::function<void(const std::string& law, const std::string& text)> scene = {};
     std::function<void(const std::string& law, const std::string& complaint)> illegal = {};
+    std::function<void(const Tried&)> tried = {};
+    /// The counts so far, after a scene of each law.
+    std::function<void(const std::vector<LawCount>&)> round = {};
 };
 
 std::vector<LawCount> run(const Plan&, const Listening&);

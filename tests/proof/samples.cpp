@@ -40,7 +40,7 @@ constexpr auto whole_items = std::to_array<Sample>({
      "hypercomplex reciprocal|hypercomplex sin|hypercomplex asin|hypercomplex sinh|"
      "hypercomplex asinh|hypercomplex cos|hypercomplex acos|hypercomplex cosh|"
      "hypercomplex acosh|hypercomplex tan|hypercomplex atan|hypercomplex tanh|"
-     "hypercomplex atanh|hypercomplex pwr <2, 0>~ max_iteration 5 precision 10 "
+     "hypercomplex atanh|hypercomplex pwr <2, 0>~ max_iteration 2 precision 3 "
      "~slice <0, 0.1, 0, 1>, 0.1|~"},
     {"lathe", "linear_spline 5, <0, -0.7>, <0.6, -0.6>, <0.3, 0>, <0.6, 0.5>, <0, 0.7>"},
     {"mesh",

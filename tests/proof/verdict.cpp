@@ -12,6 +12,14 @@ namespace candelabra::proof {
 
 namespace {
 
+/// A first look, of which most claims come away: one whose |T| is within `t` in all regions holds.
+/// What is seen here counts for nothing later.
+struct Look {
+    int samples;
+    double t;
+};
+constexpr Look first_look{4, 2.5};
+
 /// One test with noise of its own. A claim whose T is within `t` holds.
 struct Stage {
     int batches, samples;
@@ -32,20 +40,81 @@ constexpr Stage stages[] = {{2, 8, 3.8, 0, never},
 /// Pixels count for so many times the constant at most.
 constexpr double brightest = 20;
 
-/// Renders the terms of a claim, each of which is prepared once.
+/// Samples in a pixel of pictures whose bytes are compared.
+constexpr int samples_of_bytes = 3;
+
+/// What the claims of a law have in common: scenes that are ready, and pictures of them.
+class Shelf {
+public:
+    explicit Shelf(const Studio& studio) : studio_(studio) {}
+
+    const Studio& studio() const { return studio_; }
+    const Prepared& prepared(const Term& term) { return *at(term).scene; }
+    /// The picture of the term for claims of equal bytes, which is made once if it comes in time.
+    Image picture(const Term& term, const Deadline& end) {
+        Scene& scene = at(term);
+        Image& image = scene.pictures[term.view];
+        if (image.pixels.empty()) image = seen(*scene.scene, term, samples_of_bytes, 1, end);
+        return image;
+    }
+    static Image seen(const Prepared& scene, const Term& term, int samples, int seed,
+                      const Deadline& end) {
+        return term.view ? term.view(scene, samples, seed, end) : scene.render(samples, seed, end);
+    }
+
+private:
+    struct Scene {
+        std::unique_ptr<const Prepared> scene = {};
+        std::map<View, Image> pictures = {};
+    };
+    Scene& at(const Term& term) {
+        std::string key = term.text;
+        for (const RunOption& each : term.options)
+            key += '\n' + std::to_string(each.field) + ' ' + text_of(each.value);
+        Scene& scene = scenes_[std::move(key)];
+        if (!scene.scene)
+            scene.scene = std::make_unique<const Prepared>(studio_, term.text, term.options);
+        return scene;
+    }
+
+    const Studio& studio_;
+    std::map<std::string, Scene> scenes_;
+};
+
+/// Renders the terms of a claim, within its time.
 class Renderings {
 public:
-    Renderings(const Claim& claim, const Studio& studio)
-        : claim_(claim), studio_(studio), end_(studio.seconds) {}
+    explicit Renderings(Shelf& shelf) : shelf_(shelf), end_(shelf.studio().look_seconds) {}
+
+    /// Takes more time for a claim that is suspicious.
+    void go_on() { end_ = Deadline(shelf_.studio().seconds); }
 
     /// Returns an empty image if there is trouble.
     Image sum(const std::vector<Term>& terms, int samples, int seed) {
+        return summed(terms, [&](const Prepared& scene, const Term& term) {
+            return Shelf::seen(scene, term, samples, seed, end_);
+        });
+    }
+    /// The sum with the samples and the seed that claims of equal bytes have.
+    Image sum_of_bytes(const std::vector<Term>& terms) {
+        return summed(
+            terms, [&](const Prepared&, const Term& term) { return shelf_.picture(term, end_); });
+    }
+    Trouble trouble() const { return trouble_; }
+    const std::string& complaint() const { return complaint_; }
+
+private:
+    template <class PictureOf>
+    Image summed(const std::vector<Term>& terms, const PictureOf& picture_of) {
         Image total;
         for (const Term& term : terms) {
-            const Prepared* ready = prepared(term);
-            if (!ready) return {};
-            const Image image = term.view ? term.view(*ready, samples, seed, end_)
-                                          : ready->render(samples, seed, end_);
+            const Prepared& scene = shelf_.prepared(term);
+            if (scene.trouble() != Trouble::none) {
+                trouble_ = scene.trouble();
+                complaint_ = scene.complaint();
+                return {};
+            }
+            const Image image = picture_of(scene, term);
             if (image.pixels.empty()) {
                 trouble_ = Trouble::too_slow;
                 return {};
@@ -56,23 +125,9 @@ public:
         }
         return total;
     }
-    Trouble trouble() const { return trouble_; }
-    const std::string& complaint() const { return complaint_; }
 
-private:
-    const Prepared* prepared(const Term& term) {
-        auto& place = prepared_[&term];
-        if (!place) place = std::make_unique<Prepared>(studio_, term.text, term.options);
-        if (place->trouble() == Trouble::none) return place.get();
-        trouble_ = place->trouble();
-        complaint_ = place->complaint();
-        return nullptr;
-    }
-
-    const Claim& claim_;
-    const Studio& studio_;
+    Shelf& shelf_;
     Deadline end_;
-    std::map<const Term*, std::unique_ptr<Prepared>> prepared_;
     Trouble trouble_ = Trouble::none;
     std::string complaint_;
 };
@@ -88,18 +143,26 @@ std::string name_of_region(std::size_t region) {
 
 class Judge {
 public:
-    Judge(const Claim& claim, const Studio& studio)
-        : claim_(claim), studio_(studio), renderings_(claim, studio) {
+    Judge(const Claim& claim, Shelf& shelf)
+        : claim_(claim), studio_(shelf.studio()), renderings_(shelf) {
         verdict_.claim = claim.name;
     }
 
     Verdict verdict() {
         if (claim_.bound == Bound::bytes) return bytes();
         int seed = 1;
+        Comparison look(claim_.tolerance);
+        if (!batches(1, first_look.samples * claim_.effort, seed, look)) return troubled(false);
+        const double seen = look.t(worst(look));
+        if ((claim_.bound == Bound::at_most ? seen : std::abs(seen)) <= first_look.t)
+            return verdict_;
+        seed += 2;
+        renderings_.go_on();
         for (const Stage& stage : stages) {
             Comparison comparison(claim_.tolerance);
             const int samples = stage.samples * claim_.effort;
-            if (!batches(stage, samples, seed, comparison)) return troubled(&stage != stages);
+            if (!batches(stage.batches, samples, seed, comparison))
+                return troubled(&stage != stages);
             seed += 2 * stage.batches;
             const double spread = suspicion(stage, samples, comparison);
             const bool rare = spread > 0 && claim_.bound == Bound::equal &&
@@ -115,8 +178,8 @@ public:
     }
 
 private:
-    bool batches(const Stage& stage, int samples, int seed, Comparison& comparison) {
-        for (int i = 0; i < stage.batches; ++i) {
+    bool batches(int count, int samples, int seed, Comparison& comparison) {
+        for (int i = 0; i < count; ++i) {
             Image left = renderings_.sum(claim_.left, samples, seed + 2 * i);
             if (renderings_.trouble() != Trouble::none) return false;
             Image right = renderings_.sum(claim_.right, samples, seed + 2 * i + 1);
@@ -171,9 +234,9 @@ private:
     }
 
     Verdict bytes() {
-        const Image left = renderings_.sum(claim_.left, 3, 1);
+        const Image left = renderings_.sum_of_bytes(claim_.left);
         if (renderings_.trouble() != Trouble::none) return troubled(false);
-        const Image right = renderings_.sum(claim_.right, 3, 1);
+        const Image right = renderings_.sum_of_bytes(claim_.right);
         if (renderings_.trouble() == Trouble::illegal) return refused();
         if (renderings_.trouble() != Trouble::none) return troubled(false);
         if (left.pixels.size() != right.pixels.size()) {
@@ -244,13 +307,12 @@ int rank(Outcome outcome) {
 
 }  // namespace
 
-Verdict judged(const Claim& claim, const Studio& studio) { return Judge(claim, studio).verdict(); }
-
 Verdict judged(const Law& law, const Script& script, std::uint64_t seed, const Studio& studio) {
     Dice dice(seed);
     Verdict worst;
+    Shelf shelf(studio);
     for (const Claim& claim : law.claims(script, dice)) {
-        Verdict verdict = judged(claim, studio);
+        Verdict verdict = Judge(claim, shelf).verdict();
         if (rank(verdict.outcome) > rank(worst.outcome)) worst = std::move(verdict);
         if (worst.outcome == Outcome::fails || worst.outcome == Outcome::illegal) break;
     }

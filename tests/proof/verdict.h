@@ -26,8 +26,6 @@ struct Verdict {
     std::string said = {};  ///< region, samples, complaint
 };
 
-Verdict judged(const Claim&, const Studio&);
-
 /// The worst verdict over all claims of a law on the script.
 Verdict judged(const Law&, const Script&, std::uint64_t seed, const Studio&);
 
