@@ -58,6 +58,20 @@ Dimension dimension(Purpose purpose) {
             return {static_cast<std::uint32_t>(Purpose::meter_u), true};
         case Purpose::media_direction_v:
             return {static_cast<std::uint32_t>(Purpose::media_direction_u), true};
+        case Purpose::survey_v:
+            return {static_cast<std::uint32_t>(Purpose::survey_u), true};
+        case Purpose::sent_v:
+            return {static_cast<std::uint32_t>(Purpose::sent_u), true};
+        case Purpose::sent_grid_v:
+            return {static_cast<std::uint32_t>(Purpose::sent_grid_u), true};
+        case Purpose::photon_v:
+            return {static_cast<std::uint32_t>(Purpose::photon_u), true};
+        case Purpose::subsurface_v:
+            return {static_cast<std::uint32_t>(Purpose::subsurface_u), true};
+        case Purpose::glare_v:
+            return {static_cast<std::uint32_t>(Purpose::glare_u), true};
+        case Purpose::scatter_v:
+            return {static_cast<std::uint32_t>(Purpose::scatter_u), true};
         default:
             return {static_cast<std::uint32_t>(purpose), false};
     }

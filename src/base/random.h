@@ -9,13 +9,14 @@
 
 namespace candelabra {
 
-/// The decision for which a random number is used. Appending a purpose changes no other number.
+/// The decision for which a random number is used. Each decision has a purpose of its own, and a
+/// test of the house states which files make it. Appending a purpose changes no other number.
 enum class Purpose : std::uint32_t {
     pixel_x,
     pixel_y,
     light_choice,
-    light_representative,
-    light_u,
+    survey,   ///< any decision of a Survey, which the key names
+    light_u,  ///< place on a light, or direction to or from it: place_on_light()
     light_v,
     grain,
     jitter_u,
@@ -50,7 +51,34 @@ enum class Purpose : std::uint32_t {
     sun_u,  ///< the point of its disc that lights a place
     sun_v,
     grid_u,  ///< the light of an area light's grid that lights a place
-    grid_v
+    grid_v,
+    survey_u,  ///< the same as `survey`, for decisions of two numbers
+    survey_v,
+    dim_representative,  ///< which dim luminaires stand for all of them
+    sender_kind,         ///< whether a light source or a luminaire sends light out
+    sender_choice,       ///< the lamp that sends light out
+    sent_u,              ///< direction in which a luminaire sends light out
+    sent_v,
+    sent_side,    ///< the side of a luminaire that sends light out
+    sent_grid_u,  ///< the light of an area light's grid that sends light out
+    sent_grid_v,
+    seen_place,      ///< the place before the camera at which a light path is tried
+    behind_on_line,  ///< whether straight light of a source goes on behind a surface
+    photon_offset,   ///< shifts the photons among all lamps and targets
+    photon_lamp,     ///< which of several chosen luminaires sends a photon
+    photon_u,        ///< where a photon enters the ball around its target
+    photon_v,
+    photon_start,       ///< which of the luminaire's points on a line sends the photon
+    photon_in_air,      ///< which photons in the air light a stretch of a ray
+    subsurface_choice,  ///< with the next two: where light enters a solid, and which light
+    subsurface_u,
+    subsurface_v,
+    subsurface_roulette,
+    glare_u,  ///< the point of a luminaire at which a meter of glare looks
+    glare_v,
+    scatter_face,  ///< the triangle on which scatter() puts a point
+    scatter_u,     ///< the place of the point in it
+    scatter_v
 };
 
 /// Continuations of a path, and decisions beside it that need their own numbers. Appending one

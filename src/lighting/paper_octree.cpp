@@ -63,7 +63,7 @@ double BuiltPaperOctree::guess_dim(const Receiver& point, const Key& key, const 
     // strength.
     double given = 0, straight_on = 0;
     for (int i = 0; i < representatives_; ++i) {
-        const LightIndex light = dim.at(draw_integer(key, Purpose::light_representative,
+        const LightIndex light = dim.at(draw_integer(key, Purpose::dim_representative,
                                                      static_cast<std::uint64_t>(i), dim.places()));
         const auto places = static_cast<double>(places_.of(light));
         given += table_.estimate(light, point) / places;

@@ -49,7 +49,7 @@ inline Key survey_key(std::uint32_t entry, std::uint32_t ray, EntryDraw draw) {
 /// Uniform in [0, 1), for the numbers of a trial and its decision.
 template <class... Trial>
 double survey_number(const Trial&... trial) {
-    return uniform(survey_key(trial...), Purpose::light_representative);
+    return uniform(survey_key(trial...), Purpose::survey);
 }
 
 }  // namespace candelabra

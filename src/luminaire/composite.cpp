@@ -90,10 +90,10 @@ struct SeenRays {
                 return uniform(Key::of(Survey::seen_area, 0, i, branch), purpose);
             };
             const Vec3 direction = in_cone(
-                Vec3(0, 0, 1), 2, {number(0, Purpose::light_u), number(0, Purpose::light_v)});
+                Vec3(0, 0, 1), 2, {number(0, Purpose::survey_u), number(0, Purpose::survey_v)});
             const auto [x, y] = perpendiculars(direction);
-            const double off = ball.radius * std::sqrt(number(1, Purpose::light_u));
-            const double angle = 2 * pi * number(1, Purpose::light_v);
+            const double off = ball.radius * std::sqrt(number(1, Purpose::survey_u));
+            const double angle = 2 * pi * number(1, Purpose::survey_v);
             const Vec3 through = ball.centre + off * on_circle(angle, x, y);
             const Ray ray{through - 2 * ball.radius * direction, direction};
             const auto hit = first_of(e, ray, 0);

@@ -60,9 +60,9 @@ std::vector<SurfacePoint> scattered(const Composite& surface, const Mesh& triang
     for (double thrown = 0; thrown < count; ++thrown) {
         ++key.pixel;
         count_work(6);
-        const std::size_t number = area.at(uniform(key, Purpose::light_choice)).index;
+        const std::size_t number = area.at(uniform(key, Purpose::scatter_face)).index;
         const auto corners = face(triangles, number).corners;
-        const Vec2 u(uniform(key, Purpose::light_u), uniform(key, Purpose::light_v));
+        const Vec2 u(uniform(key, Purpose::scatter_u), uniform(key, Purpose::scatter_v));
         const auto [dart, across] = sample_area(Triangle{corners[0], corners[1], corners[2]}, u);
         // Skips the test of the surface where there is no room anyway.
         if (taken.near(dart, 0.9 * distance)) continue;

@@ -69,7 +69,7 @@ public:
     const std::vector<Span>& statements() const { return statements_; }
 
     void follow(const Key& key, BalanceSums& sums) const {
-        if (of_sources_ > 0 && uniform(key, Purpose::light_representative) < of_sources_)
+        if (of_sources_ > 0 && uniform(key, Purpose::sender_kind) < of_sources_)
             return follow_source(key, sums);
         if (!lamp_rays_.any()) return;
         auto drawn = lamp_rays_.draw(

@@ -160,7 +160,7 @@ private:
             const Key own = key.with_branch(lamp + 1);
             const auto seen =
                 sight_of_lamp(world_, lamp, from,
-                              {uniform(own, Purpose::meter_u), uniform(own, Purpose::meter_v)});
+                              {uniform(own, Purpose::glare_u), uniform(own, Purpose::glare_v)});
             if (seen && dot(seen->direction, sight.ahead) > 0)
                 use(seen->direction, luminance(from, seen->direction, own), 1 / seen->density);
         }

@@ -40,7 +40,7 @@ public:
     /// Light of a sample of the photons, chosen in proportion to their power, whose sums are given.
     Rgb of_some(std::span<const Passed> passed, std::span<const double> sums) {
         const double total = sums.back(), count = choices_;
-        const double shift = uniform(stretch_.path.key, Purpose::media_choice);
+        const double shift = uniform(stretch_.path.key, Purpose::photon_in_air);
         for (int i = 0; i < choices_; ++i) {
             const std::size_t found = drawn_share(sums, (i + shift) / count).index;
             add(passed[found], total / (count * weight_of(sums, found)), i);

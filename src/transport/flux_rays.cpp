@@ -2,6 +2,7 @@
 #include "transport/flux_rays.h"
 
 #include "light/spreading.h"
+#include "lighting/draw.h"
 #include "photometry/light_colour.h"
 #include "transport/source_rays.h"
 
@@ -29,17 +30,14 @@ FluxRays::FluxRays(const World& world) : world_(world) {
 }
 
 std::optional<FluxRay> FluxRays::draw(const Key& key) const {
-    const std::uint32_t source = places_.at_share(uniform(key, Purpose::light_choice));
+    const std::uint32_t source = places_.at_share(uniform(key, Purpose::sender_choice));
     const PointLight& light = world_.lights.sources[source];
     const LightCone cone = cone_around(light);
-    const Vec3 direction =
-        direction_in_cone(cone, {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)});
+    const Vec3 direction = direction_in_cone(cone, place_on_light(key));
     FluxRay drawn{source, {}, Rgb(0)};
     PathState& path = drawn.path;
     path.ray = {light.location, direction};
-    if (light.is_area())
-        path.ray.origin = drawn_grid_point(
-            light, {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)}, -direction);
+    if (light.is_area()) path.ray.origin = drawn_grid_point(light, place_in_grid(key), -direction);
     const Handle<Composite>& window = world_.lights.reach[source].window;
     const auto any = [](std::uint32_t) { return true; };
     if (window && !window->first(path.ray, Interval{0}, any)) return std::nullopt;

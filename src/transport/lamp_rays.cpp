@@ -25,6 +25,12 @@ std::vector<double> intensities(const WorldLights& lights) {
 
 }  // namespace
 
+EmissionDraw emission_draw(const Key& key) {
+    return {place_on_light(key),
+            {uniform(key, Purpose::sent_u), uniform(key, Purpose::sent_v)},
+            uniform(key, Purpose::sent_side)};
+}
+
 LampRays::LampRays(const World& world) : world_(world) {
     const std::vector<double> all = intensities(world.lights);
     places_ = WeightedPlaces(all);
@@ -36,10 +42,7 @@ std::optional<LampRay> LampRays::draw(const Key& key, double choice, double shar
     const LightIndex light = places_.at_share(choice);
     const Luminaire& luminaire = world_.lights.luminaires[light];
     const double chance = places_.share_of(light);
-    const auto emitted = emit(luminaire, inner(luminaire),
-                              {place_on_light(key),
-                               {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
-                               uniform(key, Purpose::way_choice)});
+    const auto emitted = emit(luminaire, inner(luminaire), emission_draw(key));
     if (!emitted) return std::nullopt;
     LampRay drawn{light,
                   {},

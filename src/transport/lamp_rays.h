@@ -21,6 +21,9 @@ struct LampRay {
     double power_of_one;
 };
 
+/// The numbers by which a luminaire sends a ray out.
+EmissionDraw emission_draw(const Key&);
+
 class LampRays {
 public:
     /// The world must outlive this.
@@ -40,7 +43,7 @@ public:
     /// The same, where the key chooses.
     std::optional<LampRay> draw(const Key& key, double share,
                                 FunctionRef<double(const Luminaire&)> inner) const {
-        return draw(key, uniform(key, Purpose::light_choice), share, inner);
+        return draw(key, uniform(key, Purpose::sender_choice), share, inner);
     }
 
 private:

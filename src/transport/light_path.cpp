@@ -76,7 +76,7 @@ void LightPaths::learn() {
             const Key own = key.branched(Branch::reflected, number++);
             const auto places = static_cast<double>(seen_.size());
             const SeenPlace& place =
-                seen_[static_cast<std::size_t>(uniform(own, Purpose::pixel_x) * places)];
+                seen_[static_cast<std::size_t>(uniform(own, Purpose::seen_place) * places)];
             if (!sees(world_, place, each.position, each.normal, each.tolerance)) continue;
             const Vec3 offset = each.position - place.position;
             const double away2 = dot(offset, offset);
@@ -113,7 +113,7 @@ struct LightPaths::Lit {
 void LightPaths::follow(const Key& key, double share, Found& found) const {
     const double of_luminaires = lamp_rays_.power() / power_,
                  of_sources = source_rays_.power() / power_;
-    double choice = uniform(key, Purpose::light_choice);
+    double choice = uniform(key, Purpose::sender_choice);
     if (choice < of_luminaires)
         return from_luminaire(key, choice / of_luminaires, share / of_luminaires, found);
     choice -= of_luminaires;
@@ -199,7 +199,7 @@ void LightPaths::from_source(const SourceRays::Drawn& drawn, const Key& key, dou
         }
         // Nothing before the plane of a parallel light casts a shadow.
         if (way < ahead || world_.passed(vertex.hit, path.ray) != Rgb(0)) return true;
-        if (by_line || uniform(path.key, Purpose::light_roulette) < 0.5) return false;
+        if (by_line || uniform(path.key, Purpose::behind_on_line) < 0.5) return false;
         share *= 2;
         return true;
     });

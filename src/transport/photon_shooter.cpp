@@ -4,6 +4,7 @@
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "lighting/draw.h"
+#include "transport/lamp_rays.h"
 #include "transport/light_left.h"
 #include "transport/sight.h"
 
@@ -175,9 +176,7 @@ std::optional<PhotonShot> PhotonShooter::from_source(std::uint32_t number,
     const PointLight& light = world_.lights.sources[number];
     Vec3 place = light.location;
     if (light.is_area() && world_.lights.reach[number].photons_of_grid)
-        place = drawn_grid_point(light,
-                                 {uniform(key, Purpose::jitter_u), uniform(key, Purpose::jitter_v)},
-                                 unit(light.location - target.centre));
+        place = drawn_grid_point(light, place_in_grid(key), unit(light.location - target.centre));
     shot.of_source = ray_into({target.centre, target.radius}, light, place, place_on_light(key));
     if (!shot.of_source) return std::nullopt;
     shot.ray = shot.of_source->ray;
@@ -218,11 +217,11 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
     // A strategy may pick several luminaires: one of them is used.
     const auto picks = static_cast<double>(samples.picks.size());
     const LightPick pick =
-        samples.picks[static_cast<std::size_t>(uniform(key, Purpose::light_roulette) * picks)];
+        samples.picks[static_cast<std::size_t>(uniform(key, Purpose::photon_lamp) * picks)];
     const Luminaire& luminaire = world_.lights.luminaires[pick.light];
     const Entry drawn =
         draw_entry(cap_towards(bounds(luminaire), target),
-                   {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)});
+                   {uniform(key, Purpose::photon_u), uniform(key, Purpose::photon_v)});
     const Vec3& normal = drawn.normal;
     const Receiver entry{target.centre + target.radius * normal, normal, Horizon::one_side};
     Vec3 start(0), direction(0);
@@ -240,7 +239,7 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
             if (world_.luminaire_of(hit.primitive) != pick.light) return true;
             ++met;
             const Key own = key.with_branch(static_cast<std::uint32_t>(met));
-            if (uniform(own, Purpose::roulette) * met < 1) {
+            if (uniform(own, Purpose::photon_start) * met < 1) {
                 start = hit.position;
                 radiance = radiance_of(world_, luminaire, emitting_point(hit, ray));
             }
@@ -270,10 +269,7 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
 std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const PhotonTarget& target,
                                                      PhotonShot shot, const Key& key) const {
     const Luminaire& luminaire = world_.lights.luminaires[light];
-    const auto emitted = emit(luminaire, shot_.inner_rays(luminaire),
-                              {place_on_light(key),
-                               {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)},
-                               uniform(key, Purpose::way_choice)});
+    const auto emitted = emit(luminaire, shot_.inner_rays(luminaire), emission_draw(key));
     if (!emitted || length(emitted->ray.origin - target.centre) > target.radius)
         return std::nullopt;
     // Seen from a place on the ray; light of media, from the first surface.

@@ -57,7 +57,7 @@ void Photons::shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count
     const auto& aims = shooter_.aims();
     if (aims.empty()) return;
     const double step = shooter_.weight() / count;
-    const double offset = uniform({stream, 0, 0, 0}, Purpose::pixel_x);
+    const double offset = uniform({stream, 0, 0, 0}, Purpose::photon_offset);
     const auto first_of = [&](double weight) {
         return static_cast<std::uint32_t>(
             std::clamp<double>(std::ceil(weight / step - offset), 0, count));

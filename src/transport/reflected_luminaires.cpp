@@ -153,7 +153,7 @@ void ReflectedLuminaires::find_seen(const std::vector<ReflectedLuminaire>& tried
         double seen = 0;
         for (std::uint32_t n = 0; n < trials_of_each; ++n) {
             const Key key{mix(seed_ + i), n, 0, 0};
-            const auto place = static_cast<std::size_t>(uniform(key, Purpose::pixel_x) *
+            const auto place = static_cast<std::size_t>(uniform(key, Purpose::seen_place) *
                                                         static_cast<double>(places.size()));
             seen += sees(*shot_.world, places[place], each.position, each.normal, each.tolerance);
         }

@@ -4,6 +4,7 @@
 #include "base/degrees.h"
 #include "base/elementary.h"
 #include "base/random.h"
+#include "lighting/draw.h"
 #include "luminaire/luminaire.h"
 
 #include <algorithm>
@@ -141,8 +142,7 @@ double power_into(const LitRegion& region, const PointLight& light, std::size_t 
     double shaped = 0, whole = 0;
     for (std::size_t i = 0; i < rays; ++i) {
         const Key key{0, static_cast<std::uint32_t>(i), 0, 0};
-        const SourceRay sent = ray_anywhere(
-            region, light, {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)});
+        const SourceRay sent = ray_anywhere(region, light, place_on_light(key));
         // Of a parallel ray, where it is nearest to the region.
         const double way =
             light.along_axis() ? dot(region.centre - sent.ray.origin, sent.ray.direction) : usual;
@@ -168,6 +168,10 @@ std::optional<SourceRay> ray_into(const TargetBall& ball, const PointLight& ligh
                                   const Vec3& place, const Vec2& u) {
     return light.along_axis() ? from_plane(ball, light, place, u)
                               : from_point(ball, light, place, u);
+}
+
+Vec2 place_in_grid(const Key& key) {
+    return {uniform(key, Purpose::sent_grid_u), uniform(key, Purpose::sent_grid_v)};
 }
 
 SourceRay ray_anywhere(const LitRegion& region, const PointLight& light, const Vec2& u) {
@@ -210,8 +214,7 @@ void SourceRays::learn(FunctionRef<double(const Drawn&, const Key&)> worth) {
         StartTrials tried;
         for (std::size_t i = 0; i < trials; ++i) {
             const Key key{trial_stream, static_cast<std::uint32_t>(i), number, 0};
-            const Vec2 place = StartTrials::place(
-                i, {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)});
+            const Vec2 place = StartTrials::place(i, place_on_light(key));
             tried.add(i, worth({number, ray_anywhere(region_, sources_[number], place)}, key));
         }
         guides_[number] = StartGuide(tried);

@@ -22,6 +22,9 @@ namespace candelabra {
 /// Samples a unit direction in a cone, uniformly per steradian.
 Vec3 direction_in_cone(const LightCone&, const Vec2& u);
 
+/// Which light of an area light's grid sends light out, as drawn_grid_point() takes it.
+Vec2 place_in_grid(const Key&);
+
 /// A ray that leaves a source, and its extent: a solid angle in steradians, or an area if all light
 /// of the source is parallel.
 struct SourceRay {

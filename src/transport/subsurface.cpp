@@ -91,8 +91,8 @@ private:
         if (count == 0) return Rgb(0);
         constexpr double plastic = 1.3247179572447461;
         const Rgb throughput = layer_.throughput * (factor / count);
-        const Vec3 start(uniform(key, Purpose::facet_choice), uniform(key, Purpose::facet_u),
-                         uniform(key, Purpose::facet_v));
+        const Vec3 start(uniform(key, Purpose::subsurface_choice),
+                         uniform(key, Purpose::subsurface_u), uniform(key, Purpose::subsurface_v));
         Rgb sum(0);
         for (int i = 0; i < count; ++i)
             sum += each(Draw{key.part(count, i), (i + start.x) / count,
@@ -190,7 +190,7 @@ private:
             const Key own = draw.key.with_branch(branch);
             // Russian roulette for small factors.
             const double kept = std::fmin(1, max_component(factor) / min_factor);
-            if (!(uniform(own, Purpose::grain) < kept)) continue;
+            if (!(uniform(own, Purpose::subsurface_roulette) < kept)) continue;
             factor /= kept;
             sum += factor * light_at(entry(*hit), draw.throughput * factor, own);
         }

@@ -32,7 +32,7 @@ constexpr double max_length = 0.48;
 
 double number(std::size_t light, std::size_t ray, std::uint32_t which) {
     return uniform(Key::of(Survey::bent_normals, light, static_cast<std::uint32_t>(ray), which),
-                   Purpose::light_representative);
+                   Purpose::survey);
 }
 
 /// Whether light that leaves the point gets that far, and does not start inside of a solid.

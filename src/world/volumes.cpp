@@ -85,7 +85,7 @@ public:
                 for (std::uint32_t axis = 0; axis < 3; ++axis)
                     within[static_cast<int>(axis)] =
                         uniform(Key::of(Survey::seen_area, number, cell * points_in_cell + i, axis),
-                                Purpose::light_representative);
+                                Purpose::survey);
                 const Vec3 point = box.low + (corner + within) * size;
                 if (world_.contains_point(volume_, point))
                     cells[cell] +=
