@@ -58,7 +58,7 @@ concept LightAnswer = requires(const T& at, const Key& key, LightSamples& sample
     { at.expected(key, LightIndex{}) } -> std::same_as<double>;
     // Pdf per steradian of a point of a luminaire by all ways together. Arguments: its direction,
     // the expected number of times that the luminaire is picked, and the pdf of the point if it is
-    // picked. No direction hits volumes: theirs is the product of the last two.
+    // picked. No direction hits media: theirs is the product of the last two.
     { at.pdf(direction, double{}, double{}) } -> std::same_as<double>;
     { at.estimate() } -> std::same_as<std::optional<LightEstimate>>;
     // Whether the sky, if it counts, is among what sample() picks, as sky_light, and whether it

@@ -7,7 +7,6 @@
 #include "luminaire/rectangle.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
-#include "luminaire/volume.h"
 
 #include <numbers>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every kind of emitter must be able to do. A new kind is a struct in luminaire.h, an
+// What every kind of emitter must be able to do: surfaces that glow. (Glowing media are boxes of
+// their own, in volume.h.) A new kind is a struct in luminaire.h, an
 // alternative of Emitter, and these six functions in a file of its own; luminaire.h says what each
 // returns. tests/conformance/emitter_test.cpp tests them for each kind.
 #pragma once

@@ -42,12 +42,12 @@ struct Receiver {
     }
 };
 
-/// A point on a luminaire as seen from a shading point.
+/// A point on a luminaire, or in glowing media, as seen from a shading point.
 struct LightPoint {
     Vec3 position;
     Vec3 direction;  ///< unit, from the shading point
     double distance;
-    double density;  ///< per steradian, for volumes also per unit of length; above 0
+    double density;  ///< per steradian, in media also per unit of length; above 0
 };
 
 /// A glowing sphere, sampled uniformly in the cone that it fills (from inside, by its area).
@@ -96,26 +96,17 @@ struct CompositeEmitter {
     bool closed = false;              ///< whether no inner side is visible from outside
 };
 
-class EmissionGrid;
-
-/// A box, or part of one, filled with an emitting medium: see volume.h.
-struct VolumeEmitter {
-    Box box;
-    Handle<EmissionGrid> grid;
-};
-
 class BodyWeb;
 class Brightness;
 
-using Emitter = std::variant<SphereEmitter, TriangleEmitter, RectangleEmitter, AreaEmitter,
-                             CompositeEmitter, VolumeEmitter>;
+using Emitter =
+    std::variant<SphereEmitter, TriangleEmitter, RectangleEmitter, AreaEmitter, CompositeEmitter>;
 
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they do in POV-Ray, unless
 /// they have another texture on the inner side.
 struct Luminaire {
     Emitter emitter;
-    /// Maximum radiance anywhere on it, on either side, per channel; for volumes, the maximum
-    /// emitted along a line through them.
+    /// Maximum radiance anywhere on it, on either side, per channel.
     Rgb radiance;
     bool varying = false;    ///< whether the radiance changes over the surface
     bool two_faced = false;  ///< whether the two sides differ in radiance
@@ -125,11 +116,7 @@ struct Luminaire {
     Handle<Brightness> brightness = nullptr;  ///< null: unknown
     /// How its radiance changes with the direction; null: it does not.
     Handle<BodyWeb> web = nullptr;
-    std::uint32_t primitive;  ///< index of its primitive in the world; for volumes, of one
-                              ///< primitive of the enclosing solid
-
-    /// Whether its points lie between surfaces instead of on one.
-    bool is_volume() const { return std::holds_alternative<VolumeEmitter>(emitter); }
+    std::uint32_t primitive;  ///< index of its primitive in the world
 };
 
 /// Place, directions and amount of the emission of a luminaire or a cluster of them: enough to
@@ -205,13 +192,13 @@ using LightHits = std::vector<LightHit>;
 /// Appends the points that sample() may return in this direction from the shading point.
 void intersect(const Luminaire&, const Receiver&, const Vec3& direction, LightHits&);
 
-/// A ray that leaves a luminaire.
+/// A ray that leaves a luminaire or glowing media.
 struct EmittedRay {
     Ray ray;          ///< from the surface; its direction is a unit vector
-    Vec3 normal;      ///< unit normal of the surface, on the side of the ray; for volumes, the
+    Vec3 normal;      ///< unit normal of the surface, on the side of the ray; in media, the
                       ///< direction itself
     double density;   ///< joint density of point and direction: the product of these two
-    double of_point;  ///< density per area; for volumes, per volume
+    double of_point;  ///< density per area; in media, per volume
     double of_direction() const { return density / of_point; }  ///< per steradian
 };
 

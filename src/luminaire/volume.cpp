@@ -47,11 +47,11 @@ struct PlaceInVolume {
     double density;
 };
 
-double cell_density(const VolumeEmitter& e, std::size_t cell) {
+double cell_density(const MediaBox& e, std::size_t cell) {
     return e.grid->chance(cell) * EmissionGrid::count / volume_of(e.box);
 }
 
-PlaceInVolume draw_place(const VolumeEmitter& e, Vec2 u) {
+PlaceInVolume draw_place(const MediaBox& e, Vec2 u) {
     constexpr auto side = EmissionGrid::side;
     const std::size_t cell = e.grid->draw(u.x);
     const Vec3 corner(static_cast<double>(cell % side), static_cast<double>(cell / side % side),
@@ -69,7 +69,7 @@ Interval chord(const Box& box, const Vec3& from, const Vec3& direction) {
 /// The bounding sphere of the box as seen from a point.
 class BallView {
 public:
-    BallView(const VolumeEmitter& e, const Vec3& from) : middle_(e.box.centre() - from) {
+    BallView(const MediaBox& e, const Vec3& from) : middle_(e.box.centre() - from) {
         const double radius = 0.5 * length(e.box.size()), distance = length(middle_);
         share_ = distance < near_volume * radius ? by_direction : 0;
         if (!(distance > radius)) return;
@@ -127,21 +127,21 @@ std::size_t EmissionGrid::draw(double& u) const {
     return cell;
 }
 
-LightBounds bounds(const VolumeEmitter& e, double luminance) {
+LightBounds bounds(const MediaBox& e) {
     LightBounds result;
     result.box = e.box;
     result.centre = e.box.centre();
     result.radius = 0.5 * length(e.box.size());
     result.intensity = e.grid->mean() * volume_of(e.box);
-    result.luminance = luminance;
+    result.luminance = luminance(e.radiance);
     return result;
 }
 
-double unoccluded(const VolumeEmitter& e, double luminance, const Receiver& point) {
-    return irradiance(light_proxy(bounds(e, luminance)), point);
+double unoccluded(const MediaBox& e, const Receiver& point) {
+    return irradiance(light_proxy(bounds(e)), point);
 }
 
-std::optional<LightPoint> sample(const VolumeEmitter& e, const Vec3& from, const Vec2& u) {
+std::optional<LightPoint> sample(const MediaBox& e, const Vec3& from, const Vec2& u) {
     const BallView view(e, from);
     const double share = view.share();
     Vec3 direction;
@@ -171,22 +171,20 @@ std::optional<LightPoint> sample(const VolumeEmitter& e, const Vec3& from, const
     return LightPoint{from + distance * direction, direction, distance, density};
 }
 
-void intersect(const VolumeEmitter&, const Receiver&, const Vec3&, LightHits&) {}
-
-double emitted_about(const VolumeEmitter& e, const Vec3& point) {
+double emitted_about(const MediaBox& e, const Vec3& point) {
     return e.grid->brightness(cell_at((point - e.box.low) / e.box.size()));
 }
 
-std::optional<EmittedRay> emit(const VolumeEmitter& e, double, const EmissionDraw& u) {
+EmittedRay emit(const MediaBox& e, const EmissionDraw& u) {
     const PlaceInVolume place = draw_place(e, u.where);
     const double height = 1 - 2 * u.direction.x,
                  across = std::sqrt(std::fmax(1 - height * height, 0)),
                  angle = 2 * pi * u.direction.y;
     const Vec3 towards(across * on_circle(angle), height);
-    return EmittedRay{{place.position, towards}, towards, place.density / (4 * pi), place.density};
+    return {{place.position, towards}, towards, place.density / (4 * pi), place.density};
 }
 
-double emitting_area(const VolumeEmitter& e) {
+double area_of_equal_light(const MediaBox& e) {
     const double diagonal = length(e.box.size());
     return diagonal > 0 ? 4 * volume_of(e.box) / diagonal : 0;
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An emitting volume: flames, gas in tubes, nebulae. Called through luminaire.h, which documents
-// each function. Its sample points lie between surfaces, so no ray meets one. The density of a
-// point is that of its direction times that of its distance along the ray, and its contribution is
-// the radiance emitted per unit of length.
+// A box of media that light the scene: flames, gas in tubes, nebulae. It is no luminaire: its points
+// lie between surfaces, so no ray meets one. The density of a point is that of its direction times
+// that of its distance along the ray, and its contribution is the radiance emitted per unit of
+// length.
 #pragma once
 
 #include "luminaire/luminaire.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 
 namespace candelabra {
 
@@ -34,15 +37,28 @@ private:
     double mean_;
 };
 
-LightBounds bounds(const VolumeEmitter&, double luminance);
-double unoccluded(const VolumeEmitter&, double luminance, const Receiver&);
+/// A box, or part of one, filled with a medium that lights the scene.
+struct MediaBox {
+    Box box;
+    Handle<EmissionGrid> grid;
+    Rgb radiance;             ///< maximum emitted along a line through it, per channel
+    std::uint32_t primitive;  ///< index in the world of one primitive of the enclosing solid
+};
+
+LightBounds bounds(const MediaBox&);
+/// Estimates the unoccluded irradiance at the point, as luminance.
+double unoccluded(const MediaBox&, const Receiver&);
+/// Returns a point that may be visible, u is in [0, 1)^2; nothing if the drawn one cannot be.
 /// Samples by cell, and nearby also by direction, which keeps the estimate bounded.
-std::optional<LightPoint> sample(const VolumeEmitter&, const Vec3& from, const Vec2& u);
-void intersect(const VolumeEmitter&, const Receiver&, const Vec3& direction, LightHits&);
-std::optional<EmittedRay> emit(const VolumeEmitter&, double inner, const EmissionDraw&);
+std::optional<LightPoint> sample(const MediaBox&, const Vec3& from, const Vec2& u);
+inline std::optional<LightPoint> sample(const MediaBox& box, const Receiver& point, const Vec2& u) {
+    return sample(box, point.position, u);
+}
+/// Returns a ray that starts in the box, in any direction: see emit() in luminaire.h.
+EmittedRay emit(const MediaBox&, const EmissionDraw&);
 /// Mean luminance emitted per unit of length around a point of the box.
-double emitted_about(const VolumeEmitter&, const Vec3& point);
+double emitted_about(const MediaBox&, const Vec3& point);
 /// Area of a surface that emits about as much light if it has the maximum radiance everywhere.
-double emitting_area(const VolumeEmitter&);
+double area_of_equal_light(const MediaBox&);
 
 }  // namespace candelabra

@@ -81,7 +81,7 @@ void review_balance(const World& world, Diagnostics& diagnostics) {
         const Provenance& from = world.provenance;
         if (left_out++ == 0) first = from.light_statements[from.statement_of_light[i]];
     }
-    if (world.lights.luminaires.empty() && sources == 0) {
+    if (!world.lights.any_glowing() && sources == 0) {
         diagnostics.add(
             error(Fault::missing, {}, "the scene has no lamp whose light could be followed")
                 .with_help("finish { emission 5 } makes an object a luminaire, and "

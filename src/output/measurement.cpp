@@ -89,7 +89,7 @@ void review_meters(const World& world, std::span<const Meter> meters, Diagnostic
                                 "daylight factors are for a sky without sun, but this one has it")
                             .with_help("sky_luminance { overcast ... }, or `direct 0`"));
     if (any(is(Quantity::daylight_factor)) &&
-        !(world.lights.luminaires.empty() && world.lights.sources.empty()))
+        (world.lights.any_glowing() || !world.lights.sources.empty()))
         diagnostics.add(warning(Fault::no_effect, {},
                                 "the light of lamps counts in daylight factors as that of the sky "
                                 "does")
@@ -116,7 +116,7 @@ void review_meters(const World& world, std::span<const Meter> meters, Diagnostic
         return is(Quantity::ugr)(meter) || is(Quantity::threshold_increment)(meter) ||
                !meter.road_table.empty();
     });
-    if (one_by_one && std::ranges::any_of(world.lights.luminaires, &Luminaire::is_volume))
+    if (one_by_one && !world.lights.media.empty())
         diagnostics.add(warning(Fault::no_effect, {},
                                 "media that glow count neither in ratings of glare nor in the "
                                 "luminance of roads by tables"));

@@ -54,7 +54,7 @@ void complete(RunStatistics& run, const Shot& shot, const RenderSettings& settin
     const World& world = *shot.world;
     run.objects = world.provenance.object_count;
     run.primitives = world.geometry.primitive_count();
-    run.luminaires = world.lights.luminaires.size();
+    run.luminaires = world.lights.glowing();
     run.light_sources = world.lights.sources.size();
     run.index = Kinds<RayIndex>::infos[world.rules.settings.index.index()]->name;
     run.tree = statistics(world.geometry.tree);

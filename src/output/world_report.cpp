@@ -22,15 +22,16 @@ std::string sampler_text(const World& world) {
 
 /// Returns the number of luminaires of each form, and the greatest radiance.
 std::string luminaire_text(const World& world) {
-    std::size_t spheres = 0, triangles = 0, volumes = 0;
+    std::size_t spheres = 0, triangles = 0;
     double greatest = 0;
     for (const Luminaire& luminaire : world.lights.luminaires) {
         spheres += std::holds_alternative<SphereEmitter>(luminaire.emitter);
         triangles += std::holds_alternative<TriangleEmitter>(luminaire.emitter);
-        volumes += luminaire.is_volume();
         greatest = std::max(greatest, max_component(luminaire.radiance));
     }
-    const std::size_t all = world.lights.luminaires.size();
+    for (const MediaBox& box : world.lights.media)
+        greatest = std::max(greatest, max_component(box.radiance));
+    const std::size_t all = world.lights.glowing(), volumes = world.lights.media.size();
     return message(all, " (", spheres, " spheres, ", triangles, " triangles, ",
                    all - spheres - triangles - volumes, " others",
                    volumes > 0 ? message(", ", volumes, " boxes of media") : "",

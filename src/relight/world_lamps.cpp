@@ -66,7 +66,7 @@ Vec3 finite_place(const Vec3& place) {
 WorldLamps world_lamps(const World& world, const std::vector<std::string>& names) {
     const Provenance& made = world.provenance;
     WorldLamps lamps;
-    lamps.of_luminaire.resize(world.lights.luminaires.size());
+    lamps.of_luminaire.resize(world.lights.glowing());
     lamps.of_source.resize(world.lights.sources.size());
     std::vector<std::vector<PlacedLamp>> by_group(names.size());
     const auto add = [&](std::size_t group, const Vec3& position, double power,
@@ -76,7 +76,8 @@ WorldLamps world_lamps(const World& world, const std::vector<std::string>& names
             {finite_place(position), power, static_cast<std::uint32_t>(all.size()), &place});
     };
     for (std::size_t i = 0; i < lamps.of_luminaire.size(); ++i) {
-        const LightBounds around = bounds(world.lights.luminaires[i]);
+        const LightBounds around = world.lights.visit(
+            static_cast<LightIndex>(i), [](const auto& glowing) { return bounds(glowing); });
         add(made.statement_of_luminaire[i], around.centre, around.intensity, lamps.of_luminaire[i]);
     }
     for (std::size_t i = 0; i < lamps.of_source.size(); ++i) {

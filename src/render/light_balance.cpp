@@ -51,8 +51,8 @@ public:
           flux_rays_(world_) {
         // A luminaire sends four times its mean intensity, in luminance times area.
         double luminaires = 0;
-        for (const Luminaire& luminaire : world_.lights.luminaires)
-            luminaires += 4 * bounds(luminaire).intensity;
+        world_.lights.for_each_glowing(
+            [&](const auto& glowing) { luminaires += 4 * bounds(glowing).intensity; });
         if (flux_rays_.light() > 0)
             of_sources_ = flux_rays_.light() / (flux_rays_.light() + luminaires);
         std::map<Place, std::uint32_t> numbers;
@@ -77,7 +77,9 @@ public:
         if (!drawn) return;
         PathState& path = drawn->path;
         path.throughput = drawn->power_of_one / (1 - of_sources_) *
-                          leaving(world_.lights.luminaires[drawn->light], path);
+                          world_.lights.visit(drawn->light, [&](const auto& glowing) {
+                              return leaving(glowing, path);
+                          });
         go_on(std::move(path), world_.provenance.statement_of_luminaire[drawn->light], sums);
     }
 
@@ -97,15 +99,16 @@ private:
         return luminaire.keeps_inner_light && shot_.inner_rays(luminaire) < 0.5 ? 0 : 0.5;
     }
 
-    /// Radiance with which the path leaves its luminaire.
-    Rgb leaving(const Luminaire& luminaire, const PathState& path) const {
+    /// Radiance with which the path leaves its luminaire or box of media.
+    template <class Glowing>
+    Rgb leaving(const Glowing& glowing, const PathState& path) const {
         Hit hit;
-        double free = bounds(luminaire).radius;
+        double free = bounds(glowing).radius;
         if (world_.first_hit(path.ray, path.tolerance, path.kind, hit))
             free = std::min(free, length(hit.position - path.ray.origin));
         const double distance = free / 2;
         const Ray back{path.ray.at(distance), -path.ray.direction};
-        return radiance_seen(world_, {luminaire, back, 0, distance});
+        return radiance_seen(world_, glowing, {back, 0, distance});
     }
 
     void go_on(PathState path, std::uint32_t statement, BalanceSums& sums) const {

@@ -81,7 +81,7 @@ LightKinds ChosenLight::kinds_at(const LitLayer& layer) const {
     if (world_.sky.light.empty() ||
         !kinds.has_any({LightKind::luminaires, LightKind::drawn_sources}))
         kinds = kinds.without({LightKind::sky});
-    return world_.lights.luminaires.empty() ? kinds.without({LightKind::luminaires}) : kinds;
+    return world_.lights.any_glowing() ? kinds : kinds.without({LightKind::luminaires});
 }
 
 ChosenLight::Found ChosenLight::operator()(const ArrivingLight& at, const Key& key,
@@ -168,11 +168,12 @@ Rgb ChosenLight::by_answer(const Answer& answer, const Asked& asked) {
             continue;
         }
         if (!asked.kinds.has(LightKind::luminaires)) continue;
-        const bool volume = world_.lights.luminaires[pick.light].is_volume();
         const Key place = several ? asked.key.with_branch(pick.light) : asked.key;
-        sum += by_pick(pick, asked, place, [&](const Vec3& direction, double of_point) {
-            return volume ? pick.expected * of_point
-                          : answer.pdf(direction, pick.expected, of_point);
+        sum += world_.lights.visit(pick.light, [&](const auto& glowing) {
+            return by_pick(glowing, pick, asked, place,
+                           [&](const Vec3& direction, double of_point) {
+                               return answer.pdf(direction, pick.expected, of_point);
+                           });
         });
     }
     return sum;
@@ -181,10 +182,9 @@ Rgb ChosenLight::by_answer(const Answer& answer, const Asked& asked) {
 /// Light of one luminaire. Density: returns the pdf of a sampled point, given its direction and the
 /// luminaire's own pdf. A searched luminaire is met wherever the ray meets it.
 template <class Density>
-Rgb ChosenLight::by_pick(const LightPick& pick, const Asked& asked, const Key& place,
-                         const Density& density) {
+Rgb ChosenLight::by_pick(const Luminaire& luminaire, const LightPick& pick, const Asked& asked,
+                         const Key& place, const Density& density) {
     const LitLayer& layer = asked.at.layer;
-    const Luminaire& luminaire = world_.lights.luminaires[pick.light];
     const auto searched = SearchedLuminaire::of(luminaire);
     Vec3 direction(0);
     double of_point = 0;
@@ -208,6 +208,24 @@ Rgb ChosenLight::by_pick(const LightPick& pick, const Asked& asked, const Key& p
     const Rgb weight = response / (pi * density(direction, of_point) * asked.number);
     return seen(ray, asked.at,
                 [&](const OnRay& there) { return there.light == pick.light ? weight : Rgb(0); });
+}
+
+/// Light of a box of media, which no direction meets.
+template <class Density>
+Rgb ChosenLight::by_pick(const MediaBox& box, const LightPick& pick, const Asked& asked,
+                         const Key& place, const Density&) const {
+    const LitLayer& layer = asked.at.layer;
+    const auto point = sample(box, receiver(layer.scatterer), place_on_light(place));
+    if (!point) return Rgb(0);
+    const Rgb response = layer.response(point->direction, place);
+    if (response == Rgb(0)) return Rgb(0);
+    const ShadowRay ray(asked.at, point->direction, asked.key);
+    ++asked.at.ledger.shadow;
+    const Rgb left = ray.left(point->distance);
+    const Rgb weight = response / (pi * (pick.expected * point->density) * asked.number);
+    if (left == Rgb(0)) return asked.at({Lamp::luminaire(pick.light), left, Rgb(0), 1});
+    return asked.at(
+        {Lamp::luminaire(pick.light), weight, left * ray.emitted(box, point->distance), 1});
 }
 
 /// Light of the sky where it is picked. Density: returns the pdf of a direction, given that of
@@ -260,16 +278,16 @@ Rgb ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const D
 Rgb ChosenLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight weight) const {
     Rgb sum(0);
     for (const OnRay& there : on_ray_) {
+        const Luminaire& luminaire = world_.lights.luminaires[there.light];
         at.ledger.shadow += there.rays;
         const Rgb left = there.unobstructed ? Rgb(1) : ray.left(there.distance);
         const Rgb factor = left == Rgb(0) ? left : weight(there);
         Rgb light(0);
         if (factor != Rgb(0))
-            light = left * (there.hit ? ray.emitted(there.light, *there.hit, there.distance)
-                                      : ray.emitted(there.light, there.distance));
+            light = left * (there.hit ? ray.emitted(luminaire, *there.hit, there.distance)
+                                      : ray.emitted(luminaire, there.distance));
         sum += at({Lamp::luminaire(there.light), factor, light, there.rays});
-        const PrimitiveIndex primitive = world_.lights.luminaires[there.light].primitive;
-        if (left == Rgb(0) || world_.material(primitive).stops_light()) break;
+        if (left == Rgb(0) || world_.material(luminaire.primitive).stops_light()) break;
     }
     return sum;
 }
@@ -323,6 +341,7 @@ void ChosenLight::meet_along(const LightTree& tree, const ArrivingLight& at,
     on_ray_.clear();
     const Receiver point = receiver(at.layer.scatterer);
     tree.along(point.position, direction, [&](LightIndex light) {
+        if (light >= world_.lights.luminaires.size()) return;  // no line meets media
         hits_.clear();
         const Luminaire& luminaire = world_.lights.luminaires[light];
         intersect(luminaire, point, direction, hits_);

@@ -71,7 +71,10 @@ private:
     template <LightAnswer Answer>
     Rgb by_answer(const Answer&, const Asked&);
     template <class Density>
-    Rgb by_pick(const LightPick&, const Asked&, const Key& place, const Density&);
+    Rgb by_pick(const Luminaire&, const LightPick&, const Asked&, const Key& place, const Density&);
+    template <class Density>
+    Rgb by_pick(const MediaBox&, const LightPick&, const Asked&, const Key& place,
+                const Density&) const;
     template <class Density>
     Rgb by_direction(const Vec3&, const Asked&, const Density&);
     template <class Density>

@@ -18,9 +18,19 @@ constexpr double off_its_lamp = 1e-7;
 
 std::vector<double> intensities(const WorldLights& lights) {
     std::vector<double> all;
-    all.reserve(lights.luminaires.size());
-    for (const Luminaire& luminaire : lights.luminaires) all.push_back(bounds(luminaire).intensity);
+    all.reserve(lights.glowing());
+    lights.for_each_glowing([&](const auto& glowing) { all.push_back(bounds(glowing).intensity); });
     return all;
+}
+
+std::optional<EmittedRay> emitted_by(const Luminaire& luminaire,
+                                     FunctionRef<double(const Luminaire&)> inner,
+                                     const EmissionDraw& u) {
+    return emit(luminaire, inner(luminaire), u);
+}
+std::optional<EmittedRay> emitted_by(const MediaBox& box, FunctionRef<double(const Luminaire&)>,
+                                     const EmissionDraw& u) {
+    return emit(box, u);
 }
 
 }  // namespace
@@ -40,9 +50,13 @@ LampRays::LampRays(const World& world) : world_(world) {
 std::optional<LampRay> LampRays::draw(const Key& key, double choice, double share,
                                       FunctionRef<double(const Luminaire&)> inner) const {
     const LightIndex light = places_.at_share(choice);
-    const Luminaire& luminaire = world_.lights.luminaires[light];
     const double chance = places_.share_of(light);
-    const auto emitted = emit(luminaire, inner(luminaire), emission_draw(key));
+    std::optional<EmittedRay> emitted;
+    double size = 0;
+    world_.lights.visit(light, [&](const auto& glowing) {
+        emitted = emitted_by(glowing, inner, emission_draw(key));
+        size = bounds(glowing).radius;
+    });
     if (!emitted) return std::nullopt;
     LampRay drawn{light,
                   {},
@@ -50,7 +64,7 @@ std::optional<LampRay> LampRays::draw(const Key& key, double choice, double shar
                       (std::numbers::pi * emitted->density * chance)};
     PathState& path = drawn.path;
     path.ray = emitted->ray;
-    path.tolerance = off_its_lamp * bounds(luminaire).radius;
+    path.tolerance = off_its_lamp * size;
     path.kind = RayKind::gathering;
     path.key = key;
     // Beyond the surface of the lamp, which is not inside of it.

@@ -60,7 +60,7 @@ void record_volume(LightLedger& ledger, const World& world, std::span<const Prim
                    const Rgb& light) {
     if (!ledger.provenance) return;
     if (const GlowingVolume* volume = volume_among(world, solids))
-        ledger.add_visible(Lamp::luminaire(volume->luminaire), light);
+        ledger.add_visible(Lamp::luminaire(volume->box), light);
 }
 
 void take_lights(LightLedger& ledger, FunctionRef<void(std::size_t statement, const Rgb&)> use) {

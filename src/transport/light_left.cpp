@@ -122,12 +122,12 @@ Rgb left_on_free_way(const World& world, const WayOfLight& way, const Key& key) 
     return way.air == AirOnWay::throughout ? left * left_throughout(world, way, key) : left;
 }
 
-Rgb left_by_lamp(const World& world, const Luminaire& luminaire, const WayOfLight& way,
-                 const Key& key) {
-    const PrimitiveIndex lamp = luminaire.primitive;
+namespace {
+
+/// Fraction of the light that a lamp's solid lets through up to a distance, where the light starts.
+Rgb left_by_own_solid(const World& world, PrimitiveIndex lamp, double end, const WayOfLight& way,
+                      const Key& key) {
     if (!world.material(lamp).no_shadow) return Rgb(1);
-    const double end =
-        luminaire.is_volume() ? way.distance : World::end_of_way(way.tolerance, way.distance).min;
     EnteredSolids inside;
     for (const PrimitiveIndex each : way.around) inside.push_back(each);
     StraightWay straight(world, way.ray);
@@ -160,6 +160,18 @@ Rgb left_by_lamp(const World& world, const Luminaire& luminaire, const WayOfLigh
         return left != Rgb(0);
     });
     return left;
+}
+
+}  // namespace
+
+Rgb left_by_lamp(const World& world, const Luminaire& luminaire, const WayOfLight& way,
+                 const Key& key) {
+    return left_by_own_solid(world, luminaire.primitive,
+                             World::end_of_way(way.tolerance, way.distance).min, way, key);
+}
+
+Rgb left_by_lamp(const World& world, const MediaBox& box, const WayOfLight& way, const Key& key) {
+    return left_by_own_solid(world, box.primitive, way.distance, way, key);
 }
 
 }  // namespace candelabra

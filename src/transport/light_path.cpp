@@ -146,17 +146,18 @@ void LightPaths::from_luminaire(const Key& key, double choice, double share, Fou
         return shot_.inner_rays(luminaire);
     });
     if (!drawn) return;
-    const Luminaire& luminaire = world_.lights.luminaires[drawn->light];
     const Vec3 begin = drawn->path.ray.origin;
     // Attenuates light to each surface on the way as a shadow ray from that surface would.
     walk(drawn->path, [&](const PathState& path, const Vertex& vertex) {
         const WayOfLight way = way_back(vertex, begin);
         const Rgb left = light_left(world_, way, path.key);
         if (left != Rgb(0) && !is_brought(way, vertex)) {
-            const Rgb seen =
-                radiance_seen(world_, {luminaire, way.ray, way.tolerance, way.distance});
+            Rgb seen(0), by_lamp(0);
+            world_.lights.visit(drawn->light, [&](const auto& glowing) {
+                seen = radiance_seen(world_, glowing, {way.ray, way.tolerance, way.distance});
+                if (seen != Rgb(0)) by_lamp = left_by_lamp(world_, glowing, way, path.key);
+            });
             if (seen == Rgb(0)) return false;
-            const Rgb by_lamp = left_by_lamp(world_, luminaire, way, path.key);
             Lit lit{path, vertex, drawn->power_of_one * left * by_lamp * seen, 0,
                     Lamp::luminaire(drawn->light)};
             if (reflect(lit)) go_on(std::move(lit), found);

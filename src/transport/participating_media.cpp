@@ -70,7 +70,7 @@ ParticipatingMedia::ParticipatingMedia(const Shot& shot) : world_(*shot.world), 
     if (!world_.facts.has_media) return;
     lights_all_ = !world_.facts.differs_by_light;
     joined_ = shot.joined != nullptr;
-    chooses_ = joined_ || !world_.lights.luminaires.empty() || !world_.sky.light.empty();
+    chooses_ = joined_ || world_.lights.any_glowing() || !world_.sky.light.empty();
     for (const SourceSet& set : world_.lights.source_sets) {
         has_other_sources_ |= &set != shot.joined;
         if (!set.drawn()) sources_.insert(sources_.end(), set.lights.begin(), set.lights.end());
@@ -177,7 +177,7 @@ double ParticipatingMedia::unshadowed(const Vec3& position) const {
 double ParticipatingMedia::choice_at(const DirectLight& direct_light, const Vec3& position) const {
     if (traits(world_.rules.settings.light_sampler).by_transmittance) return 1;
     if (const auto known = direct_light.expected_choice(position)) return *known;
-    if (world_.lights.luminaires.empty()) return 1;
+    if (!world_.lights.any_glowing()) return 1;
     const Vec3 away = position - near_.centre(), half = 0.5 * near_.size();
     return 1 / (dot(away, away) + dot(half, half));
 }

@@ -82,14 +82,29 @@ Entry draw_entry(const LightCone& cap, const Vec2& u) {
     return {unit(aside + height * cap.axis), height / (pi * seen)};
 }
 
-/// Approximate fraction of a luminaire that lies in the ball around a target; 0: none.
-double share_inside(const Luminaire& luminaire, const PhotonTarget& target) {
-    const LightBounds around = bounds(luminaire);
+bool is_ball(const Luminaire& luminaire) {
+    return std::holds_alternative<SphereEmitter>(luminaire.emitter);
+}
+bool is_ball(const MediaBox&) { return false; }
+
+/// Area that has about the light of the lamp if it has the maximum radiance everywhere.
+double bright_area(const Luminaire& luminaire) { return emitting_area(luminaire.emitter); }
+double bright_area(const MediaBox& box) { return area_of_equal_light(box); }
+
+std::optional<SearchedLuminaire> searched_among(const Luminaire& luminaire) {
+    return SearchedLuminaire::of(luminaire);
+}
+std::optional<SearchedLuminaire> searched_among(const MediaBox&) { return std::nullopt; }
+
+/// Approximate fraction of a luminaire or a box of media that lies in the ball around a target; 0:
+/// none.
+template <class Glowing>
+double share_inside(const Glowing& glowing, const PhotonTarget& target) {
+    const LightBounds around = bounds(glowing);
     const double away = length(around.centre - target.centre);
-    const bool is_ball = std::holds_alternative<SphereEmitter>(luminaire.emitter);
     if (away >= around.radius + target.radius) return 0;
     // The whole surface of a large ball may be outside.
-    if (is_ball && around.radius - away >= target.radius) return 0;
+    if (is_ball(glowing) && around.radius - away >= target.radius) return 0;
     const double outside = (away + around.radius - target.radius) / (2 * around.radius);
     return std::clamp(1 - outside, min_share, 1.0);
 }
@@ -123,21 +138,20 @@ void PhotonShooter::aim_sources(std::uint32_t number) {
 void PhotonShooter::aim_luminaires(std::uint32_t number) {
     const PhotonTarget& target = world_.photon_targets[number];
     if (!shoots_at(ways_of_luminaires, target)) return;
-    const auto& all = world_.lights.luminaires;
-    const std::size_t step = 1 + all.size() * world_.photon_targets.size() / max_lamp_pairs;
+    const WorldLights& lights = world_.lights;
+    const std::size_t step = 1 + lights.glowing() * world_.photon_targets.size() / max_lamp_pairs;
     const Receiver middle{target.centre, Vec3(0), Horizon::none};
     double light = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const double inside = share_inside(all[i], target);
-        const double brightness = luminance(all[i].radiance);
-        if (inside > 0)
-            add({Aim::inner, static_cast<std::uint32_t>(i), number,
-                 inside * brightness * emitting_area(all[i].emitter)});
-        if (i % step != 0) continue;
+    LightIndex i = 0;
+    lights.for_each_glowing([&](const auto& glowing) {
+        const double inside = share_inside(glowing, target);
+        const double brightness = luminance(glowing.radiance);
+        if (inside > 0) add({Aim::inner, i, number, inside * brightness * bright_area(glowing)});
+        if (i++ % step != 0) return;
         // The estimate is unbounded close to a luminaire.
-        const double here = std::fmin(unoccluded(all[i], middle) / pi, 4 * brightness);
+        const double here = std::fmin(unoccluded(glowing, middle) / pi, 4 * brightness);
         light += static_cast<double>(step) * std::fmax(1 - inside, min_share) * here;
-    }
+    });
     add({Aim::luminaires, 0, number, light * shadow_of(target)});
 }
 
@@ -183,18 +197,64 @@ std::optional<PhotonShot> PhotonShooter::from_source(std::uint32_t number,
     return shot;
 }
 
-/// Radiance of a luminaire at a point on the ray; of a volume, per unit of length.
+/// Radiance of a luminaire at a point on the ray.
 Rgb PhotonShooter::seen(const Luminaire& luminaire, const Ray& ray, double distance,
                         const Key& key) const {
-    const Rgb radiance = radiance_seen(world_, {luminaire, ray, 0, distance});
+    const Rgb radiance = radiance_seen(world_, luminaire, {ray, 0, distance});
     // A photon's own way dims it by the media that it starts in.
-    if (radiance == Rgb(0) || luminaire.is_volume() ||
-        !world_.material(luminaire.primitive).no_shadow)
-        return radiance;
+    if (radiance == Rgb(0) || !world_.material(luminaire.primitive).no_shadow) return radiance;
     const EnteredSolids around = world_.containing(ray.origin);
     const WayOfLight way{
         .ray = ray, .distance = distance, .around = {around.data(), around.size()}};
     return radiance * left_by_lamp(world_, luminaire, way, key);
+}
+
+/// Radiance of media per unit of length.
+Rgb PhotonShooter::seen(const MediaBox& box, const Ray& ray, double distance, const Key&) const {
+    return radiance_seen(world_, box, {ray, 0, distance});
+}
+
+/// A point that sends light to the place where a photon enters the ball of its target.
+struct PhotonShooter::Sender {
+    Vec3 start, direction;  ///< from the entry to the start
+    Rgb radiance;
+    double density;  ///< as that of LightPoint
+};
+
+/// Of a luminaire or a box of media.
+template <class Glowing>
+std::optional<PhotonShooter::Sender> PhotonShooter::sender(const Glowing& glowing, LightIndex,
+                                                           const Receiver& entry,
+                                                           const Key& key) const {
+    const auto point = sample(glowing, entry, place_on_light(key));
+    if (!point) return std::nullopt;
+    return Sender{point->position, point->direction,
+                  seen(glowing, {entry.position, point->direction}, point->distance, key),
+                  point->density};
+}
+
+/// Of several points on the line, as of a clear lamp, one is drawn.
+std::optional<PhotonShooter::Sender> PhotonShooter::sender(const SearchedLuminaire& searched,
+                                                           LightIndex light, const Receiver& entry,
+                                                           const Key& key) const {
+    const auto drawn = searched.draw(entry.position, place_on_light(key));
+    if (!drawn) return std::nullopt;
+    const Luminaire& luminaire = world_.lights.luminaires[light];
+    Sender sender{Vec3(0), drawn->direction, Rgb(0), drawn->density};
+    double met = 0;
+    const Ray ray{entry.position, drawn->direction};
+    world_.along(ray, 0, RayKind::light, [&](const Hit& hit, double) {
+        if (world_.luminaire_of(hit.primitive) != light) return true;
+        ++met;
+        const Key own = key.with_branch(static_cast<std::uint32_t>(met));
+        if (uniform(own, Purpose::photon_start) * met < 1) {
+            sender.start = hit.position;
+            sender.radiance = radiance_of(world_, luminaire, emitting_point(hit, ray));
+        }
+        return !world_.material(hit.primitive).stops_light();
+    });
+    sender.radiance *= met;
+    return sender;
 }
 
 /// Samples a ray into the ball by its entry point, which faces the luminaire. The luminaire is
@@ -218,77 +278,67 @@ std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& tar
     const auto picks = static_cast<double>(samples.picks.size());
     const LightPick pick =
         samples.picks[static_cast<std::size_t>(uniform(key, Purpose::photon_lamp) * picks)];
-    const Luminaire& luminaire = world_.lights.luminaires[pick.light];
-    const Entry drawn =
-        draw_entry(cap_towards(bounds(luminaire), target),
-                   {uniform(key, Purpose::photon_u), uniform(key, Purpose::photon_v)});
+    const LightBounds around =
+        world_.lights.visit(pick.light, [](const auto& glowing) { return bounds(glowing); });
+    const Entry drawn = draw_entry(cap_towards(around, target), {uniform(key, Purpose::photon_u),
+                                                                 uniform(key, Purpose::photon_v)});
     const Vec3& normal = drawn.normal;
     const Receiver entry{target.centre + target.radius * normal, normal, Horizon::one_side};
-    Vec3 start(0), direction(0);
-    Rgb radiance(0);
-    double density = drawn.density * pick.expected / picks;
-    if (const auto searched = SearchedLuminaire::of(luminaire)) {
-        const auto drawn = searched->draw(entry.position, place_on_light(key));
-        if (!drawn) return std::nullopt;
-        direction = drawn->direction;
-        density *= drawn->density;
-        // Of several points on the ray, as of a clear lamp, one is drawn.
-        double met = 0;
-        const Ray ray{entry.position, direction};
-        world_.along(ray, 0, RayKind::light, [&](const Hit& hit, double) {
-            if (world_.luminaire_of(hit.primitive) != pick.light) return true;
-            ++met;
-            const Key own = key.with_branch(static_cast<std::uint32_t>(met));
-            if (uniform(own, Purpose::photon_start) * met < 1) {
-                start = hit.position;
-                radiance = radiance_of(world_, luminaire, emitting_point(hit, ray));
-            }
-            return !world_.material(hit.primitive).stops_light();
-        });
-        radiance *= met;
-    } else {
-        const auto point = sample(luminaire, entry, place_on_light(key));
-        if (!point) return std::nullopt;
-        start = point->position;
-        direction = point->direction;
-        density *= point->density;
-        radiance = seen(luminaire, {entry.position, direction}, point->distance, key);
-    }
-    const double cosine = dot(direction, normal);
-    if (radiance == Rgb(0) || !(cosine > 0 && density > 0)) return std::nullopt;
-    if (length(start - target.centre) <= target.radius) return std::nullopt;
+    const auto sent = world_.lights.visit(pick.light, [&](const auto& glowing) {
+        const auto searched = searched_among(glowing);
+        return searched ? sender(*searched, pick.light, entry, key)
+                        : sender(glowing, pick.light, entry, key);
+    });
+    if (!sent) return std::nullopt;
+    const double density = drawn.density * pick.expected / picks * sent->density,
+                 cosine = dot(sent->direction, normal);
+    if (sent->radiance == Rgb(0) || !(cosine > 0 && density > 0)) return std::nullopt;
+    if (length(sent->start - target.centre) <= target.radius) return std::nullopt;
     shot.lamp = Lamp::luminaire(pick.light);
-    shot.power = radiance * (target.radius * target.radius * cosine / (pi * density));
-    shot.ray = {start, -direction};
-    shot.tolerance = away_from_lamp * length(start - entry.position);
+    shot.power = sent->radiance * (target.radius * target.radius * cosine / (pi * density));
+    shot.ray = {sent->start, -sent->direction};
+    shot.tolerance = away_from_lamp * length(sent->start - entry.position);
     return shot;
+}
+
+std::optional<EmittedRay> PhotonShooter::emitted(const Luminaire& luminaire, const Key& key) const {
+    return emit(luminaire, shot_.inner_rays(luminaire), emission_draw(key));
+}
+std::optional<EmittedRay> PhotonShooter::emitted(const MediaBox& box, const Key& key) const {
+    return emit(box, emission_draw(key));
+}
+
+/// How far from the start of a ray in the ball its light is seen: from a place on the ray.
+std::optional<double> PhotonShooter::seen_from(const Luminaire&, const Ray&,
+                                               const PhotonTarget& target) const {
+    return target.radius;
+}
+/// Light of media is seen from the first surface, if there is one.
+std::optional<double> PhotonShooter::seen_from(const MediaBox&, const Ray& ray,
+                                               const PhotonTarget& target) const {
+    Hit hit;
+    if (!world_.first_hit(ray, away_from_lamp * target.radius, RayKind::light, hit))
+        return std::nullopt;
+    return (1 - away_from_lamp) * length(hit.position - ray.origin);
 }
 
 /// Samples a ray that starts in the ball. Rays that start outside are sampled by their entry point
 /// instead.
 std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const PhotonTarget& target,
                                                      PhotonShot shot, const Key& key) const {
-    const Luminaire& luminaire = world_.lights.luminaires[light];
-    const auto emitted = emit(luminaire, shot_.inner_rays(luminaire), emission_draw(key));
-    if (!emitted || length(emitted->ray.origin - target.centre) > target.radius)
-        return std::nullopt;
-    // Seen from a place on the ray; light of media, from the first surface.
-    double away = target.radius;
-    if (luminaire.is_volume()) {
-        Hit hit;
-        if (!world_.first_hit(emitted->ray, away_from_lamp * away, RayKind::light, hit))
-            return std::nullopt;
-        away = (1 - away_from_lamp) * length(hit.position - emitted->ray.origin);
-    }
-    const Rgb radiance =
-        seen(luminaire, {emitted->ray.at(away), -emitted->ray.direction}, away, key);
-    if (radiance == Rgb(0)) return std::nullopt;
-    shot.lamp = Lamp::luminaire(light);
-    shot.power =
-        radiance * (dot(emitted->normal, emitted->ray.direction) / (pi * emitted->density));
-    shot.ray = emitted->ray;
-    shot.tolerance = away_from_lamp * target.radius;
-    return shot;
+    return world_.lights.visit(light, [&](const auto& glowing) -> std::optional<PhotonShot> {
+        const auto sent = emitted(glowing, key);
+        if (!sent || length(sent->ray.origin - target.centre) > target.radius) return std::nullopt;
+        const auto away = seen_from(glowing, sent->ray, target);
+        if (!away) return std::nullopt;
+        const Rgb radiance = seen(glowing, {sent->ray.at(*away), -sent->ray.direction}, *away, key);
+        if (radiance == Rgb(0)) return std::nullopt;
+        shot.lamp = Lamp::luminaire(light);
+        shot.power = radiance * (dot(sent->normal, sent->ray.direction) / (pi * sent->density));
+        shot.ray = sent->ray;
+        shot.tolerance = away_from_lamp * target.radius;
+        return shot;
+    });
 }
 
 }  // namespace candelabra

@@ -68,6 +68,18 @@ private:
     std::optional<PhotonShot> from_inside(LightIndex, const PhotonTarget&, PhotonShot,
                                           const Key&) const;
     Rgb seen(const Luminaire&, const Ray&, double distance, const Key&) const;
+    Rgb seen(const MediaBox&, const Ray&, double distance, const Key&) const;
+
+    struct Sender;
+    template <class Glowing>
+    std::optional<Sender> sender(const Glowing&, LightIndex, const Receiver& entry,
+                                 const Key&) const;
+    std::optional<Sender> sender(const SearchedLuminaire&, LightIndex, const Receiver& entry,
+                                 const Key&) const;
+    std::optional<EmittedRay> emitted(const Luminaire&, const Key&) const;
+    std::optional<EmittedRay> emitted(const MediaBox&, const Key&) const;
+    std::optional<double> seen_from(const Luminaire&, const Ray&, const PhotonTarget&) const;
+    std::optional<double> seen_from(const MediaBox&, const Ray&, const PhotonTarget&) const;
 
     const Shot& shot_;
     const World& world_;

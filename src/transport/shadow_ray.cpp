@@ -79,28 +79,29 @@ Rgb ShadowRay::left_by_air(double distance, double tolerance) const {
     return is_free ? left_on_free_way(world, whole, key_) : Rgb(0);
 }
 
-Rgb ShadowRay::emitted(LightIndex light, double distance) const {
-    const World& world = at_.world;
-    const Luminaire& luminaire = world.lights.luminaires[light];
-    const double tolerance = at_.layer.vertex.tolerance();
+Rgb ShadowRay::emitted(const Luminaire& luminaire, double distance) const {
     const Rgb radiance =
-        luminaire.is_volume()
-            ? volume_emission(world, luminaire.primitive,
-                              {ray_, tolerance, distance, {around_.data(), around_.size()}})
-            : radiance_seen(world, {luminaire, ray_, tolerance, distance});
+        radiance_seen(at_.world, luminaire, {ray_, at_.layer.vertex.tolerance(), distance});
     return radiance == Rgb(0) ? radiance : radiance * left_by_lamp(luminaire, distance);
 }
 
-Rgb ShadowRay::emitted(LightIndex light, const Hit& hit, double distance) const {
-    const Luminaire& luminaire = at_.world.lights.luminaires[light];
+Rgb ShadowRay::emitted(const MediaBox& box, double distance) const {
+    const SightOfVolume sight{
+        ray_, at_.layer.vertex.tolerance(), distance, {around_.data(), around_.size()}};
+    const Rgb radiance = volume_emission(at_.world, box.primitive, sight);
+    return radiance == Rgb(0) ? radiance : radiance * left_by_lamp(box, distance);
+}
+
+Rgb ShadowRay::emitted(const Luminaire& luminaire, const Hit& hit, double distance) const {
     return left_by_lamp(luminaire, distance) *
            radiance_of(at_.world, luminaire, emitting_point(hit, ray_));
 }
 
-/// Fraction of a luminaire's light that its own solid lets through, if other light passes it.
-Rgb ShadowRay::left_by_lamp(const Luminaire& luminaire, double distance) const {
-    if (!at_.world.material(luminaire.primitive).no_shadow) return Rgb(1);
-    return candelabra::left_by_lamp(at_.world, luminaire, way(distance, true), key_);
+/// Fraction of a lamp's light that its own solid lets through, if other light passes it.
+template <class Glowing>
+Rgb ShadowRay::left_by_lamp(const Glowing& lamp, double distance) const {
+    if (!at_.world.material(lamp.primitive).no_shadow) return Rgb(1);
+    return candelabra::left_by_lamp(at_.world, lamp, way(distance, true), key_);
 }
 
 }  // namespace candelabra

@@ -35,16 +35,19 @@ public:
     /// between, even a clear one. `tolerance` is that of the point.
     Rgb left_by_air(double distance, double tolerance) const;
 
-    /// Radiance of a luminaire at a point on the ray, as the layer sees it; of a volume, per unit
-    /// of length. It is 0 where something else covers it in its place.
-    Rgb emitted(LightIndex, double distance) const;
+    /// Radiance of a luminaire at a point on the ray, as the layer sees it. It is 0 where something
+    /// else covers it in its place.
+    Rgb emitted(const Luminaire&, double distance) const;
     /// The same of a surface that the ray has met.
-    Rgb emitted(LightIndex, const Hit&, double distance) const;
+    Rgb emitted(const Luminaire&, const Hit&, double distance) const;
+    /// Radiance of media per unit of length.
+    Rgb emitted(const MediaBox&, double distance) const;
 
 private:
     WayOfLight way(double distance, bool ends) const;
     Rgb left(double distance, bool ends) const;
-    Rgb left_by_lamp(const Luminaire&, double distance) const;
+    template <class Glowing>
+    Rgb left_by_lamp(const Glowing&, double distance) const;
 
     const ArrivingLight& at_;
     Ray ray_;

@@ -81,10 +81,19 @@ Vec3 bent_normal_of_round(const Tried& tried) {
     return std::fmin(1 / (open + size), max_length / size) * bent;
 }
 
-Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<Vec3>& eye,
-                    std::size_t pairs) {
-    const Luminaire& luminaire = world.lights.luminaires[light];
-    const LightBounds b = bounds(luminaire);
+/// Whether a luminaire emits nothing towards a place where a point of it was drawn.
+bool is_dark(const World& world, const Luminaire& luminaire, const Vec3& from,
+             const LightPoint& point) {
+    return luminaire.one_sided &&
+           radiance_seen(world, luminaire, {{from, point.direction}, 0, point.distance}) == Rgb(0);
+}
+bool is_dark(const World&, const MediaBox&, const Vec3&, const LightPoint&) { return false; }
+
+/// Of a luminaire or a box of media; `light` is its number.
+template <class Glowing>
+Vec3 bent_normal_of(const World& world, const Glowing& glowing, std::size_t light,
+                    const std::optional<Vec3>& eye, std::size_t pairs) {
+    const LightBounds b = bounds(glowing);
     const bool flat = b.axis != Vec3(0);
     const Vec3 pole = flat ? b.axis : Vec3(0, 0, 1);
     const Vec3 side = unit(cross(pole, std::abs(pole.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0))),
@@ -101,14 +110,10 @@ Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<V
         const Vec3 up = height * pole + across * on_circle(angle, side, other);
         const Vec3 direction = i % 2 == 0 ? up : -up;
         const Vec3 from = b.centre + around * b.radius * direction;
-        const auto point = sample(luminaire, from, {number(light, i, 2), number(light, i, 3)});
+        const auto point = sample(glowing, from, {number(light, i, 2), number(light, i, 3)});
         if (!point) continue;
-        const bool dark =
-            luminaire.one_sided &&
-            radiance_seen(world, {luminaire, {from, point->direction}, 0, point->distance}) ==
-                Rgb(0);
-        const bool away =
-            !dark && gets_away(world, eye, {point->position, -point->direction}, start, near);
+        const bool away = !is_dark(world, glowing, from, *point) &&
+                          gets_away(world, eye, {point->position, -point->direction}, start, near);
         const bool to_axis = i % 2 == 0;
         (to_axis ? tried.to_axis : tried.from_axis) += 1;
         if (!away) continue;
@@ -123,14 +128,17 @@ Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<V
 
 std::vector<Vec3> find_bent_normals(const World& world, const std::optional<Vec3>& eye,
                                     int threads) {
-    const std::size_t count = world.lights.luminaires.size();
+    const std::size_t count = world.lights.glowing();
     if (count < 2) return {};
     const std::size_t pairs = std::min(max_pairs, max_rays / (2 * count));
     if (pairs == 0) return {};
     std::vector<Vec3> found(count);
     run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {
         for (std::size_t light = n * chunk; light < std::min((n + 1) * chunk, count); ++light)
-            found[light] = bent_normal_of(world, light, eye, pairs);
+            found[light] =
+                world.lights.visit(static_cast<LightIndex>(light), [&](const auto& glowing) {
+                    return bent_normal_of(world, glowing, light, eye, pairs);
+                });
     });
     return found;
 }

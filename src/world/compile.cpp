@@ -153,10 +153,8 @@ ClearSolids find_clear_solids(const World& world) {
 void note_luminaires(World& world) {
     if (world.lights.luminaires.empty()) return;
     world.lights.luminaire_of.assign(world.appearance.material_of.size(), no_primitive);
-    for (LightIndex light = 0; light < world.lights.luminaires.size(); ++light) {
-        const Luminaire& luminaire = world.lights.luminaires[light];
-        if (!luminaire.is_volume()) world.lights.luminaire_of[luminaire.primitive] = light;
-    }
+    for (LightIndex light = 0; light < world.lights.luminaires.size(); ++light)
+        world.lights.luminaire_of[world.lights.luminaires[light].primitive] = light;
 }
 
 /// Maps the brightness of luminaires whose emission varies, unless they are too many.

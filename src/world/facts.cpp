@@ -38,7 +38,7 @@ void answer_about_light(const World& world, WorldFacts& facts) {
 void answer_about_chance(const World& world, WorldFacts& facts) {
     const Appearance& looks = world.appearance;
     facts.light_is_drawn =
-        !world.lights.luminaires.empty() ||
+        world.lights.any_glowing() ||
         std::ranges::any_of(world.lights.source_sets, [](const SourceSet& s) { return s.drawn(); });
     facts.differs_by_light = facts.light_is_drawn || !world.sky.light.empty() ||
                              looks.any_scattering || !world.shutter.empty() ||

@@ -6,12 +6,12 @@
 
 namespace candelabra {
 
-/// A luminaire, a light source or the sky.
+/// A luminaire or a box of glowing media, a light source, or the sky.
 class Lamp {
 public:
     /// The sky, as far as it is a luminaire.
     static constexpr Lamp sky() { return Lamp(sky_bit); }
-    /// Index in WorldLights::luminaires, below 2^30.
+    /// A number of WorldLights::visit(), below 2^30.
     static constexpr Lamp luminaire(std::uint32_t index) { return Lamp(index); }
     /// Index in WorldLights::sources, below 2^30.
     static constexpr Lamp source(std::uint32_t index) { return Lamp(source_bit | index); }

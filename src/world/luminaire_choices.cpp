@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/luminaire_choices.h"
 
-#include "luminaire/volume.h"
-
 #include <variant>
 
 namespace candelabra {
-
-namespace {
-
-/// Fraction of light that surfaces transmit over that distance.
-double left_on_way(const Ray& ray, double tolerance, double distance, const LightProbe& probe) {
-    double left = 1;
-    look_along(ray, tolerance, probe, [&](const ProbeHit& sight, double share) {
-        left = sight.distance < distance ? share * sight.passes : share;
-        return sight.distance >= distance;
-    });
-    return left;
-}
-
-}  // namespace
 
 bool LuminaireChoices::exact_nearby(LightIndex light) const {
     const Emitter& emitter = luminaires_[light].emitter;
@@ -34,9 +18,6 @@ double LuminaireChoices::arriving(LightIndex light, const SurveyPlace& from, con
     const double cosine = from.point.cosine(drawn->direction);
     if (!(cosine > 0)) return 0;
     const Ray ray{from.point.position, drawn->direction};
-    if (const auto* volume = std::get_if<VolumeEmitter>(&luminaires_[light].emitter))
-        return left_on_way(ray, from.tolerance, drawn->distance, probe) *
-               emitted_about(*volume, drawn->position) * cosine / drawn->density;
     double luminance = 0;
     look_along(ray, from.tolerance, probe, [&](const ProbeHit& sight, double share) {
         if (sight.light != light) return false;

@@ -28,7 +28,6 @@ public:
         return result;
     }
     const ChoosableSky* sky() const override { return sky_.get(); }
-    bool has_surface(LightIndex light) const override { return !luminaires_[light].is_volume(); }
     bool exact_nearby(LightIndex) const override;
     double unoccluded(LightIndex light, const Receiver& point) const override {
         return candelabra::unoccluded(luminaires_[light], point);

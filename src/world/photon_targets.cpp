@@ -95,7 +95,7 @@ PhotonPairs photon_pairs(const World& world) {
         for (const auto& [ways, count] : sources)
             if (any_open(ways, target.ways)) pairs.of_sources += count;
         if (any_open(ways_of_luminaires, target.ways))
-            pairs.of_luminaires += world.lights.luminaires.size();
+            pairs.of_luminaires += world.lights.glowing();
     }
     return pairs;
 }

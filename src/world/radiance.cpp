@@ -14,7 +14,6 @@ Rgb greatest_emission(const Material& material) {
 }
 
 Rgb radiance_of(const World& world, const Luminaire& luminaire, const EmittingPoint& point) {
-    if (luminaire.is_volume()) return volume_emission(world, luminaire.primitive, point.position);
     const bool same_everywhere = !luminaire.varying && !luminaire.two_faced && !luminaire.web;
     return same_everywhere
                ? luminaire.radiance
@@ -27,16 +26,16 @@ double luminance_at(const World& world, PrimitiveIndex primitive, const Vec3& po
     return std::max(outer, luminance(world.emission(primitive, point, Side::inner)));
 }
 
-Rgb radiance_seen(const World& world, const PointOnRay& point) {
-    const Luminaire& luminaire = point.luminaire;
-    if (luminaire.is_volume()) {
-        if (!world.lights.glow_beside_openings)
-            return volume_emission(world, luminaire.primitive, point.ray.at(point.distance));
-        const EnteredSolids around = world.containing(point.ray.origin);
-        return volume_emission(
-            world, luminaire.primitive,
-            {point.ray, point.tolerance, point.distance, {around.data(), around.size()}});
-    }
+Rgb radiance_seen(const World& world, const MediaBox& box, const PointOnRay& point) {
+    if (!world.lights.glow_beside_openings)
+        return volume_emission(world, box.primitive, point.ray.at(point.distance));
+    const EnteredSolids around = world.containing(point.ray.origin);
+    return volume_emission(
+        world, box.primitive,
+        {point.ray, point.tolerance, point.distance, {around.data(), around.size()}});
+}
+
+Rgb radiance_seen(const World& world, const Luminaire& luminaire, const PointOnRay& point) {
     const Interval place = World::end_of_way(point.tolerance, point.distance);
     Rgb seen(0), left(1);
     world.along(point.ray, place.min, RayKind::light, [&](const Hit& hit, double distance) {

@@ -23,7 +23,7 @@ inline EmittingPoint emitting_point(const Hit& hit, const Ray& ray) {
     return {hit.position, hit.side_towards(ray.direction), -ray.direction};
 }
 
-/// Radiance of a luminaire at one of its points; for volumes, per unit of length.
+/// Radiance of a luminaire at one of its points.
 Rgb radiance_of(const World&, const Luminaire&, const EmittingPoint&);
 
 /// Luminance of the brighter side of a primitive at a point.
@@ -33,19 +33,20 @@ double luminance_at(const World&, PrimitiveIndex, const Vec3& point);
 /// them, or by the tolerance of the hit.
 inline constexpr double same_point = 1e-9;
 
-/// A point of a luminaire on a ray that starts at a hit of that tolerance.
+/// A point on a ray that starts at a hit of that tolerance.
 struct PointOnRay {
-    const Luminaire& luminaire;
     const Ray& ray;  ///< its direction is a unit vector
     double tolerance;
     double distance;
 };
 
-/// Radiance of the side that the ray meets at the point, if no surface before is in the way; for
-/// volumes, per unit of length, as a ray sees it that begins in the solids around its origin. Of
-/// surfaces that lie in the same place, the first one along the ray counts, as for any ray: behind
-/// an opaque one the radiance is 0. (World::transmittance() leaves out surfaces so close to the
-/// light.)
-Rgb radiance_seen(const World&, const PointOnRay&);
+/// Radiance of the side of the luminaire that the ray meets at the point, if no surface before is
+/// in the way. Of surfaces that lie in the same place, the first one along the ray counts, as for
+/// any ray: behind an opaque one the radiance is 0. (World::transmittance() leaves out surfaces so
+/// close to the light.)
+Rgb radiance_seen(const World&, const Luminaire&, const PointOnRay&);
+/// Radiance per unit of length of the media at the point, as a ray sees it that begins in the
+/// solids around its origin.
+Rgb radiance_seen(const World&, const MediaBox&, const PointOnRay&);
 
 }  // namespace candelabra

@@ -31,7 +31,7 @@ bool shows_itself(const Material& material) {
 
 bool dark(const World& world) {
     const auto black = [](const PointLight& light) { return light.colour == Rgb(0); };
-    return std::ranges::all_of(world.lights.sources, black) && world.lights.luminaires.empty() &&
+    return std::ranges::all_of(world.lights.sources, black) && !world.lights.any_glowing() &&
            !world.sky.sphere && !world.sky.daylight &&
            greatest(world.sky.background.radiance()) <= 0 &&
            std::ranges::none_of(world.appearance.materials,
@@ -73,13 +73,12 @@ private:
             const auto& light = placed.light;
             return light.shadowless || (!light.along_axis() && surrounds(object, light.location));
         };
-        const auto within = [&](const Luminaire& each) {
-            return surrounds(object, bounds(each).centre);
-        };
-        const bool lit = !scene_.lights.empty() || !world_.lights.luminaires.empty() ||
+        bool within = false;
+        world_.lights.for_each_glowing(
+            [&](const auto& each) { within = within || surrounds(object, bounds(each).centre); });
+        const bool lit = !scene_.lights.empty() || world_.lights.any_glowing() ||
                          world_.sky.sphere || world_.sky.daylight;
-        return lit && std::ranges::none_of(scene_.lights, reaches) &&
-               std::ranges::none_of(world_.lights.luminaires, within);
+        return lit && std::ranges::none_of(scene_.lights, reaches) && !within;
     }
 
     /// A quick test that excludes most objects.
@@ -119,7 +118,6 @@ const Luminaire* dome(const World& world) {
         const auto* composite = std::get_if<CompositeEmitter>(&luminaire.emitter);
         const bool turned = composite && composite->composite->leaf_count() == 1,
                    hidden = world.material(luminaire.primitive).no_image;
-        if (luminaire.is_volume()) continue;
         const bool within =
             sphere ? length(world.stated_view.camera.location - sphere->centre) < sphere->radius
                    : (turned || hidden) &&

@@ -7,6 +7,7 @@
 #include "shape/transformed.h"
 #include "world/bent_normals.h"
 #include "world/luminaire_choices.h"
+#include "world/media_choices.h"
 #include "world/sky_choice.h"
 
 #include <algorithm>
@@ -26,11 +27,11 @@ WorldView view_of(const WorldView& stated, const Projection& camera) {
     return {camera, stated.camera_normal, film_in(camera, stated.film)};
 }
 
-/// Box around the camera and all luminaires, or around all finite items if nothing glows.
+/// Box around the camera and all that glows, or around all finite items if nothing glows.
 Box near_camera_and_lamps(const World& world, const Projection& camera) {
     Box box;
     if (!world.facts.has_media) return box;
-    for (const Luminaire& each : world.lights.luminaires) box = join(box, bounds(each).box);
+    world.lights.for_each_glowing([&](const auto& each) { box = join(box, bounds(each).box); });
     if (box.empty())
         for (std::uint32_t item = 0; item < world.geometry.item_count(); ++item)
             box = join(box, world.geometry.finite_bounds(item));
@@ -86,21 +87,34 @@ BuiltLightSampler hierarchy_of(const ChoosableLights& lights) {
     return lights.size() > 0 ? BuiltLightSampler(BuiltLightBvh(lights)) : BuiltLightSampler();
 }
 
+/// Luminaires and boxes of media, as WorldLights counts them. `bent_normals`: of each; empty: none
+/// has one. `sky`: chosen besides; null: none.
+std::shared_ptr<const ChoosableLights> glowing_choices(const WorldLights& lights,
+                                                       std::span<const Vec3> bent_normals,
+                                                       std::unique_ptr<const ChoosableSky> sky) {
+    const std::size_t count = bent_normals.empty() ? 0 : lights.luminaires.size();
+    const auto luminaires = std::make_shared<LuminaireChoices>(
+        lights.luminaires, bent_normals.first(count), std::move(sky));
+    if (lights.media.empty()) return luminaires;
+    return std::make_shared<JoinedLights>(
+        luminaires, std::make_shared<MediaChoices>(lights.media, bent_normals.subspan(count)));
+}
+
 /// Sets the samplers to those that need no survey.
 void choose_quickly(Shot& shot) {
     const WorldLights& lights = shot.world->lights;
-    shot.sampler = hierarchy_of(LuminaireChoices(lights.luminaires));
+    shot.sampler = hierarchy_of(*glowing_choices(lights, {}, nullptr));
     for (const SourceSet& set : lights.source_sets)
         shot.of_sources.push_back(set.drawn() ? hierarchy_of(*set.choices) : BuiltLightSampler());
 }
 
-/// The set of sources among which and the luminaires one draw chooses; null: there is none. It
+/// The set of sources among which and what glows one draw chooses; null: there is none. It
 /// makes less noise than a draw for each kind: "One draw" in tests/bench/README.md. Where a surface
 /// or a photon takes light of luminaires alone, sources would be drawn in vain.
-const SourceSet* joined_set(const World& world, const ChoosableLights& luminaires) {
+const SourceSet* joined_set(const World& world, const ChoosableLights& glowing) {
     const bool apart = world.facts.gathers_light || !world.photon_targets.empty() ||
                        !traits(world.rules.settings.light_sampler).weighs_falloff;
-    if (apart || (luminaires.size() == 0 && !luminaires.sky())) return nullptr;
+    if (apart || (glowing.size() == 0 && !glowing.sky())) return nullptr;
     const auto& sets = world.lights.source_sets;
     const auto found = std::ranges::find_if(sets, &SourceSet::can_be_joined);
     return found == sets.end() ? nullptr : &*found;
@@ -119,12 +133,10 @@ void choose_as_wanted(Shot& shot, const ShotSettings& settings) {
     const std::vector<Plane> planes = world_planes(world.geometry);
     auto sky = world.sky.light.empty() ? nullptr : std::make_unique<SkyChoice>(world);
     if (sky && sky->glares()) sky = nullptr;
-    const auto luminaires = std::make_shared<LuminaireChoices>(world.lights.luminaires,
-                                                               shot.bent_normals, std::move(sky));
-    shot.joined = joined_set(world, *luminaires);
-    scene.lights = luminaires;
-    if (shot.joined)
-        scene.lights = std::make_shared<JoinedLights>(luminaires, shot.joined->choices);
+    const auto glowing = glowing_choices(world.lights, shot.bent_normals, std::move(sky));
+    shot.joined = joined_set(world, *glowing);
+    scene.lights = glowing;
+    if (shot.joined) scene.lights = std::make_shared<JoinedLights>(glowing, shot.joined->choices);
     scene.surfaces = boxes;
     scene.planes = planes;
     shot.sampler = build(wanted, scene, settings.threads);
@@ -165,9 +177,8 @@ Shot::Shot(SharedWorld seen, const ShotSettings& settings, Placed placed)
 }
 
 Lamp Shot::lamp(LightIndex light) const {
-    const std::size_t luminaires = world->lights.luminaires.size();
-    return light < luminaires ? Lamp::luminaire(light)
-                              : Lamp::source(joined->lights[light - luminaires]);
+    const std::size_t glowing = world->lights.glowing();
+    return light < glowing ? Lamp::luminaire(light) : Lamp::source(joined->lights[light - glowing]);
 }
 
 double Shot::inner_rays(const Luminaire& luminaire) const {

@@ -118,13 +118,9 @@ public:
         const Rgb greatest = greatest_emission_of(world_, volume);
         const double least = min_of_mean * (mean > 0 ? mean : luminance(greatest));
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            Luminaire luminaire;
             const Box part = cut.part(i);
-            luminaire.emitter = VolumeEmitter{part, make_handle<EmissionGrid>(cells[i], least)};
-            luminaire.radiance = length(part.size()) * greatest;
-            luminaire.varying = true;
-            luminaire.primitive = volume;
-            world_.lights.luminaires.push_back(std::move(luminaire));
+            world_.lights.media.push_back({part, make_handle<EmissionGrid>(cells[i], least),
+                                           length(part.size()) * greatest, volume});
             world_.provenance.statement_of_luminaire.push_back(statement);
         }
     }
@@ -223,7 +219,7 @@ void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool s
                                     "media without bounds emit light, but light nothing")
                                 .with_help("put them into a large `box`, which can be sampled"));
         } else if (size.x * size.y * size.z > 0) {
-            const auto first = static_cast<std::uint32_t>(world.lights.luminaires.size());
+            const auto first = static_cast<LightIndex>(world.lights.glowing());
             world.lights.volumes.push_back({primitive, first});
             maker.add(primitive, glow.statement, box);
         }

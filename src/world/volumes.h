@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turns solids whose media light the scene into luminaires: a solid is cut into boxes, one
-// luminaire each, so that light strategies can tell its near parts from its far ones. Called when a
-// world's primitives and materials are complete, and for the emission of the media.
+// Makes lights of solids whose media light the scene: a solid is cut into boxes, so that light
+// strategies can tell its near parts from its far ones. Called when a world's primitives and
+// materials are complete and its luminaires are known, and for the emission of the media.
 #pragma once
 
 #include "base/rgb.h"
@@ -25,7 +25,7 @@ bool glows_within(const World&, const Material&);
 /// Fills WorldLights::glow_beside_openings.
 void find_openings(World&);
 
-/// Fills WorldLights::volumes, adds the luminaires, and warns of unbounded volumes. If not
+/// Fills WorldLights::volumes and WorldLights::media, and warns of unbounded volumes. If not
 /// `surveyed`, each solid is one evenly glowing box, for callers that only count them.
 void add_volumes(World&, std::span<const GlowingPrimitive>, bool surveyed, Diagnostics&);
 

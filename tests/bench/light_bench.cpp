@@ -41,7 +41,7 @@ void compare(const std::string& title, const std::string& file, const Declares& 
         if (opponent == 0) opponent = found.work();
         std::printf(
             "%-22s %7zu  %-24s %3d x %d %8.2f s  mean %.4f  RMSE %.5f  at equal time %.3f\n",
-            title.c_str(), shot.world->lights.luminaires.size() + shot.world->lights.sources.size(),
+            title.c_str(), shot.world->lights.glowing() + shot.world->lights.sources.size(),
             strategy.name.c_str(), strategy.samples, strategy.shadow_rays, found.seconds,
             found.mean, found.rmse, found.work() / opponent);
         std::fflush(stdout);
@@ -85,7 +85,7 @@ void growth() {
             const double relative = found.rmse / found.mean;
             if (seconds == 0) seconds = found.seconds, noise = relative;
             std::printf("%s, %7zu luminaires: %.2f s (%.2f), RMSE over mean %.3f (%.2f)\n",
-                        title.c_str(), shot.world->lights.luminaires.size(), found.seconds,
+                        title.c_str(), shot.world->lights.glowing(), found.seconds,
                         found.seconds / seconds, relative, relative / noise);
             std::fflush(stdout);
         }
@@ -280,7 +280,7 @@ void figure5() {
     std::printf(
         "figure 5, %zu luminaires: %.1f %% of the pixels refined, %.2f samples a pixel, "
         "RMSE %.5f, %.2f times that of as many everywhere\n",
-        shot.world->lights.luminaires.size(), 100 * more / count, mean, rmse, rmse / equal);
+        shot.world->lights.glowing(), 100 * more / count, mean, rmse, rmse / equal);
 }
 
 void million() {

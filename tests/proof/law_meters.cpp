@@ -16,8 +16,7 @@ const Vec3 meter_place(0.9, 0.55, -1.1);
 
 /// The column of a lamp: luminaires first, then sources and the sky.
 LampColumns all_lamps(const World& world) {
-    const std::size_t luminaires = world.lights.luminaires.size(),
-                      sources = world.lights.sources.size();
+    const std::size_t luminaires = world.lights.glowing(), sources = world.lights.sources.size();
     return {luminaires + sources + 1, [=](Lamp lamp) {
                 if (lamp.is_sky()) return luminaires + sources;
                 return lamp.is_source() ? luminaires + lamp.index() : std::size_t{lamp.index()};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/luminaire_choices.h"
 
-#include "luminaire/volume.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -11,14 +10,6 @@
 namespace candelabra {
 
 namespace {
-
-/// A box of media that glows evenly.
-Luminaire volume_at(const Vec3& middle) {
-    std::array<double, EmissionGrid::count> even;
-    even.fill(1);
-    return glowing(
-        VolumeEmitter{{middle - 0.5, middle + 0.5}, make_handle<EmissionGrid>(even, 1e-9)});
-}
 
 /// Mean of the light that arrives at the origin from above.
 double mean_arriving(const LuminaireChoices& lights, LightIndex light, const LightProbe& probe) {
@@ -35,11 +26,9 @@ double mean_arriving(const LuminaireChoices& lights, LightIndex light, const Lig
 
 TEST_CASE("what shadow rays of a survey find is the unoccluded light behind what lets it pass",
           "[world]") {
-    const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0, 5, 0), 1}, 3),
-                                               volume_at(Vec3(0, 5, 0))};
+    const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0, 5, 0), 1}, 3)};
     const LuminaireChoices lights(luminaires);
     CHECK(lights.has_surface(0));
-    CHECK_FALSE(lights.has_surface(1));
     const Receiver point{Vec3(0), Vec3(0, 1, 0)};
     for (const double passes : {1.0, 0.25, 0.0}) {
         const auto pane = [&](const Ray&, double tolerance) -> std::optional<ProbeHit> {
@@ -51,7 +40,6 @@ TEST_CASE("what shadow rays of a survey find is the unoccluded light behind what
     }
     const auto nothing = [](const Ray&, double) -> std::optional<ProbeHit> { return {}; };
     CHECK(mean_arriving(lights, 0, nothing) == 0);
-    CHECK(mean_arriving(lights, 1, nothing) == Approx(lights.unoccluded(1, point)).epsilon(0.05));
 }
 
 TEST_CASE("triangles are exact nearby, and bounds are those of the luminaires", "[world]") {

@@ -20,7 +20,7 @@ Rgb seen_along(const World& world, const Vec3& from, const Vec3& towards, LightI
     Rgb seen(0);
     world.along(ray, 0, RayKind::light, [&](const Hit& hit, double distance) {
         if (hit.primitive != luminaire.primitive) return true;
-        seen = radiance_seen(world, {luminaire, ray, 0, distance});
+        seen = radiance_seen(world, luminaire, {ray, 0, distance});
         return false;
     });
     return seen;
@@ -78,8 +78,8 @@ TEST_CASE("the far side of a luminaire is not its near side, however far it is",
         "pigment { rgb 1 } finish { emission 2 } }");
     const Luminaire& ring = world->lights.luminaires.at(0);
     const Ray ray{Vec3(3, 0, 0), Vec3(0, 0, 1)};
-    CHECK(radiance_seen(*world, {ring, ray, 0, 1e8 - std::sqrt(7)}) == Rgb(2));
-    CHECK(radiance_seen(*world, {ring, ray, 0, 1e8 + std::sqrt(7)}) == Rgb(0));
+    CHECK(radiance_seen(*world, ring, {ray, 0, 1e8 - std::sqrt(7)}) == Rgb(2));
+    CHECK(radiance_seen(*world, ring, {ray, 0, 1e8 + std::sqrt(7)}) == Rgb(0));
 }
 
 }  // namespace candelabra

@@ -19,21 +19,22 @@ std::string solid(const std::string& shape, const std::string& words,
 
 double intensity_of_all(const World& world) {
     double sum = 0;
-    for (const Luminaire& each : world.lights.luminaires) sum += bounds(each).intensity;
+    for (const MediaBox& each : world.lights.media) sum += bounds(each).intensity;
     return sum;
 }
 
 }  // namespace
 
-TEST_CASE("a solid of glowing media is cut into luminaires", "[world]") {
+TEST_CASE("a solid of glowing media is cut into boxes", "[world]") {
     const SharedWorld world =
         world_of("#version 3.7; " + solid("sphere { <1, 2, 3>, 0.5", "hollow", "3"));
     REQUIRE(world->lights.volumes.size() == 1);
-    CHECK(world->lights.luminaires.size() > 30);
+    CHECK(world->lights.media.size() > 30);
     CHECK(intensity_of_all(*world) == Approx(3 * 4.0 / 3 * std::acos(-1) / 8).epsilon(0.05));
     Box all;
-    for (const Luminaire& each : world->lights.luminaires) {
-        CHECK(each.is_volume());
+    CHECK(world->lights.luminaires.empty());
+    CHECK(world->lights.glowing() == world->lights.media.size());
+    for (const MediaBox& each : world->lights.media) {
         CHECK(bounds(each).intensity > 0);
         all = join(all, bounds(each).box);
     }
@@ -45,8 +46,8 @@ TEST_CASE("a solid of glowing media is cut into luminaires", "[world]") {
 TEST_CASE("a long solid is cut along its length", "[world]") {
     const SharedWorld world =
         world_of("#version 3.7; " + solid("cylinder { 0, 20*x, 0.1", "hollow"));
-    CHECK(world->lights.luminaires.size() > 40);
-    for (const Luminaire& each : world->lights.luminaires) CHECK(bounds(each).box.size().x < 0.5);
+    CHECK(world->lights.media.size() > 40);
+    for (const MediaBox& each : world->lights.media) CHECK(bounds(each).box.size().x < 0.5);
 }
 
 TEST_CASE("media glow within hollow solids only", "[world]") {
@@ -109,7 +110,7 @@ TEST_CASE("a survey of a scene knows its volumes", "[world]") {
                         solid("sphere { 0, 1", "hollow")),
                diagnostics);
     CHECK(world->lights.volumes.size() == 1);
-    CHECK(world->lights.luminaires.size() == 1);
+    CHECK(world->lights.media.size() == 1);
 }
 
 }  // namespace candelabra
