@@ -153,7 +153,7 @@ private:
                 // A shard of tiles also has samples in the margins of its tiles.
                 if (one.state.shard.owns(x, y)) {
                     film.add(film.index(x, y), part);
-                    film.at(x, y).target += part.at(x, y).target;
+                    film.at(x, y).planned += part.at(x, y).planned;
                 }
         sum_.samples += one.samples;
         sum_.finished &= one.finished;

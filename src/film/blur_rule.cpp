@@ -23,7 +23,7 @@ void BlurRule::refine(RenderState& state, const RenderSettings&) const {
     for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
         const std::uint32_t n = pixel.samples;
         if (state.shard.owns(x, y) && pixel.variance_of_mean() > rays.allowed(static_cast<int>(n)))
-            pixel.target = std::min(most, n + n / 4 + 1);
+            pixel.planned = std::min(most, n + n / 4 + 1);
     });
 }
 

@@ -81,15 +81,15 @@ std::uint64_t ContrastRule::make(TileSamples& tile, std::uint32_t level) const {
     const auto all = [&](int x, int y) -> std::optional<DisplayValue> {
         if (!own.contains(x, y)) return apart(x, y, all_samples());
         PixelSum& pixel = film.at(x, y);
-        pixel.target = all_samples();
-        tile.bring(x, y, pixel.target);
-        if (pixel.samples < pixel.target) return {};
+        pixel.planned = all_samples();
+        tile.bring(x, y, pixel.planned);
+        if (pixel.samples < pixel.planned) return {};
         return shown(x, y);
     };
     Wanted before;
     for_pixels(film, own, [&](int, int, const PixelSum& pixel) { before.add(pixel); });
     if (!refine_block(contrast, tile.region(), {first, all})) return 0;
-    for_pixels(film, own, [](int, int, PixelSum& pixel) { pixel.target = pixel.samples; });
+    for_pixels(film, own, [](int, int, PixelSum& pixel) { pixel.planned = pixel.samples; });
     return before.missing;
 }
 

@@ -18,7 +18,7 @@ struct ContrastRule {
 
     static std::optional<ContrastRule> chosen(const RuleChoice&);
     static DecidedBy decided_by(const RenderSettings&) { return DecidedBy::tile; }
-    /// A target above one sample requests the comparison, whatever its result.
+    /// More than one planned sample requests the comparison, whatever its result.
     static int first(const FirstSamples&) { return 2; }
     static std::uint32_t most(const RenderSettings&, std::uint32_t first) { return first; }
     static void refine(RenderState&, const RenderSettings&) {}

@@ -51,7 +51,7 @@ std::uint64_t CornerRule::make(TileSamples& tile, std::uint32_t level) const {
     const auto look = [&](int x, int y, std::uint32_t sample) { return tile.look(x, y, sample); };
     std::uint64_t made = 0;
     for_pixels(tile.film(), tile.region(), [&](int x, int y, const PixelSum& pixel) {
-        if (pixel.samples >= std::min(level, pixel.target) || tile.stopped()) return;
+        if (pixel.samples >= std::min(level, pixel.planned) || tile.stopped()) return;
         tile.add(x, y, cells.pixel(x, y, look));
         ++made;
     });

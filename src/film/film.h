@@ -20,7 +20,7 @@ struct PixelSum {
     std::array<std::uint64_t, 3> display{};
     std::array<std::uint64_t, 3> display_squared{};
     std::uint32_t samples = 0;
-    std::uint32_t target = 0;       ///< number of samples wanted so far
+    std::uint32_t planned = 0;      ///< number of samples wanted so far
     std::uint32_t shadow_rays = 0;  ///< of its samples, modulo 2^32
     std::uint32_t negative = 0;     ///< number of samples subtracted where the filter is negative
 
@@ -79,7 +79,7 @@ public:
     std::span<const ExactSum> extra(std::size_t pixel) const {
         return {sums() + pixel * extras_, extras_};
     }
-    /// Notes that pixels get samples and targets only in the rows from `first` to before `last`,
+    /// Notes that pixels get samples, done and planned, only in the rows from `first` to before `last`,
     /// which are clipped to the film: walks leave out the others, so that these take no memory.
     void keep_to_rows(int first, int last);
     int first_row() const { return first_row_; }

@@ -74,7 +74,7 @@ void NoiseRule::refine(RenderState& state, const RenderSettings& settings) const
         if (settings.noise > 0) add = std::min(add, pixel.samples);
     });
     for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
-        pixel.target = pixel.samples + more[state.film.index(x, y)];
+        pixel.planned = pixel.samples + more[state.film.index(x, y)];
     });
 }
 

@@ -20,16 +20,16 @@ struct RenderState {
     friend bool operator==(const RenderState&, const RenderState&) = default;
 };
 
-/// Totals of the pixels' targets so far.
+/// Totals of the planned samples so far.
 struct Wanted {
     std::uint64_t samples = 0;
     std::uint64_t missing = 0;  ///< those not yet taken
     std::uint32_t most = 0;     ///< in one pixel
 
     void add(const PixelSum& pixel) {
-        samples += pixel.target;
-        if (pixel.target > pixel.samples) missing += pixel.target - pixel.samples;
-        most = std::max(most, pixel.target);
+        samples += pixel.planned;
+        if (pixel.planned > pixel.samples) missing += pixel.planned - pixel.samples;
+        most = std::max(most, pixel.planned);
     }
 };
 

@@ -60,9 +60,9 @@ concept SampleRuleKind = requires(const T& rule, const RuleChoice& choice,
     { rule.decided_by(settings) } -> std::same_as<DecidedBy>;
     // Number of samples per pixel in the first round.
     { rule.first(wanted) } -> std::same_as<int>;
-    // Greatest target that rounds can set, given the number of the first.
+    // Greatest number that rounds can plan, given the number of the first.
     { rule.most(settings, number) } -> std::same_as<std::uint32_t>;
-    // Sets the targets of a round after the first from the samples of the rounds before.
+    // Plans the samples of a round after the first from the samples of the rounds before.
     rule.refine(state, settings);
     // Position of a sample's ray from the left and upper edge of its pixel, in pixels; nothing: the
     // film's filter draws it.

@@ -31,7 +31,7 @@ bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_
         const bool around = by == DecidedBy::neighbours;
         for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
             const bool wanted = around ? borders(state.shard, x, y) : state.shard.owns(x, y);
-            pixel.target = wanted ? samples : 0;
+            pixel.planned = wanted ? samples : 0;
         });
     } else {
         std::visit([&](const auto& each) { each.refine(state, settings); }, rule);

@@ -14,12 +14,12 @@ namespace candelabra {
 RenderState begin_picture(const RenderSettings&, std::size_t aovs = 0,
                           std::optional<ZeroedPages> pages = {});
 
-/// Sets the targets of the pixels for the next round. `samples`: number per pixel in the first
+/// Plans the samples of the pixels for the next round. `samples`: number per pixel in the first
 /// round, or in total if it is uniform. Returns false if no pixel needs more.
 bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples,
                 const SampleRule& = NoiseRule());
 
-/// Returns the greatest target that the rounds can set, regardless of the samples.
+/// Returns the greatest number of samples that the rounds can plan, regardless of the samples.
 std::uint32_t max_wanted(const RenderSettings&, std::uint32_t samples,
                          const SampleRule& = NoiseRule());
 

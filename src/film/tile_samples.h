@@ -45,12 +45,12 @@ public:
     /// Whether the work is to stop.
     virtual bool stopped() = 0;
 
-    /// Brings all pixels to their targets, or to `level` samples if that is less. Returns how many
+    /// Brings all pixels to their planned samples, or to `level` samples if that is less. Returns how many
     /// samples it made.
     std::uint64_t bring_all(std::uint32_t level) {
         std::uint64_t made = 0;
         for_pixels(film(), region_, [&](int x, int y, const PixelSum& pixel) {
-            made += bring(x, y, std::min(level, pixel.target));
+            made += bring(x, y, std::min(level, pixel.planned));
         });
         return made;
     }

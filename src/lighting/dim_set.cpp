@@ -31,7 +31,7 @@ LightIndex DimSet::at(std::uint64_t place) const {
     return places_.at(place + (places_.end(bright_[passed - 1]) - dim_before_[passed - 1]));
 }
 
-std::vector<std::uint64_t> dim_places_before(const WeightedPlaces& places,
+std::vector<std::uint64_t> dim_places_before(const WeightedIndex& places,
                                              std::span<const LightIndex> bright) {
     std::vector<std::uint64_t> result;
     result.reserve(bright.size());

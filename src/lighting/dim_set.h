@@ -3,7 +3,7 @@
 // paper's octree, whose cells list the bright luminaires.
 #pragma once
 
-#include "base/weighted_places.h"
+#include "base/weighted_index.h"
 #include "lighting/pick.h"
 
 namespace candelabra {
@@ -14,7 +14,7 @@ class DimSet {
 public:
     /// dim_before[j] is the number of dim places before the j-th luminaire of the list: see
     /// dim_places_before().
-    DimSet(const WeightedPlaces& places, std::span<const LightIndex> bright,
+    DimSet(const WeightedIndex& places, std::span<const LightIndex> bright,
            std::span<const std::uint64_t> dim_before)
         : places_(places), bright_(bright), dim_before_(dim_before) {}
 
@@ -28,14 +28,14 @@ public:
     LightIndex at(std::uint64_t place) const;
 
 private:
-    const WeightedPlaces& places_;
+    const WeightedIndex& places_;
     std::span<const LightIndex> bright_;
     std::span<const std::uint64_t> dim_before_;
 };
 
 /// For each luminaire of a list in ascending order, returns the number of places before it that
 /// belong to luminaires not in the list.
-std::vector<std::uint64_t> dim_places_before(const WeightedPlaces&,
+std::vector<std::uint64_t> dim_places_before(const WeightedIndex&,
                                              std::span<const LightIndex> bright);
 
 }  // namespace candelabra

@@ -13,7 +13,7 @@ namespace candelabra {
 
 namespace {
 
-/// Least intensity, as a fraction of all, above which whole places of WeightedPlaces tell the
+/// Least intensity, as a fraction of all, above which whole slots of WeightedIndex tell the
 /// intensities apart well.
 constexpr double wide_range = 0x1p-40;
 
@@ -205,7 +205,7 @@ private:
         std::vector<double> in_order;
         in_order.reserve(tree_.order_.size());
         for (const LightIndex light : tree_.order_) in_order.push_back(intensities_[light]);
-        tree_.strengths_ = WeightedPlaces(in_order);
+        tree_.strengths_ = WeightedIndex(in_order);
         if (tree_.strengths_.total() > 0)
             tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
         shine(tree_.root());

@@ -27,7 +27,7 @@ BuiltPaperOctree::BuiltPaperOctree(const PaperOctree& settings, const LightScene
         lights.push_back(scene.lights->bounds(light));
         intensities.push_back(lights.back().intensity);
     }
-    places_ = WeightedPlaces(intensities);
+    places_ = WeightedIndex(intensities);
     cells_ = build_light_cells(settings, scene, lights, threads);
     std::size_t bright = 0;
     for (const std::vector<LightIndex>& list : cells_.lists) bright += list.size();

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "base/weighted_places.h"
+#include "base/weighted_index.h"
 #include "lighting/dim_set.h"
 #include "lighting/light_cells.h"
 #include "lighting/light_query.h"
@@ -53,7 +53,7 @@ private:
     LightCells cells_;  ///< without its lists, which are moved to lists_
     std::vector<LightList> lists_;
     LightTable table_;
-    WeightedPlaces places_;
+    WeightedIndex places_;
     std::vector<std::uint64_t> dim_before_;  ///< per row of the table: see DimSet
 };
 

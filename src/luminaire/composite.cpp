@@ -5,9 +5,9 @@
 #include "base/order.h"
 #include "base/random.h"
 #include "base/short_list.h"
-#include "luminaire/guide.h"
 #include "luminaire/leaf_sides.h"
 #include "luminaire/light_proxy.h"
+#include "luminaire/proxy_mesh.h"
 #include "shape/face_normal.h"
 #include "shape/tessellation.h"
 
@@ -60,9 +60,9 @@ Vec3 in_cone(const Vec3& middle, double widest, const Vec2& u) {
     return (1 - versine) * middle + sine * on_circle(angle, x, y);
 }
 
-/// Fractions of the directions that are drawn, if there is a guide, in the whole cone and by the
-/// guide.
-constexpr double astray = 0.125, guided = 1 - astray;
+/// Fractions of the directions that are drawn, if there is a proxy mesh, in the whole cone and by the
+/// proxy mesh.
+constexpr double astray = 0.125, at_proxy = 1 - astray;
 
 /// For varying radiance: maximum edge of a triangle as a fraction of the size, and weight of the
 /// neighbours in a triangle's luminance.
@@ -74,7 +74,7 @@ constexpr std::size_t many_faces = 1 << 15;
 double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
                const Vec3& direction) {
     const double around = 1 / (2 * pi * rim(ball, length(ball.centre - from)));
-    return e.guide ? astray * around + guided * e.guide->density(from, direction) : around;
+    return e.proxy ? astray * around + at_proxy * e.proxy->density(from, direction) : around;
 }
 
 /// Parallel rays through the ball from all sides, of which those that meet the leaf are kept.
@@ -124,18 +124,18 @@ Mesh grown(Mesh mesh, double by) {
     return mesh;
 }
 
-/// Adds a guide that nearly all rays that meet the leaf meet too, from the first number of cells
-/// that gives one. Parts of the leaf outside the guide make noise, and parts of the guide outside
+/// Adds a proxy mesh that nearly all rays that meet the leaf meet too, from the first number of cells
+/// that gives one. Parts of the leaf outside the proxy mesh make noise, and parts of the proxy mesh outside
 /// the leaf waste rays. `make` returns nothing if the next number is to be tried; its second
 /// argument is whether there is a next one.
-void guide(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
-           std::initializer_list<int> cell_numbers,
-           FunctionRef<std::optional<Guide>(const Mesh&, bool)> make) {
+void add_proxy(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
+               std::initializer_list<int> cell_numbers,
+               FunctionRef<std::optional<ProxyMesh>(const Mesh&, bool)> make) {
     double most = 0.9;
     for (const int& cells : cell_numbers) {
         const Mesh mesh = seen_tessellation(*e.composite, e.leaf, cells);
         if (mesh.faces.empty()) continue;
-        std::optional<Guide> made =
+        std::optional<ProxyMesh> made =
             make(grown(mesh, ball.radius / (6 * cells)), std::next(&cells) != cell_numbers.end());
         if (!made) continue;
         const auto covered =
@@ -144,7 +144,7 @@ void guide(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
             static_cast<double>(covered) / static_cast<double>(survey.met.size());
         if (reached > most) {
             most = reached;
-            e.guide = make_handle<Guide>(std::move(*made));
+            e.proxy = make_handle<ProxyMesh>(std::move(*made));
         }
         if (most >= 0.97) break;
     }
@@ -216,7 +216,7 @@ struct Brightnesses {
     }
 };
 
-/// An emitter without a guide, and the rays by which it was measured.
+/// An emitter without a proxy mesh, and the rays by which it was measured.
 struct Measured {
     CompositeEmitter emitter;
     Around ball;
@@ -232,13 +232,14 @@ struct Measured {
 
 }  // namespace
 
-CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t leaf, bool guided) {
+CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t leaf,
+                                   bool with_proxy) {
     Measured made(std::move(composite), leaf);
     const auto met = static_cast<double>(made.survey.met.size());
     // The cone finds a leaf that nearly fills it soon enough.
-    if (guided && met > 0 && met < 0.75 * SeenRays::rays)
-        guide(made.emitter, made.ball, made.survey, {12, 24, 48},
-              [](const Mesh& mesh, bool) { return Guide(mesh); });
+    if (with_proxy && met > 0 && met < 0.75 * SeenRays::rays)
+        add_proxy(made.emitter, made.ball, made.survey, {12, 24, 48},
+                  [](const Mesh& mesh, bool) { return ProxyMesh(mesh); });
     return made.emitter;
 }
 
@@ -246,20 +247,21 @@ CompositeEmitter bright_composite_emitter(Handle<Composite> composite, std::uint
                                           FunctionRef<double(const Vec3&)> luminance) {
     Measured made(std::move(composite), leaf);
     if (made.survey.met.empty()) return made.emitter;
-    guide(made.emitter, made.ball, made.survey, {64, 32},
-          [&](const Mesh& coarse, bool is_next) -> std::optional<Guide> {
-              if (is_next && coarse.faces.size() > many_faces) return {};
-              const Mesh mesh = divided(coarse, longest_edge * made.ball.radius);
-              const Brightnesses found(mesh, luminance);
-              const double area = MeshArea(mesh).total(), sum = MeshArea(mesh, found.mean).total();
-              if (!(sum > 0)) return Guide(mesh);
-              made.emitter.mean = sum / area;
-              made.emitter.unevenness = MeshArea(mesh, found.square).total() * area / (sum * sum);
-              // This weight minimises the noise where the luminance varies within a face.
-              std::vector<double> worth;
-              for (const double square : found.square) worth.push_back(std::sqrt(square));
-              return Guide(mesh, std::move(worth));
-          });
+    add_proxy(
+        made.emitter, made.ball, made.survey, {64, 32},
+        [&](const Mesh& coarse, bool is_next) -> std::optional<ProxyMesh> {
+            if (is_next && coarse.faces.size() > many_faces) return {};
+            const Mesh mesh = divided(coarse, longest_edge * made.ball.radius);
+            const Brightnesses found(mesh, luminance);
+            const double area = MeshArea(mesh).total(), sum = MeshArea(mesh, found.mean).total();
+            if (!(sum > 0)) return ProxyMesh(mesh);
+            made.emitter.mean = sum / area;
+            made.emitter.unevenness = MeshArea(mesh, found.square).total() * area / (sum * sum);
+            // This weight minimises the noise where the luminance varies within a face.
+            std::vector<double> worth;
+            for (const double square : found.square) worth.push_back(std::sqrt(square));
+            return ProxyMesh(mesh, std::move(worth));
+        });
     return made.emitter;
 }
 
@@ -273,7 +275,8 @@ CompositeEmitter unmeasured_emitter(Handle<Composite> composite, std::uint32_t l
 CompositeEmitter placed_emitter(const CompositeEmitter& original, Handle<Composite> composite,
                                 const Handle<Transform>& place) {
     Measured made(std::move(composite), 0);
-    if (original.guide) made.emitter.guide = make_handle<Guide>(Guide(*original.guide, place));
+    if (original.proxy)
+        made.emitter.proxy = make_handle<ProxyMesh>(ProxyMesh(*original.proxy, place));
     return made.emitter;
 }
 
@@ -296,14 +299,14 @@ std::optional<LightDirection> draw_direction(const CompositeEmitter& e, const Ve
                                              const Vec2& u) {
     const Around ball(e);
     Vec3 direction;
-    if (e.guide && u.x >= astray) {
-        direction = unit(e.guide->point({(u.x - astray) / guided, u.y}) - from);
+    if (e.proxy && u.x >= astray) {
+        direction = unit(e.proxy->point({(u.x - astray) / at_proxy, u.y}) - from);
         if (direction == Vec3(0)) return {};
     } else {
         const Vec3 offset = ball.centre - from;
         const double to_centre = length(offset);
         const Vec3 middle = to_centre > 0 ? offset / to_centre : Vec3(0, 0, 1);
-        const Vec2 left = e.guide ? Vec2(u.x / astray, u.y) : u;
+        const Vec2 left = e.proxy ? Vec2(u.x / astray, u.y) : u;
         direction = unit(in_cone(middle, rim(ball, to_centre), left));
     }
     return LightDirection{direction, density(e, ball, from, direction)};

@@ -9,9 +9,9 @@
 namespace candelabra {
 
 /// Returns the emitter with its mean projected area, which is measured once by tracing some rays.
-/// If `guided` is set, the emitter also gets triangles to aim at, if its surface can be
+/// If `with_proxy` is set, the emitter also gets triangles to aim at, if its surface can be
 /// tessellated; this takes milliseconds and some hundred kilobytes.
-CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf, bool guided = true);
+CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf, bool with_proxy = true);
 
 /// The same for a luminaire whose radiance varies: the triangles are smaller and are chosen in
 /// proportion to their brightness. `luminance` is evaluated at points near the surface. Takes some

@@ -83,15 +83,15 @@ struct AreaEmitter {
     SealedSide sealed;            ///< of a mesh
 };
 
-class Guide;
+class ProxyMesh;
 
 /// Any other shape, whole or cut by others.
 struct CompositeEmitter {
     Handle<Composite> composite;
     std::uint32_t leaf = 0;           ///< index of the glowing part in the composite
     double seen_area = 0;             ///< projected area, averaged over all directions
-    Handle<Guide> guide = nullptr;    ///< where most of its points are sought; null: all around
-    std::optional<double> mean = {};  ///< luminance over the surface, if the guide knows it
+    Handle<ProxyMesh> proxy = nullptr;  ///< where most of its points are sought; null: all around
+    std::optional<double> mean = {};    ///< luminance over the surface, if the proxy mesh knows it
     double unevenness = 1;            ///< mean of the squared luminance over the squared mean
     bool closed = false;              ///< whether no inner side is visible from outside
 };

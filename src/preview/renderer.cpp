@@ -411,7 +411,7 @@ private:
         bool covered = true;
         for (const PixelSum& pixel : film.pixels()) {
             samples += pixel.samples;
-            covered &= pixel.samples > 1 || pixel.target == 0;
+            covered &= pixel.samples > 1 || pixel.planned == 0;
         }
         const bool last = finished_ && samples > quiet_samples_;
         if (!covered || (samples < 2 * quiet_samples_ && !last)) return;

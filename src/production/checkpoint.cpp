@@ -70,7 +70,7 @@ std::vector<StatePart> parts(std::size_t aovs, bool negative) {
             [=](PixelSum& p, std::uint32_t bits) { p.*number = bits; }));
     };
     add_number("samples", &PixelSum::samples);
-    add_number("target", &PixelSum::target);
+    add_number("target", &PixelSum::planned);
     add_number("shadow_rays", &PixelSum::shadow_rays);
     if (negative) add_number(std::string(negative_plane), &PixelSum::negative);
     for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -140,7 +140,7 @@ bool are_possible(const Film& film) {
         };
         // Beyond 2^24 samples the sums of squares may wrap around at 2^64.
         const bool shown = n >= std::uint64_t{1} << 24 || (within(0) && within(1) && within(2));
-        return shown && pixel.negative <= n && n <= max_in_pixel && pixel.target <= max_in_pixel;
+        return shown && pixel.negative <= n && n <= max_in_pixel && pixel.planned <= max_in_pixel;
     });
 }
 

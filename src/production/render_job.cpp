@@ -260,7 +260,7 @@ bool RenderJob::prepare() {
     // The state may ask for more samples than any run would.
     const std::uint32_t most = max_wanted(rendering_.settings, rendering_.samples, rendering_.rule);
     for (PixelSum& pixel : checkpoint_.state.film.pixels())
-        pixel.target = std::min(pixel.target, most);
+        pixel.planned = std::min(pixel.planned, most);
     return true;
 }
 

@@ -72,7 +72,7 @@ void Rounds::prepare(std::uint32_t from, std::uint32_t to) {
     if (!plan_.sent) return;
     std::uint32_t least = to;
     for_pixels(state_.film, [&](int, int, const PixelSum& pixel) {
-        if (pixel.samples < pixel.target) least = std::min(least, pixel.samples);
+        if (pixel.samples < pixel.planned) least = std::min(least, pixel.samples);
     });
     // Sample by sample, because the light of one generation may take a second to send.
     for (std::uint32_t sample = std::max(from, least); sample < to && !interruption_.stopped();
@@ -130,7 +130,7 @@ bool Rounds::wants(const Region& tile, std::uint32_t level) const {
     for (int y = std::max(tile.top, state_.film.first_row()); y < last; ++y)
         for (int x = tile.left; x < tile.right; ++x) {
             const PixelSum& pixel = state_.film.at(x, y);
-            if (pixel.samples < std::min(level, pixel.target)) return true;
+            if (pixel.samples < std::min(level, pixel.planned)) return true;
         }
     return false;
 }
@@ -141,7 +141,7 @@ void Rounds::pass_lamps(const Region& tile, std::uint32_t level) const {
     for (int y = tile.top; y < tile.bottom; ++y)
         for (int x = tile.left; x < tile.right; ++x) {
             const PixelSum& pixel = state_.film.at(x, y);
-            if (pixel.samples != std::min(level, pixel.target)) return;
+            if (pixel.samples != std::min(level, pixel.planned)) return;
         }
     hooks_.lamps->passed(tile);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cumulative area of the faces of a mesh, for points distributed over it uniformly or by the
-// weights of faces. Used for the guides of luminaires and where the language scatters points.
+// weights of faces. Used for the proxy meshes of luminaires and where the language scatters points.
 #pragma once
 
 #include "base/running_sums.h"

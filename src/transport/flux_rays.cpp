@@ -26,7 +26,7 @@ FluxRays::FluxRays(const World& world) : world_(world) {
                                                : 0);
         light_ += weights.back();
     }
-    places_ = WeightedPlaces(weights);
+    places_ = WeightedIndex(weights);
 }
 
 std::optional<FluxRay> FluxRays::draw(const Key& key) const {

@@ -3,7 +3,7 @@
 // beginnings of paths in balances of light. (SourceRays aims at what a picture shows.)
 #pragma once
 
-#include "base/weighted_places.h"
+#include "base/weighted_index.h"
 #include "transport/path.h"
 #include "world/world.h"
 
@@ -37,7 +37,7 @@ public:
 private:
     const World& world_;
     double light_ = 0;
-    WeightedPlaces places_;  ///< sources, weighted by their light
+    WeightedIndex places_;  ///< sources, weighted by their light
 };
 
 }  // namespace candelabra

@@ -43,7 +43,7 @@ EmissionDraw emission_draw(const Key& key) {
 
 LampRays::LampRays(const World& world) : world_(world) {
     const std::vector<double> all = intensities(world.lights);
-    places_ = WeightedPlaces(all);
+    places_ = WeightedIndex(all);
     power_ = std::accumulate(all.begin(), all.end(), 0.0);
 }
 

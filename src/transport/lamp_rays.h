@@ -5,7 +5,7 @@
 
 #include "base/function_ref.h"
 #include "base/random.h"
-#include "base/weighted_places.h"
+#include "base/weighted_index.h"
 #include "luminaire/luminaire.h"
 #include "transport/path.h"
 
@@ -48,7 +48,7 @@ public:
 
 private:
     const World& world_;
-    WeightedPlaces places_;  ///< luminaires, weighted by their intensity
+    WeightedIndex places_;  ///< luminaires, weighted by their intensity
     double power_ = 0;
 };
 

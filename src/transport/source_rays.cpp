@@ -187,7 +187,7 @@ SourceRays::SourceRays(std::span<const PointLight> sources, const LitRegion& reg
         powers_.push_back(power_into(region, light, rays));
         power_ += powers_.back();
     }
-    places_ = WeightedPlaces(powers_);
+    places_ = WeightedIndex(powers_);
 }
 
 SourceRays::Drawn SourceRays::draw(double choice, const Vec2& u) const {
@@ -224,7 +224,7 @@ void SourceRays::learn(FunctionRef<double(const Drawn&, const Key&)> worth) {
     if (!(all > 0) || !std::isfinite(all)) return;
     for (std::size_t i = 0; i < worths.size(); ++i)
         worths[i] = (1 - by_power) * worths[i] / all + by_power * powers_[i] / power_;
-    places_ = WeightedPlaces(worths);
+    places_ = WeightedIndex(worths);
 }
 
 }  // namespace candelabra

@@ -6,7 +6,7 @@
 #include "base/function_ref.h"
 #include "base/random.h"
 #include "base/ray.h"
-#include "base/weighted_places.h"
+#include "base/weighted_index.h"
 #include "light/light.h"
 #include "light/spreading.h"
 #include "transport/lit_region.h"
@@ -87,7 +87,7 @@ private:
     LitRegion region_;
     std::vector<double> powers_;
     double power_ = 0;
-    WeightedPlaces places_;
+    WeightedIndex places_;
     std::vector<StartGuide> guides_;  ///< of each source; empty: nothing was learned
 };
 

@@ -25,7 +25,7 @@ StartGuide::StartGuide(const StartTrials& trials) {
     std::array<double, StartTrials::cells> weights{};
     std::ranges::transform(trials.worth_, weights.begin(),
                            [&](double worth) { return even + guided * worth / all; });
-    cells_ = WeightedPlaces(weights);
+    cells_ = WeightedIndex(weights);
 }
 
 StartGuide::Drawn StartGuide::draw(const Vec2& u) const {

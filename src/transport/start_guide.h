@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/vector.h"
-#include "base/weighted_places.h"
+#include "base/weighted_index.h"
 
 #include <array>
 
@@ -42,7 +42,7 @@ public:
     Drawn draw(const Vec2& u) const;
 
 private:
-    WeightedPlaces cells_;
+    WeightedIndex cells_;
 };
 
 }  // namespace candelabra

@@ -18,8 +18,8 @@ namespace candelabra {
 
 namespace {
 
-/// Maximum number of luminaires with a guide, which takes some time and memory.
-constexpr int max_guides = 64;
+/// Maximum number of luminaires with a proxy mesh, which takes some time and memory.
+constexpr int max_proxies = 64;
 
 bool receives_light(const Finish& f) {
     return f.diffuse != 0 || f.diffuse_back != 0 || f.phong != 0 || f.specular != 0 ||
@@ -57,18 +57,18 @@ SealedSide sealed_by(Closure mesh) {
 
 class Emitters {
 public:
-    Emitters(const World& world, bool guided)
-        : world_(world), renders_(guided), guides_left_(guided ? max_guides : 0) {}
+    Emitters(const World& world, bool with_proxy)
+        : world_(world), renders_(with_proxy), proxies_left_(with_proxy ? max_proxies : 0) {}
 
-    /// Cylinders and cones with uneven emission get a guide to their bright parts instead of their
+    /// Cylinders and cones with uneven emission get a proxy mesh to their bright parts instead of their
     /// formula. `face_of`: of the mesh of a triangle.
     Emitter of(const Luminaire& look, Closure face_of) {
         const Emitter plain = by_shape(look, face_of);
-        if (!look.varying || guides_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||
+        if (!look.varying || proxies_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||
             face_count(plain) > 0)
             return plain;
         CompositeEmitter bright = alone(*world_.geometry.shape(look.primitive), look);
-        return bright.guide && bright.unevenness > Brightness::uneven ? Emitter(std::move(bright))
+        return bright.proxy && bright.unevenness > Brightness::uneven ? Emitter(std::move(bright))
                                                                       : plain;
     }
 
@@ -116,15 +116,15 @@ private:
         return make_handle<Composite>(builder.finish(part));
     }
 
-    /// Copies of one shape share their guide, and all of them together count as one that has one.
+    /// Copies of one shape share their proxy mesh, and all of them together count as one that has one.
     CompositeEmitter alone(const PlacedShape& placed, const Luminaire& look) {
         Handle<Composite> there = of_one(placed.shape, placed.transform);
         const void* content = shared_content(placed.shape);
         if (!renders_ || !content || look.varying || !placed.transform)
             return composite(there, 0, look);
         const auto [found, added] = originals_.try_emplace(content);
-        if (added && guides_left_ > 0) {
-            --guides_left_;
+        if (added && proxies_left_ > 0) {
+            --proxies_left_;
             found->second = composite_emitter(of_one(placed.shape, nullptr), 0);
         }
         return found->second ? placed_emitter(*found->second, there, placed.transform)
@@ -133,9 +133,10 @@ private:
 
     CompositeEmitter composite(Handle<Composite> whole, std::uint32_t leaf, const Luminaire& look) {
         if (!renders_) return unmeasured_emitter(std::move(whole), leaf);
-        const bool guided = guides_left_ > 0;
-        if (guided) --guides_left_;
-        if (!guided || !look.varying) return composite_emitter(std::move(whole), leaf, guided);
+        const bool with_proxy = proxies_left_ > 0;
+        if (with_proxy) --proxies_left_;
+        if (!with_proxy || !look.varying)
+            return composite_emitter(std::move(whole), leaf, with_proxy);
         return bright_composite_emitter(std::move(whole), leaf, [&](const Vec3& point) {
             return luminance_at(world_, look.primitive, point);
         });
@@ -143,7 +144,7 @@ private:
 
     const World& world_;
     bool renders_;
-    int guides_left_;
+    int proxies_left_;
     std::unordered_map<const void*, Closure> closures_;  ///< of meshes, by their content
     /// Shapes in their own space, by the address of the content that their copies share.
     std::unordered_map<const void*, std::optional<CompositeEmitter>> originals_;
@@ -177,9 +178,9 @@ void set_radiance(const World& world, Luminaire& luminaire) {
 
 }  // namespace
 
-void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, bool guided,
+void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, bool with_proxy,
                     Diagnostics& diagnostics) {
-    Emitters emitters(world, guided);
+    Emitters emitters(world, with_proxy);
     for (const GlowingPrimitive& glow : glowing) {
         Luminaire luminaire;
         luminaire.primitive = world.geometry.primitive(glow.kind, glow.index);

@@ -25,8 +25,8 @@ TEST_CASE("the adaptive scheme has two rounds, the second where it is noisy", "[
     REQUIRE(plan_round(state, settings, 8));
     take_wanted(state.film);
     REQUIRE(plan_round(state, settings, 8));
-    CHECK(state.film.at(3, 3).target == 8);
-    CHECK(state.film.at(15, 3).target == 64);
+    CHECK(state.film.at(3, 3).planned == 8);
+    CHECK(state.film.at(15, 3).planned == 64);
     take_wanted(state.film);
     CHECK_FALSE(plan_round(state, settings, 8));
 }
@@ -55,13 +55,13 @@ TEST_CASE("a share has its own pixels, and in the adaptive scheme their neighbou
     CHECK(state.shard.owns(32, 0));
     CHECK_FALSE(state.shard.owns(31, 0));
     REQUIRE(plan_round(state, settings, 8));
-    CHECK(state.film.at(33, 31).target == 8);
-    CHECK(state.film.at(31, 31).target == 8);
-    CHECK(state.film.at(31, 32).target == 8);
-    CHECK(state.film.at(30, 31).target == 0);
+    CHECK(state.film.at(33, 31).planned == 8);
+    CHECK(state.film.at(31, 31).planned == 8);
+    CHECK(state.film.at(31, 32).planned == 8);
+    CHECK(state.film.at(30, 31).planned == 0);
     settings.samples = 3;
     REQUIRE(plan_round(state, settings, 3));
-    CHECK(state.film.at(31, 31).target == 0);
+    CHECK(state.film.at(31, 31).planned == 0);
 }
 
 TEST_CASE("where tiles find out what pixels need there is one round, of the share", "[render]") {
@@ -74,14 +74,14 @@ TEST_CASE("where tiles find out what pixels need there is one round, of the shar
         state.shard.first_tile = 1;
         state.shard.tile_step = 4;
         REQUIRE(plan_round(state, settings, 1, rule));
-        CHECK(state.film.at(32, 3).target == 1);
-        CHECK(state.film.at(31, 3).target == 0);
+        CHECK(state.film.at(32, 3).planned == 1);
+        CHECK(state.film.at(31, 3).planned == 0);
         take_wanted(state.film);
         CHECK_FALSE(plan_round(state, settings, 1, rule));
     }
 }
 
-TEST_CASE("no target is beyond what the rules can want", "[render]") {
+TEST_CASE("no more samples are planned than the rules can want", "[render]") {
     RenderSettings settings = tiny_picture();
     settings.samples = 4;
     CHECK(max_wanted(settings, 4) == 4);

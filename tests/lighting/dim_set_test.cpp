@@ -21,7 +21,7 @@ std::vector<double> intensities(std::size_t count, Draw& draw) {
 TEST_CASE("a dim set is what a list leaves, without gaps and without the list", "[lighting]") {
     Draw draw(2);
     for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
-        const WeightedPlaces places(intensities(200, draw));
+        const WeightedIndex places(intensities(200, draw));
         std::vector<LightIndex> bright, dim;
         for (LightIndex light = 0; light < 200; ++light)
             (draw.number() < share ? bright : dim).push_back(light);

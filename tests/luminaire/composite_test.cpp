@@ -43,7 +43,7 @@ CompositeEmitter half_ball() {
 
 TEST_CASE("any shape gives the light that it would give as an emitter of its own", "[luminaire]") {
     const Luminaire ball = glowing(SphereEmitter{o, 1}), any = glowing(alone(Sphere{o, 1}));
-    REQUIRE(std::get<CompositeEmitter>(any.emitter).guide);
+    REQUIRE(std::get<CompositeEmitter>(any.emitter).proxy);
     Draw draw(1);
     for (int i = 0; i < 20; ++i) {
         const Receiver point{draw.between(1.1, 5) * draw.direction(), draw.direction()};
@@ -84,22 +84,22 @@ TEST_CASE("its size is that of its shadow", "[luminaire]") {
     CHECK(b.radius >= 1);
 }
 
-TEST_CASE("a guide makes less noise and the same light", "[luminaire]") {
+TEST_CASE("a proxy mesh makes less noise and the same light", "[luminaire]") {
     // A thin ring fills a small part of any cone around it.
     CompositeBuilder builder;
     const PartRef ring = builder.add({Torus{1, 0.05}});
     const auto composite = make_handle<Composite>(builder.finish(ring));
-    const Luminaire guided = glowing(composite_emitter(composite, ring.index)),
+    const Luminaire with_proxy = glowing(composite_emitter(composite, ring.index)),
                     searched = glowing(composite_emitter(composite, ring.index, false));
-    REQUIRE(std::get<CompositeEmitter>(guided.emitter).guide);
+    REQUIRE(std::get<CompositeEmitter>(with_proxy.emitter).proxy);
     Draw draw(3);
     for (int i = 0; i < 5; ++i) {
         const Vec3 position = draw.between(1.5, 4) * draw.direction();
         const Receiver point{position, unit(-position)};
-        const Drawn by_guide = drawn_irradiance(guided, point, 40'000, draw),
+        const Drawn by_proxy = drawn_irradiance(with_proxy, point, 40'000, draw),
                     by_search = drawn_irradiance(searched, point, 400'000, draw);
-        CHECK(by_guide.mean == Approx(by_search.mean).epsilon(0.03));
-        CHECK(by_guide.variance < 0.4 * by_search.variance);
+        CHECK(by_proxy.mean == Approx(by_search.mean).epsilon(0.03));
+        CHECK(by_proxy.variance < 0.4 * by_search.variance);
     }
 }
 

@@ -21,7 +21,7 @@ Checkpoint example() {
     checkpoint.state.rounds = 2;
     double value = -1;
     for (PixelSum& pixel : checkpoint.state.film.pixels()) {
-        pixel.target = 5;
+        pixel.planned = 5;
         for (int i = 0; i < 3; ++i, value += 0.37) pixel.add(Rgb(value, 1e9 * value, 1e-9));
     }
     for (std::size_t i = 0; i < 35; ++i) checkpoint.state.film.extra(i)[i % 2].add(-1e6 * value);
@@ -99,7 +99,7 @@ TEST_CASE("a state whose sums cannot be is refused, though its checksum is right
         return read_checkpoint(path, diagnostics).has_value();
     };
     CHECK(readable([](PixelSum&) {}));
-    CHECK_FALSE(readable([](PixelSum& p) { p.target = 0xffffffffu; }));
+    CHECK_FALSE(readable([](PixelSum& p) { p.planned = 0xffffffffu; }));
     CHECK_FALSE(readable([](PixelSum& p) { p.samples = 0xffffffffu; }));
     CHECK_FALSE(readable([](PixelSum& p) { p.samples = 0; }));
     CHECK_FALSE(readable([](PixelSum& p) { p.display[1] = std::uint64_t{1} << 40; }));

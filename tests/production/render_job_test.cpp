@@ -211,7 +211,7 @@ TEST_CASE("what a state says of wanted samples is bounded by what a run would wa
     Diagnostics diagnostics;
     auto state = read_checkpoint(path, diagnostics);
     REQUIRE(state);
-    for (PixelSum& pixel : state->state.film.pixels()) pixel.target = 1u << 30;
+    for (PixelSum& pixel : state->state.film.pixels()) pixel.planned = 1u << 30;
     state->state.rounds = std::max(1u, state->state.rounds);
     const auto bytes = encode(*state, diagnostics);
     REQUIRE(bytes);

@@ -89,7 +89,7 @@ TEST_CASE("a round of very many samples has an end", "[render]") {
     RenderState state = begin_picture(settings);
     state.rounds = 1;
     state.film.at(0, 0).samples = wanted - 1;
-    state.film.at(0, 0).target = wanted;
+    state.film.at(0, 0).planned = wanted;
     LightLedger rays;
     int asked = 0;
     RenderHooks hooks;

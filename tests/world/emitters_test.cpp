@@ -54,7 +54,7 @@ TEST_CASE("copies of a shape share the triangles at which rays are aimed", "[wor
     REQUIRE(world->lights.luminaires.size() == 100);
     for (const Luminaire& each : world->lights.luminaires) {
         const auto& letter = std::get<CompositeEmitter>(each.emitter);
-        CHECK(letter.guide);
+        CHECK(letter.proxy);
         CHECK(letter.closed);
         CHECK(letter.seen_area > 0);
         // The triangles are where the letter is: rays that are aimed at it meet it.

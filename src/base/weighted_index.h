@@ -11,25 +11,25 @@
 
 namespace candelabra {
 
-/// All elements laid end to end. Each takes a number of places in proportion to its weight: at
+/// All elements laid end to end. Each takes a number of slots in proportion to its weight: at
 /// least one, unless its weight is 0.
-class WeightedPlaces {
+class WeightedIndex {
 public:
-    WeightedPlaces() = default;
+    WeightedIndex() = default;
     /// Precondition: no weight is below 0.
-    explicit WeightedPlaces(std::span<const double> weights);
+    explicit WeightedIndex(std::span<const double> weights);
 
     std::size_t size() const { return ends_.size(); }
     std::uint64_t total() const { return ends_.empty() ? 0 : ends_.back(); }
     std::uint64_t before(std::uint32_t i) const { return i == 0 ? 0 : ends_[i - 1]; }
     std::uint64_t end(std::uint32_t i) const { return ends_[i]; }
     std::uint64_t of(std::uint32_t i) const { return end(i) - before(i); }
-    /// Returns the element that takes the place. Precondition: place < total().
-    std::uint32_t at(std::uint64_t place) const;
-    /// Returns the element that takes that fraction of the places, in [0, 1): one drawn by its
+    /// Returns the element that takes the slot. Precondition: slot < total().
+    std::uint32_t at(std::uint64_t slot) const;
+    /// Returns the element that takes that fraction of the slots, in [0, 1): one drawn by its
     /// weight for a random number. Precondition: total() is above 0.
     std::uint32_t at_share(double u) const;
-    /// Fraction of the places that the element takes: its probability.
+    /// Fraction of the slots that the element takes: its probability.
     double share_of(std::uint32_t i) const {
         return static_cast<double>(of(i)) / static_cast<double>(total());
     }
@@ -37,8 +37,8 @@ public:
 
 private:
     std::vector<std::uint64_t> ends_;
-    std::vector<std::uint32_t> guide_;  ///< first element of each of equal parts of the places
-    int guide_shift_ = 0;
+    std::vector<std::uint32_t> buckets_;  ///< first element of each of equal parts of the slots
+    int bucket_shift_ = 0;
 };
 
 }  // namespace candelabra

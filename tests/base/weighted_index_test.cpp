@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/weighted_places.h"
+#include "base/weighted_index.h"
 
 #include "support/draw.h"
 
@@ -23,7 +23,7 @@ TEST_CASE("each place belongs to one element, and each with a weight has places"
     for (const std::size_t count : {1u, 2u, 10u, 5000u, 100000u}) {
         std::vector<double> given = weights(count, draw);
         given[0] = 1;
-        const WeightedPlaces places(given);
+        const WeightedIndex places(given);
         CHECK(places.size() == count);
         for (int i = 0; i < 2000; ++i) {
             const auto element =
@@ -39,15 +39,15 @@ TEST_CASE("each place belongs to one element, and each with a weight has places"
 }
 
 TEST_CASE("places are in proportion to the weights", "[base]") {
-    const WeightedPlaces places(std::vector<double>{1, 2, 0, 5});
+    const WeightedIndex places(std::vector<double>{1, 2, 0, 5});
     const auto share = [&](std::uint32_t element) {
         return static_cast<double>(places.of(element)) / static_cast<double>(places.total());
     };
     CHECK(share(0) == Approx(0.125));
     CHECK(share(3) == Approx(0.625));
     CHECK(places.of(2) == 0);
-    CHECK(WeightedPlaces(std::vector<double>{0, 0}).total() == 0);
-    CHECK(WeightedPlaces(std::vector<double>{1e-300, 1e200}).of(0) == 1);
+    CHECK(WeightedIndex(std::vector<double>{0, 0}).total() == 0);
+    CHECK(WeightedIndex(std::vector<double>{1e-300, 1e200}).of(0) == 1);
 }
 
 }  // namespace candelabra

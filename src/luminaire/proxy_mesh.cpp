@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "luminaire/guide.h"
+#include "luminaire/proxy_mesh.h"
 
 #include "shape/area.h"
 
@@ -9,29 +9,29 @@
 namespace candelabra {
 
 // Bounding boxes are built faster than a kd-tree, and take a fraction of its memory.
-Guide::Guide(const Mesh& mesh, std::vector<double> luminance) {
+ProxyMesh::ProxyMesh(const Mesh& mesh, std::vector<double> luminance) {
     MeshArea area(mesh, luminance);
     triangles_ = make_handle<Triangles>(
         Triangles{build(mesh, BoundingBoxes{}), std::move(luminance), std::move(area)});
 }
 
-Guide::Guide(const Guide& other, Handle<Transform> place)
+ProxyMesh::ProxyMesh(const ProxyMesh& other, Handle<Transform> place)
     : triangles_(other.triangles_), place_(std::move(place)) {}
 
 /// The ray in the space of the triangles.
-Ray Guide::own_ray(const Vec3& from, const Vec3& direction) const {
+Ray ProxyMesh::own_ray(const Vec3& from, const Vec3& direction) const {
     const Ray ray{from, direction};
     return place_ ? place_->inverse_ray(ray) : ray;
 }
 
-Vec3 Guide::point(const Vec2& u) const {
+Vec3 ProxyMesh::point(const Vec2& u) const {
     const auto [number, part] = triangles_->area.at(u.x);
     const auto [a, b, c] = face(*triangles_->mesh.mesh, number).corners;
     const Vec3 drawn = sample_area(Triangle{a, b, c}, {part, u.y}).position;
     return place_ ? place_->point(drawn) : drawn;
 }
 
-bool Guide::met_by(const Ray& ray) const {
+bool ProxyMesh::met_by(const Ray& ray) const {
     Crossings met;
     crossings(triangles_->mesh, own_ray(ray.origin, ray.direction), met);
     for (std::size_t i = 0; i < met.size(); ++i)
@@ -39,7 +39,7 @@ bool Guide::met_by(const Ray& ray) const {
     return false;
 }
 
-double Guide::density(const Vec3& from, const Vec3& direction) const {
+double ProxyMesh::density(const Vec3& from, const Vec3& direction) const {
     const Ray ray = own_ray(from, direction);
     Crossings met;
     crossings(triangles_->mesh, ray, met);

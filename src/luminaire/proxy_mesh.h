@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles near a glowing surface without a formula, at which rays are aimed to find its points.
-// The rays find the exact points on the surface, so the guide is approximate, and its users also
+// The rays find the exact points on the surface, so the proxy mesh is approximate, and its users also
 // aim elsewhere at times. Used by the composite emitter.
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace candelabra {
 
-class Guide {
+class ProxyMesh {
 public:
     /// `luminance` has one value for each face if the radiance varies, and is empty if all faces
     /// are equally bright. Precondition: some face has an area, and if there are luminances, one
     /// such face has a luminance above 0.
-    explicit Guide(const Mesh&, std::vector<double> luminance = {});
-    /// The same triangles, which both share, in another place. Precondition: the other guide was
+    explicit ProxyMesh(const Mesh&, std::vector<double> luminance = {});
+    /// The same triangles, which both share, in another place. Precondition: the other proxy mesh was
     /// not placed.
-    Guide(const Guide&, Handle<Transform> place);
+    ProxyMesh(const ProxyMesh&, Handle<Transform> place);
 
     /// Returns the point for u, uniform in [0, 1)^2. Its density is uniform over the triangles'
     /// area before they were placed, times their luminance.
