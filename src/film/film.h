@@ -79,8 +79,9 @@ public:
     std::span<const ExactSum> extra(std::size_t pixel) const {
         return {sums() + pixel * extras_, extras_};
     }
-    /// Notes that pixels get samples, done and planned, only in the rows from `first` to before `last`,
-    /// which are clipped to the film: walks leave out the others, so that these take no memory.
+    /// Notes that pixels get samples, done and planned, only in the rows from `first` to before
+    /// `last`, which are clipped to the film: walks leave out the others, so that these take no
+    /// memory.
     void keep_to_rows(int first, int last);
     int first_row() const { return first_row_; }
     int last_row() const { return last_row_; }

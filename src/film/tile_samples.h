@@ -45,8 +45,8 @@ public:
     /// Whether the work is to stop.
     virtual bool stopped() = 0;
 
-    /// Brings all pixels to their planned samples, or to `level` samples if that is less. Returns how many
-    /// samples it made.
+    /// Brings all pixels to their planned samples, or to `level` samples if that is less. Returns
+    /// how many samples it made.
     std::uint64_t bring_all(std::uint32_t level) {
         std::uint64_t made = 0;
         for_pixels(film(), region_, [&](int x, int y, const PixelSum& pixel) {

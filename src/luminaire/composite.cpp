@@ -60,8 +60,8 @@ Vec3 in_cone(const Vec3& middle, double widest, const Vec2& u) {
     return (1 - versine) * middle + sine * on_circle(angle, x, y);
 }
 
-/// Fractions of the directions that are drawn, if there is a proxy mesh, in the whole cone and by the
-/// proxy mesh.
+/// Fractions of the directions that are drawn, if there is a proxy mesh, in the whole cone and by
+/// the proxy mesh.
 constexpr double astray = 0.125, at_proxy = 1 - astray;
 
 /// For varying radiance: maximum edge of a triangle as a fraction of the size, and weight of the
@@ -124,10 +124,10 @@ Mesh grown(Mesh mesh, double by) {
     return mesh;
 }
 
-/// Adds a proxy mesh that nearly all rays that meet the leaf meet too, from the first number of cells
-/// that gives one. Parts of the leaf outside the proxy mesh make noise, and parts of the proxy mesh outside
-/// the leaf waste rays. `make` returns nothing if the next number is to be tried; its second
-/// argument is whether there is a next one.
+/// Adds a proxy mesh that nearly all rays that meet the leaf meet too, from the first number of
+/// cells that gives one. Parts of the leaf outside the proxy mesh make noise, and parts of the
+/// proxy mesh outside the leaf waste rays. `make` returns nothing if the next number is to be
+/// tried; its second argument is whether there is a next one.
 void add_proxy(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
                std::initializer_list<int> cell_numbers,
                FunctionRef<std::optional<ProxyMesh>(const Mesh&, bool)> make) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles near a glowing surface without a formula, at which rays are aimed to find its points.
-// The rays find the exact points on the surface, so the proxy mesh is approximate, and its users also
-// aim elsewhere at times. Used by the composite emitter.
+// The rays find the exact points on the surface, so the proxy mesh is approximate, and its users
+// also aim elsewhere at times. Used by the composite emitter.
 #pragma once
 
 #include "base/handle.h"
@@ -16,8 +16,8 @@ public:
     /// are equally bright. Precondition: some face has an area, and if there are luminances, one
     /// such face has a luminance above 0.
     explicit ProxyMesh(const Mesh&, std::vector<double> luminance = {});
-    /// The same triangles, which both share, in another place. Precondition: the other proxy mesh was
-    /// not placed.
+    /// The same triangles, which both share, in another place. Precondition: the other proxy mesh
+    /// was not placed.
     ProxyMesh(const ProxyMesh&, Handle<Transform> place);
 
     /// Returns the point for u, uniform in [0, 1)^2. Its density is uniform over the triangles'

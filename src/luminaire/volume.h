@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box of media that light the scene: flames, gas in tubes, nebulae. It is no luminaire: its points
-// lie between surfaces, so no ray meets one. The density of a point is that of its direction times
-// that of its distance along the ray, and its contribution is the radiance emitted per unit of
-// length.
+// A box of media that light the scene: flames, gas in tubes, nebulae. It is no luminaire: its
+// points lie between surfaces, so no ray meets one. The density of a point is that of its direction
+// times that of its distance along the ray, and its contribution is the radiance emitted per unit
+// of length.
 #pragma once
 
 #include "luminaire/luminaire.h"

@@ -53,7 +53,7 @@ std::uint32_t Rounds::level_after(std::uint32_t level, std::uint32_t most) const
     return plan_.sent ? std::min(next, level + plan_.sent.samples_at_once()) : next;
 }
 
-/// Brings all pixels to their targets in passes.
+/// Brings all pixels to their planned samples in passes.
 void Rounds::run_round() {
     const Wanted all = wanted_samples(state_.film);
     wanted_ = all.samples;

@@ -44,8 +44,8 @@ Rgb light_left(const World&, const WayOfLight&, const Key&);
 Rgb left_on_free_way(const World&, const WayOfLight&, const Key&);
 
 /// Fraction of the light of a luminaire or of media that its own solid lets through on its way to
-/// the ray's origin, if the solid has `no_shadow`: other light passes it, and light_left() leaves it
-/// out. 1 for other solids.
+/// the ray's origin, if the solid has `no_shadow`: other light passes it, and light_left() leaves
+/// it out. 1 for other solids.
 Rgb left_by_lamp(const World&, const Luminaire&, const WayOfLight&, const Key&);
 Rgb left_by_lamp(const World&, const MediaBox&, const WayOfLight&, const Key&);
 

@@ -60,8 +60,8 @@ public:
     Emitters(const World& world, bool with_proxy)
         : world_(world), renders_(with_proxy), proxies_left_(with_proxy ? max_proxies : 0) {}
 
-    /// Cylinders and cones with uneven emission get a proxy mesh to their bright parts instead of their
-    /// formula. `face_of`: of the mesh of a triangle.
+    /// Cylinders and cones with uneven emission get a proxy mesh to their bright parts instead of
+    /// their formula. `face_of`: of the mesh of a triangle.
     Emitter of(const Luminaire& look, Closure face_of) {
         const Emitter plain = by_shape(look, face_of);
         if (!look.varying || proxies_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||
@@ -116,7 +116,8 @@ private:
         return make_handle<Composite>(builder.finish(part));
     }
 
-    /// Copies of one shape share their proxy mesh, and all of them together count as one that has one.
+    /// Copies of one shape share their proxy mesh, and all of them together count as one that has
+    /// one.
     CompositeEmitter alone(const PlacedShape& placed, const Luminaire& look) {
         Handle<Composite> there = of_one(placed.shape, placed.transform);
         const void* content = shared_content(placed.shape);

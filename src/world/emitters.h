@@ -20,7 +20,8 @@ struct GlowingPrimitive {
 };
 
 /// Fills WorldLights::luminaires and Provenance::statement_of_luminaire, and warns of luminaires
-/// without area. `with_proxy`: luminaires without a formula get proxy meshes, which only rendering needs.
+/// without area. `with_proxy`: luminaires without a formula get proxy meshes, which only rendering
+/// needs.
 void add_luminaires(World&, std::span<const GlowingPrimitive>, bool with_proxy, Diagnostics&);
 
 /// Whether any surface or medium shows light that arrives from luminaires. Otherwise there is no

@@ -258,7 +258,7 @@ void figure5() {
         std::ranges::sort(sorted);
         const double bound = sorted[static_cast<std::size_t>(0.91 * size * size)];
         for (std::size_t i = 0; i < variances.size(); ++i)
-            if (variances[i] > bound) state.film.pixels()[i].target = 30;
+            if (variances[i] > bound) state.film.pixels()[i].planned = 30;
         advance(plan_of(shot, settings), state, rays, {});
         return state.film;
     };

@@ -17,7 +17,7 @@ inline RenderSettings tiny_picture() {
 inline void take_wanted(Film& film) {
     for (int y = 0; y < film.height(); ++y)
         for (int x = 0; x < film.width(); ++x)
-            for (PixelSum& p = film.at(x, y); p.samples < p.target;)
+            for (PixelSum& p = film.at(x, y); p.samples < p.planned;)
                 p.add(Rgb(x < 10 ? 0.5 : p.samples % 2));
 }
 

@@ -49,7 +49,10 @@ public:
         return ask([&](const ShadowRay& ray) { return ray.left_by_air(distance, 1e-9).r; });
     }
     double emitted(LightIndex light, double distance) const {
-        return ask([&](const ShadowRay& ray) { return ray.emitted(light, distance).r; });
+        return ask([&](const ShadowRay& ray) {
+            return world_->lights.visit(
+                light, [&](const auto& glowing) { return ray.emitted(glowing, distance).r; });
+        });
     }
 
 private:
