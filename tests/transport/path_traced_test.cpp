@@ -230,7 +230,7 @@ TEST_CASE("light that photons bring by a mirror lights others as light that is m
     const auto seen = [](const std::string& mirror, int bounces, const Vec3& towards,
                          std::uint32_t count) {
         const Shot shot = shot_of(R"(#version 3.7;
-            global_settings { photons { count 20000 radius 0.3 }
+            global_settings { photons { count 200000 radius 0.2 }
                 integrator { path_traced { reflected_luminaires 0 bounces )" +
                                   std::to_string(bounces) + R"( } } }
             #default { finish { ambient 0 diffuse 1 } }
@@ -247,7 +247,7 @@ TEST_CASE("light that photons bring by a mirror lights others as light that is m
         Draw draw(2);
         Rgb sum(0);
         Key key;
-        constexpr std::uint32_t rays = 32;
+        constexpr std::uint32_t rays = 100;
         for (; key.sample < count; ++key.sample)
             for (key.pixel = 0; key.pixel < rays; ++key.pixel) {
                 const Vec3 place =
@@ -258,7 +258,7 @@ TEST_CASE("light that photons bring by a mirror lights others as light that is m
     };
     const std::string target = "photons { target reflection on refraction off }";
     for (const Vec3& towards : {Vec3(1, 0.5, -1), Vec3(0.5, 0.8, 2)}) {
-        const Rgb brought = seen(target, 1, towards, 300), met = seen("", 2, towards, 40000);
+        const Rgb brought = seen(target, 1, towards, 300), met = seen("", 2, towards, 30000);
         CAPTURE(towards.z);
         for (int i = 0; i < 3; ++i) CHECK(brought[i] == Approx(met[i]).epsilon(0.03));
     }
