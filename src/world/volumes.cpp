@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <unordered_map>
+#include <utility>
 
 namespace candelabra {
 
@@ -201,6 +203,34 @@ bool glows_within(const World& world, const Material& material) {
            });
 }
 
+namespace {
+
+/// Leaves the emission inside of a primitive's item to chance, as if its media were no luminaires.
+/// Bounded items with its material keep theirs.
+void leave_to_chance(World& world, PrimitiveIndex primitive) {
+    Appearance& looks = world.appearance;
+    const Geometry& geometry = world.geometry;
+    const std::uint32_t item = geometry.item_of(primitive);
+    std::unordered_map<std::uint32_t, std::uint32_t> known;
+    // The primitives of an item are consecutive.
+    PrimitiveIndex i = primitive;
+    while (i > 0 && geometry.item_of(i - 1) == item) --i;
+    for (; i < looks.material_of.size() && geometry.item_of(i) == item; ++i) {
+        const std::uint32_t old = looks.material_of[i];
+        if (!looks.materials[old].interior) continue;
+        const auto [found, added] =
+            known.try_emplace(old, static_cast<std::uint32_t>(looks.materials.size()));
+        if (added) {
+            Material own = looks.materials[old];
+            for (Media& media : own.interior.edit().media) media.luminaire = false;
+            looks.materials.push_back(std::move(own));
+        }
+        looks.material_of[i] = found->second;
+    }
+}
+
+}  // namespace
+
 void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool surveyed,
                  Diagnostics& diagnostics) {
     const Geometry& geometry = world.geometry;
@@ -215,9 +245,12 @@ void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool s
         const Box box = geometry.inside_bounds(item);
         const Vec3 size = box.size();
         if (!finite(box)) {
-            diagnostics.add(warning(Fault::degenerate, glow.span,
-                                    "media without bounds emit light, but light nothing")
-                                .with_help("put them into a large `box`, which can be sampled"));
+            leave_to_chance(world, primitive);
+            diagnostics.add(
+                warning(Fault::degenerate, glow.span,
+                        "media without bounds are no luminaire: only `path_traced` finds their "
+                        "light, by chance")
+                    .with_help("put them into a large `box`, which can be sampled"));
         } else if (size.x * size.y * size.z > 0) {
             const auto first = static_cast<LightIndex>(world.lights.glowing());
             world.lights.volumes.push_back({primitive, first});

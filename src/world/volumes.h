@@ -25,8 +25,9 @@ bool glows_within(const World&, const Material&);
 /// Fills WorldLights::glow_beside_openings.
 void find_openings(World&);
 
-/// Fills WorldLights::volumes and WorldLights::media, and warns of unbounded volumes. If not
-/// `surveyed`, each solid is one evenly glowing box, for callers that only count them.
+/// Fills WorldLights::volumes and WorldLights::media, and warns of unbounded volumes, whose media are
+/// no luminaires then: paths find their light by chance. If not `surveyed`, each solid is one
+/// evenly glowing box, for callers that only count them.
 void add_volumes(World&, std::span<const GlowingPrimitive>, bool surveyed, Diagnostics&);
 
 /// Radiance per unit of length that the media of a volume emit at a point. Where parts that share

@@ -142,6 +142,15 @@ Factor luminaires() {
              "emission @2@ absorption 0.3 } $luminaire$ } clipped_by { plane { -y, 0 } } " +
                  place,
              dims | lengths));
+    levels.push_back(lamp("medium around all", "box",
+                          "-9, 9 hollow pigment { rgb 1 transmit 1 } finish { diffuse 0 } interior "
+                          "{ media { emission @0.05@ absorption 0.05 } $luminaire$ }",
+                          dims | lengths | endless));
+    levels.push_back(lamp("medium without bounds", "sphere",
+                          "0, 0.6 inverse hollow pigment { rgb 1 transmit 1 } finish { diffuse 0 } "
+                          "interior { media { emission @0.1@ absorption 0.1 } $luminaire$ } " +
+                              place,
+                          dims | lengths | endless));
     levels.push_back(
         lamp("hidden from the camera", "sphere", "0, 0.7 no_image " + glow + place, hides));
     levels.push_back(
@@ -194,7 +203,8 @@ Factor light_sources() {
                               };
                           };
                           // Parallel light has no intensity.
-                          if (std::ranges::any_of(light.inner, has("parallel")))
+                          if (std::ranges::any_of(light.inner, has("parallel")) ||
+                              std::ranges::any_of(light.inner, has("cylinder")))
                               for (const char* word : {"intensity", "flux"})
                                   std::erase_if(light.inner, has(word));
                           add_lamp(draft, std::move(light));

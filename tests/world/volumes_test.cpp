@@ -90,6 +90,29 @@ TEST_CASE("parts that share their media glow once", "[world]") {
     CHECK(volume_emission(*world, merged, Vec3(9.5, 0, 0)).r == 1);
 }
 
+TEST_CASE("media without bounds are left to chance", "[world]") {
+    const std::string shapes[] = {
+        "sphere { 0, 1 inverse",
+        "box { -1, 1 inverse",
+        "plane { y, -2",
+        "difference { plane { y, 9 } sphere { 0, 1 }",
+        "intersection { sphere { 0, 1 inverse } box { -1, 1 inverse }",
+        "union { sphere { 0, 1 inverse } sphere { 9*x, 1 }",
+    };
+    for (const std::string& shape : shapes) {
+        INFO(shape);
+        Diagnostics said;
+        const SharedWorld world =
+            compile(scene_of("#version 3.7; " + solid(shape, "hollow")), {}, said);
+        CHECK(said.all().size() == 1);
+        CHECK(world->lights.volumes.empty() == (shape.find("union") == shape.npos));
+        for (PrimitiveIndex i = 0; i < world->appearance.material_of.size(); ++i) {
+            const Box inside = world->geometry.inside_bounds(world->geometry.item_of(i));
+            CHECK(lights_from_inside(world->material(i)) == finite(inside));
+        }
+    }
+}
+
 TEST_CASE("what says no is no luminaire", "[world]") {
     for (const char* const words : {"hollow no_luminaire", ""})
         CHECK(world_of("#version 3.7; " + solid("sphere { 0, 1", words))->lights.volumes.empty());

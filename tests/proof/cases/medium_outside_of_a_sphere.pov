@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // law chance, seed 520516128
-// open
 #version 3.7;
 #default { finish { ambient 0 } }
 global_settings { assumed_gamma 1 }
