@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace candelabra {
 
@@ -40,6 +42,8 @@ namespace {
 /// Number of facets in each direction.
 constexpr int fineness = 128;
 constexpr std::size_t row = fineness + 1;
+/// Number of points of the net along a side of a square, and of squares along a side of the net.
+constexpr std::size_t side = 8, squares = (row + side - 1) / side;
 
 bool finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -168,6 +172,11 @@ BuiltParametric build(const Parametric& surface, const RayIndex& index) {
         result.net.push_back(
             result.at(result.first + result.step * Vec2(static_cast<double>(i % row),
                                                         static_cast<double>(i / row))));
+    result.net_boxes.resize(squares * squares);
+    for (std::size_t i = 0; i < row * row; ++i) {
+        Box& box = result.net_boxes[i / row / side * squares + i % row / side];
+        box = join(box, result.net[i]);
+    }
     for (std::size_t v = 0; v < fineness; ++v)
         for (std::size_t u = 0; u < fineness; ++u) {
             const std::size_t i = v * row + u;
@@ -213,15 +222,40 @@ void crossings(const BuiltParametric& surface, const Ray& ray, Crossings& found)
 
 bool inside(const BuiltParametric&, const Vec3&) { return false; }
 
+namespace {
+
+/// Number of the point of the net that is nearest to a point; the first one of equals.
+std::size_t nearest_of_net(const BuiltParametric& surface, const Vec3& point) {
+    std::array<double, squares * squares> off;
+    for (std::size_t i = 0; i < off.size(); ++i)
+        off[i] = std::sqrt(nearest_distance2(surface.net_boxes[i], point));
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    const auto search = [&](std::size_t square) {
+        if (!(off[square] <= least)) return;
+        const std::size_t first_v = square / squares * side, first_u = square % squares * side;
+        for (std::size_t v = first_v; v < std::min(first_v + side, row); ++v)
+            for (std::size_t u = first_u; u < std::min(first_u + side, row); ++u) {
+                const std::size_t i = v * row + u;
+                const double here = length(surface.net[i] - point);
+                if (here < least || (here == least && i < nearest)) least = here, nearest = i;
+            }
+    };
+    const auto closest = std::ranges::min_element(off) - off.begin();
+    search(static_cast<std::size_t>(closest));
+    for (std::size_t i = 0; i < off.size(); ++i) search(i);
+    return nearest;
+}
+
+}  // namespace
+
 Vec2 parameters_at(const BuiltParametric& surface, const Vec3& point,
                    std::optional<std::uint32_t> part) {
     Vec2 at;
     if (part) {
         at = surface.pieces[*part].middle();
     } else {
-        const auto off = [&](const Vec3& p) { return length(p - point); };
-        const auto nearest = std::ranges::min_element(surface.net, {}, off) - surface.net.begin();
-        const auto i = static_cast<std::size_t>(nearest);
+        const std::size_t i = nearest_of_net(surface, point);
         at = surface.first + surface.step * Vec2(0.5 + static_cast<double>(i % row),
                                                  0.5 + static_cast<double>(i / row));
     }

@@ -35,6 +35,7 @@ struct BuiltParametric {
     std::array<Handle<Formula>, 3> functions;
     Vec2 first = Vec2(0), step = Vec2(0);  ///< of the net in u and v
     std::vector<Vec3> net;                 ///< row by row, u along the rows
+    std::vector<Box> net_boxes;            ///< around squares of the net, row by row
     ContainerShape container;
     std::vector<ParametricPiece> pieces;
     PartIndex index;  ///< over the pieces
