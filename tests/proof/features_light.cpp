@@ -202,11 +202,12 @@ Factor light_sources() {
                                   return each.values.starts_with(word);
                               };
                           };
-                          // Parallel light has no intensity.
-                          if (std::ranges::any_of(light.inner, has("parallel")) ||
-                              std::ranges::any_of(light.inner, has("cylinder")))
-                              for (const char* word : {"intensity", "flux"})
-                                  std::erase_if(light.inner, has(word));
+                          // Parallel light has no intensity, and other light has it or a flux.
+                          const bool parallel = std::ranges::any_of(light.inner, has("parallel")) ||
+                                                std::ranges::any_of(light.inner, has("cylinder"));
+                          if (parallel) std::erase_if(light.inner, has("intensity"));
+                          if (parallel || std::ranges::any_of(light.inner, has("intensity")))
+                              std::erase_if(light.inner, has("flux"));
                           add_lamp(draft, std::move(light));
                       }});
     return factor;
