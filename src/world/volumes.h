@@ -25,8 +25,8 @@ bool glows_within(const World&, const Material&);
 /// Fills WorldLights::glow_beside_openings.
 void find_openings(World&);
 
-/// Fills WorldLights::volumes and WorldLights::media, and warns of unbounded volumes, whose media are
-/// no luminaires then: paths find their light by chance. If not `surveyed`, each solid is one
+/// Fills WorldLights::volumes and WorldLights::media, and warns of unbounded volumes, whose media
+/// are no luminaires then: paths find their light by chance. If not `surveyed`, each solid is one
 /// evenly glowing box, for callers that only count them.
 void add_volumes(World&, std::span<const GlowingPrimitive>, bool surveyed, Diagnostics&);
 

@@ -2,6 +2,7 @@
 #include "proof/changes.h"
 
 #include "bind/blocks.h"
+#include "proof/items.h"
 #include "vocabulary/reserved.h"
 
 #include <algorithm>
@@ -10,6 +11,9 @@
 namespace candelabra::proof {
 
 bool is_object(const Element& element) {
+    const auto models = items_of("Models");
+    if (std::ranges::any_of(models, [&](const ItemInfo* m) { return m->name == element.head; }))
+        return true;
     const NameId word = reserved_word(element.head);
     return word != no_name && block_table().makes_object(word);
 }

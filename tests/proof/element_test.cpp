@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proof/element.h"
 
+#include "proof/changes.h"
 #include "proof/runner.h"
 #include "proof/shrink.h"
 
@@ -31,6 +32,13 @@ std::string tokens(const std::string& text) {
 }
 
 }  // namespace
+
+TEST_CASE("shapes, combinations and models are objects, which laws move", "[proof]") {
+    for (const char* head : {"sphere", "union", "model", "light_source", "object"})
+        CHECK(is_object(block(head, "")));
+    for (const char* head : {"camera", "texture", "#default", "background"})
+        CHECK_FALSE(is_object(block(head, "")));
+}
 
 TEST_CASE("amounts of light are written with the factor of their light", "[proof]") {
     const Element lamp = two_lamps().elements[0], source = two_lamps().elements[1];

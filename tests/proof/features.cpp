@@ -41,6 +41,11 @@ Element tested_object(Draft& draft) {
     return draft.combine ? draft.combine(draft, object) : object;
 }
 
+Element ball_beside() {
+    return block("sphere",
+                 "<1.3, 0.35, -0.6>, 0.35 pigment { rgb <0.5, 0.7, 0.9> } finish { diffuse 0.8 }");
+}
+
 Script staged(Draft& draft) {
     Script script;
     Element object = tested_object(draft);
@@ -50,14 +55,12 @@ Script staged(Draft& draft) {
               {needed(words("location <0, 2.2, -5>")), needed(words("look_at <0, 0.7, 0>"))}));
     if (!draft.lens.starts_with("user_defined")) camera.inner.push_back(words("angle 45"));
     camera.inner.insert(camera.inner.end(), draft.camera.begin(), draft.camera.end());
-    script.elements = {
-        needed(block("#default", "finish { ambient 0 }")),
-        needed(block("global_settings", "assumed_gamma 1", draft.settings)),
-        camera,
-        block("plane", "y, 0 pigment { rgb 0.7 } finish { diffuse 0.8 }"),
-        block("sphere",
-              "<1.3, 0.35, -0.6>, 0.35 pigment { rgb <0.5, 0.7, 0.9> } finish { diffuse 0.8 }"),
-        object};
+    script.elements = {needed(block("#default", "finish { ambient 0 }")),
+                       needed(block("global_settings", "assumed_gamma 1", draft.settings)),
+                       camera,
+                       block("plane", "y, 0 pigment { rgb 0.7 } finish { diffuse 0.8 }"),
+                       ball_beside(),
+                       object};
     script.elements.insert(script.elements.end(), draft.around.begin(), draft.around.end());
     script.lights = draft.lights;
     script.options = draft.options;

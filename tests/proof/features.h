@@ -88,6 +88,9 @@ Draft drafted(const Row&, std::uint64_t seed);
 /// The tested object with textures, modifiers and neighbours, around the origin.
 Element tested_object(Draft&);
 
+/// The ball that stands beside the tested object.
+Element ball_beside();
+
 /// The whole scene.
 Script staged(Draft&);
 

@@ -208,6 +208,9 @@ Factor light_sources() {
                           if (parallel) std::erase_if(light.inner, has("intensity"));
                           if (parallel || std::ranges::any_of(light.inner, has("intensity")))
                               std::erase_if(light.inner, has("flux"));
+                          if (std::ranges::any_of(light.inner, has("intensity")) ||
+                              std::ranges::any_of(light.inner, has("flux")))
+                              std::erase_if(light.inner, has("fade_"));
                           add_lamp(draft, std::move(light));
                       }});
     return factor;

@@ -105,7 +105,9 @@ Claims constant_one(const Script& script, Dice&) {
 
 Script white_floor(Draft& draft) {
     Script script;
-    Element texture = block("texture", "pigment { rgb 1 }", {draft.finish});
+    // A finish that states a diffuse share above 1 gains light by what it says.
+    Element texture = block("texture", "pigment { rgb 1 }",
+                            {replaced(draft.finish, R"(diffuse 1\.[0-9]+)", "diffuse 1")});
     if (draft.normal) texture.inner.push_back(*draft.normal);
     script.elements = {needed(block("#default", "finish { ambient 0 }")), white_settings(draft),
                        block("background", "rgb 1"), block("plane", "y, 0", {texture})};

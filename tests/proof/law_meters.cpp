@@ -93,6 +93,7 @@ Script on_road(Draft& draft) {
     draft.structure = {};
     draft.modifiers = {};
     Script script = with_meter(staged(draft));
+    std::erase(script.elements, ball_beside());  // it reflects light onto the road
     // A table is for lamps, and a sky is none.
     std::erase_if(script.elements,
                   [](const Element& each) { return each.head == "sky_luminance"; });
