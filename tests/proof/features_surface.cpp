@@ -28,7 +28,10 @@ Element patterned_pigment(const ItemInfo& info, Draft& draft) {
     const int colours = choices(Kinds<Pattern>::make(Kinds<Pattern>::find(info.name)));
     std::string values = std::string(info.name) + " " + drawn_values(info, dice);
     for (int i = 0; i < colours; ++i) values += (i > 0 ? ", " : " ") + drawn_colour(dice, true);
-    if (info.name == "average") values += " pigment_map { [1 rgb <0.8, 0.3, 0.2>] [2 bozo] }";
+    if (info.name == "average")
+        values +=
+            " pigment_map { [1 rgb <0.8, 0.3, 0.2>] [2 bozo color_map { [0 rgb 0.2] [1 rgb 0.9] }] "
+            "}";
     Element pigment = block("pigment", values);
     if (info.name == "image_map") return pigment;
     for (Element& each : drawn_words(info, dice, 0.3)) pigment.inner.push_back(std::move(each));

@@ -51,6 +51,8 @@ Element conserving(Element element) {
 Script white(Script script) {
     for (Element& each : script.elements) {
         if (!is_object(each)) continue;
+        // Others have colours in their files.
+        if (each.head == "model") each.values = "file \"gem.obj\"";
         each = whitened(std::move(each));
         if (has_word(each, "transmit") || has_word(each, "filter"))
             each = conserving(std::move(each));
@@ -68,7 +70,8 @@ bool loses(const Script& script) {
     for (const char* word :
          {"reflection", "microfacet", "brilliance", "metallic", "conserve_energy"})
         if (text.find(word) != text.npos) return true;
-    return false;
+    // What lets light in on one side only may keep it for ever.
+    return text.find("inverse") != text.npos && text.find("interior_texture") != text.npos;
 }
 
 Element white_settings(Draft& draft) {

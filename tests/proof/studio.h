@@ -35,7 +35,7 @@ private:
 struct Studio {
     /// Seconds of the processor that all renderings for one claim may take together, and those
     /// that the first look may take.
-    double seconds = 20, look_seconds = 4;
+    double seconds = 40, look_seconds = 4;
     int width = 24, height = 18;
 };
 
