@@ -42,10 +42,14 @@ CellSurveyor::CellSurveyor(const ChoosableLights& lights, const LightTree& tree,
     if (lights.size() == 0) return;
     if (const LightCluster hit = tree.by_square_law(); hit.count > 0)
         ball_ = ball_around(tree.box(hit), lights);
-    for (LightIndex light = 0; light < lights.size(); ++light) {
+    for (const LightCopy& copy : lights.copies()) {
+        brightest_ = std::fmax(brightest_, copy.luminance);
+        no_surfaces_ = false;
+    }
+    for_single_lights(lights, [&](LightIndex light) {
         brightest_ = std::fmax(brightest_, lights.bounds(light).luminance);
         (lights.has_surface(light) ? no_surfaces_ : all_surfaces_) = false;
-    }
+    });
 }
 
 CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,

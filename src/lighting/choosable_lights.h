@@ -5,11 +5,13 @@
 // transport/.
 #pragma once
 
+#include "base/transform.h"
 #include "lighting/survey_places.h"
 #include "luminaire/light_proxy.h"
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace candelabra {
 
@@ -32,6 +34,19 @@ public:
     virtual double density(const Vec3& direction) const = 0;
 };
 
+class LightTree;
+
+/// Some of the lights that are the same as others elsewhere: those of an instance. They have
+/// consecutive numbers, surfaces, and no bent normals; they fall off with the square of the
+/// distance.
+struct LightCopy {
+    LightIndex first = 0;               ///< of its lights
+    const LightTree* lights = nullptr;  ///< before they are placed; at least one
+    const Transform* place = nullptr;   ///< a similarity
+    double scale = 1;                   ///< factor of its lengths
+    double luminance = 0;               ///< of the brightest light
+};
+
 /// Never changes, so that it may be asked by any number of threads.
 class ChoosableLights {
 public:
@@ -50,6 +65,9 @@ public:
     virtual bool falls_off() const { return false; }
     /// How a light falls off; nothing: with the square of the distance.
     virtual std::optional<Falloff> falloff(LightIndex) const { return {}; }
+
+    /// The lights that are stored once for several places, in ascending order.
+    virtual std::span<const LightCopy> copies() const { return {}; }
 
     /// Whether a sampled direction may hit the light.
     virtual bool has_surface(LightIndex) const { return true; }

@@ -21,8 +21,8 @@ constexpr int more_levels = 160;
 int entries_for(int cut, const ChoosableLights& lights, const LightTree& tree) {
     if (tree.has_both_laws()) cut *= 2;
     double one_way = 0;  // number of lights that shine one way only
-    for (LightIndex light = 0; light < lights.size(); ++light)
-        one_way += 2 * length(lights.bounds(light).bent_normal);
+    for_single_lights(
+        lights, [&](LightIndex light) { one_way += 2 * length(lights.bounds(light).bent_normal); });
     const double share = lights.size() > 0 ? one_way / static_cast<double>(lights.size()) : 0;
     return static_cast<int>(std::lround(cut * (1 + share)));
 }

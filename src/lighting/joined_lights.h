@@ -24,6 +24,8 @@ public:
         return kind(light).bounds(within(light));
     }
     const ChoosableSky* sky() const override { return first_->sky(); }
+    /// The second kind has none.
+    std::span<const LightCopy> copies() const override { return first_->copies(); }
     bool falls_off() const override { return first_->falls_off() || second_->falls_off(); }
     std::optional<Falloff> falloff(LightIndex light) const override {
         return kind(light).falloff(within(light));

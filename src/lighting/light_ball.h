@@ -4,6 +4,7 @@
 
 #include "base/box.h"
 #include "lighting/choosable_lights.h"
+#include "lighting/light_tree.h"
 
 #include <cmath>
 
@@ -18,11 +19,16 @@ struct LightBall {
 /// otherwise than with the square of the distance have no surface, and do not count.
 inline LightBall ball_around(const Box& box, const ChoosableLights& lights) {
     LightBall ball{box.centre(), 0};
-    for (LightIndex light = 0; light < lights.size(); ++light) {
-        if (lights.falls_off() && lights.falloff(light)) continue;
+    for (const LightCopy& copy : lights.copies()) {
+        const Box own = copy.lights->box(copy.lights->root());
+        ball.radius = std::fmax(ball.radius, length(copy.place->point(own.centre()) - ball.centre) +
+                                                 copy.scale * 0.5 * length(own.size()));
+    }
+    for_single_lights(lights, [&](LightIndex light) {
+        if (lights.falls_off() && lights.falloff(light)) return;
         const LightBounds b = lights.bounds(light);
         ball.radius = std::fmax(ball.radius, length(b.centre - ball.centre) + b.radius);
-    }
+    });
     return ball;
 }
 

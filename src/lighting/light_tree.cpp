@@ -17,6 +17,8 @@ namespace {
 /// intensities apart well.
 constexpr double wide_range = 0x1p-40;
 
+constexpr double below_1 = 1 - 0x1p-53;
+
 using Float3 = std::array<float, 3>;
 
 /// A luminaire that is to be placed in the tree.
@@ -125,13 +127,13 @@ class LightTreeBuilder {
 public:
     LightTreeBuilder(LightTree& tree, const ChoosableLights& choosable, int threads)
         : tree_(tree), choosable_(choosable), threads_(threads) {
-        const std::size_t count = choosable.size();
+        find_units();
+        const std::size_t count = unit_count();
         intensities_.resize(count);
         std::vector<Box> boxes((count + batch - 1) / batch);
-        for_batches(count, threads, [&](std::size_t part, LightIndex light) {
-            const LightBounds b = choosable.bounds(light);
-            boxes[part] = join(boxes[part], b.box);
-            intensities_[light] = b.intensity;
+        for_batches(count, threads, [&](std::size_t part, std::uint32_t unit) {
+            boxes[part] = join(boxes[part], box(unit));
+            intensities_[unit] = intensity(unit);
         });
         Box all;
         for (const Box& part : boxes) all = join(all, part);
@@ -140,7 +142,8 @@ public:
             total_ += intensity;
             if (intensity > 0) least = std::fmin(least, intensity);
         }
-        if (least < wide_range * total_) tree_.intensities_.resize(2 * count - 1);
+        if (least < wide_range * total_ || !tree_.copies_.empty())
+            tree_.intensities_.resize(2 * count - 1);
         tree_.origin_ = middle_of(choosable);
         tree_.size_ = std::fmax(max_abs_component(all.low - tree_.origin_),
                                 max_abs_component(all.high - tree_.origin_));
@@ -149,7 +152,12 @@ public:
     }
 
 private:
-    /// Nodes with at most this number of lights are finished by one thread.
+    /// A node with the units below it, which are consecutive in the tree's order.
+    struct Part {
+        std::uint32_t node, first, count;
+    };
+
+    /// Nodes with at most this number of units are finished by one thread.
     static constexpr std::uint32_t together = 4096;
 
     /// Returns a number of single precision that is surely below x.
@@ -158,16 +166,16 @@ private:
     }
 
     std::vector<TreeItem> items() const {
-        std::vector<TreeItem> items(choosable_.size());
-        for_batches(items.size(), threads_, [&](std::size_t, LightIndex light) {
-            const Box box = choosable_.bounds(light).box;
-            TreeItem& item = items[light];
+        std::vector<TreeItem> items(unit_count());
+        for_batches(items.size(), threads_, [&](std::size_t, std::uint32_t unit) {
+            const Box box = this->box(unit);
+            TreeItem& item = items[unit];
             for (int axis = 0; axis < 3; ++axis) {
                 item.low[axis] = below(box.low[axis] - tree_.origin_[axis]);
                 item.high[axis] = -below(tree_.origin_[axis] - box.high[axis]);
             }
-            item.intensity = total_ > 0 ? static_cast<float>(intensities_[light] / total_) : 0;
-            item.light = light;
+            item.intensity = total_ > 0 ? static_cast<float>(intensities_[unit] / total_) : 0;
+            item.light = first_light(unit);
         });
         return items;
     }
@@ -188,15 +196,96 @@ private:
         tree_.place_of_.resize(builder.items().size());
         tree_.order_.reserve(builder.items().size());
         for (const TreeItem& item : builder.items()) {
-            tree_.place_of_[item.light] = static_cast<std::uint32_t>(tree_.order_.size());
+            tree_.place_of_[unit_of(item.light)] = static_cast<std::uint32_t>(tree_.order_.size());
             tree_.order_.push_back(item.light);
         }
+        tree_.lights_ = static_cast<std::uint32_t>(choosable_.size());
+        if (!tree_.copies_.empty()) number_places();
     }
 
-    /// Calls first and second, which finish the halves of a cluster.
+    /// Lists the units, if some are copies.
+    void find_units() {
+        const auto copies = choosable_.copies();
+        if (copies.empty()) return;
+        tree_.copies_.assign(copies.begin(), copies.end());
+        LightIndex light = 0;
+        for (const LightCopy& copy : copies) {
+            for (; light < copy.first; ++light) add_unit(light, LightCluster::no_copy);
+            add_unit(light, static_cast<std::uint32_t>(&copy - copies.data()));
+            light += copy.lights->lights();
+        }
+        for (; light < choosable_.size(); ++light) add_unit(light, LightCluster::no_copy);
+    }
+    void add_unit(LightIndex first, std::uint32_t copy) {
+        tree_.unit_lights_.push_back(first);
+        copies_of_units_.push_back(copy);
+    }
+    std::size_t unit_count() const {
+        return tree_.copies_.empty() ? choosable_.size() : tree_.unit_lights_.size();
+    }
+    LightIndex first_light(std::uint32_t unit) const {
+        return tree_.copies_.empty() ? unit : tree_.unit_lights_[unit];
+    }
+    /// The unit that begins with a light.
+    std::uint32_t unit_of(LightIndex light) const {
+        if (tree_.copies_.empty()) return light;
+        return static_cast<std::uint32_t>(std::ranges::lower_bound(tree_.unit_lights_, light) -
+                                          tree_.unit_lights_.begin());
+    }
+    /// Null if the unit is a light.
+    const LightCopy* copy(std::uint32_t unit) const {
+        const bool is = !tree_.copies_.empty() && copies_of_units_[unit] != LightCluster::no_copy;
+        return is ? &tree_.copies_[copies_of_units_[unit]] : nullptr;
+    }
+    Box box(std::uint32_t unit) const {
+        const LightCopy* const copied = copy(unit);
+        return copied ? copied->place->box(copied->lights->box(copied->lights->root()))
+                      : choosable_.bounds(first_light(unit)).box;
+    }
+    double intensity(std::uint32_t unit) const {
+        const LightCopy* const copied = copy(unit);
+        return copied ? copied->scale * copied->scale *
+                            copied->lights->intensity(copied->lights->root())
+                      : choosable_.bounds(first_light(unit)).intensity;
+    }
+
+    /// Gives each unit its places in the tree's order, and each node those of its first half.
+    void number_places() {
+        tree_.copy_begin_.resize(tree_.copies_.size());
+        std::uint32_t next = 0;
+        for (const LightIndex light : tree_.order_) {
+            const std::uint32_t copy = copies_of_units_[unit_of(light)];
+            tree_.unit_begin_.push_back(next);
+            tree_.copy_of_.push_back(copy);
+            if (copy != LightCluster::no_copy) tree_.copy_begin_[copy] = next;
+            next += copy == LightCluster::no_copy ? 1 : tree_.copies_[copy].lights->lights();
+        }
+        tree_.half_places_.resize(tree_.nodes_.size());
+        number_halves(all_units());
+    }
+    void number_halves(const Part& part) {
+        if (part.count == 1) {
+            tree_.half_places_[part.node] = part.first;
+            return;
+        }
+        const auto [first, second] = halves(part);
+        tree_.half_places_[part.node] =
+            tree_.unit_begin_[second.first] - tree_.unit_begin_[first.first];
+        number_halves(first);
+        number_halves(second);
+    }
+
+    Part all_units() const { return {0, 0, static_cast<std::uint32_t>(tree_.order_.size())}; }
+    std::pair<Part, Part> halves(const Part& part) const {
+        const std::uint32_t half = tree_.nodes_[part.node].first_half;
+        return {{part.node + 1, part.first, half},
+                {part.node + 2 * half, part.first + half, part.count - half}};
+    }
+
+    /// Calls first and second, which finish the halves of a part.
     template <class First, class Second>
-    void finish_both(const LightCluster& cluster, const First& first, const Second& second) const {
-        if (cluster.count > together) return run_both(threads_, first, second);
+    void finish_both(const Part& part, const First& first, const Second& second) const {
+        if (part.count > together) return run_both(threads_, first, second);
         first();
         second();
     }
@@ -204,58 +293,62 @@ private:
     void finish() {
         std::vector<double> in_order;
         in_order.reserve(tree_.order_.size());
-        for (const LightIndex light : tree_.order_) in_order.push_back(intensities_[light]);
+        for (const LightIndex light : tree_.order_)
+            in_order.push_back(intensities_[unit_of(light)]);
         tree_.strengths_ = WeightedIndex(in_order);
         if (tree_.strengths_.total() > 0)
             tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
-        shine(tree_.root());
+        shine(all_units());
         if (!choosable_.falls_off()) return;
         const bool all = choosable_.falloff(tree_.order_.front()).has_value();
-        const LightCluster falling = all ? tree_.root() : tree_.halves(tree_.root()).second;
+        const Part falling = all ? all_units() : halves(all_units()).second;
         tree_.first_falling_ = falling.node;
         tree_.falloffs_.resize(tree_.nodes_.size() - falling.node);
         fall_off(falling);
     }
 
-    /// Sets the falloff of the nodes of a cluster, from the leaves up.
-    Falloff fall_off(const LightCluster& cluster) {
+    /// Sets the falloff of the nodes of a part, from the leaves up.
+    Falloff fall_off(const Part& part) {
         Falloff result;
-        if (cluster.count > 1) {
-            const auto halves = tree_.halves(cluster);
+        if (part.count > 1) {
+            const auto both = halves(part);
             Falloff first, second;
             finish_both(
-                cluster, [&] { first = fall_off(halves.first); },
-                [&] { second = fall_off(halves.second); });
+                part, [&] { first = fall_off(both.first); },
+                [&] { second = fall_off(both.second); });
             result = join(first, second);
         } else {
-            result = choosable_.falloff(tree_.order_[cluster.first]).value();
+            result = choosable_.falloff(tree_.order_[part.first]).value();
         }
-        return tree_.falloffs_[cluster.node - tree_.first_falling_] = result;
+        return tree_.falloffs_[part.node - tree_.first_falling_] = result;
     }
 
     /// Sets the emission of the nodes, from the leaves up. (The depth is bounded: see
     /// HierarchyBuilder.)
-    Shine shine(const LightCluster& cluster) {
+    Shine shine(const Part& part) {
         Shine sum;
-        if (cluster.count == 1) {
-            const LightBounds b = choosable_.bounds(tree_.order_[cluster.first]);
+        const LightCopy* const copied =
+            part.count == 1 ? copy(unit_of(tree_.order_[part.first])) : nullptr;
+        if (copied) {
+            sum = shine(*copied);
+        } else if (part.count == 1) {
+            const LightBounds b = choosable_.bounds(tree_.order_[part.first]);
             const bool flat = b.axis != Vec3(0);
             const double rest = b.intensity * (1 - length(b.bent_normal));
             sum = {rest * b.axis, b.intensity * b.bent_normal, flat ? rest : 0,
                    flat ? rest * (flat_evenness + b.evenness) : rest, b.intensity};
         } else {
-            const auto halves = tree_.halves(cluster);
+            const auto both = halves(part);
             Shine first, second;
             finish_both(
-                cluster, [&] { first = shine(halves.first); },
-                [&] { second = shine(halves.second); });
+                part, [&] { first = shine(both.first); }, [&] { second = shine(both.second); });
             sum = join(first, second);
         }
-        if (!tree_.intensities_.empty()) tree_.intensities_[cluster.node] = sum.all;
+        if (!tree_.intensities_.empty()) tree_.intensities_[part.node] = sum.all;
         // Opposite bent normals may cancel, and still weaken what each luminaire sends elsewhere.
         const bool plain = !(sum.flat > 0 || sum.even < sum.all);
         if (plain || !(sum.all > 0)) return sum;
-        LightTreeNode& node = tree_.nodes_[cluster.node];
+        LightTreeNode& node = tree_.nodes_[part.node];
         const double spread = sum.flat > 0 ? sum.flat - length(sum.axis) : 0;
         const double even = (sum.even + 0.5 * spread) / sum.all;
         node.axis = in_bytes(sum.axis / sum.all, 127);
@@ -263,11 +356,18 @@ private:
         node.evenness = static_cast<std::uint8_t>(std::clamp(std::ceil(255 * even), 1.0, 255.0));
         return sum;
     }
+    static Shine shine(const LightCopy& copy) {
+        const LightProxy all = copy.lights->light_proxy(copy.lights->root());
+        const double intensity = copy.scale * copy.scale * all.strength * all.radius;
+        const Vec3 axis = (intensity / copy.scale) * copy.place->direction(all.axis);
+        return {axis, Vec3(0), length(axis), intensity * all.evenness, intensity};
+    }
 
     LightTree& tree_;
     const ChoosableLights& choosable_;
     int threads_;
-    std::vector<double> intensities_;  ///< of the lights, in their own order
+    std::vector<double> intensities_;             ///< of the units, in the order of their lights
+    std::vector<std::uint32_t> copies_of_units_;  ///< in that order; empty: there are none
     double total_ = 0;
 };
 
@@ -275,13 +375,69 @@ LightTree::LightTree(const ChoosableLights& lights, int threads) {
     if (lights.size() > 0) LightTreeBuilder(*this, lights, threads);
 }
 
+LightCluster LightTree::whole_copy(const LightCluster& c) const {
+    const std::uint32_t copy = copy_of_[half_places_[c.node]];
+    return copy == no_copy ? c : LightCluster{0, c.first, c.count, copy};
+}
+
+std::pair<LightCluster, LightCluster> LightTree::halves_among_copies(const LightCluster& c) const {
+    if (c.is_copied()) {
+        auto both = copies_[c.copy].lights->halves(within(c));
+        for (LightCluster* half : {&both.first, &both.second}) {
+            half->first += copy_begin_[c.copy];
+            half->copy = c.copy;
+        }
+        return both;
+    }
+    const std::uint32_t half = nodes_[c.node].first_half, places = half_places_[c.node];
+    return {whole({c.node + 1, c.first, places}),
+            whole({c.node + 2 * half, c.first + places, c.count - places})};
+}
+
+std::uint32_t LightTree::unit_at(std::uint32_t place) const {
+    return static_cast<std::uint32_t>(std::ranges::upper_bound(unit_begin_, place) -
+                                      unit_begin_.begin()) -
+           1;
+}
+
+LightIndex LightTree::light_of_unit(std::uint32_t place) const {
+    const std::uint32_t unit = unit_at(place), copy = copy_of_[unit];
+    return order_[unit] +
+           (copy == no_copy ? 0 : copies_[copy].lights->light(place - unit_begin_[unit]));
+}
+
+std::uint32_t LightTree::place_in_unit(LightIndex light) const {
+    const auto unit = std::ranges::upper_bound(unit_lights_, light) - 1;
+    const std::uint32_t at = place_of_[static_cast<std::size_t>(unit - unit_lights_.begin())],
+                        copy = copy_of_[at];
+    return unit_begin_[at] + (copy == no_copy ? 0 : copies_[copy].lights->place_of(light - *unit));
+}
+
+/// The proxy of its own tree, moved to its place.
+LightProxy LightTree::proxy_of_copy(const LightCluster& c) const {
+    const LightCopy& copy = copies_[c.copy];
+    LightProxy proxy = copy.lights->light_proxy(within(c));
+    const Box around = copy.place->box({proxy.centre - proxy.half, proxy.centre + proxy.half});
+    const double rounding =
+        1e-15 * (max_abs_component(around.low) + max_abs_component(around.high));
+    proxy.centre = copy.place->point(proxy.centre);
+    proxy.half = 0.5 * around.size() + rounding;
+    // Strength is intensity, which grows with the area, over the radius.
+    proxy.radius = copy.scale * proxy.radius + rounding;
+    proxy.strength = intensity(c) / proxy.radius;
+    proxy.axis = copy.place->direction(proxy.axis) / copy.scale;
+    return proxy;
+}
+
 Box LightTree::box(const LightCluster& c) const {
+    if (c.is_copied()) return copies_[c.copy].place->box(copies_[c.copy].lights->box(within(c)));
     const LightTreeNode& n = nodes_[c.node];
     return {origin_ + Vec3(n.low[0], n.low[1], n.low[2]),
             origin_ + Vec3(n.high[0], n.high[1], n.high[2])};
 }
 
 LightProxy LightTree::light_proxy(const LightCluster& c) const {
+    if (c.is_copied()) return proxy_of_copy(c);
     const LightTreeNode& n = nodes_[c.node];
     const Box around = box(c);
     const double rounding =
@@ -304,34 +460,43 @@ std::uint64_t LightTree::strength(const LightCluster& c) const {
 }
 
 double LightTree::intensity(const LightCluster& c) const {
+    if (c.is_copied()) {
+        const LightCopy& copy = copies_[c.copy];
+        return copy.scale * copy.scale * copy.lights->intensity(within(c));
+    }
     return intensities_.empty() ? static_cast<double>(strength(c)) * unit_ : intensities_[c.node];
 }
 
-bool LightTree::dark(const LightCluster& c) const { return strength(c) == 0; }
+bool LightTree::dark(const LightCluster& c) const {
+    return copies_.empty() ? strength(c) == 0 : intensity(c) == 0;
+}
 
 double LightTree::share(const LightCluster& c, std::uint32_t place) const {
+    if (c.is_copied()) return copies_[c.copy].lights->share(within(c), place - copy_begin_[c.copy]);
     if (intensities_.empty())
         return static_cast<double>(strengths_.of(place)) / static_cast<double>(strength(c));
     LightCluster here = c;
-    while (here.count > 1) {
+    while (here.count > 1 && !here.is_copied()) {
         const auto [first, second] = halves(here);
         here = first.holds(place) ? first : second;
     }
-    return intensity(here) / intensity(c);
+    return intensity(here) / intensity(c) * (here.is_copied() ? share(here, place) : 1);
 }
 
 std::uint32_t LightTree::draw(const LightCluster& c, double u) const {
     if (c.count == 1) return c.first;
+    if (c.is_copied()) return copy_begin_[c.copy] + copies_[c.copy].lights->draw(within(c), u);
     if (!intensities_.empty()) {
         double target = u * intensity(c);
         LightCluster here = c;
-        while (here.count > 1) {
+        while (here.count > 1 && !here.is_copied()) {
             const auto [first, second] = halves(here);
             const double before = intensity(first);
             const bool in_first = dark(second) || (target < before && !dark(first));
             if (!in_first) target -= before;
             here = in_first ? first : second;
         }
+        if (here.is_copied()) return draw(here, std::clamp(target / intensity(here), 0.0, below_1));
         return here.first;
     }
     const std::uint64_t all = strength(c);
@@ -342,7 +507,11 @@ std::uint32_t LightTree::draw(const LightCluster& c, double u) const {
 std::size_t LightTree::memory_bytes() const {
     return nodes_.capacity() * sizeof(LightTreeNode) + falloffs_.capacity() * sizeof(Falloff) +
            intensities_.capacity() * sizeof(double) + order_.capacity() * sizeof(LightIndex) +
-           place_of_.capacity() * sizeof(std::uint32_t) + strengths_.memory_bytes();
+           place_of_.capacity() * sizeof(std::uint32_t) + strengths_.memory_bytes() +
+           copies_.capacity() * sizeof(LightCopy) +
+           (copy_begin_.capacity() + unit_lights_.capacity() + unit_begin_.capacity() +
+            copy_of_.capacity() + half_places_.capacity()) *
+               sizeof(std::uint32_t);
 }
 
 }  // namespace candelabra

@@ -19,10 +19,7 @@ std::string percent(double share) {
 }
 
 std::vector<std::size_t> made_by(const World& world) {
-    std::vector<std::size_t> counts(world.provenance.light_statements.size());
-    for (const auto* lights :
-         {&world.provenance.statement_of_luminaire, &world.provenance.statement_of_light})
-        for (const std::uint32_t statement : *lights) ++counts[statement];
+    std::vector<std::size_t> counts = world.provenance.lights_of_statements();
     if (!world.sky.light.empty()) ++counts[world.provenance.statement_of_sky];
     return counts;
 }

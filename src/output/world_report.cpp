@@ -24,11 +24,11 @@ std::string sampler_text(const World& world) {
 std::string luminaire_text(const World& world) {
     std::size_t spheres = 0, triangles = 0;
     double greatest = 0;
-    for (const Luminaire& luminaire : world.lights.luminaires) {
+    world.lights.luminaires.for_each([&](const Luminaire& luminaire) {
         spheres += std::holds_alternative<SphereEmitter>(luminaire.emitter);
         triangles += std::holds_alternative<TriangleEmitter>(luminaire.emitter);
         greatest = std::max(greatest, max_component(luminaire.radiance));
-    }
+    });
     for (const MediaBox& box : world.lights.media)
         greatest = std::max(greatest, max_component(box.radiance));
     const std::size_t all = world.lights.glowing(), volumes = world.lights.media.size();

@@ -76,9 +76,11 @@ WorldLamps world_lamps(const World& world, const std::vector<std::string>& names
             {finite_place(position), power, static_cast<std::uint32_t>(all.size()), &place});
     };
     for (std::size_t i = 0; i < lamps.of_luminaire.size(); ++i) {
-        const LightBounds around = world.lights.visit(
-            static_cast<LightIndex>(i), [](const auto& glowing) { return bounds(glowing); });
-        add(made.statement_of_luminaire[i], around.centre, around.intensity, lamps.of_luminaire[i]);
+        const auto light = static_cast<LightIndex>(i);
+        const LightBounds around =
+            world.lights.visit(light, [](const auto& glowing) { return bounds(glowing); });
+        add(made.luminaire_statement(light), around.centre, around.intensity,
+            lamps.of_luminaire[i]);
     }
     for (std::size_t i = 0; i < lamps.of_source.size(); ++i) {
         const PointLight& source = world.lights.sources[i];

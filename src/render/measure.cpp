@@ -279,14 +279,14 @@ private:
         const auto [known, fresh] = rooms_.try_emplace(solid, false);
         if (!fresh) return known->second;
         const auto holds = [&](const Vec3& place) { return world_.contains_point(solid, place); };
-        return known->second =
-                   holds(shot_.view.camera.location) ||
-                   std::ranges::any_of(
-                       world_.lights.sources,
-                       [&](const PointLight& source) { return holds(source.location); }) ||
-                   std::ranges::any_of(world_.lights.luminaires, [&](const Luminaire& luminaire) {
-                       return holds(bounds(luminaire).centre);
-                   });
+        return known->second = holds(shot_.view.camera.location) ||
+                               std::ranges::any_of(world_.lights.sources,
+                                                   [&](const PointLight& source) {
+                                                       return holds(source.location);
+                                                   }) ||
+                               world_.lights.luminaires.any_of([&](const Luminaire& luminaire) {
+                                   return holds(bounds(luminaire).centre);
+                               });
     }
 
     const Shot& shot_;

@@ -278,7 +278,8 @@ Rgb ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const D
 Rgb ChosenLight::seen(const ShadowRay& ray, const ArrivingLight& at, Weight weight) const {
     Rgb sum(0);
     for (const OnRay& there : on_ray_) {
-        const Luminaire& luminaire = world_.lights.luminaires[there.light];
+        const LuminaireAt lamp = world_.lights.luminaires[there.light];
+        const Luminaire& luminaire = *lamp;
         at.ledger.shadow += there.rays;
         const Rgb left = there.unobstructed ? Rgb(1) : ray.left(there.distance);
         const Rgb factor = left == Rgb(0) ? left : weight(there);
@@ -343,7 +344,8 @@ void ChosenLight::meet_along(const LightTree& tree, const ArrivingLight& at,
     tree.along(point.position, direction, [&](LightIndex light) {
         if (light >= world_.lights.luminaires.size()) return;  // no line meets media
         hits_.clear();
-        const Luminaire& luminaire = world_.lights.luminaires[light];
+        const LuminaireAt lamp = world_.lights.luminaires[light];
+        const Luminaire& luminaire = *lamp;
         intersect(luminaire, point, direction, hits_);
         if (!hits_.empty() && !world_.material(luminaire.primitive).stops_light())
             add_further(luminaire, {point.position, direction}, hits_);
@@ -362,7 +364,8 @@ void ChosenLight::meet_along(const LightTree& tree, const ArrivingLight& at,
 template <class Visit>
 void ChosenLight::for_densities(const OnRay& there, const LitLayer& layer, const Vec3& direction,
                                 const Visit& visit) {
-    const Luminaire& luminaire = world_.lights.luminaires[there.light];
+    const LuminaireAt lamp = world_.lights.luminaires[there.light];
+    const Luminaire& luminaire = *lamp;
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         visit(searched->density(layer.vertex.position(), direction));
         return;

@@ -2,6 +2,7 @@
 #include "transport/lamp_rays.h"
 
 #include "lighting/draw.h"
+#include "world/prototype.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -16,10 +17,20 @@ namespace {
 /// Ray tolerance of a path that leaves a luminaire, as a fraction of the luminaire's radius.
 constexpr double off_its_lamp = 1e-7;
 
+constexpr double below_1 = 1 - 0x1p-53;
+
+/// Of all luminaires that belong to no instance, then of all luminaires of each instance, then of
+/// the boxes of media.
 std::vector<double> intensities(const WorldLights& lights) {
     std::vector<double> all;
-    all.reserve(lights.glowing());
-    lights.for_each_glowing([&](const auto& glowing) { all.push_back(bounds(glowing).intensity); });
+    const LuminaireList& luminaires = lights.luminaires;
+    all.reserve(luminaires.own().size() + luminaires.placed().size() + lights.media.size());
+    for (const Luminaire& luminaire : luminaires.own()) all.push_back(bounds(luminaire).intensity);
+    for (const PlacedLuminaires& placed : luminaires.placed()) {
+        const double scale = placed.place->uniform_scale();
+        all.push_back(scale * scale * placed.prototype->intensity);
+    }
+    for (const MediaBox& box : lights.media) all.push_back(bounds(box).intensity);
     return all;
 }
 
@@ -49,8 +60,23 @@ LampRays::LampRays(const World& world) : world_(world) {
 
 std::optional<LampRay> LampRays::draw(const Key& key, double choice, double share,
                                       FunctionRef<double(const Luminaire&)> inner) const {
-    const LightIndex light = places_.at_share(choice);
-    const double chance = places_.share_of(light);
+    std::uint32_t light = places_.at_share(choice);
+    double chance = places_.share_of(light);
+    const LuminaireList& all = world_.lights.luminaires;
+    const std::size_t own = all.own().size(), placed = all.placed().size();
+    if (light >= own + placed) {
+        light = static_cast<LightIndex>(light - own - placed + all.size());
+    } else if (light >= own) {
+        // The rest of the number chooses among those of the instance.
+        const PlacedLuminaires& among = all.placed()[light - own];
+        const double slots = choice * static_cast<double>(places_.total());
+        const double rest = (slots - static_cast<double>(places_.before(light))) /
+                            static_cast<double>(places_.of(light));
+        const LightTree& tree = among.prototype->lights;
+        const std::uint32_t place = tree.draw(tree.root(), std::clamp(rest, 0.0, below_1));
+        chance *= tree.share(tree.root(), place);
+        light = among.first + tree.light(place);
+    }
     std::optional<EmittedRay> emitted;
     double size = 0;
     world_.lights.visit(light, [&](const auto& glowing) {

@@ -48,7 +48,8 @@ public:
 
 private:
     const World& world_;
-    WeightedIndex places_;  ///< luminaires, weighted by their intensity
+    /// Luminaires, instances and boxes of media in this order, weighted by their intensity.
+    WeightedIndex places_;
     double power_ = 0;
 };
 

@@ -7,7 +7,8 @@ namespace candelabra {
 
 std::optional<LightDirection> sight_of_lamp(const World& world, LightIndex lamp, const Vec3& from,
                                             const Vec2& u) {
-    const Luminaire& luminaire = world.lights.luminaires[lamp];
+    const LuminaireAt here = world.lights.luminaires[lamp];
+    const Luminaire& luminaire = *here;
     std::optional<LightDirection> drawn;
     std::optional<double> distance;  // of the drawn point; another one has another density
     if (const auto searched = SearchedLuminaire::of(luminaire)) {

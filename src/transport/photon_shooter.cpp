@@ -239,7 +239,8 @@ std::optional<PhotonShooter::Sender> PhotonShooter::sender(const SearchedLuminai
                                                            const Key& key) const {
     const auto drawn = searched.draw(entry.position, place_on_light(key));
     if (!drawn) return std::nullopt;
-    const Luminaire& luminaire = world_.lights.luminaires[light];
+    const LuminaireAt lamp = world_.lights.luminaires[light];
+    const Luminaire& luminaire = *lamp;
     Sender sender{Vec3(0), drawn->direction, Rgb(0), drawn->density};
     double met = 0;
     const Ray ray{entry.position, drawn->direction};

@@ -10,7 +10,8 @@ std::optional<ProbeHit> first_sight(const World& world, const Ray& ray, double t
         dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
     const LightIndex light = world.luminaire_of(hit.primitive);
     if (light != no_primitive) {
-        const Luminaire& luminaire = world.lights.luminaires[light];
+        const LuminaireAt lamp = world.lights.luminaires[light];
+        const Luminaire& luminaire = *lamp;
         result.light = light;
         result.luminance = luminance(radiance_of(world, luminaire, emitting_point(hit, ray)));
     }

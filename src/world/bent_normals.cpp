@@ -129,7 +129,7 @@ Vec3 bent_normal_of(const World& world, const Glowing& glowing, std::size_t ligh
 std::vector<Vec3> find_bent_normals(const World& world, const std::optional<Vec3>& eye,
                                     int threads) {
     const std::size_t count = world.lights.glowing();
-    if (count < 2) return {};
+    if (count < 2 || !world.lights.luminaires.placed().empty()) return {};
     const std::size_t pairs = std::min(max_pairs, max_rays / (2 * count));
     if (pairs == 0) return {};
     std::vector<Vec3> found(count);

@@ -9,6 +9,7 @@
 #include "shape/transformed.h"
 #include "surface/quality.h"
 #include "world/flatten.h"
+#include "world/luminaire_choices.h"
 #include "world/prototype.h"
 #include "world/radiance.h"
 #include "world/shutter.h"
@@ -150,11 +151,25 @@ ClearSolids find_clear_solids(const World& world) {
     return clear;
 }
 
+/// Builds what strategies ask of the luminaires of each prototype.
+void build_prototype_lights(World& world, int threads) {
+    if (world.lights.luminaires.placed().empty()) return;
+    for (const auto& prototype : world.geometry.prototypes) {
+        for (const Luminaire& luminaire : prototype->luminaires) {
+            const LightBounds all = bounds(luminaire);
+            prototype->intensity += all.intensity;
+            prototype->luminance = std::max(prototype->luminance, all.luminance);
+        }
+        prototype->lights = LightTree(LuminaireChoices(prototype->luminaires), threads);
+    }
+}
+
 void note_luminaires(World& world) {
     if (world.lights.luminaires.empty()) return;
     world.lights.luminaire_of.assign(world.appearance.material_of.size(), no_primitive);
-    for (LightIndex light = 0; light < world.lights.luminaires.size(); ++light)
-        world.lights.luminaire_of[world.lights.luminaires[light].primitive] = light;
+    LightIndex light = 0;
+    for (const Luminaire& luminaire : world.lights.luminaires.own())
+        world.lights.luminaire_of[luminaire.primitive] = light++;
 }
 
 /// Maps the brightness of luminaires whose emission varies, unless they are too many.
@@ -162,11 +177,11 @@ void map_brightness(World& world) {
     // Number of points at which emission is evaluated, and the fewest cells that are useful.
     constexpr double max_points = 1 << 19, min_cells = 4;
     double faces = 0;
-    for (const Luminaire& luminaire : world.lights.luminaires)
+    for (const Luminaire& luminaire : world.lights.luminaires.own())
         if (luminaire.varying) faces += static_cast<double>(face_count(luminaire.emitter));
     const double cells = std::fmin(std::sqrt(max_points / (4 * faces)), Brightness::max_cells);
     if (!(faces > 0 && cells >= min_cells)) return;
-    for (Luminaire& luminaire : world.lights.luminaires)
+    for (Luminaire& luminaire : world.lights.luminaires.own())
         if (luminaire.varying && face_count(luminaire.emitter) > 0)
             luminaire.brightness = brightness_of(
                 luminaire, static_cast<int>(cells),
@@ -206,6 +221,7 @@ void build_indices(World& world, const CompileOptions& options) {
     if (world.facts.notes_solids && world.facts.indexes_solids)
         world.geometry.clear_solids = find_clear_solids(world);
     note_luminaires(world);
+    build_prototype_lights(world, options.threads);
     map_brightness(world);
     light_the_sky(world);
     divide_sources(world);

@@ -3,8 +3,10 @@
 
 #include "luminaire/brightness.h"
 #include "luminaire/composite.h"
+#include "luminaire/placed.h"
 #include "shape/area.h"
 #include "surface/any_finish.h"
+#include "world/prototype.h"
 #include "world/radiance.h"
 
 #include <algorithm>
@@ -189,7 +191,7 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
         if (luminaire.radiance == Rgb(0)) continue;
         luminaire.emitter = emitters.of(luminaire, glow.closure);
         if (emitting_area(luminaire.emitter) > 0) {
-            world.lights.luminaires.push_back(std::move(luminaire));
+            world.lights.luminaires.own().push_back(std::move(luminaire));
             world.provenance.statement_of_luminaire.push_back(glow.statement);
         } else
             diagnostics.add(
@@ -197,6 +199,38 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
                         "this luminaire has no area, so it gives no light")
                     .with_help(
                         "give it three corners that do not lie on one line, or leave it out"));
+    }
+}
+
+bool add_luminaires(World& world, Prototype& prototype, std::span<const GlowingPrimitive> glowing,
+                    bool guided, Diagnostics& diagnostics) {
+    std::vector<std::uint32_t> statements;
+    const auto exchange = [&] {
+        std::swap(world.geometry, prototype.geometry);
+        std::swap(world.appearance.material_of, prototype.material_of);
+        std::swap(world.lights.luminaires.own(), prototype.luminaires);
+        std::swap(world.provenance.statement_of_luminaire, statements);
+    };
+    exchange();
+    add_luminaires(world, glowing, guided, diagnostics);
+    exchange();
+    if (prototype.luminaires.empty()) return true;
+    prototype.luminaire_of.assign(prototype.primitive_count(), no_primitive);
+    for (LightIndex light = 0; light < prototype.luminaires.size(); ++light)
+        prototype.luminaire_of[prototype.luminaires[light].primitive] = light;
+    return std::ranges::all_of(prototype.luminaires, can_be_placed);
+}
+
+void place_luminaires(World& world, std::span<const std::uint32_t> statements) {
+    for (std::size_t i = 0; i < world.geometry.instances.size(); ++i) {
+        Instance& placed = world.geometry.instances[i];
+        const Prototype& prototype = world.geometry.prototype_of(placed);
+        const auto count = static_cast<std::uint32_t>(prototype.luminaires.size());
+        if (count == 0) continue;
+        placed.first_luminaire =
+            world.lights.luminaires.add(placed.first, prototype, *placed.place);
+        world.provenance.statement_of_placed.push_back(
+            {placed.first_luminaire, count, statements[i]});
     }
 }
 

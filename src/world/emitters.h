@@ -24,6 +24,14 @@ struct GlowingPrimitive {
 /// needs.
 void add_luminaires(World&, std::span<const GlowingPrimitive>, bool with_proxy, Diagnostics&);
 
+/// The same for a prototype, whose luminaires it fills; the world does not change. Returns false if
+/// some of them could not be placed.
+bool add_luminaires(World&, Prototype&, std::span<const GlowingPrimitive>, bool guided,
+                    Diagnostics&);
+
+/// Adds the luminaires of all instances behind the others. `statements`: of each instance.
+void place_luminaires(World&, std::span<const std::uint32_t> statements);
+
 /// Whether any surface or medium shows light that arrives from luminaires. Otherwise there is no
 /// use for luminaires.
 bool receives_light(const World&);

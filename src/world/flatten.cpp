@@ -21,6 +21,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -177,7 +178,10 @@ public:
         if (all_) lamps_.settle(world_, *diagnostics_);
         if (!all_ || keeps_lamps_ || receives_light(world_)) {
             add_luminaires(world_, glowing_, all_, *diagnostics_);
+            place_luminaires(world_, statement_of_instance_);
             add_volumes(world_, filled_, all_, *diagnostics_);
+        } else {
+            for (const auto& prototype : geometry_.prototypes) prototype->luminaire_of.clear();
         }
         if (all_) place_photon_targets(world_, *diagnostics_);
     }
@@ -197,7 +201,11 @@ private:
         if (found->second == no_prototype) return false;
         const Prototype& prototype = *geometry_.prototypes[found->second];
         if (instanced_ + prototype.primitive_count() > max_instanced) return false;
+        // Luminaires are made anew in each place, if their solid angles stay what they are.
+        const bool lit = !prototype.luminaires.empty();
+        if (lit && outer.transform && !(outer.transform->uniform_scale() > 0)) return false;
         instanced_ += prototype.primitive_count();
+        statement_of_instance_.push_back(lit ? statements_.number() : 0);
         world_.provenance.object_count += prototype.object_count;
         geometry_.instances.push_back(
             {outer.transform ? outer.transform : unmoved_, found->second});
@@ -229,7 +237,7 @@ private:
         for (std::uint32_t item = 0; item < made->geometry.item_count(); ++item)
             made->box = join(made->box, made->geometry.bounds(item));
         const bool apart = !lists.filled_.empty() || !lists.parted_.empty() ||
-                           !lists.glowing_.empty() || !made->geometry.infinite.all.empty() ||
+                           !made->geometry.infinite.all.empty() ||
                            !(made->box.empty() || finite(made->box));
         if (apart || !std::ranges::all_of(made->material_of, [&](std::uint32_t number) {
                 const Material& material = world_.appearance.materials[number];
@@ -237,6 +245,7 @@ private:
                 return InstancePlan::is_alike(material);
             }))
             return no_prototype;
+        if (!add_luminaires(world_, *made, lists.glowing_, all_, said)) return no_prototype;
         for (const Diagnostic& each : said.all()) diagnostics_->add(each);
         geometry_.prototypes.push_back(std::move(made));
         return static_cast<std::uint32_t>(geometry_.prototypes.size() - 1);
@@ -529,6 +538,7 @@ private:
     std::optional<InstancePlan> plan_;  ///< none: everything is taken apart
     std::map<PrototypeKey, std::uint32_t> prototypes_;
     std::uint64_t instanced_ = 0;  ///< primitives of the instances so far
+    std::vector<std::uint32_t> statement_of_instance_;  ///< of its light; 0 without any
     Handle<Transform> unmoved_ = make_handle<Transform>();
     StatedLamps lamps_;
     std::uint32_t lamp_ = 0;                 ///< of the next primitives, in lamps_; 0: none

@@ -7,6 +7,7 @@
 #include "luminaire/volume.h"
 #include "method/photons.h"
 #include "world/geometry.h"
+#include "world/luminaire_list.h"
 #include "world/sources.h"
 
 #include <cstdint>
@@ -36,7 +37,7 @@ struct GlowingVolume {
 
 /// All lights except for the sky.
 struct WorldLights {
-    std::vector<Luminaire> luminaires;
+    LuminaireList luminaires;
     /// Per primitive that belongs to no instance: index in luminaires, or no_primitive; empty if
     /// there are none. World::luminaire_of() knows all of them.
     std::vector<std::uint32_t> luminaire_of;
@@ -57,12 +58,12 @@ struct WorldLights {
     /// Calls use(luminaire) or use(box) for the one of that number.
     template <class Use>
     decltype(auto) visit(LightIndex number, const Use& use) const {
-        if (number < luminaires.size()) return use(luminaires[number]);
+        if (number < luminaires.size()) return use(*luminaires[number]);
         return use(media[number - luminaires.size()]);
     }
     template <class Use>
     void for_each_glowing(const Use& use) const {
-        for (const Luminaire& each : luminaires) use(each);
+        luminaires.for_each(use);
         for (const MediaBox& each : media) use(each);
     }
 };

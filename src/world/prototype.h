@@ -22,11 +22,12 @@ struct Prototype {
     Box box;                                 ///< around all of it
     std::vector<std::uint32_t> material_of;  ///< per primitive, in Appearance::materials
     bool blocks_light = true;                ///< whether every surface stops shadow rays
-    std::vector<Luminaire> luminaires;
+    std::vector<Luminaire> luminaires;       ///< each of them can be placed: see luminaire/placed.h
     /// Per primitive: index in luminaires, or no_primitive; empty if there are none.
     std::vector<std::uint32_t> luminaire_of;
     LightTree lights;              ///< of the luminaires
     double intensity = 0;          ///< of all luminaires: see LightBounds
+    double luminance = 0;          ///< of the brightest of them
     std::size_t object_count = 0;  ///< as the scene counts them
 };
 

@@ -4,10 +4,12 @@
 #pragma once
 
 #include "base/handle.h"
+#include "lighting/pick.h"
 #include "text/span.h"
 #include "world/geometry.h"
 #include "world/lamp.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string>
@@ -25,6 +27,13 @@ struct Provenance {
     /// The names that the scene gives to the light of each; empty: none.
     std::vector<std::string> light_names;
     std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
+    /// Those of the luminaires of instances, in ascending order. They follow the other luminaires,
+    /// and boxes of media follow them.
+    struct PlacedLights {
+        LightIndex first;
+        std::uint32_t count, statement;
+    };
+    std::vector<PlacedLights> statement_of_placed;
     std::uint32_t statement_of_sky = 0;  ///< if the sky is a luminaire
     Span sky;                            ///< the statement that made it
     /// The index in object_spans of each primitive's object; objects are counted as the scene makes
@@ -41,7 +50,28 @@ struct Provenance {
     /// Index in light_statements.
     std::uint32_t statement_of(Lamp lamp) const {
         if (lamp.is_sky()) return statement_of_sky;
-        return (lamp.is_source() ? statement_of_light : statement_of_luminaire)[lamp.index()];
+        if (lamp.is_source()) return statement_of_light[lamp.index()];
+        return luminaire_statement(lamp.index());
+    }
+    /// The same of a luminaire.
+    std::uint32_t luminaire_statement(LightIndex light) const {
+        if (statement_of_placed.empty() || light < statement_of_placed.front().first)
+            return statement_of_luminaire[light];
+        const PlacedLights &first = statement_of_placed.front(), &last = statement_of_placed.back();
+        if (light >= last.first + last.count)
+            return statement_of_luminaire[light - (last.first + last.count - first.first)];
+        const auto after =
+            std::ranges::upper_bound(statement_of_placed, light, {}, &PlacedLights::first);
+        return (after - 1)->statement;
+    }
+    /// The number of luminaires and light sources of each statement.
+    std::vector<std::size_t> lights_of_statements() const {
+        std::vector<std::size_t> counts(light_statements.size());
+        for (const auto* lights : {&statement_of_luminaire, &statement_of_light})
+            for (const std::uint32_t statement : *lights) ++counts[statement];
+        for (const PlacedLights& placed : statement_of_placed)
+            counts[placed.statement] += placed.count;
+        return counts;
     }
 };
 

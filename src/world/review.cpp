@@ -5,10 +5,12 @@
 #include "csg/solid.h"
 #include "luminaire/luminaire.h"
 #include "text/message.h"
+#include "world/prototype.h"
 #include "world/radiance.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace candelabra {
@@ -112,19 +114,27 @@ private:
 };
 
 /// Returns a luminous dome around the camera, which is only a backdrop in POV-Ray.
-const Luminaire* dome(const World& world) {
-    for (const Luminaire& luminaire : world.lights.luminaires) {
+std::optional<LightIndex> dome(const World& world) {
+    const Vec3 camera = world.stated_view.camera.location;
+    const auto within = [&](const Luminaire& luminaire) {
         const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter);
         const auto* composite = std::get_if<CompositeEmitter>(&luminaire.emitter);
         const bool turned = composite && composite->composite->leaf_count() == 1,
                    hidden = world.material(luminaire.primitive).no_image;
-        const bool within =
-            sphere ? length(world.stated_view.camera.location - sphere->centre) < sphere->radius
-                   : (turned || hidden) &&
-                         contains(bounds(luminaire).box, world.stated_view.camera.location);
-        if (within) return &luminaire;
+        return sphere ? length(camera - sphere->centre) < sphere->radius
+                      : (turned || hidden) && contains(bounds(luminaire).box, camera);
+    };
+    const LuminaireList& all = world.lights.luminaires;
+    for (LightIndex light = 0; light < all.own().size(); ++light)
+        if (within(all.own()[light])) return light;
+    for (const PlacedLuminaires& placed : all.placed()) {
+        if (!contains(placed.place->box(placed.prototype->box), camera)) continue;
+        const auto end =
+            placed.first + static_cast<LightIndex>(placed.prototype->luminaires.size());
+        for (LightIndex light = placed.first; light < end; ++light)
+            if (within(*all[light])) return light;
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 /// Returns a ratio of lengths as people write it: `16:9`, or `2.39:1` if small numbers do not do.
@@ -182,12 +192,12 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                                  "none is given: pigment { rgb 1 } finish { emission 5 }"
                                : "light_source { <10, 20, -10>, rgb 1 }, or "
                                  "pigment { rgb 1 } finish { emission 5 } in an object"));
-    if (const Luminaire* around = world.rules.settings.luminaires_said ? nullptr : dome(world)) {
-        const auto number = static_cast<std::size_t>(around - world.lights.luminaires.data());
+    const bool meant = world.rules.settings.luminaires_said;
+    if (const std::optional<LightIndex> around = meant ? std::nullopt : dome(world)) {
         diagnostics.add(
             warning(
                 Fault::glowing_dome,
-                world.provenance.light_statements[world.provenance.statement_of_luminaire[number]],
+                world.provenance.light_statements[world.provenance.luminaire_statement(*around)],
                 "the emission of this object, which is around the camera, lights the scene")
                 .with_help("the word `no_luminaire` in the object stops that; global_settings { "
                            "luminaires emission } accepts it"));

@@ -29,6 +29,8 @@ void share_light_statements(World& world, const SourceStore& sources) {
         for (auto* list :
              {&sample.provenance.statement_of_luminaire, &sample.provenance.statement_of_light})
             for (std::uint32_t& statement : *list) statement = now[statement];
+        for (auto& placed : sample.provenance.statement_of_placed)
+            placed.statement = now[placed.statement];
         if (!sample.sky.light.empty())
             sample.provenance.statement_of_sky = now[sample.provenance.statement_of_sky];
     };

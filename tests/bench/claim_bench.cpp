@@ -97,7 +97,7 @@ void choices() {
     }
     const double start = cpu_seconds();
     for (std::size_t i = 0; i < std::min(samples.picks.size(), points.size()); ++i)
-        if (const auto to = sample(shot.world->lights.luminaires[samples.picks[i].light],
+        if (const auto to = sample(shot.world->lights.luminaires.own()[samples.picks[i].light],
                                    points[i].point, {0.3, 0.7}))
             shot.world->transmittance({points[i].point.position, to->direction},
                                       points[i].tolerance, to->distance);
@@ -113,7 +113,7 @@ void contributors() {
         std::vector<std::size_t> counts95, counts99;
         for (const Seen& seen : seen_points(shot, 9)) {
             std::vector<double> given;
-            for (const Luminaire& luminaire : shot.world->lights.luminaires) {
+            for (const Luminaire& luminaire : shot.world->lights.luminaires.own()) {
                 const auto to = sample(luminaire, seen.point, {0.4, 0.6});
                 if (!to || !(dot(to->direction, seen.point.normal) > 0)) continue;
                 const Ray ray{seen.point.position, to->direction};
@@ -156,7 +156,7 @@ void threshold() {
             surfaces.push_back({seen.point.position - 0.1, seen.point.position + 0.1});
         const double start = cpu_seconds();
         const BuiltPaperOctree built(settings.as_in_paper(),
-                                     {choices(shot.world->lights.luminaires), surfaces}, 1);
+                                     {choices(shot.world->lights.luminaires.own()), surfaces}, 1);
         const double built_in = cpu_seconds() - start;
         std::vector<std::size_t> lengths;
         for (const Seen& seen : points) lengths.push_back(built.bright(seen.point.position));
@@ -189,7 +189,8 @@ void split() {
             samples.clear();
             add_picks(shot.sampler, seen.point, key, samples);
             if (samples.picks.empty()) continue;
-            const Luminaire& luminaire = shot.world->lights.luminaires[samples.picks[0].light];
+            const Luminaire& luminaire =
+                shot.world->lights.luminaires.own()[samples.picks[0].light];
             const Vec2 place{uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
             const auto to = sample(luminaire, seen.point, place);
             const double whole = unoccluded(luminaire, seen.point) / samples.picks[0].expected;

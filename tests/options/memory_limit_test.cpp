@@ -55,6 +55,16 @@ TEST_CASE("a scene that takes too much memory gets a message", "[app]") {
     CHECK(text.find("this loop has run ") != std::string::npos);
 }
 
+TEST_CASE("a million lamps in unions that stand in many places take little memory", "[app]") {
+    const Folder folder;
+    const std::string text =
+        said("+W16 +H12 --samples 1 +WT1 --limit-memory 100 -o " +
+             folder / "city.png " CANDELABRA_SOURCE_DIR "/tests/bench/blocks.pov");
+    INFO(text);
+    CHECK(text.find("1000000 luminaires") != std::string::npos);
+    CHECK(text.find("status 0") != std::string::npos);
+}
+
 TEST_CASE("the usual limit is half of what is free, for the machine and for the group", "[app]") {
     const Folder folder;
     const std::string root = folder / "";

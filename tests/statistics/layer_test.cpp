@@ -7,9 +7,11 @@
 
 namespace candelabra {
 
-TEST_CASE("a layer of 160,000 small lamps gives the light that a formula says", "[statistics]") {
-    constexpr int across = 400;
-    constexpr double step = 32.0 / across, radius = step / 20, radiance = 100;
+namespace {
+
+/// Compares the light below a layer of lamps with that of a formula.
+void check_layer(int across, const Declares& declares, std::size_t instances) {
+    const double step = 32.0 / across, radius = step / 20, radiance = 100;
     const Vec3 point(0.03, 0, -0.05);
     double expected = 0;
     for (int i = 0; i < across; ++i)
@@ -21,12 +23,24 @@ TEST_CASE("a layer of 160,000 small lamps gives the light that a formula says", 
     LightBvh bvh;
     bvh.mis = true;
     for (const LightSampler& sampler : {LightSampler{LightOctree{}}, LightSampler{bvh}}) {
-        const Shot shot = shot_of_file("tests/statistics/layer.pov", {}, sampler, 16);
+        const Shot shot = shot_of_file("tests/statistics/layer.pov", declares, sampler, 16);
+        CHECK(shot.world->geometry.instances.size() == instances);
         const Mean seen = mean_seen(shot, ray, 20000);
         CAPTURE(expected, seen.value, seen.error, sampler.index());
         CHECK(seen.error < 0.01 * expected);
         CHECK(agree(seen, {expected, 0}));
     }
+}
+
+}  // namespace
+
+TEST_CASE("a layer of 160,000 small lamps gives the light that a formula says", "[statistics]") {
+    check_layer(400, {}, 0);
+}
+
+TEST_CASE("a layer of 810,000 lamps by instances gives the light that a formula says",
+          "[statistics]") {
+    check_layer(900, {{"Across", 900.0}, {"Placed", 1.0}}, 2025);
 }
 
 }  // namespace candelabra

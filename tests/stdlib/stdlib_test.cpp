@@ -101,7 +101,7 @@ std::string radiances(const std::string& call) {
         #include "light_arrays.inc" #declare L = sphere { 0, 0.05 } object { )" +
                                        call + " }");
     std::string text;
-    for (const Luminaire& each : world->lights.luminaires)
+    for (const Luminaire& each : world->lights.luminaires.own())
         text += message(text.empty() ? "" : " | ", each.radiance.r, " ", each.radiance.g, " ",
                         each.radiance.b);
     return text;
@@ -255,7 +255,7 @@ TEST_CASE("all arrays around a thing turn the lamp's x outwards and its y upward
             world_of("#version 3.7; #include \"light_arrays.inc\" #declare L = sphere { " + offset +
                      ", 0.01 pigment { rgb 1 } finish { emission 1 } } object { " + array + " }");
         std::vector<Vec3> made;
-        for (const Luminaire& each : world->lights.luminaires)
+        for (const Luminaire& each : world->lights.luminaires.own())
             made.push_back(std::get<SphereEmitter>(each.emitter).centre);
         return made;
     };

@@ -4,6 +4,7 @@
 #include "support/lit.h"
 #include "support/means.h"
 #include "support/scripts.h"
+#include "support/twins.h"
 #include "transport/integrator.h"
 #include "world/compile.h"
 
@@ -332,6 +333,46 @@ TEST_CASE("paths find the light of all kinds by one draw", "[transport]") {
         const Mean joined = seen("light_octree", 8000), every = seen("every_light", 800);
         CAPTURE(integrator, joined.value, every.value);
         CHECK(agree(joined, every, 0.005));
+    }
+}
+
+TEST_CASE("lamps of instances light a floor as those that are taken apart", "[render]") {
+    const std::string lamps = R"(
+        #declare Stand = union {
+            #for (I, 0, 8) sphere { <0.1*I - 0.4, 0.05*I, 0.1>, 0.02 + 0.01*mod(I, 3) } #end
+            box { <-0.2, 0.5, -0.1>, <0, 0.55, 0.2> rotate 30*y }
+            triangle { <0, 0.7, 0>, <0.3, 0.7, 0>, <0, 0.8, 0.3> }
+            cylinder { <0.2, 0, 0>, <0.2, 0.4, 0>, 0.05 pigment { rgb 0.5 } finish { emission 0 } }
+            pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 3 }
+        }
+        #for (I, 0, 15)
+            object { Stand rotate 50*I*y scale <1, 1, pow(-1, I)> scale 0.4 + 0.1*mod(I, 5)
+                     translate <mod(I, 4) - 1.5, 0.3 + 0.1*I, floor(I/4) - 1.5> }
+        #end
+        sphere { <0, 6, 0>, 0.5 pigment { rgb 1 } finish { emission 2 } no_image }
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
+    )";
+    LightBvh pair;
+    pair.mis = true;
+    LightOctree alone;
+    alone.alone = true;
+    const auto lit = [&](const InstanceLimits& limits, const LightSampler& sampler, double x) {
+        CompileOptions options;
+        options.light_sampler = sampler;
+        options.instances = limits;
+        Diagnostics diagnostics;
+        const SharedWorld world = compile(scene_of(lamps), options, diagnostics);
+        CHECK(world->geometry.instances.size() == (limits.least_parts == 2 ? 16 : 0));
+        // Each sample asks every light once, so few do for that strategy.
+        const int count = std::holds_alternative<EveryLight>(sampler) ? 1000 : 20000;
+        return lit_at(Shot(world), x, {1}, count).mean;
+    };
+    for (const double x : {0.35, 2.5, 8.0}) {
+        const double exact = lit({}, EveryLight{}, x);
+        CHECK(lit({2, 100, 2}, EveryLight{}, x) == Approx(exact).epsilon(0.005));
+        for (const LightSampler& sampler : {LightSampler(LightOctree{}), LightSampler(alone),
+                                            LightSampler(pair), LightSampler(LinearAlpha{})})
+            CHECK(lit({2, 100, 2}, sampler, x) == Approx(exact).epsilon(0.02));
     }
 }
 

@@ -18,10 +18,10 @@ TEST_CASE("every object that emits becomes a luminaire", "[world]") {
         sphere { 30, 1 }
     )");
     REQUIRE(world->lights.luminaires.size() == 4);
-    CHECK(world->lights.luminaires[0].radiance == Rgb(4, 2, 0));
-    CHECK_FALSE(world->lights.luminaires[0].varying);
-    CHECK(world->lights.luminaires[3].varying);
-    CHECK(world->lights.luminaires[3].radiance == Rgb(2));
+    CHECK(world->lights.luminaires.own()[0].radiance == Rgb(4, 2, 0));
+    CHECK_FALSE(world->lights.luminaires.own()[0].varying);
+    CHECK(world->lights.luminaires.own()[3].varying);
+    CHECK(world->lights.luminaires.own()[3].radiance == Rgb(2));
     CHECK(world->provenance.object_count == 6);
 }
 

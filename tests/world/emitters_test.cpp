@@ -20,17 +20,17 @@ TEST_CASE("primitives of each kind become luminaires", "[world]") {
     )");
     CHECK(world->lights.luminaires.size() == 6);
     const auto made = [&](auto kind) {
-        return std::ranges::count_if(world->lights.luminaires, [](const Luminaire& each) {
+        return std::ranges::count_if(world->lights.luminaires.own(), [](const Luminaire& each) {
             return std::holds_alternative<decltype(kind)>(each.emitter);
         });
     };
     CHECK(made(SphereEmitter()) == 1);
     CHECK(made(TriangleEmitter()) == 1);
-    for (const Luminaire& each : world->lights.luminaires) {
+    for (const Luminaire& each : world->lights.luminaires.own()) {
         CHECK(each.radiance == Rgb(2));
         CHECK_FALSE(each.varying);
         CHECK(world->lights.luminaire_of[each.primitive] ==
-              static_cast<LightIndex>(&each - world->lights.luminaires.data()));
+              static_cast<LightIndex>(&each - world->lights.luminaires.own().data()));
     }
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("textures of a blob that is not placed do not go to the next shape", "
     )"),
                                      diagnostics);
     REQUIRE(world->lights.luminaires.size() == 1);
-    CHECK_FALSE(world->lights.luminaires[0].varying);
+    CHECK_FALSE(world->lights.luminaires.own()[0].varying);
 }
 
 TEST_CASE("copies of a shape share the triangles at which rays are aimed", "[world]") {
@@ -52,7 +52,7 @@ TEST_CASE("copies of a shape share the triangles at which rays are aimed", "[wor
         #for (I, 0, 99) object { Letter rotate 7*I*y scale <1, 1 + I/50, 1> translate 3*I*x } #end
         plane { y, 0 pigment { rgb 1 } })");
     REQUIRE(world->lights.luminaires.size() == 100);
-    for (const Luminaire& each : world->lights.luminaires) {
+    for (const Luminaire& each : world->lights.luminaires.own()) {
         const auto& letter = std::get<CompositeEmitter>(each.emitter);
         CHECK(letter.proxy);
         CHECK(letter.closed);

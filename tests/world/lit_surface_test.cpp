@@ -97,7 +97,7 @@ Total total(const std::string& object, bool places) {
                                        " pigment { rgb 1 } finish { emission 1 } } plane { y, -9 "
                                        "pigment { rgb 1 } }");
     Total sum;
-    for (const Luminaire& each : world->lights.luminaires) {
+    for (const Luminaire& each : world->lights.luminaires.own()) {
         const LitSurface surface = lit_surface(*world, each.primitive, {.places = places});
         sum.area += surface.area;
         sum.open = sum.open || surface.open;

@@ -112,8 +112,8 @@ TEST_CASE("a component that glows makes a luminaire of its blob", "[world]") {
         "#version 3.7; blob { threshold 0.2 sphere { 0, 1, 1 pigment { "
         "rgb 1 } finish { emission 2 } } sphere { x, 1, 1 } }");
     REQUIRE(world->lights.luminaires.size() == 1);
-    CHECK(world->lights.luminaires[0].radiance == Rgb(2));
-    CHECK(world->lights.luminaires[0].varying);
+    CHECK(world->lights.luminaires.own()[0].radiance == Rgb(2));
+    CHECK(world->lights.luminaires.own()[0].varying);
 }
 
 }  // namespace candelabra

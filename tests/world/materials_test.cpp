@@ -102,7 +102,7 @@ TEST_CASE("ambient of 1 and more makes luminaires where that is wanted", "[world
     const SharedWorld world =
         world_of("global_settings { luminaires ambient ambient_light 3 } " + spheres);
     REQUIRE(world->lights.luminaires.size() == 1);
-    CHECK(world->lights.luminaires.front().radiance == Rgb(6, 3, 0));
+    CHECK(world->lights.luminaires.own().front().radiance == Rgb(6, 3, 0));
     const SharedWorld map = world_of(
         "#version 3.7; global_settings { luminaires ambient } sphere { 0, 1 texture { gradient y "
         "texture_map { [0 pigment { rgb 1 } finish { ambient 1 }] [1 pigment { rgb 0 }] } } }");

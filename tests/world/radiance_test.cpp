@@ -15,7 +15,7 @@ const std::string surface_below = "#version 3.7; disc { -50*y, y, 1 pigment { rg
 /// Radiance of a world's first luminaire where a ray meets it, as seen at that distance.
 Rgb seen_along(const World& world, const Vec3& from, const Vec3& towards, LightIndex light = 0) {
     REQUIRE(world.lights.luminaires.size() > light);
-    const Luminaire& luminaire = world.lights.luminaires[light];
+    const Luminaire& luminaire = world.lights.luminaires.own()[light];
     const Ray ray{from, unit(towards - from)};
     Rgb seen(0);
     world.along(ray, 0, RayKind::light, [&](const Hit& hit, double distance) {
@@ -41,8 +41,8 @@ TEST_CASE("a luminaire has the radiance of the side that is seen", "[world]") {
                 world_of(surface_below + shape + " texture " + (inner ? dark : red) +
                          " interior_texture " + (inner ? red : dark) + " }");
             REQUIRE_FALSE(world->lights.luminaires.empty());
-            CHECK(world->lights.luminaires[0].one_sided);
-            CHECK(world->lights.luminaires[0].radiance == Rgb(3, 0, 0));
+            CHECK(world->lights.luminaires.own()[0].one_sided);
+            CHECK(world->lights.luminaires.own()[0].radiance == Rgb(3, 0, 0));
             Hit hit;
             const Ray ray{Vec3(0.1, 5, 0.2), unit(Vec3(0.8, -5, 0))};
             REQUIRE(world->first_hit(ray, 0, RayKind::camera, hit));
@@ -76,7 +76,7 @@ TEST_CASE("the far side of a luminaire is not its near side, however far it is",
     const SharedWorld world = world_of(
         "#version 3.7; torus { 3, 1 translate 1e8*z "
         "pigment { rgb 1 } finish { emission 2 } }");
-    const Luminaire& ring = world->lights.luminaires.at(0);
+    const Luminaire& ring = world->lights.luminaires.own().at(0);
     const Ray ray{Vec3(3, 0, 0), Vec3(0, 0, 1)};
     CHECK(radiance_seen(*world, ring, {ray, 0, 1e8 - std::sqrt(7)}) == Rgb(2));
     CHECK(radiance_seen(*world, ring, {ray, 0, 1e8 + std::sqrt(7)}) == Rgb(0));

@@ -131,7 +131,8 @@ TEST_CASE("light of a closed lamp is mostly sent outwards, unless the camera is 
         camera.location = Vec3(0);
         return camera;
     });
-    const Luminaire &opaque = world->lights.luminaires[0], &clear = world->lights.luminaires[1];
+    const Luminaire &opaque = world->lights.luminaires.own()[0],
+                    &clear = world->lights.luminaires.own()[1];
     CHECK(outside.inner_rays(opaque) < 0.1);
     CHECK(outside.inner_rays(clear) == 0.5);
     CHECK(inside.inner_rays(opaque) == 0.5);

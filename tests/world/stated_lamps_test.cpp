@@ -29,7 +29,7 @@ SharedWorld lit(const std::string& objects) { return world_of(head + objects); }
 std::vector<double> luminances(const std::string& objects) {
     const SharedWorld world = lit(objects);
     std::vector<double> all;
-    for (const Luminaire& each : world->lights.luminaires)
+    for (const Luminaire& each : world->lights.luminaires.own())
         all.push_back(light_luminance(each.radiance));
     return all;
 }
@@ -97,7 +97,7 @@ TEST_CASE("a pattern counts by its mean luminance", "[world]") {
             "translate -y } luminaire { flux lumen(100) } }");
     REQUIRE(world->lights.luminaires.size() == 1);
     // One half has twice the radiance of the other.
-    CHECK(light_luminance(world->lights.luminaires[0].radiance) ==
+    CHECK(light_luminance(world->lights.luminaires.own()[0].radiance) ==
           Approx(100 / pi / (4 * pi) / 0.75).epsilon(1e-3));
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("a temperature gives the light its colour and does not change the flux
         lit("sphere { 0, 1 luminaire { flux lumen(100) temperature 2700 } }"
             "sphere { 5, 1 finish { luminaire { flux lumen(100) temperature 2700 } } }");
     REQUIRE(world->lights.luminaires.size() == 2);
-    for (const Luminaire& each : world->lights.luminaires) {
+    for (const Luminaire& each : world->lights.luminaires.own()) {
         CHECK(light_luminance(each.radiance) == Approx(100 / pi / (4 * pi)).epsilon(1e-6));
         CHECK(each.radiance.r / each.radiance.b == Approx(1.9351 / 0.191796).epsilon(1e-3));
     }
@@ -135,7 +135,7 @@ TEST_CASE("a lamp with a web has the file's intensity in each direction, and its
         const SharedWorld world =
             lit(std::string(shape) + " luminaire { ies " + file + " } rotate 90*y }");
         REQUIRE(world->lights.luminaires.size() == 1);
-        const Luminaire& lamp = world->lights.luminaires[0];
+        const Luminaire& lamp = world->lights.luminaires.own()[0];
         REQUIRE(lamp.web);
         const AimedWeb& web = lamp.web->web();
         double flux = 0;
@@ -152,7 +152,7 @@ TEST_CASE("a lamp with a web has the file's intensity in each direction, and its
     }
     // A ball shows the area of its disc.
     const SharedWorld world = lit("sphere { 0, 0.1 luminaire { ies " + file + " } }");
-    const Luminaire& lamp = world->lights.luminaires[0];
+    const Luminaire& lamp = world->lights.luminaires.own()[0];
     const Vec3 down(0, -1, 0);
     const Rgb radiance = radiance_of(*world, lamp, {Vec3(0), Side::outer, down});
     CHECK(light_luminance(radiance) * pi * 0.01 ==
