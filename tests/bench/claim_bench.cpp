@@ -31,7 +31,7 @@ std::vector<Seen> seen_points(const Shot& shot, int across) {
         Hit hit;
         if (ray.direction == Vec3(0) || !shot.world->first_hit(ray, 0, RayKind::camera, hit))
             continue;
-        if (shot.world->lights.luminaire_of[hit.primitive] != no_primitive) continue;
+        if (shot.world->luminaire_of(hit.primitive) != no_primitive) continue;
         const Vec3 normal = dot(hit.normal, ray.direction) > 0 ? -hit.normal : hit.normal;
         result.push_back({{hit.position, normal}, hit.tolerance});
     }
