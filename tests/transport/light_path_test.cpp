@@ -88,7 +88,7 @@ TEST_CASE("paths of sources and of the sky have the power that these send", "[tr
             "#version 3.7; #default { finish { ambient 0 } } camera { location <0, 3, -4> "
             "look_at 0 } disc { 0, y, 1 pigment { rgb 1 } finish { diffuse 1 } }" +
             light);
-        return power_after(sent_into(shot, 1, 60000), 1).r;
+        return power_after(sent_into(shot, 1, 600000), 1).r;
     };
     using std::numbers::pi;
     CHECK(floor_lit("light_source { 100*y, 2 parallel point_at 0 }") ==
