@@ -68,7 +68,7 @@ Element white_default() {
 bool loses(const Script& script) {
     const std::string text = written(script);
     for (const char* word :
-         {"reflection", "microfacet", "brilliance", "metallic", "conserve_energy"})
+         {"reflection", "microfacet", "brilliance", "metallic", "conserve_energy", "fade_power"})
         if (text.find(word) != text.npos) return true;
     // What lets light in on one side only may keep it for ever.
     return text.find("inverse") != text.npos && text.find("interior_texture") != text.npos;
