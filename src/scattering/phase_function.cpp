@@ -79,6 +79,18 @@ Rgb PhaseFunction::mean() const {
     return sum;
 }
 
+double PhaseFunction::Part::draw_cosine(double u) const { return drawn_cosine(*scattering, u); }
+
+double PhaseFunction::Part::pdf(double cosine) const {
+    return phase(*scattering, cosine) / (4 * pi * mean_phase(*scattering));
+}
+
+const PhaseFunction::Part& PhaseFunction::part(double u) const {
+    std::size_t number = 0;
+    while (number + 1 < parts_.size() && u >= parts_[number].share) u -= parts_[number++].share;
+    return parts_[number];
+}
+
 Vec3 PhaseFunction::sample(Vec2 u) const {
     std::size_t number = 0;
     while (number + 1 < parts_.size() && u.x >= parts_[number].share) u.x -= parts_[number++].share;

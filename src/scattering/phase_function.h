@@ -35,6 +35,21 @@ public:
     Vec3 sample(Vec2 u) const;
     /// Density of sample() per steradian.
     double pdf(const Vec3& direction) const;
+    /// The scattering by one of the media.
+    struct Part {
+        Rgb coefficient;
+        const Scattering* scattering;
+        double share;  ///< fraction of the drawn directions
+
+        /// evaluate() of the part alone, at a cosine as of phase().
+        Rgb evaluate(double cosine) const { return coefficient * phase(*scattering, cosine); }
+        /// Draws that cosine in proportion to phase(); u is in [0, 1).
+        double draw_cosine(double u) const;
+        /// Density of draw_cosine() per steradian.
+        double pdf(double cosine) const;
+    };
+    /// Returns the part that u in [0, 1) draws by its share. Precondition: answers_light().
+    const Part& part(double u) const;
     /// The point as a receiver: without a horizon.
     Receiver receiver() const { return {position_, Vec3(0), Horizon::none}; }
     /// Fraction of the drawn directions by media with `multiple`.
@@ -42,12 +57,6 @@ public:
     bool collects() const { return collects_; }  ///< see collects_photons()
 
 private:
-    struct Part {
-        Rgb coefficient;
-        const Scattering* scattering;
-        double share;  ///< fraction of the drawn directions
-    };
-
     Vec3 position_, view_;
     ShortList<Part, 4> parts_;
     double total_ = 0, multiple_ = 0;

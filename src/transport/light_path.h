@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Light paths that start at luminaires, light sources and a sky that is a luminaire. They leave a
-// reflected luminaire at each diffuse surface that reflects their light, and continue from there.
+// reflected luminaire at each diffuse surface that reflects their light, and where media scatter
+// it, and continue from there.
 #pragma once
 
 #include "base/rgb.h"
@@ -15,15 +16,23 @@
 
 namespace candelabra {
 
-/// A point of a diffuse surface that stands for all light that arrives on the surface. The sum over
-/// many sampled points is an unbiased estimate of the light that all diffuse surfaces reflect.
+/// A point of a diffuse surface that stands for all light that arrives on the surface, or a point
+/// of a medium. The sum over many sampled points is an unbiased estimate of the light that all
+/// diffuse surfaces reflect, and all media scatter.
 struct ReflectedLuminaire {
     Vec3 position;
-    Vec3 normal;              ///< unit geometric normal, on the side that reflects
-    Rgb power;                ///< radiance, equal in all directions of that side, times area
+    /// Unit geometric normal, on the side that reflects; in a medium, where the light went.
+    Vec3 normal;
+    /// Radiance, equal in all directions of that side, times area. In a medium, radiance per unit
+    /// of length times volume, for a phase() of 1.
+    Rgb power;
     double tolerance = 0;     ///< of the hit
     int reflections = 1;      ///< diffuse ones on the light's way, including this one
     Lamp lamp = Lamp::sky();  ///< that sent the light
+    const Scattering* scattering = nullptr;  ///< of the medium; null: a surface
+    bool scattered = false;  ///< a medium without `multiple` has scattered the light
+
+    bool in_air() const { return scattering != nullptr; }
 };
 
 /// Whether reflected luminaires can stand for the diffuse reflection of a layer at a vertex, and
@@ -51,6 +60,8 @@ public:
         return other;
     }
 
+    /// Whether they leave reflected luminaires in media, too.
+    bool scatter() const { return in_air_; }
     /// Places that the camera sees, to which the starts of paths lead most light.
     const std::vector<SeenPlace>& seen() const { return seen_; }
 
@@ -64,12 +75,17 @@ private:
     void from_luminaire(const Key&, double choice, double share, Found&) const;
     void from_source(const SourceRays::Drawn&, const Key&, double share, Found&) const;
     void from_sky(const SkyRays::Drawn&, const Key&, double share, Found&) const;
-    template <class AtSurface>
-    void walk(PathState, const AtSurface&) const;
+    template <class InAir, class AtSurface>
+    void walk(PathState, const InAir&, const AtSurface&) const;
     PathState start(const Key&, const Ray&) const;
     void go_on(Lit, Found&) const;
+    void leave(const Lit&, Found&) const;
+    bool send_on(Lit&) const;
+    bool arrive(Lit&) const;
+    std::optional<Lit> in_air(const PathState&, double distance, bool scattered) const;
     bool is_brought(const WayOfLight&, const Vertex&) const;
     bool reflect(Lit&) const;
+    Rgb arriving_of_source(std::uint32_t number, const Vertex&, const PathState&) const;
     Rgb reflected(const PathState&, const Vertex&) const;
     Rgb reflected_of_source(std::uint32_t number, const PathState&, const Vertex&) const;
     bool reflect_source(std::uint32_t number, double area, Lit&) const;
@@ -85,6 +101,7 @@ private:
     SkyRays sky_rays_;
     double power_;  ///< about the light of all of them
     int max_reflections_;
+    bool in_air_;  ///< see stands_for_scattering()
 };
 
 }  // namespace candelabra

@@ -4,6 +4,7 @@
 #include "base/running_sums.h"
 #include "medium/transmittance.h"
 #include "transport/air_photon_light.h"
+#include "transport/path_steps.h"
 #include "transport/photons.h"
 #include "world/volumes.h"
 
@@ -23,6 +24,8 @@ constexpr int min_places = 8, max_places = 64;
 constexpr int places_for_lit = 4;
 /// Number of points on a camera ray at which the light is sampled that a strategy chooses.
 constexpr int choice_places = 4;
+/// The same for reflected luminaires: "Light in air".
+constexpr int reflected_places = 8;
 /// Maximum number of light sources whose unoccluded light is evaluated to find bright points; the
 /// light of more sources tells little.
 constexpr std::size_t max_telling = 16;
@@ -102,8 +105,27 @@ bool ParticipatingMedia::shows(const PathState& path, std::size_t number, const 
     return true;
 }
 
+/// Finds which light of lamps at the places of the march reflected luminaires have taken.
+void ParticipatingMedia::find_taken(const PathState& path, const ReflectedLight* reflected) {
+    open_.clear();
+    for (const MediaPlace& place : march_.places) {
+        double taken = 0;
+        if (reflected && path.taken.by_reflected)
+            taken = 1;
+        else if (reflected && path.taken.cosine > 0)
+            taken = reflected->share_in_air(path.ray.at(place.distance), path.taken.cosine,
+                                            place.distance);
+        open_.push_back(1 - taken);
+    }
+}
+
+double ParticipatingMedia::brightness(std::size_t place, bool others) const {
+    return brightness_of(march_.places[place]) * (others ? 1 : open_[place]);
+}
+
 Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLight& direct_light,
-                               LightLedger& ledger) {
+                               LightLedger& ledger, ReflectedLight* by_reflected, int reflections) {
+    reflects_ = by_reflected != nullptr;
     march_.veil = {};
     march_.places.clear();
     if (!world_.facts.has_media) return {};
@@ -139,7 +161,12 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
     if (march_.of_luminaires != Rgb(0))
         record_volume(ledger, world_, {path.media.data(), path.media.size()},
                       path.throughput * march_.of_luminaires);
-    if (!march_.places.empty()) veil.added += scattered(path, direct_light, ledger);
+    if (!march_.places.empty()) {
+        find_taken(path, by_reflected);
+        veil.added += scattered(path, direct_light, ledger);
+        if (by_reflected && reflections > 0)
+            veil.added += reflected(path, *by_reflected, reflections, ledger);
+    }
     if (scatters && direct_light.photons() && collects_photons(view_of(media_)))
         veil.added += light_of_air_photons(world_, direct_light.photons()->in_air,
                                            {path, std::min(distance, end_of_air), view_of(media_),
@@ -158,7 +185,7 @@ void ParticipatingMedia::choose(const Key& key, int count, Expected expected, Us
     for (int i = 0; i < count; ++i) {
         const std::span<const double> sums(sums_);
         const std::size_t found = drawn_share(sums, (i + shift) / count).index;
-        use(march_.places[found], i, total / (count * weight_of(sums, found)));
+        use(found, i, total / (count * weight_of(sums, found)));
     }
 }
 
@@ -206,8 +233,9 @@ Rgb ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_lig
     const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
     Rgb sum(0);
     EachKindOnce once;
-    const auto light = [&](const MediaPlace& place, const Key& key, double per_chance,
-                           LightKinds kinds) {
+    const auto light = [&](std::size_t index, const Key& key, double per_chance, LightKinds kinds) {
+        const MediaPlace& place = march_.places[index];
+        per_chance *= open_[index];
         const Vertex vertex = vertex_in_air(world_, path.ray, place.distance, solids);
         const PhaseFunction phase(view_of(media_), vertex.position(), path.ray.direction, scene,
                                   per_chance * place.weight, light_);
@@ -222,19 +250,19 @@ Rgb ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_lig
         choose(
             key, count,
             [&](std::size_t i) {
-                const MediaPlace& place = march_.places[i];
-                return brightness_of(place) * unshadowed(path.ray.at(place.distance));
+                return brightness(i, false) * unshadowed(path.ray.at(march_.places[i].distance));
             },
-            [&](const MediaPlace& place, int number, double per_chance) {
+            [&](std::size_t place, int number, double per_chance) {
                 light(place, key.part(count, number), per_chance, kinds);
             });
     }
     if (!chooses_) return sum;
     ShortList<double, 64> given;
     double mean = 0;
-    for (const MediaPlace& place : march_.places) {
-        given.push_back(brightness_of(place) *
-                        choice_at(direct_light, path.ray.at(place.distance)));
+    for (std::size_t i = 0; i < march_.places.size(); ++i) {
+        const double own = brightness(i, false);
+        given.push_back(
+            own > 0 ? own * choice_at(direct_light, path.ray.at(march_.places[i].distance)) : 0);
         mean += given.back() / static_cast<double>(march_.places.size());
     }
     LightKinds kinds = once.take({LightKind::luminaires, LightKind::sky});
@@ -244,35 +272,68 @@ Rgb ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_lig
     choose(
         key, count,
         [&](std::size_t i) {
-            const double own = brightness_of(march_.places[i]);
+            const double own = brightness(i, false);
             if (!(mean > 0)) return own;  // nothing is known
             return own > 0 ? given[i] + any_place * mean : 0;
         },
-        [&](const MediaPlace& place, int number, double per_chance) {
+        [&](std::size_t place, int number, double per_chance) {
             light(place, key.part(count, number), per_chance, kinds);
         });
     return sum;
 }
 
-double ParticipatingMedia::scattering() const {
-    double sum = 0;
-    for (const MediaPlace& place : march_.places) sum += brightness_of(place);
+/// Radiance towards the viewer by light of reflected luminaires that media scatter at the places of
+/// the march.
+Rgb ParticipatingMedia::reflected(const PathState& path, ReflectedLight& by_reflected,
+                                  int reflections, LightLedger& ledger) {
+    const PatternScene scene = world_.pattern_scene();
+    const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
+    const Key key = path.key.branched(Branch::medium, 2);
+    const int count = path.depth + path.bounces > 0 ? 1 : reflected_places;
+    Rgb sum(0);
+    choose(
+        key, count, [&](std::size_t i) { return brightness(i, false); },
+        [&](std::size_t index, int number, double per_chance) {
+            const MediaPlace& place = march_.places[index];
+            const Vertex vertex = vertex_in_air(world_, path.ray, place.distance, solids);
+            const auto phase_of = [&](LightInAir light) {
+                return PhaseFunction(view_of(media_), vertex.position(), path.ray.direction, scene,
+                                     per_chance * open_[index] * place.weight, light);
+            };
+            const PhaseFunction phase = phase_of(light_),
+                                again = phase_of(LightInAir::repeatedly_only);
+            ReflectedLight::Counted counted{reflections};
+            if (!path.scattered) counted.of_scattered = Scatterer(again);
+            const LitLayer lit{.vertex = vertex,
+                               .scatterer = phase,
+                               .light = all_light,
+                               .throughput = path.throughput};
+            sum += by_reflected({world_, lit, false, ledger}, counted, key.part(count, number));
+        });
     return sum;
 }
 
-PathState ParticipatingMedia::scattered_path(const PathState& path) const {
-    const double total = scattering();
+double ParticipatingMedia::scattering(bool others) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < march_.places.size(); ++i) sum += brightness(i, others);
+    return sum;
+}
+
+PathState ParticipatingMedia::scattered_path(const PathState& path, bool others) const {
+    const double total = scattering(others);
     double target = uniform(path.key, Purpose::media_lobe) * total, u = 0;
-    const MediaPlace* place = &march_.places.back();
-    for (const MediaPlace& each : march_.places) {
-        place = &each;
-        const double own = brightness_of(each);
+    std::size_t index = march_.places.size() - 1;
+    for (std::size_t i = 0; i < march_.places.size(); ++i) {
+        const double own = brightness(i, others);
+        if (!(own > 0)) continue;
+        index = i;
         if (target < own) {
             u = target / own;
             break;
         }
         target -= own;
     }
+    const MediaPlace* place = &march_.places[index];
     PathState next = path;
     const PatternScene scene = world_.pattern_scene();
     const Vec3 position = path.ray.at(place->distance);
@@ -294,13 +355,15 @@ PathState ParticipatingMedia::scattered_path(const PathState& path) const {
     // Light from one steradian of radiance 1 is light of colour 1/pi.
     next.dim(place->weight * (total / brightness_of(*place)) * phase.evaluate(direction) /
              (std::numbers::pi * phase.pdf(direction)));
-    next.go_on({position, direction}, 0, Branch::medium_scattering);
-    next.depth = path.depth;
-    ++next.bounces;
-    next.kind = RayKind::gathering;
+    next = path_from_air(next, position, direction);
     // Photons in the air bring what mirrors send to it.
     next.taken.scatter(true, phase.collects() && world_.rules.settings.photons.media > 0);
     next.taken.leave_diffuse_surfaces();
+    if (reflects_) {
+        next.taken.by_reflected =
+            others && uniform(path.key, Purpose::near_reflection) >= open_[index];
+        if (!next.taken.by_reflected) next.taken.cosine = 1;
+    }
     next.scattered |= once;
     return next;
 }

@@ -99,6 +99,15 @@ double refraction_ratio(PathState& path, const Interface& surface) {
     return surface.ratio * math::pow(surface.dispersion, path.band->power());
 }
 
+PathState path_from_air(const PathState& path, const Vec3& position, const Vec3& direction) {
+    PathState next = path;
+    next.go_on({position, direction}, 0, Branch::medium_scattering);
+    next.depth = path.depth;
+    ++next.bounces;
+    next.kind = RayKind::gathering;
+    return next;
+}
+
 PathState gathering_path(const PathState& path, const Vertex& vertex, const Vec3& direction) {
     PathState next = path;
     next.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::diffuse);

@@ -71,6 +71,9 @@ double refraction_ratio(PathState&, const Interface&);
 PathState path_behind(const PathState&, const Vertex&, const Shading&, const Interface&,
                       double ratio);
 
+/// The path scattered by media at a point between surfaces. What it has taken is not changed.
+PathState path_from_air(const PathState&, const Vec3& position, const Vec3& direction);
+
 /// The path that gathers light at a diffuse surface from a direction.
 PathState gathering_path(const PathState&, const Vertex&, const Vec3& direction);
 /// The same from a direction behind the surface: it is in what the surface bounds, if light passes.

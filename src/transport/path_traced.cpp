@@ -4,6 +4,7 @@
 #include "scattering/phong.h"
 #include "surface/quality.h"
 #include "transport/atmosphere.h"
+#include "transport/light_in_air.h"
 #include "transport/subsurface.h"
 
 #include <algorithm>
@@ -34,7 +35,12 @@ PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& want
       ends_(shot, wanted.clear_sky, wanted.from_anywhere),
       ledger_(empty_ledger(world_, wanted.counts_lights, wanted.keeps_lamps)),
       max_bounces_(std::get<PathTraced>(world_.rules.settings.integrator).bounces),
-      chance_of_covered_(world_.facts.is_lit_by_lamps_only ? chance_of_shine : 1) {}
+      in_air_(reflected_.in_air()),
+      others_(in_air_ ? world_.appearance.any_other_light || !lamps_light_air(world_)
+                      : world_.facts.has_other_light),
+      chance_of_covered_((in_air_ ? lamps_light_air(world_) : world_.facts.is_lit_by_lamps_only)
+                             ? chance_of_shine
+                             : 1) {}
 
 Rgb PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = begin(ray, key);
@@ -96,15 +102,16 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     sum_ += path.throughput * fog.added;
     path.dim(fog.transmittance);
     if (!world_.facts.has_media) return false;
-    const Veil veil = media_.along(path, distance, direct_light_, ledger_);
+    const Veil veil = media_.along(path, distance, direct_light_, ledger_,
+                                   in_air_ ? &reflected_ : nullptr, max_bounces_ - path.bounces);
     sum_ += path.throughput * veil.added;
-    const double scattered = path.bounces < max_bounces_ ? media_.scattering() : 0;
+    const double scattered = path.bounces < max_bounces_ ? media_.scattering(others_) : 0;
     if (scattered > 0) {
         const double chance = scattered / (scattered + max_component(veil.transmittance));
         const bool divides = !std::exchange(divided_, true);
         if (uniform(path.key, Purpose::media_event) < chance) {
-            const PathState next = media_.scattered_path(path.dimmed(Rgb(1 / chance)));
-            ++ledger_.scattered;
+            const PathState next = scattered_path(path.dimmed(Rgb(1 / chance)));
+            ledger_.scattered += next.throughput != Rgb(0) ? 1 : 0;
             if (!divides) {
                 path = next;
                 return true;
@@ -116,6 +123,15 @@ bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
     }
     path.dim(veil.transmittance);
     return false;
+}
+
+/// The path that media scatter. If reflected luminaires account for its light, a random part of the
+/// paths continues in search of other light; others have a throughput of 0.
+PathState PathTracedIntegrator::scattered_path(const PathState& path) const {
+    PathState next = media_.scattered_path(path, others_);
+    if (!next.taken.by_reflected) return next;
+    const bool ends = uniform(path.key, Purpose::other_light) >= chance_of_covered_;
+    return next.dimmed(Rgb(ends ? 0 : 1 / chance_of_covered_));
 }
 
 /// Adds the layers' emission and reflected direct light, and continues the path. Returns false if
@@ -147,7 +163,7 @@ bool PathTracedIntegrator::ends_covered(PathState& path, const Hit& hit, double 
         path.taken.by_reflected = uniform(path.key, Purpose::near_reflection) < share;
         path.taken.cosine = 0;
     }
-    if (!path.taken.by_reflected || !world_.facts.has_other_light) return path.taken.by_reflected;
+    if (!path.taken.by_reflected || !others_) return path.taken.by_reflected;
     if (world_.material(hit.primitive).other_light) return false;
     if (uniform(path.key, Purpose::other_light) >= chance_of_covered_) return true;
     path.dim(Rgb(1 / chance_of_covered_));
@@ -184,7 +200,9 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
         light += direct_light_(lit(whole, all_light), path.key, ledger_);
         if (reflected_ && is_lambertian(world_, vertex, s) && path.bounces < max_bounces_)
             light += reflected_({world_, lit(whole, all_light), false, ledger_},
-                                max_bounces_ - path.bounces, path.key);
+                                {max_bounces_ - path.bounces,
+                                 path.scattered ? std::nullopt : std::optional<Scatterer>(whole)},
+                                path.key);
     } else {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);
         light += direct_light_(lit(highlights, all_light), path.key, ledger_);

@@ -45,6 +45,7 @@ private:
     Rgb end();
     void trace(PathState);
     bool pass_air(PathState&, double distance);
+    PathState scattered_path(const PathState&) const;
     bool at_vertex(PathState&, const Vertex&, const Layers&);
     bool ends_covered(PathState&, const Hit&, double distance) const;
     void gather(const PathState&, const Vertex&, const LayerStack::Seen&);
@@ -65,6 +66,8 @@ private:
     std::optional<PathState> aside_;
     bool divided_ = false;  ///< the path has met a medium that could scatter it
     int max_bounces_;
+    bool in_air_;               ///< reflected luminaires light media as well
+    bool others_;               ///< there is light that reflected luminaires do not stand for
     double chance_of_covered_;  ///< see ends_covered()
 };
 

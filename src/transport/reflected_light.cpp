@@ -16,7 +16,8 @@ double share_within(double bound, double geometry) {
 
 }  // namespace
 
-Rgb ReflectedLight::operator()(const ArrivingLight& at, int reflections, const Key& key) {
+Rgb ReflectedLight::operator()(const ArrivingLight& at, const Counted& counted, const Key& key) {
+    if (!at.layer.scatterer.answers_light()) return Rgb(0);
     const ReflectedSet& set = current();
     const Key own = key.branched(Branch::reflected);
     const Receiver point = receiver(at.layer.scatterer);
@@ -26,10 +27,15 @@ Rgb ReflectedLight::operator()(const ArrivingLight& at, int reflections, const K
         [&](const auto& strategy) {
             strategy.at({point, lobes, nullptr, nullptr}).sample(own, samples_);
         },
-        set.sampler);
+        at.layer.scatterer.in_air() ? set.in_air : set.sampler);
     Rgb sum(0);
     for (const LightPick& pick : samples_.picks) {
-        if (set.list[pick.light].reflections <= reflections) sum += from(pick, set, at, own);
+        const ReflectedLuminaire& luminaire = set.list[pick.light];
+        if (luminaire.reflections > counted.reflections) continue;
+        if (!luminaire.scattered)
+            sum += from(pick, set, at, at.layer.scatterer, own);
+        else if (counted.of_scattered)
+            sum += from(pick, set, at, *counted.of_scattered, own);
     }
     return sum;
 }
@@ -40,23 +46,31 @@ double ReflectedLight::share(const Vec3& from, const Vec3& normal, double cosine
                         cosine * other_cosine / (distance * distance));
 }
 
+double ReflectedLight::share_in_air(const Vec3& from, double other_cosine, double distance) const {
+    return share_within(source().bound_in_air(from), other_cosine / (distance * distance));
+}
+
 /// Light of one reflected luminaire. Clear surfaces occlude it, too: paths go through these by
 /// themselves.
 Rgb ReflectedLight::from(const LightPick& pick, const ReflectedSet& set, const ArrivingLight& at,
-                         const Key& key) const {
+                         const Scatterer& scatterer, const Key& key) const {
     const ReflectedLuminaire& luminaire = set.list[pick.light];
     const Vertex& vertex = at.layer.vertex;
     const Vec3 offset = luminaire.position - vertex.position();
     const double distance = length(offset);
     if (!(distance > vertex.tolerance())) return Rgb(0);
     const Vec3 direction = offset / distance;
-    const Vec3& normal = at.layer.scatterer.bsdf().shading().normal;
-    const double cosine = dot(direction, normal), there = -dot(direction, luminaire.normal);
+    const double cosine =
+        scatterer.in_air() ? 1 : dot(direction, scatterer.bsdf().shading().normal);
+    const double there = luminaire.in_air() ? 1 : -dot(direction, luminaire.normal);
     if (!(cosine > 0 && there > 0)) return Rgb(0);
-    const Rgb response = at.layer.scatterer.evaluate(direction, diffuse_terms, 0);
+    const Rgb response = scatterer.evaluate(direction, diffuse_terms, 0);
     const double geometry = cosine * there / (distance * distance);
     const double share = share_within(set.bounds[pick.light], geometry);
-    const Rgb light = luminaire.power * (there * share / (std::numbers::pi * distance * distance));
+    const double sent = luminaire.in_air()
+                            ? phase(*luminaire.scattering, -dot(direction, luminaire.normal))
+                            : there;
+    const Rgb light = luminaire.power * (sent * share / (std::numbers::pi * distance * distance));
     if (response * light == Rgb(0)) return Rgb(0);
     ++at.ledger.shadow;
     const Rgb left = ShadowRay(at, direction, key).left_by_air(distance, luminaire.tolerance);

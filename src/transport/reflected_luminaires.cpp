@@ -3,12 +3,14 @@
 
 #include "base/order.h"
 #include "base/parallel.h"
+#include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
 #include "surface/quality.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,6 +29,8 @@ constexpr std::uint32_t paths_at_once = 1024, pilot_paths = 2048;
 /// Maximum fraction of a uniformly lit surface's light that one reflected luminaire may contribute,
 /// by their number in the whole scene and by that about it: "Indirect light".
 constexpr double kappa = 1.0 / 16, kappa_there = 1.0 / 10;
+/// The same of the light that a place in a medium gets from all about it: "Light in air".
+constexpr double kappa_in_air = 1.0 / 32;
 /// Number of places from which each of the pilot's reflected luminaires is looked for.
 constexpr std::uint32_t trials_of_each = 4;
 /// Fraction of the seen places from which a reflected luminaire is visible below which it is chosen
@@ -53,13 +57,24 @@ LightBounds bounds_of(const ReflectedLuminaire& luminaire, double radius) {
     return result;
 }
 
+/// Bounds as of a sphere of that radius around a reflected luminaire in a medium.
+LightBounds bounds_in_air(const ReflectedLuminaire& luminaire, double radius) {
+    const double across = std::numbers::pi * radius * radius;
+    return bounds(SphereEmitter{luminaire.position, radius},
+                  luminance(abs(luminaire.power)) * mean_phase(*luminaire.scattering) / across);
+}
+
 /// Reflected luminaires as the strategy chooses among them. Their occlusion is not surveyed.
 class ReflectedChoices final : public ChoosableLights {
 public:
-    ReflectedChoices(std::span<const ReflectedLuminaire> luminaires, double radius,
-                     const SeenShare& seen) {
-        bounds_.reserve(luminaires.size());
-        for (const ReflectedLuminaire& each : luminaires) {
+    ReflectedChoices(const ReflectedSet& set, double radius, const SeenShare& seen) {
+        bounds_.reserve(set.list.size());
+        for (std::size_t i = 0; i < set.list.size(); ++i) {
+            const ReflectedLuminaire& each = set.list[i];
+            if (each.in_air()) {
+                bounds_.push_back(bounds_in_air(each, 1 / std::sqrt(set.bounds[i])));
+                continue;
+            }
             ReflectedLuminaire counted = each;
             counted.power *= std::fmin(seen.at(each.position, each.normal) / well_seen, 1);
             bounds_.push_back(bounds_of(counted, radius));
@@ -127,9 +142,9 @@ std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& path
 /// median distance between successive reflections of a path.
 void ReflectedLuminaires::find_bound(const std::vector<ReflectedLuminaire>& tried) {
     std::vector<double> distances;
-    std::vector<Vec3> positions;
+    std::vector<Vec3> positions, in_air;
     for (std::size_t i = 0; i < tried.size(); ++i) {
-        positions.push_back(tried[i].position);
+        (tried[i].in_air() ? in_air : positions).push_back(tried[i].position);
         if (i > 0 && tried[i].reflections == tried[i - 1].reflections + 1)
             distances.push_back(length(tried[i].position - tried[i - 1].position));
     }
@@ -140,15 +155,21 @@ void ReflectedLuminaires::find_bound(const std::vector<ReflectedLuminaire>& trie
     if (!(usual > 0)) return;
     greatest_bound_ = kappa * share * static_cast<double>(tried.size()) / (usual * usual);
     per_density_ = kappa_there * share;
-    density_ = ReflectionDensity(std::move(positions));
+    per_density_in_air_ = kappa_in_air * 4 * std::numbers::pi * usual * share;
+    if (positions.size() > 1) density_ = ReflectionDensity(std::move(positions));
+    if (in_air.size() > 1) density_in_air_ = ReflectionDensity::in_air(std::move(in_air));
 }
 
 /// Finds from how many of the places that the camera sees reflected light is visible.
 void ReflectedLuminaires::find_seen(const std::vector<ReflectedLuminaire>& tried) {
     const std::vector<SeenPlace>& places = paths_.seen();
     if (places.empty()) return;
-    std::vector<SeenShare::Trial> trials(tried.size());
-    run_parallel(tried.size(), threads_, [&](std::size_t i) {
+    std::vector<std::size_t> on_surfaces;
+    for (std::size_t i = 0; i < tried.size(); ++i)
+        if (!tried[i].in_air()) on_surfaces.push_back(i);
+    std::vector<SeenShare::Trial> trials(on_surfaces.size());
+    run_parallel(trials.size(), threads_, [&](std::size_t number) {
+        const std::size_t i = on_surfaces[number];
         const ReflectedLuminaire& each = tried[i];
         double seen = 0;
         for (std::uint32_t n = 0; n < trials_of_each; ++n) {
@@ -157,7 +178,7 @@ void ReflectedLuminaires::find_seen(const std::vector<ReflectedLuminaire>& tried
                                                         static_cast<double>(places.size()));
             seen += sees(*shot_.world, places[place], each.position, each.normal, each.tolerance);
         }
-        trials[i] = {each.position, each.normal, seen / trials_of_each};
+        trials[number] = {each.position, each.normal, seen / trials_of_each};
     });
     seen_ = SeenShare(trials);
 }
@@ -165,21 +186,23 @@ void ReflectedLuminaires::find_seen(const std::vector<ReflectedLuminaire>& tried
 ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     ReflectedSet set;
     set.list = sent(paths_, count_, mix(seed_ ^ mix(number + 1)));
-    std::erase_if(set.list, [&](const ReflectedLuminaire& each) {
-        return bound(each.position, each.normal) == 0;
-    });
-    for (const ReflectedLuminaire& each : set.list)
-        set.bounds.push_back(bound(each.position, each.normal));
+    const auto bound_of = [&](const ReflectedLuminaire& each) {
+        return each.in_air() ? bound_in_air(each.position) : bound(each.position, each.normal);
+    };
+    std::erase_if(set.list, [&](const ReflectedLuminaire& each) { return bound_of(each) == 0; });
+    for (const ReflectedLuminaire& each : set.list) set.bounds.push_back(bound_of(each));
     const double radius = 1 / std::sqrt(greatest_bound_);
     // Occlusion is not surveyed, as a generation is soon over. The surfaces that they light are
     // those on which they lie.
     LightOctree octree;
     octree.alone = true;
-    LightScene scene{std::make_shared<ReflectedChoices>(set.list, radius, seen_)};
+    LightScene scene{std::make_shared<ReflectedChoices>(set, radius, seen_)};
     scene.even = even_share;
     const Projection& camera = shot_.view.camera;
     if (!camera.parallel) scene.eye = camera.location;
     set.sampler = build(LightSampler(octree), scene, threads_);
+    // Cells between surfaces would be many, and serve few samples each.
+    if (in_air()) set.in_air = build(LightSampler(LightBvh()), scene, threads_);
     return set;
 }
 

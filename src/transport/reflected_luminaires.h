@@ -19,7 +19,8 @@ namespace candelabra {
 struct ReflectedSet {
     std::vector<ReflectedLuminaire> list;
     std::vector<double> bounds;  ///< of each: see ReflectedLuminaires::bound()
-    BuiltLightSampler sampler;   ///< chooses among them
+    BuiltLightSampler sampler;   ///< chooses among them for surfaces
+    BuiltLightSampler in_air;    ///< chooses among them for places in media, if they light these
 };
 
 class ReflectedLuminaires {
@@ -37,17 +38,24 @@ public:
 
     std::shared_ptr<const ReflectedSet> generation(std::uint32_t number);
 
-    /// Whether light is reflected from surface to surface at all.
-    bool any() const { return !density_.empty(); }
+    /// Whether light is reflected or scattered more than once at all.
+    bool any() const { return !density_.empty() || !density_in_air_.empty(); }
+    /// Whether they stand for light that media scatter, too, and light media.
+    bool in_air() const { return paths_.scatter(); }
     /// Bound of the geometry term of reflected luminaires at a place of a surface, on the side of
     /// the unit normal; light beyond it is found by paths. So none of them counts for more than a
     /// small part of the light that the scene, and the surface about it, sends out. It is 0 where
     /// the camera sees next to nothing that the place lights: reflected luminaires there would
     /// mostly be chosen in vain. Precondition: any().
     double bound(const Vec3& place, const Vec3& normal) const {
-        return seen_.at(place, normal) < least_seen
+        return density_.empty() || seen_.at(place, normal) < least_seen
                    ? 0
                    : std::fmin(greatest_bound_, per_density_ * density_.at(place));
+    }
+    /// The same in a medium: light from there is about that of all places within the usual
+    /// distance between two of them.
+    double bound_in_air(const Vec3& place) const {
+        return density_in_air_.empty() ? 0 : per_density_in_air_ * density_in_air_.at(place);
     }
     /// Number of light paths in a generation.
     std::uint32_t count() const { return count_; }
@@ -68,8 +76,8 @@ private:
     std::uint32_t count_;
     std::uint64_t seed_;
     int threads_;
-    ReflectionDensity density_;  ///< of light paths that light nothing else
-    double greatest_bound_ = 0, per_density_ = 0;
+    ReflectionDensity density_, density_in_air_;  ///< of light paths that light nothing else
+    double greatest_bound_ = 0, per_density_ = 0, per_density_in_air_ = 0;
     SeenShare seen_;
     Generations<ReflectedSet> generations_;
 };

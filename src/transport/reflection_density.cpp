@@ -2,6 +2,7 @@
 #include "transport/reflection_density.h"
 
 #include "base/box.h"
+#include "base/elementary.h"
 
 #include <cmath>
 #include <cstddef>
@@ -35,13 +36,17 @@ std::size_t division(std::span<const Vec3> sorted, int axis) {
     return best;
 }
 
-}  // namespace
-
-ReflectionDensity::ReflectionDensity(std::vector<Vec3> positions) {
+double least_width_of(std::span<const Vec3> positions) {
     Box all;
     for (const Vec3& position : positions) all = join(all, position);
     const double whole = max_component(all.size());
-    const double least_width = narrowest * (whole > 0 ? whole : 1);
+    return narrowest * (whole > 0 ? whole : 1);
+}
+
+}  // namespace
+
+ReflectionDensity::ReflectionDensity(std::vector<Vec3> positions) {
+    const double least_width = least_width_of(positions);
     const auto density = [least_width](std::span<const Vec3> part, const Vec3& size,
                                        int axis) -> std::optional<double> {
         if (part.size() >= divided_from && size[axis] > least_width) return std::nullopt;
@@ -55,6 +60,21 @@ ReflectionDensity::ReflectionDensity(std::vector<Vec3> positions) {
     };
     space_ = HalvedSpace(
         std::span(positions), [](const Vec3& position) { return position; }, density, division);
+}
+
+ReflectionDensity ReflectionDensity::in_air(std::vector<Vec3> positions) {
+    const double least_width = least_width_of(positions);
+    const auto density = [least_width](std::span<const Vec3> part, const Vec3& size,
+                                       int axis) -> std::optional<double> {
+        if (part.size() >= divided_from && size[axis] > least_width) return std::nullopt;
+        const Vec3 wide = glm::max(size, Vec3(least_width));
+        const double across = math::cbrt(static_cast<double>(part.size())) - 1;
+        return across * across * across / (wide.x * wide.y * wide.z);
+    };
+    ReflectionDensity result;
+    result.space_ = HalvedSpace(
+        std::span(positions), [](const Vec3& position) { return position; }, density, division);
+    return result;
 }
 
 }  // namespace candelabra

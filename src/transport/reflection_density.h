@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How densely light paths leave reflected luminaires on the surfaces of a scene, from place to
-// place.
+// How densely light paths leave reflected luminaires on the surfaces of a scene, or in its media,
+// from place to place.
 #pragma once
 
 #include "base/halved_space.h"
@@ -16,6 +16,8 @@ public:
     ReflectionDensity() = default;
     /// Of positions on surfaces; at least 2.
     explicit ReflectionDensity(std::vector<Vec3> positions);
+    /// Of positions in media, per unit of volume; at least 2.
+    static ReflectionDensity in_air(std::vector<Vec3> positions);
 
     bool empty() const { return space_.empty(); }
     /// Number of positions per unit of area about a place. Above 0 and finite. Precondition: not

@@ -169,14 +169,10 @@ bool has_openings(const Geometry& geometry, std::uint32_t item) {
         });
 }
 
-/// Whether there is emission within solids only, and a surface that parts inside from outside not
-/// everywhere.
-bool glows_beside_openings(const World& world) {
+}  // namespace
+
+bool has_openings(const World& world) {
     const Geometry& geometry = world.geometry;
-    if (std::ranges::none_of(world.appearance.materials, [&](const Material& material) {
-            return glows_within(world, material);
-        }))
-        return false;
     for (std::uint32_t item = 0; item < geometry.item_count(); ++item) {
         const bool noted = geometry.is_triangle(item) ? world.material(item).transparent
                                                       : world.is_noted_solid(item);
@@ -184,8 +180,6 @@ bool glows_beside_openings(const World& world) {
     }
     return false;
 }
-
-}  // namespace
 
 bool is_same_solid(const World& world, PrimitiveIndex a, PrimitiveIndex b) {
     return world.solid(a) == world.solid(b) ||
@@ -260,7 +254,11 @@ void add_volumes(World& world, std::span<const GlowingPrimitive> glowing, bool s
 }
 
 void find_openings(World& world) {
-    world.lights.glow_beside_openings = glows_beside_openings(world);
+    world.lights.glow_beside_openings =
+        std::ranges::any_of(
+            world.appearance.materials,
+            [&](const Material& material) { return glows_within(world, material); }) &&
+        has_openings(world);
 }
 
 namespace {

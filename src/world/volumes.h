@@ -22,6 +22,9 @@ bool lights_from_inside(const Material&);
 /// kept, all. As in POV-Ray, a ray that leaves a solid through an opening still meets the others.
 bool glows_within(const World&, const Material&);
 
+/// Whether a surface that parts inside from outside does not do so everywhere.
+bool has_openings(const World&);
+
 /// Fills WorldLights::glow_beside_openings.
 void find_openings(World&);
 

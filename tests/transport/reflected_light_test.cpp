@@ -41,8 +41,10 @@ Estimate estimate(const std::string& script, std::uint32_t generations, const Ra
 /// Checks that two places are as bright with reflected luminaires as by paths alone.
 void check_same(const char* name, const std::string& scene, std::uint32_t generations) {
     const Vec3 eye(0.3, 1.4, -2.5);
-    const Shot by_paths = shot_of(with_reflected(0, 4) + scene),
-               with_luminaires = shot_of(with_reflected(300, 4) + scene);
+    // Rays begin in what is around the camera.
+    const std::string camera = "camera { location <0.3, 1.4, -2.5> look_at <0, 1, 0> }";
+    const Shot by_paths = shot_of(with_reflected(0, 4) + camera + scene),
+               with_luminaires = shot_of(with_reflected(300, 4) + camera + scene);
     for (const Vec3& towards : {Vec3(-1.2, 0, -0.5), Vec3(0.6, 0.5, 1.9)}) {
         const Ray ray{eye, unit(towards - eye)};
         const Estimate traced = estimate(by_paths, generations, ray),
@@ -110,18 +112,88 @@ TEST_CASE("reflected luminaires give what path tracing gives", "[transport]") {
         {"sky over a yard",
          "plane { y, 0 pigment { rgb 0.6 } } box { <-1, 0, 0>, <0, 2, 1> pigment { rgb 0.8 } }"
          "sky_sphere { pigment { rgb <0.1, 0.15, 0.3> } }"},
-        {"fog", bare_room + "fog { distance 4 rgb <0.1, 0.2, 0.3> }"},
+        {"fog", hollow_room + "fog { distance 4 rgb <0.1, 0.2, 0.3> }"},
         {"smoke",
-         bare_room +
+         hollow_room +
              "media { scattering { 1, 0.08 } absorption <0.02, 0.05, 0.1> density { bozo } }"},
         {"a flame and a cloud in a box",
-         bare_room +
+         hollow_room +
              "sphere { <1.4, 0.7, 0>, 0.6 hollow pigment { rgbt 1 } interior { media { emission "
              "<3, 2, 1> } luminaire } }"
              "box { <-2.8, 1, 0.5>, <0, 2.2, 2.5> hollow pigment { rgbt 1 } interior { media { "
              "scattering { 1, 0.5 } } } }"},
     };
     for (const Row& row : rows) check_same(row.name, lamps_in_room + row.scene, row.generations);
+}
+
+TEST_CASE("reflected luminaires light media, and media scatter light as path tracing finds it",
+          "[transport]") {
+    struct Row {
+        const char* name;
+        std::string scene;
+        std::uint32_t generations = 45;
+    };
+    const auto fog = [](const std::string& scattering) {
+        return hollow_room + lamps_in_room + "media { scattering { " + scattering + " } }";
+    };
+    const std::string cloud_box =
+        "box { <-2.8, 0.1, 0.5>, <2.5, 2.2, 2.5> hollow pigment { rgbt 1 } finish { diffuse 0 } "
+        "interior { media { ";
+    const Row rows[] = {
+        {"fog of all orders", fog("1, 0.15 multiple")},
+        {"coloured fog", fog("1, rgb <0.05, 0.2, 0.4> multiple")},
+        {"fog that absorbs", hollow_room + lamps_in_room +
+                                 "media { absorption <0.1, 0.02, 0.05> scattering { 1, 0.1 "
+                                 "multiple } }"},
+        {"haze", fog("2, 0.02")},
+        {"murk of all orders", fog("3, 0.1 multiple"), 90},
+        {"air", fog("4, rgb <0.05, 0.08, 0.12> multiple")},
+        {"forward", fog("5, 0.15 eccentricity 0.6 multiple")},
+        {"backward, once", fog("5, 0.04 eccentricity -0.4")},
+        {"once and repeatedly", hollow_room + lamps_in_room +
+                                    "media { scattering { 1, 0.02 } } media { scattering { 5, 0.1 "
+                                    "eccentricity 0.5 multiple } }"},
+        {"smoke with patterns",
+         hollow_room + lamps_in_room + "media { scattering { 1, 0.2 multiple } density { bozo } }"},
+        {"fog that glows a little", hollow_room + lamps_in_room +
+                                        "media { scattering { 1, 0.1 multiple } emission <0.02, "
+                                        "0.01, 0.03> }"},
+        {"a cloud in a box",
+         hollow_room + lamps_in_room + cloud_box + "scattering { 1, 0.4 multiple } } } }", 90},
+        {"a glowing cloud and black walls",
+         "box { <-3, 0, -3>, <3, 3, 3> hollow pigment { rgb 0 } }" + cloud_box +
+             "scattering { 1, 0.3 multiple } emission 1 } luminaire } } media { scattering { 1, "
+             "0.05 multiple } }",
+         90},
+        {"highlights and a mirror in fog",
+         fog("1, 0.1 multiple") +
+             "sphere { <1.2, 0.5, 0>, 0.5 pigment { rgb 0.6 } finish { specular 0.4 roughness "
+             "0.05 } } box { <2.8, 0.5, -2>, <2.9, 2.5, 2> pigment { rgb 0.2 } finish { "
+             "reflection 0.7 } }",
+         270},
+        {"a source in fog", hollow_room + "light_source { <1, 2, -1>, 1 } media { scattering { 5, "
+                                          "0.1 eccentricity 0.4 multiple } }"},
+        {"a source without interaction and one without attenuation in fog",
+         hollow_room + "light_source { <1, 2, -1>, 0.7 media_interaction off } light_source { <-1, "
+                       "2, -1>, 0.7 media_attenuation off } media { scattering { 1, 0.1 multiple } "
+                       "}"},
+        {"an area light in fog", hollow_room + "light_source { <1.2, 2.9, -1>, 1 area_light x, z, "
+                                               "4, 4 } media { scattering { 1, 0.1 multiple } }"},
+        {"a cloud under the sky",
+         "plane { y, 0 pigment { rgb 0.6 } } sky_sphere { pigment { gradient y color_map { [0 rgb "
+         "<0.9, 0.7, 0.5>] [1 rgb <0.2, 0.4, 0.9>] } } luminaire }" +
+             cloud_box + "scattering { 1, 0.3 multiple } } } }",
+         90},
+        {"fog beside fog of the old kind",
+         fog("1, 0.1 multiple") + "fog { distance 6 rgb <0.1, 0.2, 0.3> }"},
+        {"fog and photons",
+         fog("1, 0.05 multiple") +
+             "global_settings { photons { count 3000 media 10 } } light_source { <1, 2.5, -1>, 1 } "
+             "sphere { <0.9, 1.2, -0.8>, 0.5 pigment { rgbt <0.9, 1, 0.9, 0.95> } interior { ior "
+             "1.5 } photons { target refraction on } }",
+         200},
+    };
+    for (const Row& row : rows) check_same(row.name, row.scene, row.generations);
 }
 
 TEST_CASE("reflected light of sources and of the sky is what path tracing gives", "[transport]") {
@@ -174,7 +246,7 @@ TEST_CASE("reflected light of sources and of the sky is what path tracing gives"
         {"many sources",
          bare_room + "#for (I, 0, 149) light_source { <mod(I, 15) * 0.35 - 2.5, 2.5, floor(I / 15) "
                      "* 0.5 - 2.3>, 0.012 } #end"},
-        {"fog and a source", bare_room +
+        {"fog and a source", hollow_room +
                                  "light_source { <1, 2, -1>, 1 media_attenuation on } fog { "
                                  "distance 4 rgb <0.1, 0.2, 0.3> }"},
         {"photons through a glass and from a mirror",

@@ -20,5 +20,9 @@ inline const std::string lamps_in_room = R"(
 inline const std::string bare_room = R"(
     box { <-3, 0, -3>, <3, 3, 3> pigment { rgb <0.8, 0.7, 0.6> } }
     box { <-1, 0, 0>, <0, 1, 1> pigment { rgb <0.3, 0.4, 0.8> } } )";
+/// The same room with air in it, which may be foggy.
+inline const std::string hollow_room = R"(
+    box { <-3, 0, -3>, <3, 3, 3> hollow pigment { rgb <0.8, 0.7, 0.6> } }
+    box { <-1, 0, 0>, <0, 1, 1> pigment { rgb <0.3, 0.4, 0.8> } } )";
 
 }  // namespace candelabra
