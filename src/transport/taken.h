@@ -16,8 +16,8 @@ struct Taken {
     /// send there.
     bool from_targets = false;
     /// Reflected luminaires have taken the light of luminaires, light sources and a sky that is a
-    /// luminaire, as far as it reaches the ray by way of diffuse surfaces only, and of media if they
-    /// light these.
+    /// luminaire, as far as it reaches the ray by way of diffuse surfaces only, and of media if
+    /// they light these.
     bool by_reflected = false;
     /// Where the ray leaves a surface that reflected luminaires light, its cosine to the normal
     /// there, and 1 where it leaves such a medium: the next hit, or place in a medium, decides
@@ -40,8 +40,8 @@ struct Taken {
         from_targets = sampled && collects;
         by_photons = false;
     }
-    /// Something else than a diffuse surface, or a medium that reflected luminaires light, sends the
-    /// ray on.
+    /// Something else than a diffuse surface, or a medium that reflected luminaires light, sends
+    /// the ray on.
     void leave_diffuse_surfaces() {
         by_reflected = false;
         cosine = 0;
