@@ -118,7 +118,8 @@ SharedWorld Session::compile(Scene&& scene, Shutter shutter) {
                                  r.index,
                                  r.quality,
                                  settings_.remembers_objects,
-                                 settings_.follows_lamps};
+                                 settings_.follows_lamps,
+                                 settings_.instances};
     const ShutterScenes later{sources_, [this](double ahead) { return scene_at(ahead); }};
     return candelabra::compile(std::move(scene), options, diagnostics_,
                                shutter == Shutter::all_samples ? &later : nullptr);

@@ -8,6 +8,7 @@
 #include "scene/settings.h"
 #include "session/read_files.h"
 #include "text/made_files.h"
+#include "world/instance_plan.h"
 #include "world/world.h"
 
 #include <memory>
@@ -48,6 +49,7 @@ struct SessionSettings {
     bool shows_picture = true;       ///< review() warns of a picture that is stretched
     bool remembers_objects = false;  ///< records Provenance::object_of
     bool follows_lamps = false;      ///< keeps luminaires also if no surface shows their light
+    InstanceLimits instances = {};   ///< which unions are stored once
 };
 
 class Session {

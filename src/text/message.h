@@ -5,7 +5,6 @@
 // other texts for users. Strings are appended as they are, integers in decimal, and floating-point
 // numbers with the fewest digits that read back as the same number. Independent of the locale.
 // Booleans and enumerators do not compile, as they have no text of their own.
-// enumerators have no text of their own and do not compile.
 
 #include <array>
 #include <charconv>

@@ -23,6 +23,7 @@ Claims any_index(const Script&, Dice&);
 Claims with_reflected_luminaires(const Script&, Dice&);
 Claims photons_or_chance(const Script&, Dice&);
 Claims other_writing(const Script&, Dice&);
+Claims stored_once(const Script&, Dice&);
 Claims other_runs(const Script&, Dice&);
 Claims other_programs(const Script&, Dice&);
 Claims no_glaring_samples(const Script&, Dice&);
@@ -35,5 +36,6 @@ Script white_floor(Draft&);
 Script in_photons(Draft&);
 Script in_corner(Draft&);
 Script on_road(Draft&);
+Script with_copies(Draft&);
 
 }  // namespace candelabra::proof

@@ -22,7 +22,8 @@ RenderSettings settings_with(const Studio& studio, const std::vector<RunOption>&
 
 namespace {
 
-SessionSettings session_settings(const std::string& text, const RenderSettings& render) {
+SessionSettings session_settings(const Studio& studio, const std::string& text,
+                                 const RenderSettings& render) {
     const std::string root = CANDELABRA_SOURCE_DIR;
     SessionSettings session;
     session.source.text = text;
@@ -31,6 +32,7 @@ SessionSettings session_settings(const std::string& text, const RenderSettings& 
     session.source.library = {root + "/tests/conformance/pictures", root + "/stdlib/models",
                               root + "/tests/proof/models", root + "/tests/photometry/files"};
     session.render = render;
+    session.instances = studio.instances;
     session.evaluation.limits.steps = 1'000'000;
     session.notes_files = false;
     return session;
@@ -48,7 +50,7 @@ Prepared::Prepared(const Studio& studio, const std::string& text,
                    const std::vector<RunOption>& options) {
     const RenderSettings settings = settings_with(studio, options);
     Diagnostics diagnostics;
-    Session run(session_settings(text, settings), diagnostics);
+    Session run(session_settings(studio, text, settings), diagnostics);
     run.read();
     Scene scene = run.evaluate();
     if (!diagnostics.failed())
@@ -62,7 +64,7 @@ Prepared::Prepared(const Studio& studio, const std::string& text,
 std::optional<std::string> dumped(const Studio& studio, const std::string& text,
                                   const std::vector<RunOption>& options) {
     Diagnostics diagnostics;
-    Session run(session_settings(text, settings_with(studio, options)), diagnostics);
+    Session run(session_settings(studio, text, settings_with(studio, options)), diagnostics);
     run.read();
     const WrittenFunctions functions;
     const Scene scene = run.evaluate();

@@ -4,6 +4,7 @@
 
 #include "base/image.h"
 #include "proof/element.h"
+#include "world/instance_plan.h"
 
 #include <ctime>
 #include <memory>
@@ -37,6 +38,7 @@ struct Studio {
     /// that the first look may take.
     double seconds = 40, look_seconds = 4;
     int width = 24, height = 18;
+    InstanceLimits instances = {};  ///< which unions are stored once
 };
 
 /// A scene that is ready to be rendered again and again.

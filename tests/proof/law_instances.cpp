@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "proof/laws.h"
+
+#include <cmath>
+#include <limits>
+
+namespace candelabra::proof {
+
+namespace {
+
+/// Every union that stands in two places or more is stored once, if it looks alike there.
+const Studio& sharing() {
+    static const Studio studio = [] {
+        Studio made;
+        made.instances = {2, std::numeric_limits<std::size_t>::max(), 2};
+        return made;
+    }();
+    return studio;
+}
+
+/// A random number of few digits.
+std::string short_number(Dice& dice, double low, double high) {
+    return text_of(std::round(1000 * dice.between(low, high)) / 1000);
+}
+
+/// A part of the union in a colour of its own.
+Element plain(Element shape, Dice& dice, const std::string& glow = "") {
+    const std::string red = short_number(dice, 0, 1), green = short_number(dice, 0, 1);
+    shape.inner.push_back(words("pigment { rgb <" + red + ", " + green + ", 0.7> }"));
+    shape.inner.push_back(words("finish { diffuse 0.7 " + glow + "}"));
+    return shape;
+}
+
+/// A map for one of the places: a similarity, as lamps need, or any other one.
+std::string map_of_copy(Dice& dice) {
+    std::string map = "scale " + short_number(dice, 0.7, 1.3);
+    if (dice.chance(0.3)) {
+        const std::string tall = short_number(dice, 0.6, 1.5), shear = short_number(dice, -0.4, 0.4);
+        map =
+            "scale <1, " + tall + ", -1> matrix <1, " + shear + ", 0, 0, 1, 0, 0.2, 0, 1, 0, 0, 0>";
+    }
+    map += " rotate " + short_number(dice, -60, 60) + "*x rotate " + short_number(dice, 0, 360) + "*y";
+    for (const char* axis : {"x", "y", "z"}) {
+        const bool up = *axis == 'y';
+        map += " translate " + short_number(dice, up ? 0.3 : -1.5, 1.5) + "*" + axis;
+    }
+    return map;
+}
+
+}  // namespace
+
+/// A union that stands in some places, with lamps or without, beside all else.
+Script with_copies(Draft& draft) {
+    Script script = staged(draft);
+    Dice& dice = draft.dice;
+    std::vector<Element> parts = {plain(block("sphere", "0, 0.25"), dice),
+                                  plain(block("box", "<-0.3, -0.3, -0.1>, <0, 0, 0.1>"), dice)};
+    const std::string glow = "emission 2 ";
+    if (dice.chance(0.7))
+        parts.push_back(plain(block("sphere", "<0.1, 0.4, 0>, 0.06"), dice, glow));
+    if (dice.chance(0.4))
+        parts.push_back(plain(block("box", "<0.2, -0.3, 0>, <0.3, 0.1, 0.05>"), dice, glow));
+    if (dice.chance(0.5)) {
+        Element shape = draft.shape;
+        shape.inner.push_back(words("scale 0.5"));
+        parts.push_back(plain(shape, dice, dice.chance(0.3) ? glow : ""));
+    }
+    script.elements.push_back(needed(words("#declare Copied =")));
+    script.elements.push_back(needed(block("union", "", parts)));
+    for (std::size_t places = 2 + dice.below(4); places > 0; --places)
+        script.elements.push_back(block("object", "Copied " + map_of_copy(dice)));
+    return script;
+}
+
+Claims stored_once(const Script& script, Dice&) {
+    std::vector<Term> once = picture(script);
+    Term& term = once.front();
+    term.view = [text = term.text, options = term.options](const Prepared&, int samples, int seed,
+                                                           const Deadline& end) {
+        const Prepared shared(sharing(), text, options);
+        return shared.render(samples, seed, end);
+    };
+    return {same_mean("stored once = taken apart", once, picture(script))};
+}
+
+}  // namespace candelabra::proof
