@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Laws on some scenes with a fixed seed; run.sh goes on from there.
 #include "base/deep_stack.h"
+#include "proof/laws.h"
 #include "proof/runner.h"
+#include "world/shot.h"
 
 #include <catch2/catch.hpp>
 
@@ -26,6 +28,23 @@ TEST_CASE("laws hold on the first scenes of the generator", "[proof]") {
             CHECK(each.slow <= 2);
         }
     });
+}
+
+TEST_CASE("most scenes with unions in many places store them once", "[proof]") {
+    Studio sharing;
+    sharing.instances = {2, 1000, 2};
+    int shared = 0, with_lamps = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Draft draft = drafted(Row(factors().size(), 0), seed);
+        const Script script = with_copies(draft);
+        const Prepared scene(sharing, written(script), script.options);
+        REQUIRE(scene.trouble() == Trouble::none);
+        const World& world = *scene.shot().world;
+        shared += world.geometry.instances.empty() ? 0 : 1;
+        with_lamps += !world.geometry.instances.empty() && world.lights.glowing() > 0 ? 1 : 0;
+    }
+    CHECK(shared >= 15);
+    CHECK(with_lamps >= 5);
 }
 
 }  // namespace candelabra::proof
