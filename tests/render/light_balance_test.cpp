@@ -76,18 +76,22 @@ MeterValue lumens(const MeterValue& value) {
     return {units.lumens(value.value), units.lumens(value.error)};
 }
 
-/// The ends of all light in per cent, rounded to a half: enough to tell what is right.
-std::array<double, light_ends> ends_of(const LampBalance& lamps) {
-    std::array<double, light_ends> ends{};
-    for (std::size_t i = 0; i < light_ends; ++i)
-        ends[i] = std::round(200 * lamps.ends[i].value / lamps.sent.value) / 2;
-    return ends;
+/// Checks the ends of all light, in per cent.
+void check_ends(const LampBalance& lamps, const std::array<double, light_ends>& expected,
+                double margin) {
+    for (std::size_t i = 0; i < light_ends; ++i) {
+        CAPTURE(i);
+        CHECK(100 * lamps.ends[i].value / lamps.sent.value == Approx(expected[i]).margin(margin));
+    }
 }
 
 }  // namespace
 
 TEST_CASE("all light of luminaires ends where formulas say", "[render]") {
     const std::string floor = "plane { y, 0 finish { diffuse 0.5 } } ";
+    // The ball, of radius 0.5 and 2 above a floor, takes back these fractions of the light that a
+    // matt floor and a mirror reflect.
+    const double back = 0.25 / (4 * 2 * 2), mirrored = 0.25 / (4 * 4 * 4) * 2;
     struct Row {
         const char* name;
         std::string scene;
@@ -97,7 +101,7 @@ TEST_CASE("all light of luminaires ends where formulas say", "[render]") {
     // surfaces, air, above, above reflected, below, below reflected, unknown
     const Row rows[] = {
         {"nothing around", ball, of_ball, {0, 0, 50, 0, 50, 0, 0}},
-        {"above a floor", ball + floor, of_ball, {25, 0, 50, 25, 0, 0, 0}},
+        {"above a floor", ball + floor, of_ball, {25 + 25 * back, 0, 50, 25 - 25 * back, 0, 0, 0}},
         {"in a black box",
          ball + "box { <-3, 0, -3>, <3, 4, 3> }",
          of_ball,
@@ -109,7 +113,7 @@ TEST_CASE("all light of luminaires ends where formulas say", "[render]") {
         {"over a mirror",
          ball + "plane { y, 0 finish { reflection 0.6 } }",
          of_ball,
-         {20, 0, 50, 30, 0, 0, 0}},
+         {20 + 30 * mirrored, 0, 50, 30 - 30 * mirrored, 0, 0, 0}},
         {"in a globe of clear glass",
          ball + "sphere { 2*y, 1 pigment { rgbt 1 } interior { ior 1 } }",
          of_ball,
@@ -147,7 +151,7 @@ TEST_CASE("all light of luminaires ends where formulas say", "[render]") {
         CAPTURE(row.name);
         CHECK(found.reached);
         CHECK(found.all.sent.value == Approx(row.sent).epsilon(0.003));
-        CHECK(ends_of(found.all) == row.ends);
+        check_ends(found.all, row.ends, 0.25);
     }
 }
 
@@ -381,7 +385,7 @@ TEST_CASE("light sources send the flux that they state", "[render]") {
         const MeterValue sent = lumens(found.all.sent);
         CAPTURE(row.scene, sent.error);
         CHECK(std::abs(sent.value - row.sent) < 0.003 * row.sent + 1.5 * sent.error);
-        CHECK(ends_of(found.all) == row.ends);
+        check_ends(found.all, row.ends, 0.5);
         CHECK(found.all.lamps == row.lamps);
     }
 }

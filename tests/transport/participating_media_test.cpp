@@ -290,7 +290,8 @@ TEST_CASE("media get the light of sources, luminaires and the sky by one draw", 
                       thin = "media { scattering { 1, 0.05 } } ",
                       cloud = "media { scattering { 5, 0.1 eccentricity 0.3 } density { bozo } } ";
     for (const std::string& more : {thin, cloud, thin + sky})
-        for (const std::string integrator : {"", "integrator { path_traced { bounces 1 } }"}) {
+        for (const std::string integrator :
+             {"", "integrator { path_traced { bounces 1 reflected_luminaires 0 } }"}) {
             const auto seen = [&](const std::string& sampler, std::uint32_t count) {
                 return mean_seen("#version 3.7; " + lamps + more + "global_settings { " +
                                      integrator + " light_sampler { " + sampler + " } } ",
