@@ -146,11 +146,12 @@ Factor luminaires() {
                           "-9, 9 hollow pigment { rgb 1 transmit 1 } finish { diffuse 0 } interior "
                           "{ media { emission @0.05@ absorption 0.05 } $luminaire$ }",
                           dims | lengths | endless));
+    // It is no luminaire, so it lights a surface only by paths that meet it.
     levels.push_back(lamp("medium without bounds", "sphere",
                           "0, 0.6 inverse hollow pigment { rgb 1 transmit 1 } finish { diffuse 0 } "
                           "interior { media { emission @0.1@ absorption 0.1 } $luminaire$ } " +
                               place,
-                          dims | lengths | endless));
+                          dims | lengths | endless | veils));
     levels.push_back(
         lamp("hidden from the camera", "sphere", "0, 0.7 no_image " + glow + place, hides));
     levels.push_back(
