@@ -19,7 +19,8 @@ const ItemInfo Scattering::vocabulary = described<Scattering>([] {
          "media { scattering { 1, 0.05 multiple } }"},
         F{"type", &Scattering::type, positional,
           "1: to all sides, 2: haze, 3: murky air, 4: as the sky does (Rayleigh), 5: by its "
-          "eccentricity (Henyey and Greenstein)"},
+          "eccentricity (Henyey and Greenstein)",
+          between(1, 5)},
         F{"colour", &Scattering::colour, positional,
           "light that is scattered along one unit of length"},
         F{"extinction", &Scattering::extinction, item,

@@ -19,10 +19,10 @@ bool scatters(std::span<const Media> media) {
     return std::ranges::any_of(media, [](const Media& each) { return each.scatters(); });
 }
 
+/// Whether media scatter light alike in all directions.
 bool is_even(const Media& media) {
-    return !media.scatters() || media.scattering.type == static_cast<int>(PhaseKind::isotropic) ||
-           media.scattering.type < static_cast<int>(PhaseKind::isotropic) ||
-           media.scattering.type > static_cast<int>(PhaseKind::henyey_greenstein);
+    return !media.scatters() ||
+           static_cast<PhaseKind>(media.scattering.type) == PhaseKind::isotropic;
 }
 
 /// Places about the point of a line that is nearest to a centre: their density falls with the
