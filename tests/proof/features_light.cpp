@@ -212,6 +212,12 @@ Factor light_sources() {
                           if (std::ranges::any_of(light.inner, has("intensity")) ||
                               std::ranges::any_of(light.inner, has("flux")))
                               std::erase_if(light.inner, has("fade_"));
+                          // They are the light's amount, and its colour is none then.
+                          for (Element& each : light.inner)
+                              for (const std::string word : {"intensity ", "flux "})
+                                  if (each.values.starts_with(word))
+                                      each.values =
+                                          word + "@" + each.values.substr(word.size()) + "@";
                           add_lamp(draft, std::move(light));
                       }});
     return factor;

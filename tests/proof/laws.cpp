@@ -18,8 +18,9 @@ const std::vector<Law>& laws() {
          staged, receiving},
         {"chance", "A lamp that is sampled gives what it gives if it is found by chance.",
          hides | refracts | photon_light | gathers | tiny_light, staged, found_by_chance},
+        // As in POV-Ray, air dims a source's light also where a solid keeps the air out.
         {"point", "A fading light source gives what a tiny ball of its power gives.",
-         fogs | photon_light | gathers, staged, point_or_ball},
+         fogs | photon_light | gathers | endless, staged, point_or_ball},
         {"furnace", "What is white, or glows as much as it takes, is not seen before white.",
          gains | glows | sources | dims | bends | hides | photon_light | gathers | aside | moves |
              nonlinear,
