@@ -83,8 +83,8 @@ struct PointLight : WebPlace {
 Vec3 axis_of(const PointLight&);
 
 /// Gives a light with a stated intensity or flux the colour and the fading that follow. Other
-/// lights stay. A light without a colour is white. Returns an error as a sentence, or an empty
-/// string.
+/// lights stay. A black light becomes white, as it has no colour. Returns an error as a sentence,
+/// or an empty string.
 std::string measure(PointLight&);
 
 /// Prepares a light that does not change any more, so that it is evaluated faster.

@@ -117,7 +117,11 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     placed.light.fades_from_source = modern;
     load_web(block, placed.light);
     if (block.broken) return std::nullopt;
-    if (std::string wrong = measure(placed.light); !wrong.empty())
+    // A light without a colour is white, but one that is stated as black is off.
+    PointLight& light = placed.light;
+    if (light.is_measured() && fields.positional_given() > 1 && light.colour == Rgb(0))
+        (light.intensity ? light.intensity : light.flux) = 0.0;
+    if (std::string wrong = measure(light); !wrong.empty())
         block.report(
             error(Fault::misplaced, element.word_span, std::move(wrong))
                 .with_help("light_source { 2*y rgb kelvin(2700) intensity candela(1000) }"));

@@ -63,9 +63,12 @@ TEST_CASE("the flux of a spotlight fills its cone", "[objects]") {
 }
 
 TEST_CASE("a light may be dimmed to nothing", "[objects]") {
-    for (const char* words : {"intensity 0", "flux 0"}) {
-        const Script done =
-            run(std::string("#version 3.7; light_source { 0, rgb 1 ") + words + " }");
+    for (const char* light :
+         {"light_source { 0, rgb 1 intensity 0 }", "light_source { 0, rgb 1 flux 0 }",
+          "light_source { 0, rgb 0 intensity 5 }", "light_source { 0, 0 flux 5 }",
+          "#declare L = light_source { 0, rgb 0 flux 5 } light_source { L translate y }"}) {
+        CAPTURE(light);
+        const Script done = run(std::string("#version 3.7; ") + light);
         REQUIRE(done.text.empty());
         CHECK(done.scene.lights.at(0).light.colour == Rgb(0));
     }
