@@ -132,6 +132,10 @@ struct Key {
     }
 };
 
+/// The greatest number below 1: numbers in [0, 1) that are divided among choices and used again may
+/// be rounded up to 1.
+inline constexpr double below_1 = 1 - 0x1p-53;
+
 /// Uniform in [0, 1), a multiple of 2^-53.
 double uniform(const Key&, Purpose);
 

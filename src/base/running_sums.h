@@ -3,6 +3,8 @@
 // of a screen or of a mesh: by their prefix sums or, where they are used once, by the weights.
 #pragma once
 
+#include "base/random.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -24,7 +26,7 @@ DrawnShare drawn_share(std::span<const Sum> sums, double u) {
     while (above != sums.begin() && above[-1] == above[0]) --above;
     const double before = above == sums.begin() ? 0.0 : static_cast<double>(above[-1]);
     const double within = (at - before) / (static_cast<double>(*above) - before);
-    return {static_cast<std::size_t>(above - sums.begin()), std::clamp(within, 0.0, 1 - 0x1p-53)};
+    return {static_cast<std::size_t>(above - sums.begin()), std::clamp(within, 0.0, below_1)};
 }
 
 template <class Sum>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/weighted_index.h"
 
+#include "base/random.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -42,6 +44,11 @@ std::uint32_t WeightedIndex::at(std::uint64_t slot) const {
 std::uint32_t WeightedIndex::at_share(double u) const {
     const auto slot = static_cast<std::uint64_t>(u * static_cast<double>(total()));
     return at(std::min(slot, total() - 1));
+}
+
+double WeightedIndex::within(std::uint32_t i, double u) const {
+    const double slots = u * static_cast<double>(total()) - static_cast<double>(before(i));
+    return std::clamp(slots / static_cast<double>(of(i)), 0.0, below_1);
 }
 
 std::size_t WeightedIndex::memory_bytes() const {

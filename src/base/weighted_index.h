@@ -29,6 +29,9 @@ public:
     /// Returns the element that takes that fraction of the slots, in [0, 1): one drawn by its
     /// weight for a random number. Precondition: total() is above 0.
     std::uint32_t at_share(double u) const;
+    /// Where that fraction lies within the slots of its element i: a number in [0, 1) that is left
+    /// of the random one.
+    double within(std::uint32_t i, double u) const;
     /// Fraction of the slots that the element takes: its probability.
     double share_of(std::uint32_t i) const {
         return static_cast<double>(of(i)) / static_cast<double>(total());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cluster_descent.h"
 
+#include "base/random.h"
 #include "lighting/draw.h"
 #include "lighting/tuning.h"
 
@@ -67,7 +68,7 @@ DrawnMember member_of(const LightTree& tree, LightCluster c, const Receiver& poi
         const double share = halves->share;
         const bool first = u < share;
         u = first ? u / share : (u - share) / (1 - share);
-        u = std::fmin(u, 1 - 0x1p-53);
+        u = std::fmin(u, below_1);
         const double step = first ? share : 1 - share;
         probability *= step;
         since_fresh *= step;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_bvh.h"
 
+#include "base/random.h"
 #include "lighting/draw.h"
 #include "lighting/tuning.h"
 #include "luminaire/light_proxy.h"
@@ -70,7 +71,7 @@ void BuiltLightBvh::choose(const Receiver& point, const Key& key, LightPicks& pi
         const double share = weight1 / sum;
         const bool left = weight2 == 0 || u < share;
         u = left ? u / share : (u - share) / (1 - share);
-        u = std::fmin(u, 1 - 0x1p-53);
+        u = std::fmin(u, below_1);
         const double step = left ? share : weight2 / sum;
         probability *= step;
         since_fresh *= step;

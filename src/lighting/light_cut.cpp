@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cut.h"
 
+#include "base/random.h"
 #include "base/running_sums.h"
 #include "base/target_clones.h"
 #include "lighting/tuning.h"
@@ -404,7 +405,7 @@ std::size_t LightCut::find(const CutWeights& weights, double& target) const {
     if (!part.passed) target = std::numeric_limits<double>::infinity();
     const ChosenWeight entry =
         choose(std::span(weights.weight).subspan(part.index * block, block), target);
-    if (!entry.passed) target = entry.weight * (1 - 0x1p-53);
+    if (!entry.passed) target = entry.weight * below_1;
     return part.index * block + entry.index;
 }
 

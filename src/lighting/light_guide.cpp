@@ -3,6 +3,7 @@
 
 #include "base/circle.h"
 #include "base/elementary.h"
+#include "base/random.h"
 #include "base/running_sums.h"
 #include "base/target_clones.h"
 #include "lighting/survey_draw.h"
@@ -77,7 +78,7 @@ void weigh_rings(const float* light, const Compass& c, const RingViews& views, f
 template <class Weight>
 std::size_t find(std::span<const Weight> weights, double& target) {
     const ChosenWeight found = choose(weights, target);
-    target = found.passed ? target / found.weight : 1 - 0x1p-53;
+    target = found.passed ? target / found.weight : below_1;
     return found.index;
 }
 

@@ -17,8 +17,6 @@ namespace {
 /// intensities apart well.
 constexpr double wide_range = 0x1p-40;
 
-constexpr double below_1 = 1 - 0x1p-53;
-
 using Float3 = std::array<float, 3>;
 
 /// A luminaire that is to be placed in the tree.

@@ -76,6 +76,8 @@ public:
     double share(const LightCluster&, std::uint32_t place) const;
     std::uint32_t draw(const LightCluster&, double u) const;
     bool dark(const LightCluster&) const;
+    /// Sum of the luminaires' intensities: see LightBounds.
+    double intensity(const LightCluster&) const;
 
     /// Calls visit(LightIndex) for all luminaires whose box the ray may hit, in any order.
     template <class Visit>
@@ -104,7 +106,6 @@ private:
 
     std::uint64_t strength_before(const LightCluster&) const;
     std::uint64_t strength(const LightCluster&) const;
-    double intensity(const LightCluster&) const;
 
     std::vector<LightTreeNode> nodes_;  ///< depth first
     std::vector<Falloff> falloffs_;     ///< of the nodes below one whose lights all have one

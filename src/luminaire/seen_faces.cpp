@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/seen_faces.h"
 
+#include "base/random.h"
+
 #include <cmath>
 
 namespace candelabra {
@@ -50,7 +52,7 @@ std::optional<SeenFaces::Drawn> SeenFaces::draw(Vec2 u) const {
         if (u.x < share_[face]) break;
         u.x -= share_[face];
     }
-    u.x = std::fmin(u.x / share_[last], 1 - 0x1p-53);
+    u.x = std::fmin(u.x / share_[last], below_1);
     auto point = face_[last]->draw(u);
     if (!point) return {};
     point->density *= share_[last];

@@ -2,6 +2,7 @@
 #include "luminaire/volume.h"
 
 #include "base/circle.h"
+#include "base/random.h"
 #include "base/ray.h"
 #include "luminaire/light_proxy.h"
 
@@ -123,7 +124,7 @@ std::size_t EmissionGrid::draw(double& u) const {
         static_cast<std::size_t>(std::ranges::upper_bound(until_, u) - until_.begin());
     const std::size_t cell = std::min(found, count - 1);
     const double before = cell == 0 ? 0 : until_[cell - 1];
-    u = std::clamp((u - before) / chance(cell), 0.0, 1 - 0x1p-53);
+    u = std::clamp((u - before) / chance(cell), 0.0, below_1);
     return cell;
 }
 

@@ -270,10 +270,7 @@ LightBalance balance_of_light(const Shot& shot, const BalanceSettings& settings)
     LightBalance result;
     std::uint32_t done = 0;
     // The number of lamps of each statement.
-    std::vector<std::size_t> lamps(provenance.light_statements.size(), 0);
-    for (const std::uint32_t statement : provenance.statement_of_luminaire) ++lamps[statement];
-    for (const Provenance::PlacedLights& placed : provenance.statement_of_placed)
-        lamps[placed.statement] += placed.count;
+    std::vector<std::size_t> lamps = provenance.luminaires_of_statements();
     for (std::uint32_t i = 0; i < provenance.statement_of_light.size(); ++i)
         if (sends_flux(*shot.world, i)) ++lamps[provenance.statement_of_light[i]];
     const std::size_t all = std::accumulate(lamps.begin(), lamps.end(), std::size_t{0});

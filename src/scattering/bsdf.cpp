@@ -5,6 +5,7 @@
 #include "base/colour.h"
 #include "base/cosine_direction.h"
 #include "base/elementary.h"
+#include "base/random.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
 #include "scattering/real_surface.h"
@@ -117,7 +118,7 @@ std::optional<Vec3> Bsdf::sample_diffuse(Vec2 u) const {
     const bool behind = u.x >= front;
     u.x = behind ? (u.x - front) / (1 - front) : u.x / front;
     const Vec3 direction = cosine_direction(behind ? -shading_.normal : shading_.normal,
-                                            {std::fmin(u.x, 1 - 0x1p-53), u.y});
+                                            {std::fmin(u.x, below_1), u.y});
     return counts(direction) ? std::optional(direction) : std::nullopt;
 }
 
@@ -162,7 +163,7 @@ std::optional<Vec3> Bsdf::sample(Vec2 u) const {
         }
         u.x -= lobe.share;
     }
-    return sample_diffuse({std::fmin(u.x / (1 - specular_probability_), 1 - 0x1p-53), u.y});
+    return sample_diffuse({std::fmin(u.x / (1 - specular_probability_), below_1), u.y});
 }
 
 double Bsdf::pdf(const Vec3& direction) const {

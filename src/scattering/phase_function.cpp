@@ -2,6 +2,7 @@
 #include "scattering/phase_function.h"
 
 #include "base/elementary.h"
+#include "base/random.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ PhaseFunction::PhaseFunction(MediaView media, const Vec3& position, const Vec3& 
 Rgb PhaseFunction::evaluate(const Vec3& to_light) const {
     const double cosine = dot(view_, to_light);
     Rgb sum(0);
-    for (const Part& part : parts_) sum += part.coefficient * phase(*part.scattering, cosine);
+    for (const Part& part : parts_) sum += part.evaluate(cosine);
     return sum;
 }
 
@@ -85,19 +86,18 @@ double PhaseFunction::Part::pdf(double cosine) const {
     return phase(*scattering, cosine) / (4 * pi * mean_phase(*scattering));
 }
 
-const PhaseFunction::Part& PhaseFunction::part(double u) const {
+const PhaseFunction::Part& PhaseFunction::chosen(double& u) const {
     std::size_t number = 0;
     while (number + 1 < parts_.size() && u >= parts_[number].share) u -= parts_[number++].share;
+    u = std::fmin(u / parts_[number].share, below_1);
     return parts_[number];
 }
 
+const PhaseFunction::Part& PhaseFunction::part(double u) const { return chosen(u); }
+
 Vec3 PhaseFunction::sample(Vec2 u) const {
-    std::size_t number = 0;
-    while (number + 1 < parts_.size() && u.x >= parts_[number].share) u.x -= parts_[number++].share;
-    const Part* chosen = &parts_[number];
-    u.x = std::fmin(u.x / chosen->share, 1 - 0x1p-53);
-    const double cosine = drawn_cosine(*chosen->scattering, u.x);
-    return turned_from(view_, cosine, 2 * pi * u.y);
+    const Part& part = chosen(u.x);
+    return turned_from(view_, part.draw_cosine(u.x), 2 * pi * u.y);
 }
 
 double PhaseFunction::pdf(const Vec3& direction) const {

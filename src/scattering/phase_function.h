@@ -57,6 +57,9 @@ public:
     bool collects() const { return collects_; }  ///< see collects_photons()
 
 private:
+    /// The same as part(); the number becomes its place within the part's share, in [0, 1).
+    const Part& chosen(double& u) const;
+
     Vec3 position_, view_;
     ShortList<Part, 4> parts_;
     double total_ = 0, multiple_ = 0;

@@ -3,6 +3,7 @@
 
 #include "base/circle.h"
 #include "base/elementary.h"
+#include "base/random.h"
 #include "shape/mesh_area.h"
 
 #include <numbers>
@@ -27,7 +28,7 @@ std::size_t choose_part(const std::array<double, N>& areas, double& x) {
         if (rest < areas[i]) break;
         rest -= areas[i];
     }
-    x = std::fmin(rest / areas[last], 1 - 0x1p-53);
+    x = std::fmin(rest / areas[last], below_1);
     return last;
 }
 

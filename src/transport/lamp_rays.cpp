@@ -17,8 +17,6 @@ namespace {
 /// Ray tolerance of a path that leaves a luminaire, as a fraction of the luminaire's radius.
 constexpr double off_its_lamp = 1e-7;
 
-constexpr double below_1 = 1 - 0x1p-53;
-
 /// Of all luminaires that belong to no instance, then of all luminaires of each instance, then of
 /// the boxes of media.
 std::vector<double> intensities(const WorldLights& lights) {
@@ -28,7 +26,8 @@ std::vector<double> intensities(const WorldLights& lights) {
     for (const Luminaire& luminaire : luminaires.own()) all.push_back(bounds(luminaire).intensity);
     for (const PlacedLuminaires& placed : luminaires.placed()) {
         const double scale = placed.place->uniform_scale();
-        all.push_back(scale * scale * placed.prototype->intensity);
+        const LightTree& tree = placed.prototype->lights;
+        all.push_back(scale * scale * tree.intensity(tree.root()));
     }
     for (const MediaBox& box : lights.media) all.push_back(bounds(box).intensity);
     return all;
@@ -69,11 +68,8 @@ std::optional<LampRay> LampRays::draw(const Key& key, double choice, double shar
     } else if (light >= own) {
         // The rest of the number chooses among those of the instance.
         const PlacedLuminaires& among = all.placed()[light - own];
-        const double slots = choice * static_cast<double>(places_.total());
-        const double rest = (slots - static_cast<double>(places_.before(light))) /
-                            static_cast<double>(places_.of(light));
         const LightTree& tree = among.prototype->lights;
-        const std::uint32_t place = tree.draw(tree.root(), std::clamp(rest, 0.0, below_1));
+        const std::uint32_t place = tree.draw(tree.root(), places_.within(light, choice));
         chance *= tree.share(tree.root(), place);
         light = among.first + tree.light(place);
     }

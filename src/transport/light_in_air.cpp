@@ -74,10 +74,7 @@ bool lamps_light_air(const World& world) {
     const auto glows = [](const Media& media) {
         return media.emission != Rgb(0) && !media.luminaire;
     };
-    const Sky& sky = world.sky;
-    if (sky.light.empty() && (sky.sphere || sky.daylight || sky.background.radiance() != Rgb(0)))
-        return false;
-    return std::ranges::none_of(sky.media, glows) &&
+    return !world.facts.has_other_sky && std::ranges::none_of(world.sky.media, glows) &&
            std::ranges::none_of(world.appearance.materials, [&](const Material& material) {
                return material.interior && std::ranges::any_of(material.interior->media, glows);
            });

@@ -166,9 +166,9 @@ std::optional<LightPaths::Lit> LightPaths::in_air(const PathState& path, double 
 }
 
 /// Follows light from surface to surface on a straight line. at_surface(path, vertex) returns
-/// whether the line goes on behind the vertex. in_air(lit) is called for places between surfaces.
-template <class InAir, class AtSurface>
-void LightPaths::walk(PathState path, const InAir& at_place, const AtSurface& at_surface) const {
+/// whether the line goes on behind the vertex. at_place(lit) is called for places between surfaces.
+template <class AtPlace, class AtSurface>
+void LightPaths::walk(PathState path, const AtPlace& at_place, const AtSurface& at_surface) const {
     const Key key = path.key;
     for (int met = 0; met < max_surfaces_along; ++met) {
         path.key = key.branched(Branch::light_path, static_cast<std::uint32_t>(met));

@@ -75,8 +75,8 @@ private:
     void from_luminaire(const Key&, double choice, double share, Found&) const;
     void from_source(const SourceRays::Drawn&, const Key&, double share, Found&) const;
     void from_sky(const SkyRays::Drawn&, const Key&, double share, Found&) const;
-    template <class InAir, class AtSurface>
-    void walk(PathState, const InAir&, const AtSurface&) const;
+    template <class AtPlace, class AtSurface>
+    void walk(PathState, const AtPlace&, const AtSurface&) const;
     PathState start(const Key&, const Ray&) const;
     void go_on(Lit, Found&) const;
     void leave(const Lit&, Found&) const;

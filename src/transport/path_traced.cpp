@@ -36,11 +36,9 @@ PathTracedIntegrator::PathTracedIntegrator(const Shot& shot, const Tracing& want
       ledger_(empty_ledger(world_, wanted.counts_lights, wanted.keeps_lamps)),
       max_bounces_(std::get<PathTraced>(world_.rules.settings.integrator).bounces),
       in_air_(reflected_.in_air()),
-      others_(in_air_ ? world_.appearance.any_other_light || !lamps_light_air(world_)
-                      : world_.facts.has_other_light),
-      chance_of_covered_((in_air_ ? lamps_light_air(world_) : world_.facts.is_lit_by_lamps_only)
-                             ? chance_of_shine
-                             : 1) {}
+      lamps_only_(in_air_ ? lamps_light_air(world_) : world_.facts.is_lit_by_lamps_only),
+      others_(world_.appearance.any_other_light || !lamps_only_),
+      chance_of_covered_(lamps_only_ ? chance_of_shine : 1) {}
 
 Rgb PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = begin(ray, key);

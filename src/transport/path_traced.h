@@ -67,6 +67,7 @@ private:
     bool divided_ = false;  ///< the path has met a medium that could scatter it
     int max_bounces_;
     bool in_air_;               ///< reflected luminaires light media as well
+    bool lamps_only_;           ///< all light is that of lamps for which they can stand
     bool others_;               ///< there is light that reflected luminaires do not stand for
     double chance_of_covered_;  ///< see ends_covered()
 };

@@ -11,9 +11,6 @@ namespace candelabra {
 namespace {
 
 constexpr double guided = 0.5;
-/// The greatest number below 1.
-constexpr double below_one = 1 - 0x1p-53;
-
 }  // namespace
 
 double StartTrials::sum() const { return std::accumulate(worth_.begin(), worth_.end(), 0.0); }
@@ -30,12 +27,11 @@ StartGuide::StartGuide(const StartTrials& trials) {
 
 StartGuide::Drawn StartGuide::draw(const Vec2& u) const {
     if (cells_.size() == 0) return {u, 1};
-    const double total = static_cast<double>(cells_.total()), place = u.x * total;
+    const double total = static_cast<double>(cells_.total());
     const std::uint32_t cell = cells_.at_share(u.x);
     const double of_cell = static_cast<double>(cells_.of(cell));
-    const double inside =
-        std::clamp((place - static_cast<double>(cells_.before(cell))) / of_cell, 0.0, below_one);
-    return {StartTrials::place(cell, {inside, u.y}), total / (of_cell * StartTrials::cells)};
+    return {StartTrials::place(cell, {cells_.within(cell, u.x), u.y}),
+            total / (of_cell * StartTrials::cells)};
 }
 
 }  // namespace candelabra

@@ -156,9 +156,7 @@ void build_prototype_lights(World& world, int threads) {
     if (world.lights.luminaires.placed().empty()) return;
     for (const auto& prototype : world.geometry.prototypes) {
         for (const Luminaire& luminaire : prototype->luminaires) {
-            const LightBounds all = bounds(luminaire);
-            prototype->intensity += all.intensity;
-            prototype->luminance = std::max(prototype->luminance, all.luminance);
+            prototype->luminance = std::max(prototype->luminance, bounds(luminaire).luminance);
         }
         prototype->lights = LightTree(LuminaireChoices(prototype->luminaires), threads);
     }

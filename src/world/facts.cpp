@@ -29,9 +29,10 @@ void answer_about_light(const World& world, WorldFacts& facts) {
     facts.has_indirect_light = facts.gathers_light || path_traced;
     facts.keeps_energy = path_traced;
     const Sky& sky = world.sky;
-    const bool other_sky =
+    facts.has_other_sky =
         sky.light.empty() && (sky.sphere || sky.daylight || sky.background.radiance() != Rgb(0));
-    facts.is_lit_by_lamps_only = !other_sky && !facts.dims_between && world.photon_targets.empty();
+    facts.is_lit_by_lamps_only =
+        !facts.has_other_sky && !facts.dims_between && world.photon_targets.empty();
     facts.has_other_light = world.appearance.any_other_light || !facts.is_lit_by_lamps_only;
 }
 

@@ -25,7 +25,9 @@ struct WorldFacts {
     /// Surfaces with `conserve_energy` take what they reflect from all other light: only from what
     /// is seen behind them otherwise, as in POV-Ray.
     bool keeps_energy = false;
-    /// There is no sky that may shine without being a luminaire, no air or media, and no photons.
+    /// There is a sky that may shine without being a luminaire.
+    bool has_other_sky = false;
+    /// There is no such sky, no air or media, and no photons.
     bool is_lit_by_lamps_only = false;
     /// Surfaces receive other light than that of luminaires, light sources and such a sky by way of
     /// diffuse surfaces.

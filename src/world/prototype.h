@@ -26,7 +26,6 @@ struct Prototype {
     /// Per primitive: index in luminaires, or no_primitive; empty if there are none.
     std::vector<std::uint32_t> luminaire_of;
     LightTree lights;              ///< of the luminaires
-    double intensity = 0;          ///< of all luminaires: see LightBounds
     double luminance = 0;          ///< of the brightest of them
     std::size_t object_count = 0;  ///< as the scene counts them
 };

@@ -64,13 +64,18 @@ struct Provenance {
             std::ranges::upper_bound(statement_of_placed, light, {}, &PlacedLights::first);
         return (after - 1)->statement;
     }
-    /// The number of luminaires and light sources of each statement.
-    std::vector<std::size_t> lights_of_statements() const {
+    /// The number of luminaires, with boxes of media, of each statement.
+    std::vector<std::size_t> luminaires_of_statements() const {
         std::vector<std::size_t> counts(light_statements.size());
-        for (const auto* lights : {&statement_of_luminaire, &statement_of_light})
-            for (const std::uint32_t statement : *lights) ++counts[statement];
+        for (const std::uint32_t statement : statement_of_luminaire) ++counts[statement];
         for (const PlacedLights& placed : statement_of_placed)
             counts[placed.statement] += placed.count;
+        return counts;
+    }
+    /// The number of luminaires and light sources of each statement.
+    std::vector<std::size_t> lights_of_statements() const {
+        std::vector<std::size_t> counts = luminaires_of_statements();
+        for (const std::uint32_t statement : statement_of_light) ++counts[statement];
         return counts;
     }
 };

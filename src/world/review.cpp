@@ -75,12 +75,14 @@ private:
             const auto& light = placed.light;
             return light.shadowless || (!light.along_axis() && surrounds(object, light.location));
         };
-        bool within = false;
-        world_.lights.for_each_glowing(
-            [&](const auto& each) { within = within || surrounds(object, bounds(each).centre); });
+        const auto within = [&](const auto& each) {
+            return surrounds(object, bounds(each).centre);
+        };
         const bool lit = !scene_.lights.empty() || world_.lights.any_glowing() ||
                          world_.sky.sphere || world_.sky.daylight;
-        return lit && std::ranges::none_of(scene_.lights, reaches) && !within;
+        return lit && std::ranges::none_of(scene_.lights, reaches) &&
+               !world_.lights.luminaires.any_of(within) &&
+               std::ranges::none_of(world_.lights.media, within);
     }
 
     /// A quick test that excludes most objects.

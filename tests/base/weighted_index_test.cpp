@@ -7,21 +7,10 @@
 
 namespace candelabra {
 
-namespace {
-
-std::vector<double> weights(std::size_t count, Draw& draw) {
-    std::vector<double> result;
-    for (std::size_t i = 0; i < count; ++i)
-        result.push_back(draw.number() < 0.1 ? 0 : std::pow(10, draw.between(-30, 30)));
-    return result;
-}
-
-}  // namespace
-
 TEST_CASE("each place belongs to one element, and each with a weight has places", "[base]") {
     Draw draw(1);
     for (const std::size_t count : {1u, 2u, 10u, 5000u, 100000u}) {
-        std::vector<double> given = weights(count, draw);
+        std::vector<double> given = draw.weights(count);
         given[0] = 1;
         const WeightedIndex places(given);
         CHECK(places.size() == count);
@@ -46,6 +35,10 @@ TEST_CASE("places are in proportion to the weights", "[base]") {
     CHECK(share(0) == Approx(0.125));
     CHECK(share(3) == Approx(0.625));
     CHECK(places.of(2) == 0);
+    CHECK(places.at_share(0.5) == 3);
+    CHECK(places.within(3, 0.5) == Approx(0.2));
+    CHECK(places.within(3, 0.3) == 0);
+    CHECK(places.within(0, 0.2) < 1);
     CHECK(WeightedIndex(std::vector<double>{0, 0}).total() == 0);
     CHECK(WeightedIndex(std::vector<double>{1e-300, 1e200}).of(0) == 1);
 }

@@ -7,21 +7,10 @@
 
 namespace candelabra {
 
-namespace {
-
-std::vector<double> intensities(std::size_t count, Draw& draw) {
-    std::vector<double> result;
-    for (std::size_t i = 0; i < count; ++i)
-        result.push_back(draw.number() < 0.1 ? 0 : std::pow(10, draw.between(-30, 30)));
-    return result;
-}
-
-}  // namespace
-
 TEST_CASE("a dim set is what a list leaves, without gaps and without the list", "[lighting]") {
     Draw draw(2);
     for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
-        const WeightedIndex places(intensities(200, draw));
+        const WeightedIndex places(draw.weights(200));
         std::vector<LightIndex> bright, dim;
         for (LightIndex light = 0; light < 200; ++light)
             (draw.number() < share ? bright : dim).push_back(light);

@@ -9,8 +9,9 @@ namespace candelabra::proof {
 
 namespace {
 
-/// What a sample has to be, in means of the others of its pixel, to be seen as an error of its own.
-constexpr double glaring = 225;
+/// What a sample has to be, in means of the others of its pixel, to be seen as an error of its own:
+/// 50 times the mean of 128 samples that it is one of.
+constexpr double glaring = 50 * 127.0 / (128 - 50);
 /// Glaring samples in a picture that chance may bring.
 constexpr int by_chance = 10;
 /// Samples of a first look, which goes on where one way has more glaring ones; and of all.

@@ -5,7 +5,10 @@
 #include "base/random.h"
 #include "base/vector.h"
 
+#include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <vector>
 
 namespace candelabra {
 
@@ -28,6 +31,14 @@ public:
     Vec3 direction() {
         const double z = between(-1, 1), angle = between(0, 2 * std::numbers::pi);
         return {std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z};
+    }
+
+    /// Weights of any range, some of them 0.
+    std::vector<double> weights(std::size_t count) {
+        std::vector<double> result;
+        for (std::size_t i = 0; i < count; ++i)
+            result.push_back(number() < 0.1 ? 0 : std::pow(10, between(-30, 30)));
+        return result;
     }
 
 private:
