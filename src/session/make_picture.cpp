@@ -22,12 +22,10 @@ public:
         if (!goes_on() || !there) return {};
         Scene scene = session_.evaluate();
         if (!goes_on()) return {};
-        session_.review(scene);
-        if (!goes_on()) return {};
         Picture picture;
         picture.gamma = scene.settings.assumed_gamma;
         picture.encoded = scene.gamma_handling;
-        const Shot shot(session_.compile(std::move(scene), Session::Shutter::all_samples),
+        const Shot shot(session_.compile(std::move(scene), Session::Shutter::all_samples, true),
                         ShotSettings::of(render_));
         if (!goes_on() || !render(shot, picture)) return {};
         picture.files = session_.files();

@@ -100,18 +100,31 @@ std::optional<Scene> Session::scene_at(double clock_ahead) {
     return scene;
 }
 
-void Session::review(const Scene& scene) {
+void Session::review_text() {
     const SceneSource& source = settings_.source;
     const auto in_library = [&](std::string_view path) {
         return !source.standard_library.empty() && path.starts_with(source.standard_library + "/");
     };
     review_lookalikes(sources_, in_library, source.povray_library, diagnostics_);
-    candelabra::review(scene, *survey(scene, diagnostics_), diagnostics_);
-    if (settings_.shows_picture)
-        review_shape(scene, settings_.render.width, settings_.render.height, diagnostics_);
 }
 
-SharedWorld Session::compile(Scene&& scene, Shutter shutter) {
+void Session::review_shape(const Scene& scene) {
+    if (settings_.shows_picture)
+        candelabra::review_shape(scene, settings_.render.width, settings_.render.height,
+                                 diagnostics_);
+}
+
+void Session::review(const Scene& scene) {
+    review_text();
+    candelabra::review(scene, *survey(scene, diagnostics_), diagnostics_);
+    review_shape(scene);
+}
+
+SharedWorld Session::compile(Scene&& scene, Shutter shutter, bool reviewed) {
+    if (reviewed) {
+        review_text();
+        review_shape(scene);
+    }
     const RenderSettings& r = settings_.render;
     const CompileOptions options{r.threads,
                                  r.light_sampler,
@@ -119,7 +132,8 @@ SharedWorld Session::compile(Scene&& scene, Shutter shutter) {
                                  r.quality,
                                  settings_.remembers_objects,
                                  settings_.follows_lamps,
-                                 settings_.instances};
+                                 settings_.instances,
+                                 reviewed};
     const ShutterScenes later{sources_, [this](double ahead) { return scene_at(ahead); }};
     return candelabra::compile(std::move(scene), options, diagnostics_,
                                shutter == Shutter::all_samples ? &later : nullptr);

@@ -67,14 +67,15 @@ public:
     /// incomplete if there are errors.
     Scene evaluate();
 
-    /// Warns of probable mistakes in a valid scene.
+    /// Warns of probable mistakes in a valid scene that is not compiled.
     void review(const Scene&);
 
     enum class Shutter {
         first_sample,  ///< the scene when the shutter opens
         all_samples    ///< also later moments of the open shutter, each evaluated again
     };
-    SharedWorld compile(Scene&&, Shutter);
+    /// `reviewed`: warns of probable mistakes, too, which needs less time than review().
+    SharedWorld compile(Scene&&, Shutter, bool reviewed = false);
 
     /// Sources of the scene and of all files that it includes.
     SourceStore& sources() { return sources_; }
@@ -82,6 +83,8 @@ public:
     const std::vector<ReadFile>& files() const { return files_; }
 
 private:
+    void review_text();
+    void review_shape(const Scene&);
     Reader noted(Reader);
     FileAccess file_access() const;
     Scene evaluate(double clock_ahead, Diagnostics&);

@@ -11,11 +11,12 @@
 namespace candelabra {
 
 int balance_light(SceneSteps& steps) {
-    std::optional<Scene> scene = steps.reviewed_scene();
+    std::optional<Scene> scene = steps.valid_scene();
     if (!scene) return exit_status::scene;
     BalanceSettings settings;
     settings.up = std::visit([](const View& view) { return view.sky; }, scene->camera);
-    const SharedWorld world = steps.compiled(std::move(*scene), Session::Shutter::all_samples);
+    const SharedWorld world =
+        steps.reviewed_world(std::move(*scene), Session::Shutter::all_samples);
     if (!world) return exit_status::scene;
     const Shot shot = steps.shot(world);
     review_balance(*world, steps.diagnostics());

@@ -22,10 +22,12 @@ int say_correct(const SceneSteps& steps) {
 }  // namespace
 
 int check_scene(SceneSteps& steps) {
-    std::optional<Scene> scene = steps.reviewed_scene();
+    std::optional<Scene> scene = steps.valid_scene();
     if (!scene) return exit_status::scene;
-    if (steps.options().stats_file.empty()) return say_correct(steps);
-    const SharedWorld world = steps.compiled(std::move(*scene), Session::Shutter::first_sample);
+    if (steps.options().stats_file.empty())
+        return steps.reviewed(*scene) ? say_correct(steps) : exit_status::scene;
+    const SharedWorld world =
+        steps.reviewed_world(std::move(*scene), Session::Shutter::first_sample);
     if (!world) return exit_status::scene;
     const Shot shot = steps.shot(world);
     say_correct(steps);

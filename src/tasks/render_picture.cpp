@@ -158,10 +158,11 @@ int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> mete
 }  // namespace
 
 int render_picture(SceneSteps& steps) {
-    std::optional<Scene> scene = steps.reviewed_scene();
+    std::optional<Scene> scene = steps.valid_scene();
     if (!scene) return exit_status::scene;
     const std::vector<Meter> meters = scene->meters;
-    const SharedWorld world = steps.compiled(std::move(*scene), Session::Shutter::all_samples);
+    const SharedWorld world =
+        steps.reviewed_world(std::move(*scene), Session::Shutter::all_samples);
     if (!world) return exit_status::scene;
     const Shot shot = steps.shot(world);
     return render_shot(steps, shot, meters);

@@ -51,19 +51,24 @@ std::optional<Scene> SceneSteps::valid_scene() {
     return scene;
 }
 
-std::optional<Scene> SceneSteps::reviewed_scene() {
-    std::optional<Scene> scene = valid_scene();
-    if (!scene) return scene;
-    session_->review(*scene);
-    if (say_diagnostics()) scene.reset();
-    return scene;
+bool SceneSteps::reviewed(const Scene& scene) {
+    session_->review(scene);
+    return !say_diagnostics();
 }
 
 SharedWorld SceneSteps::compiled(Scene&& scene, Session::Shutter shutter) {
+    return compiled(std::move(scene), shutter, false);
+}
+
+SharedWorld SceneSteps::reviewed_world(Scene&& scene, Session::Shutter shutter) {
+    return compiled(std::move(scene), shutter, true);
+}
+
+SharedWorld SceneSteps::compiled(Scene&& scene, Session::Shutter shutter, bool reviewed) {
     statistics_.compile = time_now();
     output_.format.gamma = scene.settings.assumed_gamma;
     output_.format.encoded = scene.gamma_handling;
-    SharedWorld world = session_->compile(std::move(scene), shutter);
+    SharedWorld world = session_->compile(std::move(scene), shutter, reviewed);
     return say_diagnostics() ? nullptr : world;
 }
 

@@ -35,10 +35,12 @@ public:
     Scene evaluated();
     /// The scene, if it has no errors, and the calling program has not stopped the run.
     std::optional<Scene> valid_scene();
-    /// The scene, if it has no errors, with warnings of probable mistakes.
-    std::optional<Scene> reviewed_scene();
+    /// Warns of probable mistakes in a scene that is not compiled. Returns whether it goes on.
+    bool reviewed(const Scene&);
     /// The world; null after an error.
     SharedWorld compiled(Scene&&, Session::Shutter);
+    /// The same, with warnings of probable mistakes.
+    SharedWorld reviewed_world(Scene&&, Session::Shutter);
     /// The view of the scene's camera. The world has no error.
     Shot shot(const SharedWorld&);
 
@@ -65,6 +67,7 @@ public:
     const std::optional<Shard>& shard() const { return shard_; }
 
 private:
+    SharedWorld compiled(Scene&&, Session::Shutter, bool reviewed);
     void read_part();
     void bound_memory() const;
     bool destinations_work();

@@ -13,9 +13,10 @@
 namespace candelabra {
 
 int show_preview(SceneSteps& steps) {
-    std::optional<Scene> scene = steps.reviewed_scene();
+    std::optional<Scene> scene = steps.valid_scene();
     if (!scene) return exit_status::scene;
-    const SharedWorld world = steps.compiled(std::move(*scene), Session::Shutter::all_samples);
+    const SharedWorld world =
+        steps.reviewed_world(std::move(*scene), Session::Shutter::all_samples);
     if (!world) return exit_status::scene;
     const std::vector<std::string> lights = light_names(*world, steps.sources());
     const WorldView& view = world->stated_view;

@@ -279,13 +279,14 @@ int write_powers(SceneSteps& steps, const std::string& powers, const std::string
 }  // namespace
 
 int solve_powers(SceneSteps& steps, const SolveRequest& request) {
-    std::optional<Scene> scene = steps.reviewed_scene();
+    std::optional<Scene> scene = steps.valid_scene();
     if (!scene) return exit_status::scene;
     std::vector<std::size_t> which;
     const std::vector<Meter> meters =
         demanded_meters(scene->meters, request, which, steps.diagnostics());
     if (steps.say_diagnostics()) return exit_status::scene;
-    const SharedWorld world = steps.compiled(std::move(*scene), Session::Shutter::all_samples);
+    const SharedWorld world =
+        steps.reviewed_world(std::move(*scene), Session::Shutter::all_samples);
     if (!world) return exit_status::scene;
     const Shot shot = steps.shot(world);
     review_meters(*world, meters, steps.diagnostics());

@@ -8,10 +8,12 @@
 #include "shape/segment_bound.h"
 #include "shape/transformed.h"
 #include "surface/quality.h"
+#include "world/emitters.h"
 #include "world/flatten.h"
 #include "world/luminaire_choices.h"
 #include "world/prototype.h"
 #include "world/radiance.h"
+#include "world/review.h"
 #include "world/shutter.h"
 #include "world/volumes.h"
 
@@ -225,9 +227,19 @@ void build_indices(World& world, const CompileOptions& options) {
     divide_sources(world);
 }
 
+/// Warns of probable mistakes. Mistakes in a scene do not depend on the quality of its picture, nor
+/// on whether a surface shows the light of its luminaires, without which these are left out.
+void review(const Scene& scene, const World& world, const CompileOptions& options,
+            Diagnostics& diagnostics) {
+    const bool whole = options.quality >= quality_full &&
+                       (options.follows_lamps || !scene.meters.empty() || receives_light(world));
+    review(scene, whole ? world : *survey(scene, diagnostics), diagnostics);
+}
+
 /// Compiles the scene, and discards its objects on the way.
 World compiled(Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
     World world = flattened(scene, options, Flatten::everything, diagnostics);
+    if (options.reviews) review(scene, world, options, diagnostics);
     scene.objects = {};
     build_indices(world, options);
     return world;
@@ -235,11 +247,13 @@ World compiled(Scene& scene, const CompileOptions& options, Diagnostics& diagnos
 
 void add_shutter_samples(World& world, const View& view, const CompileOptions& options,
                          const ShutterScenes& scenes) {
+    CompileOptions unreviewed = options;
+    unreviewed.reviews = false;
     for (int i = 1; view.shutter > 0 && i < view.moments; ++i) {
         std::optional<Scene> scene = scenes.scene_at(view.shutter * i / view.moments);
         if (!scene) break;
         Diagnostics said_of_the_first;
-        world.shutter.push_back(compiled(*scene, options, said_of_the_first));
+        world.shutter.push_back(compiled(*scene, unreviewed, said_of_the_first));
     }
     world.facts = facts_of(world);
     share_light_statements(world, scenes.sources);

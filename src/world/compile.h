@@ -22,6 +22,7 @@ struct CompileOptions {
     bool remembers_objects = false;             ///< whether to fill Provenance::object_of
     bool follows_lamps = false;  ///< keeps luminaires also if no surface shows their light
     InstanceLimits instances = {};  ///< which unions are stored once; tests share smaller ones
+    bool reviews = false;           ///< whether to warn of probable mistakes (world/review.h)
 };
 
 /// Source of the later scenes of a camera whose shutter stays open.
