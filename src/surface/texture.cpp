@@ -45,6 +45,7 @@ struct Visit {
     const PatternScene& scene;
     const Vec3& normal;  ///< outside all patterns
     UseLayers use;
+    const Around* place;  ///< the outermost space, if it is that of a place; null: of a pattern
 };
 
 /// `normal` is in the space of the surrounding patterns. As in POV-Ray, a layer without bumps takes
@@ -56,6 +57,10 @@ Layer layer_at(const Texture& texture, const Vec3& point, const Vec3& normal, co
     Layer layer;
     layer.finish = &texture.finish;
     layer.normal = bumpy ? bumped(texture.normal, normal, point, scene) : to.normal;
+    if (bumpy && around && around == to.place) {
+        layer.normal = unit(around->space.leave(layer.normal));
+        around = nullptr;
+    }
     PatternScene here = scene;
     SurfaceView view;
     if (scene.view) {
@@ -83,7 +88,8 @@ void visit(const Texture& texture, const Vec3& point, const Vec3& normal, double
             scene.axes = &axes;
         }
         for_entries(choice, place, scene, [&](double share, const Texture& entry) {
-            visit(entry, place, turned, weight * share, &inner, {scene, to.normal, to.use});
+            visit(entry, place, turned, weight * share, &inner,
+                  {scene, to.normal, to.use, to.place});
         });
         return;
     }
@@ -136,6 +142,13 @@ Texture transformed(Texture texture, const Transform& transform) {
     if (texture.choice) move(texture.choice.edit(), transform);
     if (texture.below) texture.below = make_handle<Texture>(transformed(*texture.below, transform));
     return texture;
+}
+
+bool moves_with_object(const Texture& texture) {
+    const auto stays = [](const auto& part) { return part.uv && !part.frame; };
+    return !(texture.normal.pattern && stays(texture.normal)) &&
+           !(texture.choice && stays(*texture.choice)) &&
+           (!texture.below || moves_with_object(*texture.below));
 }
 
 Texture uv_mapped(Texture texture) {
@@ -236,8 +249,12 @@ bool transparent(const Texture& texture) {
 }
 
 void for_layers(const Texture& texture, const Vec3& point, const Vec3& normal,
-                const PatternScene& scene, UseLayers use) {
-    visit(texture, point, normal, 1, nullptr, {scene, normal, use});
+                const PatternScene& scene, UseLayers use, const Transform* place) {
+    if (!place) return visit(texture, point, normal, 1, nullptr, {scene, normal, use, nullptr});
+    const std::vector<WarpStep> none;
+    const Around placed{{none, *place, nullptr}, nullptr};
+    visit(texture, place->inverse_point(point), placed.space.enter(normal), 1, &placed,
+          {scene, normal, use, &placed});
 }
 
 bool scatters(const Texture& texture) {
@@ -290,17 +307,19 @@ Rgb passing(const Texture& texture, const Vec3& point, const PatternScene& scene
 }
 
 Rgb passing(const Texture& texture, const Vec3& point, const PatternScene& scene,
-            const FocusedLight& light) {
+            const FocusedLight& light, const Transform* place) {
     Rgb sum(0);
-    for_layers(texture, point, light.normal, scene,
-               [&](double weight, std::span<const Layer> layers) {
-                   Rgb left(weight);
-                   for (const Layer& layer : layers) {
-                       const double cosine = std::abs(dot(layer.normal, light.direction));
-                       left *= (1 + math::pow(cosine, light.power)) * layer.colour.passing();
-                   }
-                   sum += left;
-               });
+    for_layers(
+        texture, point, light.normal, scene,
+        [&](double weight, std::span<const Layer> layers) {
+            Rgb left(weight);
+            for (const Layer& layer : layers) {
+                const double cosine = std::abs(dot(layer.normal, light.direction));
+                left *= (1 + math::pow(cosine, light.power)) * layer.colour.passing();
+            }
+            sum += left;
+        },
+        place);
     return sum;
 }
 

@@ -29,6 +29,10 @@ struct Texture {
 /// Returns the texture after a transformation of its object; uv mapped parts stay.
 Texture transformed(Texture, const Transform&);
 
+/// Whether transformed() gives the same look as the texture itself, seen from the space of the
+/// object that moves (`place` of for_layers()). Bumps by the u and v of an object do not.
+bool moves_with_object(const Texture&);
+
 /// Returns the texture with all its layers uv mapped.
 Texture uv_mapped(Texture);
 
@@ -72,9 +76,10 @@ struct Layer {
 using UseLayers = FunctionRef<void(double weight, std::span<const Layer>)>;
 
 /// Calls `use` for each plain texture with a weight at a point of the surface. `normal` is a unit
-/// vector on the viewer's side.
+/// vector on the viewer's side. `place` maps the texture's space to that of the point, the normal
+/// and the layers; null: it is the same.
 void for_layers(const Texture&, const Vec3& point, const Vec3& normal, const PatternScene&,
-                UseLayers use);
+                UseLayers use, const Transform* place = nullptr);
 
 /// Fraction of light that passes through all layers at a point, per channel.
 Rgb passing(const Texture&, const Vec3& point, const PatternScene&);
@@ -87,7 +92,8 @@ struct FocusedLight {
 };
 
 /// The same with bright spots in the shadow, by the angle to the normal of each layer.
-Rgb passing(const Texture&, const Vec3& point, const PatternScene&, const FocusedLight&);
+Rgb passing(const Texture&, const Vec3& point, const PatternScene&, const FocusedLight&,
+            const Transform* place = nullptr);
 
 /// Whether less than passing() is seen behind it, as one of its finishes reflects the rest or has
 /// `refraction`.

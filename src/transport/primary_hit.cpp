@@ -32,7 +32,7 @@ const Texture* texture_at(const World& world, const PrimaryHit& seen) {
     if (seen.met)
         world.for_textures(seen.hit.primitive, seen.hit.part, seen.hit.position,
                            seen.hit.side_towards(-seen.normal),
-                           [&](double share, const Texture& texture) {
+                           [&](double share, const Texture& texture, const Transform*) {
                                if (share <= greatest) return;
                                greatest = share;
                                dominant = &texture;

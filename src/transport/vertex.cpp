@@ -74,12 +74,15 @@ VisibleTextures visible_textures(const World& world, const Vertex& vertex, doubl
     scene.view = &view;
     VisibleTextures found;
     world.for_textures(
-        hit.primitive, hit.part, hit.position, side, [&](double share, const Texture& texture) {
+        hit.primitive, hit.part, hit.position, side,
+        [&](double share, const Texture& texture, const Transform* place) {
             if (share < least) return;
-            for_layers(texture, s.position, s.normal, scene,
-                       [&](double weight, std::span<const Layer> layers) {
-                           found.push_back({share * weight, {layers.begin(), layers.end()}});
-                       });
+            for_layers(
+                texture, s.position, s.normal, scene,
+                [&](double weight, std::span<const Layer> layers) {
+                    found.push_back({share * weight, {layers.begin(), layers.end()}});
+                },
+                place);
         });
     return found;
 }

@@ -212,8 +212,8 @@ private:
         return true;
     }
 
-    /// Makes a prototype of an object. Returns its number; no_prototype if it does not look alike
-    /// everywhere.
+    /// Makes a prototype of an object. Returns its number; no_prototype if its look depends on its
+    /// place.
     std::uint32_t prototype_number(const Object& object, const Inherited& outer) {
         auto made = std::make_shared<Prototype>();
         Diagnostics said;

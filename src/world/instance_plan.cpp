@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/instance_plan.h"
 
+#include "surface/any_finish.h"
 #include "surface/texture.h"
 #include "world/materials.h"
 
@@ -12,11 +13,11 @@ namespace candelabra {
 
 namespace {
 
-/// Whether the object is made of opaque, plain parts only, which have no part in anything but
-/// themselves: no interior, no light source, no photons, no stated flux.
+/// Whether the object is made of opaque parts only, which have no part in anything but themselves:
+/// no interior, no light source, no photons, no stated flux.
 bool is_plain(const Object& object) {
     if (object.lamp || object.photons || object.interior || object.part_textures ||
-        object.clipping || object.inverse || object.uv_mapping)
+        object.clipping || object.inverse)
         return false;
     if (object.texture && !InstancePlan::is_alike(*object.texture)) return false;
     // The normals of a smooth triangle have length 1 where it stands, and are interpolated there.
@@ -33,14 +34,16 @@ bool is_plain(const Object& object) {
 }  // namespace
 
 bool InstancePlan::is_alike(const Texture& texture) {
-    const Finish& finish = texture.finish;
-    return texture.plain() && !transparent(texture) && !finish.lamp && finish.ior == 0 &&
-           finish.caustics < 0 && finish.subsurface.translucency == Rgb(0);
+    return moves_with_object(texture) && !transparent(texture) && !nesting(texture).by_axes &&
+           !any_finish(texture, [](const Finish& finish) {
+               return finish.lamp || finish.ior != 0 || finish.caustics >= 0 ||
+                      finish.subsurface.translucency != Rgb(0);
+           });
 }
 
 bool InstancePlan::is_alike(const Material& m) {
-    return !m.transparent && !m.interior && !m.inner && !m.texture2 && !m.uv && !m.by_axes &&
-           !m.by_view && m.shared_interior == 0;
+    return is_alike(*m.texture) && !m.transparent && !m.interior && !m.inner && !m.texture2 &&
+           !m.by_axes && m.shared_interior == 0;
 }
 
 bool InstancePlan::is_bare(const Inherited& outer) {
@@ -50,7 +53,8 @@ bool InstancePlan::is_bare(const Inherited& outer) {
              outer.of_several) &&
            !(said.no_shadow || said.no_image || said.no_reflection || said.no_radiosity) &&
            heeded.no_shadow && heeded.no_image && heeded.no_reflection &&
-           outer.photons == PhotonSurface{} && (!outer.texture || is_alike(**outer.texture));
+           outer.photons == PhotonSurface{} &&
+           (!outer.texture || ((*outer.texture)->plain() && is_alike(**outer.texture)));
 }
 
 InstancePlan::InstancePlan(const Scene& scene, const InstanceLimits& limits) : limits_(limits) {

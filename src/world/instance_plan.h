@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides which unions are stored once and placed as instances: those that a scene places often
-// enough to matter, and that look alike wherever they stand. Used by flatten().
+// enough to matter, and whose look moves with them. Used by flatten().
 #pragma once
 
 #include "scene/scene.h"
@@ -32,12 +32,12 @@ public:
         return found != places_.end() && found->second.shared;
     }
 
-    /// Whether a texture looks alike wherever it is, and lets no light through.
+    /// Whether a texture moves with its object wherever that is, and lets no light through.
     static bool is_alike(const Texture&);
     /// The same for surfaces of a material.
     static bool is_alike(const Material&);
     /// Whether nothing is inherited that may differ from one place of an object to the next, except
-    /// for such a texture.
+    /// for such a texture, which looks the same at all points.
     static bool is_bare(const Inherited&);
 
 private:

@@ -14,19 +14,19 @@ std::array<Vec3, 3> corners(const TrianglePrimitive& t) {
     return {t.corner1, t.corner2, t.corner3};
 }
 
-Vec3 local(const Handle<Transform>& transform, const Vec3& point) {
-    return transform ? transform->inverse_point(point) : point;
+Vec3 local(const Transform* place, const Vec3& point) {
+    return place ? place->inverse_point(point) : point;
 }
 
-using Use = FunctionRef<void(double, const Texture&)>;
+using Use = World::UseTexture;
 
 /// Three textures, weighted as their corners; three equal ones count as one.
 void blend(const std::array<const Texture*, 3>& textures, const Vec3& weights, Use use) {
     const bool same = textures[0] == textures[1] && textures[1] == textures[2];
-    if (same) return use(1, *textures[0]);
+    if (same) return use(1, *textures[0], nullptr);
     for (std::size_t i = 0; i < 3; ++i)
         if (const double weight = weights[static_cast<int>(i)]; weight > 0)
-            use(weight, *textures[i]);
+            use(weight, *textures[i], nullptr);
 }
 
 /// Clamps the weights to the triangle, against rounding.
@@ -63,9 +63,33 @@ void blend_components(const BuiltBlob& blob, const PartLooks& looks, const Vec3&
         strengths[static_cast<std::size_t>(source.look + 1)] += strength;
         sum += strength;
     });
-    if (sum == 0) return use(1, looks.own);
+    if (sum == 0) return use(1, looks.own, nullptr);
     for (std::size_t i = 0; i < strengths.size(); ++i)
-        if (strengths[i] > 0) use(strengths[i] / sum, looks[static_cast<int>(i) - 1]);
+        if (strengths[i] > 0) use(strengths[i] / sum, looks[static_cast<int>(i) - 1], nullptr);
+}
+
+/// The u and v of a primitive that belongs to no instance; nothing if its shape has none.
+std::optional<Vec2> uv_on(const Geometry& geometry, PrimitiveIndex primitive, std::uint32_t part,
+                          const Vec3& point) {
+    using MaybeUv = std::optional<Vec2>;
+    const auto of_placed = [&](const auto& placed) -> MaybeUv {
+        return candelabra::uv(placed.shape, local(placed.transform.get(), point), part);
+    };
+    return geometry.visit_primitive(
+        primitive,
+        [&](const SpherePrimitive& s) -> MaybeUv {
+            return candelabra::uv(Sphere{s.centre, s.radius}, point, part);
+        },
+        [&](const TrianglePrimitive& face) -> MaybeUv {
+            const std::array<Vec2, 3>* at = geometry.uvs_of_triangle(primitive);
+            if (!at) return std::nullopt;
+            const Vec3 w = corner_weights(corners(face), point);
+            return w.x * (*at)[0] + w.y * (*at)[1] + w.z * (*at)[2];
+        },
+        of_placed,
+        [&](const PlacedComposite& whole, std::uint32_t leaf) {
+            return of_placed(whole.composite->leaf(leaf));
+        });
 }
 
 }  // namespace
@@ -86,7 +110,11 @@ std::uint32_t World::instanced_luminaire(PrimitiveIndex primitive) const {
 void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point, Side side,
                          Use use) const {
     const Material& look = material(primitive);
-    if (look.inner && side == Side::inner) return use(1, *look.inner);
+    if (geometry.is_instanced(primitive)) {
+        const bool moves = !look.texture->plain();
+        return use(1, *look.texture, moves ? geometry.instance_of(primitive).place.get() : nullptr);
+    }
+    if (look.inner && side == Side::inner) return use(1, *look.inner, nullptr);
     if (look.texture2) {
         const TrianglePrimitive& face = geometry.triangle(primitive);
         return blend({look.texture.get(), look.texture2.get(), look.texture3.get()},
@@ -94,10 +122,10 @@ void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec
     }
     const auto found = appearance.part_textures.empty() ? appearance.part_textures.end()
                                                         : appearance.part_textures.find(primitive);
-    if (found == appearance.part_textures.end()) return use(1, *look.texture);
+    if (found == appearance.part_textures.end()) return use(1, *look.texture, nullptr);
     const PartLooks looks{*look.texture, found->second};
     const auto show = [&](const auto& placed) {
-        const Vec3 here = local(placed.transform, point);
+        const Vec3 here = local(placed.transform.get(), point);
         if (const auto* blob = std::get_if<Shared<BuiltBlob>>(&placed.shape))
             blend_components(**blob, looks, here, use);
         else
@@ -111,25 +139,14 @@ void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec
 }
 
 Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) const {
-    using MaybeUv = std::optional<Vec2>;
-    const auto of_placed = [&](const auto& placed) -> MaybeUv {
-        return candelabra::uv(placed.shape, local(placed.transform, point), part);
-    };
-    const MaybeUv found = geometry.visit_primitive(
-        primitive,
-        [&](const SpherePrimitive& s) -> MaybeUv {
-            return candelabra::uv(Sphere{s.centre, s.radius}, point, part);
-        },
-        [&](const TrianglePrimitive& face) -> MaybeUv {
-            const std::array<Vec2, 3>* at = geometry.uvs_of_triangle(primitive);
-            if (!at) return std::nullopt;
-            const Vec3 w = corner_weights(corners(face), point);
-            return w.x * (*at)[0] + w.y * (*at)[1] + w.z * (*at)[2];
-        },
-        of_placed,
-        [&](const PlacedComposite& whole, std::uint32_t leaf) {
-            return of_placed(whole.composite->leaf(leaf));
-        });
+    std::optional<Vec2> found;
+    if (geometry.is_instanced(primitive)) {
+        const Instance& placed = geometry.instance_of(primitive);
+        found = uv_on(geometry.prototype_of(placed).geometry, primitive - placed.first, part,
+                      placed.place->inverse_point(point));
+    } else {
+        found = uv_on(geometry, primitive, part, point);
+    }
     // As in POV-Ray, shapes without u and v show pictures of the plane of x and y.
     return found.value_or(Vec2(point.x, point.y));
 }
@@ -173,9 +190,9 @@ Rgb passed(const World& world, const Passage& passage, const Ray& ray) {
         world.pattern_scene({passage.primitive, passage.part, point, normal, side}, axes);
     scene.view = &view;
     Rgb sum(0);
-    const auto pass = [&](double share, const Texture& texture) {
-        sum += share * (power != 0 ? passing(texture, point, scene, light)
-                                   : passing(texture, point, scene));
+    const auto pass = [&](double share, const Texture& texture, const Transform* place) {
+        sum += share * (power != 0 ? passing(texture, point, scene, light, place)
+                                   : passing(texture, local(place, point), scene));
     };
     // The ray leads towards the light: it sees a surface that it leaves from inside.
     world.for_textures(passage.primitive, passage.part, point, side, pass);
@@ -194,10 +211,12 @@ Rgb World::emission(PrimitiveIndex primitive, const Vec3& point, Side side,
                     const Vec3* direction) const {
     const PatternScene scene = pattern_scene(primitive, any_part, point);
     Rgb sum(0);
-    for_textures(primitive, any_part, point, side, [&](double weight, const Texture& texture) {
-        sum += weight * candelabra::emission(texture, point, scene,
-                                             [&](const Colour& colour) { return opacity(colour); });
-    });
+    for_textures(primitive, any_part, point, side,
+                 [&](double weight, const Texture& texture, const Transform* place) {
+                     sum += weight * candelabra::emission(
+                                         texture, local(place, point), scene,
+                                         [&](const Colour& colour) { return opacity(colour); });
+                 });
     return sum * output(primitive, direction);
 }
 

@@ -14,7 +14,7 @@
 namespace candelabra {
 
 /// Surfaces and luminaires in the space of a declared object, before it is placed. They are opaque,
-/// bounded, and look alike wherever they stand.
+/// bounded, and their look moves with them.
 struct Prototype {
     std::size_t primitive_count() const { return material_of.size(); }
 

@@ -148,11 +148,14 @@ public:
         return found.scale * (direction ? found.web->factor(*direction) : found.web->greatest());
     }
 
-    /// Calls use(share, texture) for each texture that shows on that side at a point of the
-    /// surface: a single one, or those of the corners of a mesh's face or of a blob's components.
-    /// The shares add up to 1. `part` is that of the hit, or any_part.
+    /// Takes the share of a texture, the texture, and where the space of the texture is placed;
+    /// null: it is that of the world.
+    using UseTexture = FunctionRef<void(double, const Texture&, const Transform* place)>;
+    /// Calls `use` for each texture that shows on that side at a point of the surface: a single
+    /// one, or those of the corners of a mesh's face or of a blob's components. The shares add up
+    /// to 1. `part` is that of the hit, or any_part.
     void for_textures(PrimitiveIndex, std::uint32_t part, const Vec3& point, Side,
-                      FunctionRef<void(double, const Texture&)> use) const;
+                      UseTexture use) const;
 
     /// Returns the point's coordinates on a picture that is wrapped around the surface.
     Vec2 uv(PrimitiveIndex, std::uint32_t part, const Vec3& point) const;

@@ -3,12 +3,14 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace candelabra::proof {
 
 namespace {
 
-/// Every union that stands in two places or more is stored once, if it looks alike there.
+/// Every union that stands in two places or more is stored once, if its look moves with it.
 const Studio& sharing() {
     static const Studio studio = [] {
         Studio made;
@@ -23,11 +25,25 @@ std::string short_number(Dice& dice, double low, double high) {
     return text_of(std::round(1000 * dice.between(low, high)) / 1000);
 }
 
-/// A part of the union in a colour of its own.
-Element plain(Element shape, Dice& dice, const std::string& glow = "") {
+/// A part of the union in a colour of its own, or with a pattern that moves with the part.
+Element coloured(Element shape, Dice& dice, const std::string& glow = "") {
     const std::string red = short_number(dice, 0, 1), green = short_number(dice, 0, 1);
-    shape.inner.push_back(words("pigment { rgb <" + red + ", " + green + ", 0.7> }"));
-    shape.inner.push_back(words("finish { diffuse 0.7 " + glow + "}"));
+    const std::string colour = "rgb <" + red + ", " + green + ", 0.7>";
+    const std::string finish = " finish { diffuse 0.7 " + glow + "}";
+    std::string look = "pigment { " + colour + " }" + finish;
+    if (glow.empty() && dice.chance(0.5)) {
+        const std::string map = " color_map { [0 rgb 0.1] [1 " + colour + "] } scale 0.2 }";
+        const std::vector<std::string> patterns = {
+            "pigment { wood turbulence 0.1" + map + finish,
+            "pigment { granite" + map + " normal { bumps 0.6 scale 0.1 }" + finish,
+            "texture { gradient y texture_map { [0 pigment { " + colour +
+                " } normal { dents 0.5 scale 0.1 }" + finish + "] [1 pigment { onion" + map +
+                finish + "] } scale 0.3 }",
+            "pigment { slope y" + map + " normal { ripples 0.4 scale 0.1 }" + finish,
+        };
+        look = patterns[dice.below(patterns.size())];
+    }
+    shape.inner.push_back(words(look));
     return shape;
 }
 
@@ -53,17 +69,17 @@ std::string map_of_copy(Dice& dice) {
 Script with_copies(Draft& draft) {
     Script script = staged(draft);
     Dice& dice = draft.dice;
-    std::vector<Element> parts = {plain(block("sphere", "0, 0.25"), dice),
-                                  plain(block("box", "<-0.3, -0.3, -0.1>, <0, 0, 0.1>"), dice)};
+    std::vector<Element> parts = {coloured(block("sphere", "0, 0.25"), dice),
+                                  coloured(block("box", "<-0.3, -0.3, -0.1>, <0, 0, 0.1>"), dice)};
     const std::string glow = "emission 2 ";
     if (dice.chance(0.7))
-        parts.push_back(plain(block("sphere", "<0.1, 0.4, 0>, 0.06"), dice, glow));
+        parts.push_back(coloured(block("sphere", "<0.1, 0.4, 0>, 0.06"), dice, glow));
     if (dice.chance(0.4))
-        parts.push_back(plain(block("box", "<0.2, -0.3, 0>, <0.3, 0.1, 0.05>"), dice, glow));
+        parts.push_back(coloured(block("box", "<0.2, -0.3, 0>, <0.3, 0.1, 0.05>"), dice, glow));
     if (dice.chance(0.5)) {
         Element shape = draft.shape;
         shape.inner.push_back(words("scale 0.5"));
-        parts.push_back(plain(shape, dice, dice.chance(0.3) ? glow : ""));
+        parts.push_back(coloured(shape, dice, dice.chance(0.3) ? glow : ""));
     }
     script.elements.push_back(needed(words("#declare Copied =")));
     script.elements.push_back(needed(block("union", "", parts)));

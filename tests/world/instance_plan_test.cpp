@@ -8,6 +8,9 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace candelabra {
 
@@ -43,6 +46,26 @@ Ray ray_through_scene(Draw& draw) {
     const Vec3 from(draw.between(-2, 18), draw.between(-3, 5), -6),
         to(draw.between(-1, 17), draw.between(-2, 4), draw.between(-1, 1));
     return {from, unit(to - from)};
+}
+
+/// The layers of all textures where a ray has met a surface.
+std::vector<Layer> layers_at(const World& world, const Hit& hit, const Ray& ray) {
+    const bool behind = dot(hit.smooth_normal, ray.direction) > 0;
+    const SurfaceView view{hit.position, behind ? -hit.smooth_normal : hit.smooth_normal,
+                           ray.direction};
+    PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
+    scene.view = &view;
+    std::vector<Layer> found;
+    world.for_textures(hit.primitive, hit.part, hit.position, hit.side_towards(ray.direction),
+                       [&](double, const Texture& texture, const Transform* place) {
+                           for_layers(
+                               texture, hit.position, view.normal, scene,
+                               [&](double, std::span<const Layer> layers) {
+                                   found.insert(found.end(), layers.begin(), layers.end());
+                               },
+                               place);
+                       });
+    return found;
 }
 
 /// Number of instances that a script makes of its houses.
@@ -129,8 +152,9 @@ TEST_CASE("the inside of an instance's solids is known where fog is kept out", "
 TEST_CASE("unions whose look depends on their place are taken apart", "[instances]") {
     CHECK(instances(house_with("") + places) == 12);
     for (const char* part : {
-             "sphere { 0, 1 pigment { checker rgb 1 rgb 0 } }",
-             "sphere { 0, 1 pigment { rgb 1 } normal { bumps 1 } }",
+             "sphere { 0, 1 uv_mapping pigment { rgb 1 } normal { gradient x } }",
+             "sphere { 0, 1 pigment { checker rgb 1 rgbt 1 } }",
+             "sphere { 0, 0.1 pigment { gradient x } finish { emission 5 } }",
              "sphere { 0, 1 pigment { rgbt 0.5 } }",
              "sphere { 0, 1 interior { ior 1.5 } }",
              "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { emission 1 } } }",
@@ -152,6 +176,48 @@ TEST_CASE("unions whose look depends on their place are taken apart", "[instance
     }
     CHECK(instances(house_with("") + "camera { shutter 1 } " + places) == 0);
     CHECK(instances(house_with("") + "global_settings { photons { count 100 } } " + places) == 0);
+}
+
+TEST_CASE("patterns and bumps move with instances", "[instances]") {
+    const std::string textured = GENERATE(values<std::string>({
+        "pigment { wood turbulence 0.1 scale 0.1 rotate 30*x }",
+        "pigment { granite scale 0.4 } normal { bumps 1 scale 0.1 }",
+        "pigment { gradient x pigment_map { [0 checker scale 0.2] [1 rgb 1] } scale 0.3 }",
+        "pigment { rgb 1 } normal { wrinkles 0.5 scale <0.1, 0.3, 0.1> no_bump_scale }",
+        "pigment { slope y } normal { bumps 0.7 scale 0.2 }",
+        "pigment { aoi } normal { gradient x normal_map { [0 bumps 1] [1 dents 1] } rotate 20*z }",
+        "uv_mapping pigment { checker scale 0.05 }",
+        "texture { uv_mapping pigment { checker scale 0.05 } normal { gradient x 1 scale 0.1 } }",
+        "texture { gradient y texture_map { [0 pigment { slope x } normal { dents 1 scale 0.1 }] "
+        "[1 pigment { wood } normal { bumps 1 scale 0.2 }] } scale 0.3 rotate 10*x }",
+        "texture { pigment { rgb 1 } } texture { pigment { checker rgb 0 rgbt 1 scale 0.2 } normal "
+        "{ ripples 1 scale 0.1 } }",
+        "no_luminaire pigment { gradient y scale 0.3 } finish { emission 1 }",
+    }));
+    const Twins twins =
+        twins_of(house_with("torus { 0.3, 0.2 rotate 20*x " + textured + " }") + places);
+    REQUIRE(twins.shared->geometry.instances.size() == 12);
+    Draw draw(3);
+    int textures = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Ray ray = ray_through_scene(draw);
+        Hit one, other;
+        if (!twins.shared->first_hit(ray, 0, RayKind::camera, one)) continue;
+        REQUIRE(twins.apart->first_hit(ray, 0, RayKind::camera, other));
+        const std::vector<Layer> here = layers_at(*twins.shared, one, ray),
+                                 there = layers_at(*twins.apart, other, ray);
+        REQUIRE(here.size() == there.size());
+        for (std::size_t k = 0; k < here.size(); ++k) {
+            CHECK(max_abs_component(here[k].colour.rgb - there[k].colour.rgb) < 1e-4);
+            CHECK(length(here[k].normal - there[k].normal) < 1e-4);
+        }
+        const Side side = one.side_towards(ray.direction);
+        CHECK(max_abs_component(twins.shared->emission(one.primitive, one.position, side) -
+                                twins.apart->emission(other.primitive, other.position, side)) <
+              1e-4);
+        textures += twins.shared->material(one.primitive).texture->plain() ? 0 : 1;
+    }
+    CHECK(textures > 50);
 }
 
 TEST_CASE("unions of few parts, of very many, and in few places are taken apart", "[instances]") {

@@ -16,7 +16,7 @@ Rgb seen(const World& world, double x, double y) {
     const PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
     Rgb sum(0);
     world.for_textures(hit.primitive, hit.part, hit.position, Side::outer,
-                       [&](double share, const Texture& texture) {
+                       [&](double share, const Texture& texture, const Transform*) {
                            sum += share * evaluate(texture.pigment, hit.position, scene).rgb;
                        });
     return sum;
