@@ -115,14 +115,18 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
     const double first = std::fmin(ends[0].t, ends[1].t), last = std::fmax(ends[0].t, ends[1].t);
     const double least = 1 / fractal.precision;
     const double until = std::fmin(last, range.max * speed - start);
-    double t = std::fmax(first, range.min * speed - start);
     // The sphere is outside of the set, whatever rounding says. But as in POV-Ray, the set of a
     // formula, which may fill space, has no surface there.
     const bool goes_on = julia.by_formula;
+    // Which crossings are found depends on the steps. So a ray makes the same ones whatever part of
+    // it is asked for.
+    const double begin = range.min > 0 ? 0 : range.min;
+    double t = std::fmax(first, begin * speed - start);
+    const bool within = t > first;
     JuliaOrbit here = julia_orbit(julia, near.at(goes_on ? t + 1e-7 : t));
-    here.stays = here.stays && (goes_on || t > first);
+    here.stays = here.stays && (goes_on || within);
     // A ray that leaves the surface may start in a part of the set smaller than a step.
-    if (here.stays && begins == Start::surface)
+    if (here.stays && within && (begins == Start::surface || goes_on))
         here = julia_orbit(julia, near.at(t = std::fmin(t + least, until)));
     for (int n = 0; n < max_steps && t < until; ++n) {
         if (here.stays) n += pass_inside(julia, near, least, std::fmin(until, last), t);

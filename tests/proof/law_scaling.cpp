@@ -42,8 +42,10 @@ Claims more_light(const Script& script, Dice& dice) {
 }
 
 Claims motion(const Script& script, Dice& dice) {
-    std::vector<std::string> ways = {"translate <1000, -300, 200>", "rotate <30, 70, -20>",
+    std::vector<std::string> ways = {"translate <1000, -300, 200>",
                                      "matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 5, -3, 2>"};
+    // As in POV-Ray, a ray that starts in an inverse solid notices it within an upright box only.
+    if (!mentions(script, "inverse")) ways.push_back("rotate <30, 70, -20>");
     // As in POV-Ray, the outside of a patch follows from its control points: a mirror changes sides.
     if (!mentions(script, "bicubic_patch") || !mentions(script, "interior_texture")) {
         ways.insert(ways.end(), {"scale <-1, 1, 1>", "scale <1, 1, -1> rotate 90*y"});

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <utility>
+
 namespace candelabra {
 
 TEST_CASE("a julia fractal without a constant is a ball", "[shape]") {
@@ -46,6 +48,32 @@ TEST_CASE("the nearest crossing of a julia fractal is the first of all", "[shape
         CHECK(nearest[0].entering == all[0].entering);
     }
     CHECK(found > 20);
+}
+
+TEST_CASE("a ray finds the same crossings whatever part of it is asked for", "[shape]") {
+    JuliaFractal julia;
+    julia.parameter = Vec4(-0.083, 0, -0.83, -0.025);
+    julia.max_iteration = 2;
+    julia.precision = 3;
+    const auto ways = {std::pair{quaternions, julia_sqr}, {hypercomplex_numbers, julia_cosh}};
+    for (const auto& [algebra, function] : ways) {
+        julia.algebra = algebra;
+        julia.function = function;
+        Draw draw(3);
+        int found = 0;
+        for (int i = 0; i < 500; ++i) {
+            const Ray ray{draw.point(2), unit(draw.point(1))};
+            Crossings first, again;
+            nearest_crossings(julia, ray, {1e-10, 100}, first);
+            if (first.size() == 0 || !(first[first.size() - 1].t > 1e-3)) continue;
+            ++found;
+            const double t = first[first.size() - 1].t;
+            nearest_crossings(julia, ray, {t * (1 - 1e-9), 100}, again);
+            REQUIRE(again.size() > 0);
+            CHECK(again[again.size() - 1].t == t);
+        }
+        CHECK(found > 100);
+    }
 }
 
 }  // namespace candelabra
