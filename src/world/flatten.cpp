@@ -23,6 +23,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace candelabra {
@@ -236,19 +237,33 @@ private:
         made->material_of = lists.materials_in_order(made->geometry);
         for (std::uint32_t item = 0; item < made->geometry.item_count(); ++item)
             made->box = join(made->box, made->geometry.bounds(item));
+        // All lone triangles of a material are one solid, wherever they are.
         const bool apart = !lists.filled_.empty() || !lists.parted_.empty() ||
-                           !made->geometry.infinite.all.empty() ||
+                           lists.clear_triangle_ || !made->geometry.infinite.all.empty() ||
                            !(made->box.empty() || finite(made->box));
         if (apart || !std::ranges::all_of(made->material_of, [&](std::uint32_t number) {
                 const Material& material = world_.appearance.materials[number];
                 made->blocks_light &= material.stops_light();
+                made->clear |= material.transparent;
+                made->has_interiors |= material.transparent || material.interior;
                 return InstancePlan::is_alike(material);
             }))
             return no_prototype;
+        if (made->clear) number_solids(*made);
         if (!add_luminaires(world_, *made, lists.glowing_, all_, said)) return no_prototype;
         for (const Diagnostic& each : said.all()) diagnostics_->add(each);
         geometry_.prototypes.push_back(std::move(made));
         return static_cast<std::uint32_t>(geometry_.prototypes.size() - 1);
+    }
+
+    /// Tells the meshes of a prototype apart.
+    void number_solids(Prototype& made) const {
+        std::unordered_map<std::uint32_t, PrimitiveIndex> first;
+        const PrimitiveIndex begin = made.geometry.triangles_begin();
+        for (PrimitiveIndex i = begin; i < made.geometry.shapes_begin(); ++i) {
+            const std::uint32_t solid = world_.appearance.materials[made.material_of[i]].solid;
+            made.first_of_solids.push_back(first.try_emplace(solid, i).first->second);
+        }
     }
 
     Inherited inherit(const Object& object, const Inherited& outer) {
@@ -334,6 +349,7 @@ private:
         if (const auto* sphere = std::get_if<Sphere>(&shape)) {
             place_sphere(*sphere, here.transform, material, span);
         } else if (const auto* flat = std::get_if<Shared<Triangle>>(&shape)) {
+            clear_triangle_ |= world_.appearance.materials[material].transparent;
             const TrianglePrimitive own{(*flat)->corner1, (*flat)->corner2, (*flat)->corner3};
             const TrianglePrimitive there = placed(own, here.transform.get());
             const bool sided = here.inner && here.transform;

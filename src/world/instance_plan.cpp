@@ -13,11 +13,11 @@ namespace candelabra {
 
 namespace {
 
-/// Whether the object is made of opaque parts only, which have no part in anything but themselves:
-/// no interior, no light source, no photons, no stated flux.
+/// Whether the object is made of parts only that have no part in anything but themselves: no media,
+/// no light source, no photons, no stated flux.
 bool is_plain(const Object& object) {
-    if (object.lamp || object.photons || object.interior || object.part_textures ||
-        object.clipping || object.inverse)
+    if (object.lamp || object.photons || object.part_textures || object.clipping ||
+        object.inverse || (object.interior && !object.interior->media.empty()))
         return false;
     if (object.texture && !InstancePlan::is_alike(*object.texture)) return false;
     // The normals of a smooth triangle have length 1 where it stands, and are interpolated there.
@@ -25,7 +25,8 @@ bool is_plain(const Object& object) {
     if (shape && std::holds_alternative<Shared<SmoothTriangle>>(*shape)) return false;
     const auto* group = std::get_if<Union>(&object.form);
     if (!group) return true;
-    return !group->light_group && !group->light_name && group->lights.empty() &&
+    const bool shares_interior = object.interior && group->csg == Csg::together;
+    return !shares_interior && !group->light_group && !group->light_name && group->lights.empty() &&
            group->free_lights.empty() &&
            std::ranges::all_of(group->children,
                                [](const ObjectHandle& child) { return is_plain(*child); });
@@ -34,16 +35,15 @@ bool is_plain(const Object& object) {
 }  // namespace
 
 bool InstancePlan::is_alike(const Texture& texture) {
-    return moves_with_object(texture) && !transparent(texture) && !nesting(texture).by_axes &&
+    return moves_with_object(texture) && !nesting(texture).by_axes &&
            !any_finish(texture, [](const Finish& finish) {
-               return finish.lamp || finish.ior != 0 || finish.caustics >= 0 ||
-                      finish.subsurface.translucency != Rgb(0);
+               return finish.lamp || finish.subsurface.translucency != Rgb(0);
            });
 }
 
 bool InstancePlan::is_alike(const Material& m) {
-    return is_alike(*m.texture) && !m.transparent && !m.interior && !m.inner && !m.texture2 &&
-           !m.by_axes && m.shared_interior == 0;
+    return is_alike(*m.texture) && !(m.interior && !m.interior->media.empty()) && !m.inner &&
+           !m.texture2 && !m.by_axes && m.shared_interior == 0;
 }
 
 bool InstancePlan::is_bare(const Inherited& outer) {

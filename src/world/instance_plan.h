@@ -32,7 +32,7 @@ public:
         return found != places_.end() && found->second.shared;
     }
 
-    /// Whether a texture moves with its object wherever that is, and lets no light through.
+    /// Whether a texture moves with its object wherever that is.
     static bool is_alike(const Texture&);
     /// The same for surfaces of a material.
     static bool is_alike(const Material&);

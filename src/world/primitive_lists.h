@@ -42,6 +42,7 @@ struct PrimitiveLists {
     std::vector<GlowingPrimitive> glowing_;  ///< surfaces
     std::vector<GlowingPrimitive> filled_;   ///< with media that light the scene
     std::vector<Parted> parted_;
+    bool clear_triangle_ = false;  ///< whether a triangle that is no mesh's face is transparent
 };
 
 }  // namespace candelabra

@@ -19,6 +19,16 @@ namespace candelabra {
 
 namespace {
 
+/// The surfaces of the world, or of an instance, and a ray in their space.
+struct RaySpace {
+    const Geometry& geometry;
+    const Ray& ray;
+    PrimitiveIndex first;    ///< the number in the world of the first primitive
+    const Transform* place;  ///< to the world; null: it is the world
+
+    Vec3 normal(const Vec3& own) const { return place ? place->normal(own) : own; }
+};
+
 /// The transparent surfaces on the way of light, and what they do to it.
 class Passages {
 public:
@@ -43,6 +53,8 @@ public:
     void for_stretches(Solids around, double distance, const World::UseStretch& use) const;
 
 private:
+    void collect_from(const Instance&, const Interval& range);
+    void collect_from(const RaySpace&, std::uint32_t item, const Interval& range);
     Hit hit_at(const Passage&) const;
 
     const World& world_;
@@ -50,25 +62,67 @@ private:
     ShortList<Passage, 8> met_;
 };
 
+bool may_pass(const World& world, const Geometry& geometry, PrimitiveIndex first,
+              std::uint32_t item) {
+    if (const Instance* placed = geometry.instance(item))
+        return geometry.prototype_of(*placed).clear;
+    const PlacedComposite* composite = geometry.composite(item);
+    return composite ? composite->transparent : world.material(first + item).transparent;
+}
+
+/// Items that were noted, some of them twice.
+using NotedItems = ShortList<std::uint32_t, 16>;
+void drop_doubles(NotedItems& items) {
+    std::ranges::sort(items);
+    items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
 void Passages::collect(std::uint32_t item, const Interval& range) {
-    const Geometry& geometry = world_.geometry;
-    const Ray& ray = ray_;
-    if (!geometry.is_composite(item) && world_.material(item).no_shadow) return;
+    if (const Instance* placed = world_.geometry.instance(item))
+        collect_from(*placed, range);
+    else
+        collect_from({world_.geometry, ray_, 0, nullptr}, item, range);
+}
+
+void Passages::collect_from(const Instance& placed, const Interval& range) {
+    const Geometry& own = world_.geometry.prototype_of(placed).geometry;
+    const Ray ray = placed.place->inverse_ray(ray_);
+    PackRay packed(ray);
+    NotedItems clear;
+    own.tree.traverse_likely(ray, range, [&](const TreeLeaf& leaf, const Interval& whole) {
+        return packed.candidates(leaf, whole, [&](std::uint32_t item) {
+            if (may_pass(world_, own, placed.first, item)) clear.push_back(item);
+            return false;
+        });
+    });
+    drop_doubles(clear);
+    for (const std::uint32_t item : clear)
+        collect_from({own, ray, placed.first, placed.place.get()}, item, range);
+}
+
+void Passages::collect_from(const RaySpace& space, std::uint32_t item, const Interval& range) {
+    const Geometry& geometry = space.geometry;
+    const Ray& ray = space.ray;
+    const PrimitiveIndex first = space.first;
+    const PrimitiveIndex primitive = first + item;
+    if (!geometry.is_composite(item) && world_.material(primitive).no_shadow) return;
     geometry.visit(
         item,
         [&](const SpherePrimitive& s) {
             const double near = first_crossing(s, ray, range);
             if (near >= range.max) return;
-            met_.push_back({near, item, ray.at(near) - s.centre});
+            met_.push_back({near, primitive, space.normal(ray.at(near) - s.centre)});
             const double far = first_crossing(s, ray, {near + tolerance_at(ray, near), range.max});
-            if (far < range.max) met_.push_back({far, item, ray.at(far) - s.centre});
+            if (far < range.max)
+                met_.push_back({far, primitive, space.normal(ray.at(far) - s.centre)});
         },
         [&](const TrianglePrimitive& face) {
             const TriangleHit hit =
                 ShearedRay(ray).meet(face.corner1, face.corner2, face.corner3, range);
             if (hit.t >= range.max || begins_on(ray, hit.t, face)) return;
             met_.push_back(
-                {hit.t, item, cross(face.corner1 - face.corner2, face.corner3 - face.corner2)});
+                {hit.t, primitive,
+                 space.normal(cross(face.corner1 - face.corner2, face.corner3 - face.corner2))});
         },
         [&](const PlacedShape& placed) {
             Crossings all;
@@ -77,16 +131,17 @@ void Passages::collect(std::uint32_t item, const Interval& range) {
                 if (!range.contains(all[i].t)) continue;
                 const Crossing met = in_world(placed, all[i]);
                 if (begins_on(ray, met.t, met.normal, size_of(placed, ray))) continue;
-                met_.push_back({met.t, item, met.normal, met.part});
+                met_.push_back({met.t, primitive, space.normal(met.normal), met.part});
             }
         },
         [&](const PlacedComposite& placed) {
+            const PrimitiveIndex leaves = first + placed.first_leaf;
             const auto passed = [&](std::uint32_t leaf) {
-                const Material& m = world_.material(placed.first_leaf + leaf);
+                const Material& m = world_.material(leaves + leaf);
                 return m.transparent && !m.no_shadow;
             };
             placed.composite->all(ray, range, passed, [&](const Composite::Meeting& each) {
-                met_.push_back({each.t, placed.first_leaf + each.leaf, each.normal, each.part});
+                met_.push_back({each.t, leaves + each.leaf, space.normal(each.normal), each.part});
             });
         });
 }
@@ -153,16 +208,26 @@ Rgb Passages::dimmed(Solids around) const {
 }
 
 Hit Passages::hit_at(const Passage& passage) const {
-    const Geometry& geometry = world_.geometry;
     Hit hit{passage.primitive, passage.part, ray_.at(passage.t), unit(passage.normal)};
     hit.tolerance = tolerance_at(ray_, passage.t);
     hit.smooth_normal = hit.normal;
-    if (!geometry.is_triangle(passage.primitive)) return hit;
-    const CornerNormals* smooth = geometry.normals_of_triangle(passage.primitive);
+    const Geometry* geometry = &world_.geometry;
+    PrimitiveIndex primitive = passage.primitive;
+    const Transform* place = nullptr;
+    if (geometry->is_instanced(primitive)) {
+        const Instance& placed = geometry->instance_of(primitive);
+        geometry = &geometry->prototype_of(placed).geometry;
+        primitive -= placed.first;
+        place = placed.place.get();
+    }
+    if (!geometry->is_triangle(primitive)) return hit;
+    const CornerNormals* smooth = geometry->normals_of_triangle(primitive);
     if (!smooth) return hit;
-    const TrianglePrimitive& face = geometry.triangle(passage.primitive);
-    const Vec3 w = corner_weights({face.corner1, face.corner2, face.corner3}, hit.position);
-    hit.smooth_normal = unit(w.x * smooth->normal1 + w.y * smooth->normal2 + w.z * smooth->normal3);
+    const TrianglePrimitive& face = geometry->triangle(primitive);
+    const Vec3 w = corner_weights({face.corner1, face.corner2, face.corner3},
+                                  place ? place->inverse_point(hit.position) : hit.position);
+    const Vec3 normal = w.x * smooth->normal1 + w.y * smooth->normal2 + w.z * smooth->normal3;
+    hit.smooth_normal = unit(place ? place->normal(normal) : normal);
     return hit;
 }
 
@@ -179,12 +244,6 @@ void Passages::for_stretches(Solids around, double distance, const World::UseStr
     use(Interval{before, distance}, {inside.data(), inside.size()});
 }
 
-bool may_pass(const World& world, std::uint32_t item) {
-    if (world.geometry.instance(item)) return false;
-    const PlacedComposite* composite = world.geometry.composite(item);
-    return composite ? composite->transparent : world.material(item).transparent;
-}
-
 /// Whether a surface of the instance is in between that stops light.
 bool opaque_between(const World& world, const Instance& placed, const Ray& ray,
                     const Interval& range) {
@@ -198,7 +257,8 @@ bool opaque_between(const World& world, const Instance& placed, const Ray& ray,
         if (item >= geometry.shapes_begin() && asked.before(item)) return false;
         MetSurface nearest{range.max};
         meet_item(geometry, item, constants, range, nearest, [&](PrimitiveIndex primitive) {
-            return prototype.blocks_light || world.material(placed.first + primitive).stops_light();
+            return prototype.blocks_light ||
+                   world.appearance.materials[prototype.material_of[primitive]].stops_light();
         });
         return nearest.primitive != no_primitive;
     };
@@ -232,9 +292,9 @@ Rgb World::transmittance(const Ray& ray, double tolerance, double distance,
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, end_of_way(tolerance, distance).min};
     RayConstants constants(ray);
-    ShortList<std::uint32_t, 16> clear;
+    NotedItems clear;
     const auto blocks = [&](std::uint32_t item) {
-        if (appearance.any_transparent && may_pass(*this, item)) clear.push_back(item);
+        if (appearance.any_transparent && may_pass(*this, geometry, 0, item)) clear.push_back(item);
         return opaque_between(*this, item, constants, range);
     };
     for (const InfinitePlane& plane : geometry.infinite.planes) {
@@ -256,8 +316,7 @@ Rgb World::transmittance(const Ray& ray, double tolerance, double distance,
     if (blocked) return Rgb(0);
 
     // An item may be tested twice, but counts once.
-    std::ranges::sort(clear);
-    clear.erase(std::unique(clear.begin(), clear.end()), clear.end());
+    drop_doubles(clear);
     Passages found(*this, ray);
     for (const std::uint32_t item : clear) found.collect(item, range);
     found.sort();

@@ -26,34 +26,37 @@ bool keeps_out(const World& world, const Material& outer) {
     return world.facts.dims_between && !outer.hollow;
 }
 
-/// Adds the noted solids of an instance that contain the point, each by its first primitive.
-void add_those_inside(const World& world, const Instance& placed, const Vec3& point,
-                      EnteredSolids& found) {
-    const Geometry& geometry = world.geometry.prototype_of(placed).geometry;
-    const Vec3 here = placed.place->inverse_point(point);
-    for (std::uint32_t item = 0; item < geometry.item_count(); ++item) {
-        if (geometry.is_triangle(item) || !contains(geometry.noticed_in(item), here)) continue;
-        const PlacedComposite* whole = geometry.composite(item);
-        const PrimitiveIndex first = placed.first + (whole ? whole->first_leaf : item);
-        if (keeps_out(world, world.material(first)) && is_within(geometry, item, here))
-            found.push_back(first);
-    }
+/// Whether an item is a noted solid. `first`: the number in the world of the first primitive of its
+/// geometry. An opaque solid may contain the camera, or have holes through which its inside shows.
+bool is_noted(const World& world, const Geometry& geometry, PrimitiveIndex first,
+              std::uint32_t item) {
+    if (geometry.is_triangle(item)) return false;
+    if (const Instance* instance = geometry.instance(item))
+        return world.facts.dims_between || geometry.prototype_of(*instance).has_interiors;
+    const PlacedComposite* placed = geometry.composite(item);
+    const Material& outer = world.material(first + (placed ? placed->first_leaf : item));
+    return keeps_out(world, outer) || outer.interior ||
+           (placed ? placed->transparent : outer.transparent);
 }
 
-/// Adds a noted solid if it contains the point; a composite by the leaf whose interior applies.
-void add_if_inside(const World& world, std::uint32_t item, const Vec3& point,
-                   EnteredSolids& found) {
-    if (!contains(world.geometry.noticed_in(item), point)) return;
-    if (const Instance* instance = world.geometry.instance(item))
-        return add_those_inside(world, *instance, point, found);
-    const PlacedComposite* placed = world.geometry.composite(item);
-    if (!placed) {
-        if (world.contains_point(item, point)) found.push_back(item);
+/// Adds a noted solid if it contains the point; a composite by the leaf whose interior applies; of
+/// an instance, its noted solids.
+void add_if_inside(const World& world, const Geometry& geometry, PrimitiveIndex first,
+                   std::uint32_t item, const Vec3& point, EnteredSolids& found) {
+    if (!contains(geometry.noticed_in(item), point)) return;
+    if (const Instance* instance = geometry.instance(item)) {
+        const Geometry& own = geometry.prototype_of(*instance).geometry;
+        const Vec3 here = instance->place->inverse_point(point);
+        for (std::uint32_t part = 0; part < own.item_count(); ++part)
+            if (is_noted(world, own, instance->first, part))
+                add_if_inside(world, own, instance->first, part, here, found);
         return;
     }
-    if (!placed->composite->inside(point)) return;
+    if (!is_within(geometry, item, point)) return;
+    const PlacedComposite* placed = geometry.composite(item);
+    if (!placed) return found.push_back(first + item);
     // The solid's interior is the one behind its first transparent leaf.
-    PrimitiveIndex leaf = placed->first_leaf;
+    PrimitiveIndex leaf = first + placed->first_leaf;
     while (placed->transparent && !world.material(leaf).transparent) ++leaf;
     found.push_back(leaf);
 }
@@ -69,29 +72,21 @@ bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
                      placed.place->inverse_point(point));
 }
 
-bool World::is_noted_solid(std::uint32_t item) const {
-    if (geometry.is_triangle(item)) return false;
-    if (geometry.instance(item)) return facts.dims_between;
-    const PlacedComposite* placed = geometry.composite(item);
-    const Material& outer = material(placed ? placed->first_leaf : item);
-    // An opaque solid may contain the camera, or have holes through which its inside is seen.
-    return keeps_out(*this, outer) || outer.interior ||
-           (placed ? placed->transparent : outer.transparent);
-}
+bool World::is_noted_solid(std::uint32_t item) const { return is_noted(*this, geometry, 0, item); }
 
 EnteredSolids World::containing(const Vec3& point) const {
     EnteredSolids found;
     if (!facts.notes_solids) return found;
     if (facts.indexes_solids) {
         for (const std::uint32_t item : geometry.clear_solids.infinite)
-            add_if_inside(*this, item, point, found);
+            add_if_inside(*this, geometry, 0, item, point, found);
         geometry.clear_solids.index.around(point, [&](std::uint32_t part) {
-            add_if_inside(*this, geometry.clear_solids.finite[part], point, found);
+            add_if_inside(*this, geometry, 0, geometry.clear_solids.finite[part], point, found);
         });
         return found;
     }
     for (std::uint32_t item = 0; item < geometry.item_count(); ++item)
-        if (is_noted_solid(item)) add_if_inside(*this, item, point, found);
+        if (is_noted_solid(item)) add_if_inside(*this, geometry, 0, item, point, found);
     return found;
 }
 
@@ -113,10 +108,11 @@ std::uint32_t World::solid(PrimitiveIndex primitive) const {
     if (geometry.is_leaf(primitive)) return geometry.item_of(primitive);
     if (geometry.is_instanced(primitive)) {
         const Instance& placed = geometry.instance_of(primitive);
-        const Geometry& own = geometry.prototype_of(placed).geometry;
+        const Prototype& prototype = geometry.prototype_of(placed);
+        const Geometry& own = prototype.geometry;
         const PrimitiveIndex here = primitive - placed.first;
         if (own.is_leaf(here)) return placed.first + own.composite(own.item_of(here))->first_leaf;
-        return own.is_triangle(here) ? ~material(primitive).solid : primitive;
+        return own.is_triangle(here) ? placed.first + prototype.first_of_solid(here) : primitive;
     }
     return geometry.is_triangle(primitive) ? ~material(primitive).solid : primitive;
 }

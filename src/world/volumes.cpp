@@ -151,9 +151,10 @@ bool is_open(const BuiltShape& shape) {
 /// The same for an item.
 bool has_openings(const Geometry& geometry, std::uint32_t item) {
     if (const Instance* placed = geometry.instance(item)) {
-        const Geometry& own = geometry.prototype_of(*placed).geometry;
+        const Prototype& prototype = geometry.prototype_of(*placed);
+        const Geometry& own = prototype.geometry;
         for (std::uint32_t i = 0; i < own.item_count(); ++i)
-            if (!own.is_triangle(i) && has_openings(own, i)) return true;
+            if ((prototype.clear || !own.is_triangle(i)) && has_openings(own, i)) return true;
         return false;
     }
     return geometry.visit(
@@ -182,8 +183,9 @@ bool has_openings(const World& world) {
 }
 
 bool is_same_solid(const World& world, PrimitiveIndex a, PrimitiveIndex b) {
+    const Geometry& geometry = world.geometry;
     return world.solid(a) == world.solid(b) ||
-           world.geometry.item_of(a) == world.geometry.item_of(b);
+           (!geometry.is_instanced(a) && geometry.item_of(a) == geometry.item_of(b));
 }
 
 bool lights_from_inside(const Material& material) {

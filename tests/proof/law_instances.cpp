@@ -25,7 +25,7 @@ std::string short_number(Dice& dice, double low, double high) {
     return text_of(std::round(1000 * dice.between(low, high)) / 1000);
 }
 
-/// A part of the union in a colour of its own, or with a pattern that moves with the part.
+/// A part of the union in a colour of its own, with a pattern that moves with the part, or clear.
 Element coloured(Element shape, Dice& dice, const std::string& glow = "") {
     const std::string red = short_number(dice, 0, 1), green = short_number(dice, 0, 1);
     const std::string colour = "rgb <" + red + ", " + green + ", 0.7>";
@@ -40,6 +40,8 @@ Element coloured(Element shape, Dice& dice, const std::string& glow = "") {
                 " } normal { dents 0.5 scale 0.1 }" + finish + "] [1 pigment { onion" + map +
                 finish + "] } scale 0.3 }",
             "pigment { slope y" + map + " normal { ripples 0.4 scale 0.1 }" + finish,
+            "pigment { " + colour + " transmit 0.7 } interior { ior 1.3 }" + finish,
+            "pigment { checker rgb 0.4 rgbf <1, 0.9, 0.6, 0.8> scale 0.1 }" + finish,
         };
         look = patterns[dice.below(patterns.size())];
     }

@@ -153,10 +153,10 @@ TEST_CASE("unions whose look depends on their place are taken apart", "[instance
     CHECK(instances(house_with("") + places) == 12);
     for (const char* part : {
              "sphere { 0, 1 uv_mapping pigment { rgb 1 } normal { gradient x } }",
-             "sphere { 0, 1 pigment { checker rgb 1 rgbt 1 } }",
              "sphere { 0, 0.1 pigment { gradient x } finish { emission 5 } }",
-             "sphere { 0, 1 pigment { rgbt 0.5 } }",
-             "sphere { 0, 1 interior { ior 1.5 } }",
+             "triangle { 0, x, y pigment { rgbt 0.5 } }",
+             "union { sphere { 0, 1 } sphere { x, 1 } pigment { rgbt 0.5 } interior { ior 1.5 } }",
+             "sphere { 0, 1 pigment { rgbt 0.5 } finish { emission 1 } }",
              "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { emission 1 } } }",
              "sphere { 0, 1 clipped_by { plane { y, 0 } } }",
              "plane { y, -5 }",
@@ -218,6 +218,59 @@ TEST_CASE("patterns and bumps move with instances", "[instances]") {
         textures += twins.shared->material(one.primitive).texture->plain() ? 0 : 1;
     }
     CHECK(textures > 50);
+}
+
+TEST_CASE("light passes instances of clear surfaces as it passes what is taken apart",
+          "[instances]") {
+    const std::string clear = GENERATE(values<std::string>({
+        "sphere { 0.3*y, 0.6 pigment { rgbt <0.9, 0.5, 0.7, 0.9> } interior { ior 1.5 } }",
+        "torus { 0.5, 0.3 pigment { checker rgbf <1, 0.8, 0.5, 0.9> rgb 0 scale 0.2 } }",
+        "difference { box { -0.7, 0.7 } sphere { 0, 0.6 } pigment { rgbf 0.9 } interior { ior 1.3 "
+        "fade_distance 1 fade_power 1 fade_color rgb <0.8, 0.5, 0.3> } }",
+        "mesh { triangle { -x, x, y } triangle { -x, x, z } triangle { -x, y, z } triangle { x, y, "
+        "z } pigment { rgbt <1, 1, 0.5, 0.8> } interior { ior 1.4 } }",
+        "mesh { smooth_triangle { -x, <-0.3, 0.2, 1>, y, <0, 0.1, 1>, 1.5*x, <0.2, 0.3, 1> } "
+        "pigment { rgbt 0.5 } }",
+        "sphere { 0, 0.7 pigment { rgbt <0.9, 0.8, 0.7, 0.9> } interior { ior 1.5 caustics 1 } "
+        "normal { bumps 0.3 scale 0.2 } }",
+        "box { -0.5, 0.5 no_shadow pigment { rgbt 0.5 } } sphere { y, 0.4 pigment { rgbf 0.7 } }",
+        "cylinder { -0.4*z, 0.5*z, 0.6 open pigment { gradient x color_map { [0 rgbt 1] [1 rgb 0] "
+        "} scale 0.3 } }",
+    }));
+    INFO(clear);
+    const Twins twins =
+        twins_of(house_with("union { " + clear + " translate <0.031, 0.073, 0.057> }") + places +
+                 "sphere { 4*x, 2 pigment { rgbt 0.9 } }");
+    REQUIRE(twins.shared->geometry.instances.size() == 12);
+    Draw draw(4);
+    int dimmed = 0, inside = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Ray ray = ray_through_scene(draw);
+        const double distance = draw.between(4, 14);
+        const EnteredSolids around = twins.shared->containing(ray.origin);
+        const Rgb here = twins.shared->transmittance(ray, 1e-9, distance, {around.data(), 0}),
+                  there = twins.apart->transmittance(ray, 1e-9, distance);
+        CHECK(max_abs_component(here - there) < 1e-6);
+        dimmed += here != Rgb(0) && here != Rgb(1) ? 1 : 0;
+        // The solids that the ray enters on its way are told apart.
+        const auto solids = [&](const World& world) {
+            EnteredSolids entered;
+            std::vector<std::size_t> counts;
+            world.along(ray, 0, RayKind::camera, [&](const Hit& hit, double) {
+                world.pass(hit.primitive, entered);
+                counts.push_back(entered.size());
+                return true;
+            });
+            return counts;
+        };
+        CHECK(solids(*twins.shared) == solids(*twins.apart));
+        const Vec3 point = ray.at(draw.between(2, 10));
+        const std::size_t count = twins.shared->containing(point).size();
+        CHECK(count == twins.apart->containing(point).size());
+        inside += static_cast<int>(count);
+    }
+    CHECK(dimmed > 50);
+    CHECK(inside > 50);
 }
 
 TEST_CASE("unions of few parts, of very many, and in few places are taken apart", "[instances]") {
