@@ -20,6 +20,9 @@ constexpr int first_roulette = 2;
 /// Survival probability of a path for which reflected luminaires account for all light except that
 /// of highlights and mirrors.
 constexpr double chance_of_shine = 0.25;
+/// Number of shadow rays to reflected luminaires at a hit that no diffuse reflection has led to: a
+/// generation's cells and the path before the hit cost more than these. See "Indirect light".
+constexpr int rays_before_bounces = 4;
 /// Minimum survival probability in Russian roulette.
 constexpr double min_survival = 0.05;
 
@@ -199,7 +202,8 @@ void PathTracedIntegrator::gather(const PathState& seen, const Vertex& vertex,
         if (reflected_ && is_lambertian(world_, vertex, s) && path.bounces < max_bounces_)
             light += reflected_({world_, lit(whole, all_light), false, ledger_},
                                 {max_bounces_ - path.bounces,
-                                 path.scattered ? std::nullopt : std::optional<Scatterer>(whole)},
+                                 path.scattered ? std::nullopt : std::optional<Scatterer>(whole),
+                                 path.bounces == 0 ? rays_before_bounces : 1},
                                 path.key);
     } else {
         const Bsdf highlights = Bsdf::highlights_of(s, rules_);

@@ -4,6 +4,7 @@
 #include "transport/shadow_ray.h"
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace candelabra {
@@ -25,17 +26,22 @@ Rgb ReflectedLight::operator()(const ArrivingLight& at, const Counted& counted, 
     samples_.clear();
     std::visit(
         [&](const auto& strategy) {
-            strategy.at({point, lobes, nullptr, nullptr}).sample(own, samples_);
+            const auto answer = strategy.at({point, lobes, nullptr, nullptr});
+            for (int i = 0; i < counted.rays; ++i)
+                answer.sample(own.part(counted.rays, i), samples_);
         },
         at.layer.scatterer.in_air() ? set.in_air : set.sampler);
     Rgb sum(0);
-    for (const LightPick& pick : samples_.picks) {
+    for (std::uint32_t i = 0; i < samples_.picks.size(); ++i) {
+        LightPick& pick = samples_.picks[i];
+        pick.expected *= counted.rays;
+        const Key ray = own.with_branch(i);
         const ReflectedLuminaire& luminaire = set.list[pick.light];
         if (luminaire.reflections > counted.reflections) continue;
         if (!luminaire.scattered)
-            sum += from(pick, set, at, at.layer.scatterer, own);
+            sum += from(pick, set, at, at.layer.scatterer, ray);
         else if (counted.of_scattered)
-            sum += from(pick, set, at, *counted.of_scattered, own);
+            sum += from(pick, set, at, *counted.of_scattered, ray);
     }
     return sum;
 }

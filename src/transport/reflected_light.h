@@ -21,6 +21,7 @@ public:
         /// Scattering of light that a medium without `multiple` has scattered before; null: such
         /// light does not count.
         std::optional<Scatterer> of_scattered = {};
+        int rays = 1;  ///< number of shadow rays
     };
     /// Radiance towards the viewer from a Lambertian layer or a place in a medium, by light that
     /// arrives there by way of diffuse surfaces and media only, with the geometry term clamped to
