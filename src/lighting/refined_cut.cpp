@@ -23,10 +23,21 @@ struct Entry {
     }
 };
 
+/// The weight of a cluster, whose proxy that is, in a cell around a centre.
+double weight_around(const Vec3& centre, double radius, const LightTree& tree,
+                     const LightCluster& cluster, const LightProxy& g) {
+    const Vec3 v = g.centre - centre;
+    double weight = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
+    if (g.bent_normal != Vec3(0)) weight *= turned(g, v, radius + g.radius);
+    if (const Falloff* falloff = tree.falloff(cluster))
+        weight *= against_square_law(*falloff, v, radius + g.radius);
+    return weight;
+}
+
 class Refinement {
 public:
     Refinement(const LightTree& tree, const Box& cell)
-        : tree_(tree), cell_(cell), centre_(cell.centre()), radius_(0.5 * length(cell.size())) {}
+        : tree_(tree), centre_(cell.centre()), radius_(0.5 * length(cell.size())) {}
 
     void refine(const CutRule& rule) {
         const auto most = std::min(static_cast<std::size_t>(rule.max_entries), CutWeights::most);
@@ -40,10 +51,12 @@ public:
         // A block of entries takes the same time whether it is full or not. There is none if all
         // lights are dark.
         while (!heap_.empty() && heap_.size() < most &&
-               (heap_.size() < CutWeights::block || noise() > rule.noise)) {
+               (heap_.size() < CutWeights::block || is_noisier_than(rule.noise))) {
             const Entry coarse = heap_.front();
             if (coarse.excess <= 0) break;
             remove_greatest(heap_);
+            weights_ -= coarse.weight;
+            excess_ -= coarse.excess;
             const auto [first, second] = tree_.halves(coarse.cluster);
             add(first);
             add(second);
@@ -68,7 +81,7 @@ private:
         if (tree_.dark(cluster)) return;
         const LightProxy g = tree_.light_proxy(cluster);
         const double d = length(g.centre - centre_);
-        Entry entry{cluster, weight_in(cell_, tree_, cluster), 0};
+        Entry entry{cluster, weight_around(centre_, radius_, tree_, cluster, g), 0};
         if (cluster.count > 1) {
             // Seen from anywhere in the cell, the distance and height of the members differ by
             // about this fraction.
@@ -76,6 +89,15 @@ private:
             entry.excess = std::fmax(entry.weight, nearest_weight(cluster, g)) * spread * spread;
         }
         add_to_heap(heap_, entry);
+        weights_ += entry.weight;
+        excess_ += entry.excess;
+    }
+
+    /// Whether noise() is above a bound. Mostly the running sums tell; their rounding may only
+    /// divide one more entry.
+    bool is_noisier_than(double bound) const {
+        constexpr double surely = 1 + 1e-6;
+        return excess_ > surely * bound * weights_ || noise() > bound;
     }
 
     /// The weight of one member of a cluster where the cluster is nearest. It may exceed that of
@@ -90,23 +112,17 @@ private:
     }
 
     const LightTree& tree_;
-    const Box& cell_;
     Vec3 centre_;
     double radius_;
     std::vector<Entry> heap_;
+    double weights_ = 0, excess_ = 0;  ///< of all entries, about
 };
 
 }  // namespace
 
 double weight_in(const Box& cell, const LightTree& tree, const LightCluster& cluster) {
-    const LightProxy g = tree.light_proxy(cluster);
-    const Vec3 v = g.centre - cell.centre();
-    const double radius = 0.5 * length(cell.size());
-    double weight = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
-    if (g.bent_normal != Vec3(0)) weight *= turned(g, v, radius + g.radius);
-    if (const Falloff* falloff = tree.falloff(cluster))
-        weight *= against_square_law(*falloff, v, radius + g.radius);
-    return weight;
+    return weight_around(cell.centre(), 0.5 * length(cell.size()), tree, cluster,
+                         tree.light_proxy(cluster));
 }
 
 RefinedCut refined_cut(const LightTree& tree, const Box& cell, const CutRule& rule) {
