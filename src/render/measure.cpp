@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "meter/glare.h"
 #include "photometry/light_colour.h"
+#include "render/lamp_draw.h"
 #include "transport/integrator.h"
 #include "transport/lamp_sight.h"
 
@@ -15,7 +16,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace candelabra {
@@ -37,13 +40,16 @@ using Sums = std::array<double, 2>;
 /// Takes samples of the quantities of meters. A copy serves one thread.
 class Prober {
 public:
-    Prober(const Shot& shot, const SentLight& sent, bool keeps_lamps)
+    /// `lamps` is needed by meters that look at lamps.
+    Prober(const Shot& shot, const SentLight& sent, bool keeps_lamps,
+           std::shared_ptr<const LampDraw> lamps)
         : shot_(shot),
           world_(*shot.world),
           units_(world_.rules.settings.light_units()),
           integrator_(shot, {.keeps_lamps = keeps_lamps, .sent = sent, .from_anywhere = true}),
           direct_(shot, ShadowRays{}),
-          photons_(sent.photons) {}
+          photons_(sent.photons),
+          lamps_(std::move(lamps)) {}
 
     /// Adds a sample of the meter at a place.
     void add(const Meter& meter, const MeterPlace& place, const Key& key, Sums& sums) {
@@ -152,26 +158,35 @@ private:
     }
 
     /// Calls use(direction, luminance, solid angle) for a sample of each luminaire that is visible
-    /// in front of the observer.
+    /// in front of the observer. Of very many, it is called for some, with greater solid angles.
     template <class Use>
-    void for_lamps(const Vec3& from, const Sightline& sight, const Key& key, const Use& use) {
-        const auto count = static_cast<LightIndex>(world_.lights.luminaires.size());
-        for (LightIndex lamp = 0; lamp < count; ++lamp) {
+    void for_lamps(const Vec3& from, const Sightline& sight, const Key& key, const Use& use,
+                   bool squares = false) {
+        const auto count = static_cast<std::uint32_t>(world_.lights.luminaires.size());
+        const double choice = uniform(key.with_branch(count + 1), Purpose::glare_u);
+        // Samples of a place follow each other.
+        const LampDraw::Sight here{from, sight.ahead, squares};
+        if (!(sight_ == here)) {
+            sight_ = here;
+            chances_ = lamps_->chances(here);
+        }
+        chances_.draw(choice, [&](LightIndex lamp, double weight) {
             const Key own = key.with_branch(lamp + 1);
             const auto seen =
                 sight_of_lamp(world_, lamp, from,
                               {uniform(own, Purpose::glare_u), uniform(own, Purpose::glare_v)});
             if (seen && dot(seen->direction, sight.ahead) > 0)
-                use(seen->direction, luminance(from, seen->direction, own), 1 / seen->density);
-        }
+                use(seen->direction, luminance(from, seen->direction, own), weight / seen->density);
+        });
     }
 
     double glare(const Vec3& from, const Sightline& sight, const Key& key) {
         double sum = 0;
-        for_lamps(from, sight, key, [&](const Vec3& direction, double bright, double angle) {
+        const auto add = [&](const Vec3& direction, double bright, double angle) {
             const double index = guth_index(sight, direction);
             if (index > 0) sum += bright * bright * angle / (index * index);
-        });
+        };
+        for_lamps(from, sight, key, add, true);
         for (std::uint32_t i = 0; i < world_.lights.sources.size(); ++i)
             sum += glare_of_source(i, from, sight, key);
         return sum;
@@ -254,6 +269,9 @@ private:
     Integrator integrator_;
     DirectLight direct_;
     ServedGeneration<Photons> photons_;
+    std::shared_ptr<const LampDraw> lamps_;  ///< shared by all copies
+    std::optional<LampDraw::Sight> sight_;   ///< of chances_
+    LampDraw::Chances chances_;
     LightLedger ledger_;
 };
 
@@ -392,7 +410,7 @@ public:
     Measuring(const Shot& shot, std::span<const Meter> meters, const MeasureSettings& settings)
         : settings_(settings),
           sent_{photons_of(shot, settings.seed, settings.threads), nullptr},
-          fresh_(shot, sent_, settings.lamps.count > 0) {
+          fresh_(shot, sent_, settings.lamps.count > 0, lamps_for(meters, *shot.world)) {
         const World& world = *shot.world;
         const double metres = world.rules.settings.light_units().metres;
         std::uint64_t key = 0;
@@ -433,6 +451,17 @@ public:
     }
 
 private:
+    /// Null if no meter looks at lamps one by one.
+    static std::shared_ptr<const LampDraw> lamps_for(std::span<const Meter> meters,
+                                                     const World& world) {
+        const bool looks = std::ranges::any_of(meters, [](const Meter& meter) {
+            const Quantity measures = meter.measures();
+            return measures == Quantity::ugr || measures == Quantity::threshold_increment ||
+                   (measures == Quantity::luminance && meter.surface);
+        });
+        return looks ? std::make_shared<LampDraw>(world.lights.luminaires) : nullptr;
+    }
+
     static double scale_of(const Meter& meter, const World& world) {
         if (meter.measures() != Quantity::daylight_factor) return meter.maintenance;
         const double sky = free_sky(world, unit(meter.up));

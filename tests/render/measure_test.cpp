@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/measure.h"
 
+#include "meter/glare.h"
 #include "support/scripts.h"
 
 #include <catch2/catch.hpp>
@@ -159,6 +160,26 @@ TEST_CASE("a white sphere reflects as much light to every point", "[render]") {
         CHECK(found.value ==
               Approx(direct + flux * reflects / (area * (1 - reflects))).epsilon(0.005));
     }
+}
+
+TEST_CASE("the glare of very many lamps is that of all of them", "[render]") {
+    // 10,000 small spheres of 50 cd/m2 to 4000 cd/m2 on a grid, before a background of 30 cd/m2.
+    const MeterValue found = read_one(
+        "background { rgb 30 } #for (I, 0, 99) #for (J, 0, 99) sphere { <0.1*I - 4.95, 0.2 + "
+        "0.05*J, 5>, 0.005 pigment { rgb 1 } finish { emission 50 + 40*mod(7*I + 3*J, "
+        "100) } } #end #end meter { ugr direction z points { 1, <0, 0, 0> } }",
+        0.001);
+    const Sightline sight{Vec3(0, 0, 1), Vec3(0, 1, 0)};
+    double sum = 0;
+    for (int i = 0; i < 100; ++i)
+        for (int j = 0; j < 100; ++j) {
+            const Vec3 lamp(0.1 * i - 4.95, 0.2 + 0.05 * j, 5);
+            const double bright = 50 + 40 * ((7 * i + 3 * j) % 100),
+                         index = guth_index(sight, unit(lamp));
+            sum += bright * bright * std::numbers::pi * 0.005 * 0.005 /
+                   (dot(lamp, lamp) * index * index);
+        }
+    CHECK(found.value == Approx(unified_glare_rating(30, sum)).margin(0.1));
 }
 
 TEST_CASE("glare is rated as by its formulas", "[render]") {
