@@ -55,6 +55,8 @@ namespace {
 
 /// Maximum number of steps along one ray.
 constexpr int max_steps = 100'000;
+/// A place that near, in steps, is that where a ray begins; border() is more exact.
+constexpr double at_once = 1e-9;
 
 Vec3 normal_at(const JuliaSet& julia, const Vec3& p, const Vec3& direction, bool entering) {
     Vec3 slope;
@@ -123,6 +125,7 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
     const double begin = range.min > 0 ? 0 : range.min;
     double t = std::fmax(first, begin * speed - start);
     const bool within = t > first;
+    const double origin = t;
     JuliaOrbit here = julia_orbit(julia, near.at(goes_on ? t + 1e-7 : t));
     here.stays = here.stays && (goes_on || within);
     // A ray that leaves the surface may start in a part of the set smaller than a step.
@@ -136,7 +139,9 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
         if (there.stays != here.stays) {
             const double at = border(julia, near, t, next, here.stays);
             const Vec3 normal = normal_at(julia, near.at(at), u, there.stays);
-            if (!take({(start + at) / speed, normal, there.stays})) return;
+            // A ray that begins on the surface does not cross it there.
+            const bool leaves = within && at - origin <= at_once * least;
+            if (!leaves && !take({(start + at) / speed, normal, there.stays})) return;
         }
         here = there;
         t = next;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/reflected_luminaires.h"
 
+#include "base/elementary.h"
+#include "base/function_ref.h"
 #include "base/order.h"
 #include "base/parallel.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
+#include "medium/media.h"
 #include "surface/quality.h"
+#include "transport/light_left.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,16 +71,18 @@ LightBounds bounds_in_air(const ReflectedLuminaire& luminaire, double radius) {
 /// Reflected luminaires as the strategy chooses among them. Their occlusion is not surveyed.
 class ReflectedChoices final : public ChoosableLights {
 public:
-    ReflectedChoices(const ReflectedSet& set, double radius, const SeenShare& seen) {
+    /// `left`: see left_by_air().
+    ReflectedChoices(const ReflectedSet& set, double radius, const SeenShare& seen,
+                     FunctionRef<double(const Vec3&)> left) {
         bounds_.reserve(set.list.size());
         for (std::size_t i = 0; i < set.list.size(); ++i) {
-            const ReflectedLuminaire& each = set.list[i];
-            if (each.in_air()) {
-                bounds_.push_back(bounds_in_air(each, 1 / std::sqrt(set.bounds[i])));
+            ReflectedLuminaire counted = set.list[i];
+            counted.power *= left(counted.position);
+            if (counted.in_air()) {
+                bounds_.push_back(bounds_in_air(counted, 1 / std::sqrt(set.bounds[i])));
                 continue;
             }
-            ReflectedLuminaire counted = each;
-            counted.power *= std::fmin(seen.at(each.position, each.normal) / well_seen, 1);
+            counted.power *= std::fmin(seen.at(counted.position, counted.normal) / well_seen, 1);
             bounds_.push_back(bounds_of(counted, radius));
         }
     }
@@ -120,8 +126,12 @@ ReflectedLuminaires::ReflectedLuminaires(const Shot& shot, std::uint32_t count, 
       threads_(threads),
       generations_(kept_generations) {
     if (!paths_.any()) return;
-    const std::vector<ReflectedLuminaire> tried =
+    find_air();
+    std::vector<ReflectedLuminaire> tried =
         sent(paths_.with_reflections(std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
+    std::erase_if(tried, [&](const ReflectedLuminaire& each) {
+        return left_by_air(each.position) < least_left;
+    });
     find_bound(tried);
     if (any()) find_seen(tried);
 }
@@ -136,6 +146,24 @@ std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& path
             for (std::uint32_t i = first; i < last; ++i)
                 paths.follow({stream, i, 0, 0}, 1.0 / count, found);
         });
+}
+
+void ReflectedLuminaires::find_air() {
+    const World& world = *shot_.world;
+    MediaList air;
+    for (const Media& media : world.sky.media)
+        if (media.homogeneous()) air.push_back(&media);
+    if (air.empty()) return;
+    const Rgb rate = coefficients(view_of(air), Vec3(0), world.pattern_scene()).extinction;
+    extinction_ = std::min({rate.r, rate.g, rate.b});
+    const Projection& camera = shot_.view.camera;
+    middle_ = camera.parallel ? paths_.region().centre : camera.location;
+    near_ = camera.parallel ? paths_.region().radius : 0;
+}
+
+double ReflectedLuminaires::left_by_air(const Vec3& place) const {
+    if (!(extinction_ > 0)) return 1;
+    return math::exp(-extinction_ * std::fmax(length(place - middle_) - near_, 0));
 }
 
 /// Finds the bound from light paths that light nothing else. In the whole scene, the scale is the
@@ -196,7 +224,8 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     // those on which they lie.
     LightOctree octree;
     octree.alone = true;
-    LightScene scene{std::make_shared<ReflectedChoices>(set, radius, seen_)};
+    LightScene scene{std::make_shared<ReflectedChoices>(
+        set, radius, seen_, [&](const Vec3& place) { return left_by_air(place); })};
     scene.even = even_share;
     const Projection& camera = shot_.view.camera;
     if (!camera.parallel) scene.eye = camera.location;

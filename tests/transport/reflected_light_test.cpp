@@ -315,4 +315,22 @@ TEST_CASE("reflected light over an endless plane is as quiet as over a wide floo
     CHECK(of_plane < 4 * of_wide);
 }
 
+TEST_CASE("light that endless air scatters is as bright and as quiet with reflected luminaires",
+          "[transport][statistics]") {
+    // A source lights all of the air, whose light the air itself keeps from the camera.
+    const auto scene = [](int luminaires) {
+        return "#version 3.7; global_settings { integrator { path_traced { bounces 1 "
+               "reflected_luminaires " +
+               std::to_string(luminaires) +
+               " } } } camera { location <0, 2, -5> } light_source { <3000, 5000, -4000>, 1 "
+               "parallel point_at 0 } media { scattering { 1, 0.08 multiple } }";
+    };
+    const Ray ray{Vec3(0, 2, -5), unit(Vec3(0.1, -0.3, 1))};
+    const Estimate lit = estimate(scene(3000), 300, ray), by_paths = estimate(scene(0), 600, ray);
+    CAPTURE(lit.mean.r, lit.deviation.r, by_paths.mean.r, by_paths.deviation.r);
+    CHECK(std::abs(lit.mean.r - 0.5) < 4.5 * lit.deviation.r);
+    CHECK(std::abs(by_paths.mean.r - 0.5) < 4.5 * by_paths.deviation.r + 1e-9);
+    CHECK(lit.deviation.r < 0.02);
+}
+
 }  // namespace candelabra
