@@ -42,6 +42,9 @@ constexpr std::uint32_t trials_of_each = 4;
 constexpr double well_seen = 0.15;
 /// See LightScene: "Indirect light".
 constexpr double even_share = 0.05;
+/// Noise of the choice above which the octree's cells are divided: higher than among luminaires,
+/// because a generation's cells serve few samples. See "Indirect light".
+constexpr double eta = 0.1;
 /// Length of the bent normal: for the strategy, a reflected luminaire shines on both sides, and a
 /// little more on its own.
 constexpr double lean = 0.25;
@@ -224,6 +227,7 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     // those on which they lie.
     LightOctree octree;
     octree.alone = true;
+    octree.eta = eta;
     LightScene scene{std::make_shared<ReflectedChoices>(
         set, radius, seen_, [&](const Vec3& place) { return left_by_air(place); })};
     scene.even = even_share;
