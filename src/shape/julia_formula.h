@@ -13,7 +13,6 @@ namespace candelabra {
 
 /// The function; any fractal with an exponent other than 0 is `pwr`.
 int function_of(const JuliaFractal&);
-bool is_by_formula(const JuliaFractal&);
 
 /// Returns F(q), or q where F has no value.
 Vec4 formula_image(const JuliaFractal&, const Vec4& q);

@@ -53,4 +53,8 @@ void crossings_between(const JuliaFractal&, const Ray&, const Interval&, Crossin
 void nearest_crossings(const JuliaFractal&, const Ray&, const Interval&, Crossings&);
 bool inside(const JuliaFractal&, const Vec3&);
 
+/// Whether the function is a formula of complex numbers. Where a ray meets such a set depends on
+/// where the ray starts: see julia_formula.h.
+bool is_by_formula(const JuliaFractal&);
+
 }  // namespace candelabra

@@ -112,7 +112,7 @@ std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const Shot& shot, i
     const World& world = *shot.world;
     const auto* wanted = std::get_if<PathTraced>(&world.rules.settings.integrator);
     if (!wanted || wanted->reflected_luminaires == 0 || wanted->bounces == 0 ||
-        world.rules.quality < quality_full)
+        world.rules.quality < quality_full || world.appearance.any_loose_surface)
         return nullptr;
     auto made = std::make_shared<ReflectedLuminaires>(shot, paths_of(*wanted, shot),
                                                       wanted->bounces, seed, threads);

@@ -94,7 +94,8 @@ private:
     Generations<ReflectedSet> generations_;
 };
 
-/// Null where the scene does not ask for any, or no light is reflected from surface to surface.
+/// Null where the scene does not ask for any, no light is reflected from surface to surface, or
+/// where rays meet a surface depends on their start: light that leaves it would be lost on its way.
 std::shared_ptr<ReflectedLuminaires> reflected_luminaires_of(const Shot&, int seed, int threads);
 
 }  // namespace candelabra

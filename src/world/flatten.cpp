@@ -360,8 +360,14 @@ private:
             add_triangle(there.corners, material, span);
             add_normals(there.normals);
         } else {
+            note_loose_surface(shape);
             add_shape(shapes_.built(shape, here.transform), here.transform, material, span);
         }
+    }
+
+    void note_loose_surface(const Shape& shape) {
+        const auto* julia = std::get_if<Shared<JuliaFractal>>(&shape);
+        world_.appearance.any_loose_surface |= julia && is_by_formula(**julia);
     }
 
     void place_sphere(const Sphere& sphere, const Handle<Transform>& transform,
@@ -468,6 +474,8 @@ private:
         }
         void leaf(const Object& object) {
             const Inherited& look = around.back();
+            if (const auto* shape = std::get_if<Shape>(&object.form))
+                flattener.note_loose_surface(*shape);
             const Handle<Transform>& outside = around[around.size() - 2].transform;
             TextureList parts;
             const std::uint32_t material =

@@ -72,6 +72,7 @@ struct Appearance {
     bool any_other_light = false;          ///< see WorldFacts
     bool any_clear = false;                ///< shadow rays may pass through some surface
     bool any_keeps_energy = false;
+    bool any_loose_surface = false;  ///< where rays meet some surface depends on their start
 };
 
 }  // namespace candelabra

@@ -52,6 +52,13 @@ TEST_CASE("reflected luminaires are there where a scene asks for them and light 
     // A single surface, whose light reaches no other.
     CHECK_FALSE(there(with_reflected(100, 2) + lamps_in_room + "plane { y, 0 pigment { rgb 1 } }"));
     CHECK(there(with_reflected(100, 2) + lamps_in_room + bare_room + "fog { distance 9 rgb 0.1 }"));
+    const auto beside = [&](const std::string& object) {
+        return there(with_reflected(100, 2) + lamps_in_room + bare_room + object);
+    };
+    const std::string set = "julia_fractal { <-0.1, 0, -0.8, 0> hypercomplex ";
+    CHECK(beside(set + "sqr }"));
+    CHECK_FALSE(beside(set + "exp }"));
+    CHECK_FALSE(beside("union { intersection { sphere { 0, 1 } " + set + "pwr(3, 0) } } }"));
     CHECK(there(with_reflected(100, 2) + lamps_in_room + bare_room +
                 "global_settings { photons { count 100 } } sphere { <2, 1, 2>, 0.5 pigment { "
                 "rgbt 1 } interior { ior 1.5 } photons { target reflection on } }"));
