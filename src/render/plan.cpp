@@ -44,7 +44,12 @@ int least_samples(const Shot& shot, const RenderSettings& settings) {
 }  // namespace
 
 RenderPlan plan_of(const Shot& shot, const RenderSettings& settings) {
-    return *plan_of(shot, settings, SentLight::of(shot, settings.seed, settings.threads), {});
+    return *plan_of(shot, settings, {});
+}
+
+std::optional<RenderPlan> plan_of(const Shot& shot, const RenderSettings& settings,
+                                  const std::function<bool()>& cancelled) {
+    return plan_of(shot, settings, SentLight::of(shot, settings.seed, settings.threads), cancelled);
 }
 
 std::optional<RenderPlan> plan_of(const Shot& shot, const RenderSettings& settings,

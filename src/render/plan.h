@@ -28,6 +28,9 @@ struct RenderPlan {
 
 /// Returns a plan. Traces some pixels where the settings leave the best choice open.
 RenderPlan plan_of(const Shot&, const RenderSettings&);
+/// The same, but nothing once `cancelled` returns true.
+std::optional<RenderPlan> plan_of(const Shot&, const RenderSettings&,
+                                  const std::function<bool()>& cancelled);
 /// Returns a plan with existing light sent from lamps. Returns nothing once `cancelled` returns
 /// true; it is called by several threads and may be empty.
 std::optional<RenderPlan> plan_of(const Shot&, const RenderSettings&, const SentLight&,

@@ -52,7 +52,8 @@ private:
         hooks.progress = listener_.progress;
         hooks.cancelled = hooks.ended = listener_.cancelled;
         RenderState state = begin_picture(render_, 0);
-        if (!advance(plan_of(shot, render_), state, picture.rays, hooks)) return false;
+        const auto plan = plan_of(shot, render_, listener_.cancelled);
+        if (!plan || !advance(*plan, state, picture.rays, hooks)) return false;
         picture.image = state.film.image();
         return true;
     }

@@ -89,7 +89,8 @@ Image Prepared::render(int samples, int seed, const Deadline& end) const {
     hooks.cancelled = [&end] { return end.over(); };
     RenderState state = begin_picture(wanted);
     LightLedger ledger;
-    if (!advance(plan_of(shot(), wanted), state, ledger, hooks)) return {};
+    const auto plan = plan_of(shot(), wanted, hooks.cancelled);
+    if (!plan || !advance(*plan, state, ledger, hooks)) return {};
     return state.film.image();
 }
 

@@ -18,6 +18,12 @@ TEST_CASE("samples are as many as asked for", "[render]") {
     CHECK(render(dark, settings).rays.camera == 45u * 37);
 }
 
+TEST_CASE("a plan that is cancelled while some pixels are traced is none", "[render]") {
+    const Shot shot = shot_of(four_lamps);
+    CHECK(plan_of(shot, of_samples(0), [] { return false; }));
+    CHECK_FALSE(plan_of(shot, of_samples(0), [] { return true; }));
+}
+
 TEST_CASE("a bound for noise is for light as the film shows it", "[render][film]") {
     const auto samples = [](const std::string& film) {
         const Shot shot = shot_of(R"(
