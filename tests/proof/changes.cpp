@@ -54,6 +54,12 @@ Claim same_bytes(std::string name, std::vector<Term> left, std::vector<Term> rig
     return claim;
 }
 
+Element with_plain_models(Element element) {
+    if (element.head == "model") element.values = "file \"gem.obj\"";
+    for (Element& each : element.inner) each = with_plain_models(std::move(each));
+    return element;
+}
+
 Element replaced(Element element, const std::string& expression, const std::string& by) {
     element.values = std::regex_replace(element.values, std::regex(expression), by);
     for (Element& each : element.inner) each = replaced(std::move(each), expression, by);

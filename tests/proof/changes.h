@@ -26,6 +26,9 @@ Claim same_mean(std::string name, std::vector<Term> left, std::vector<Term> righ
 Claim same_bytes(std::string name, std::vector<Term> left, std::vector<Term> right,
                  double tolerance = 0);
 
+/// The element with models that have no looks in their files.
+Element with_plain_models(Element);
+
 /// The whole of the text with every match of a regular expression replaced.
 Element replaced(Element, const std::string& expression, const std::string& by);
 

@@ -69,6 +69,8 @@ std::string written(const Script&, const Writing& = {});
 
 /// The elements of a text; the number of its lights from the marks of its amounts.
 Script script_of(std::string_view text);
+/// What is wrong with the braces and strings of such a text, as a sentence; empty: nothing.
+std::string trouble_with_braces(std::string_view text);
 
 /// The first element of the script with that head, which is added at the front if there is none.
 Element& element_of(Script&, std::string_view head);

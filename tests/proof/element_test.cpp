@@ -78,6 +78,17 @@ TEST_CASE("shrinking keeps what the fault needs, and no more", "[proof]") {
     CHECK(written(small).find("hollow") != std::string::npos);
 }
 
+TEST_CASE("a text whose braces do not match is told so, and read without a crash", "[proof]") {
+    const std::string begin = "// a brace { in a comment\nsphere { 0, 1\npigment { rgb \"}\"";
+    CHECK(trouble_with_braces(begin + " } }") == "");
+    CHECK(trouble_with_braces(begin + " }") == "the `{` in line 2 has no `}`");
+    CHECK(trouble_with_braces(begin) == "the `{` in line 3 has no `}`");
+    CHECK(trouble_with_braces(begin + " } }\n}") == "the `}` in line 4 has no `{`");
+    CHECK(trouble_with_braces(begin + "\"") == "a string has no end");
+    for (const char* end : {" } }", " }", "", " } }\n}", "\"", "{", "{{{"})
+        CHECK_FALSE(script_of(begin + end).elements.empty());
+}
+
 TEST_CASE("a case is read as it was written", "[proof]") {
     Script script = two_lamps();
     script.options = {{3, 0.5}};

@@ -92,7 +92,8 @@ Image shadow_rays(const Prepared& scene, int, int, const Deadline& end) {
     hooks.cancelled = [&end] { return end.over(); };
     RenderState state = begin_picture(wanted);
     LightLedger ledger;
-    if (!advance(plan_of(scene.shot(), wanted), state, ledger, hooks)) return {};
+    const auto plan = plan_of(scene.shot(), wanted, hooks.cancelled);
+    if (!plan || !advance(*plan, state, ledger, hooks)) return {};
     return one(static_cast<double>(ledger.shadow));
 }
 
@@ -114,7 +115,9 @@ Claims no_glaring_samples(const Script& script, Dice&) {
                        {number(usual, none)})};
 }
 
-Claims free_in_the_dark(const Script& script, Dice&) {
+Claims free_in_the_dark(const Script& drawn, Dice&) {
+    Script script = drawn;
+    for (Element& each : script.elements) each = with_plain_models(std::move(each));
     Term dark = number(script, shadow_rays);
     dark.text = without_finishes(dark.text);
     return {same_bytes("no shadow rays", {dark}, {number(script, none)})};

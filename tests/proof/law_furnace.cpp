@@ -13,6 +13,7 @@ const std::string deep_paths = "path_traced bounces 50 reflected_luminaires ";
 /// no more than they receive.
 Element whitened(Element element) {
     element = replaced(std::move(element), "rgb (<[^>]*>|[0-9.]+)", "rgb 1");
+    element = replaced(std::move(element), R"(image_map \{[^{}]*\})", "rgb 1");
     element = replaced(std::move(element), "(diffuse [^{}]*) emission [0-9.]+", "$1");
     static const std::regex diffuse("diffuse ([0-9.]+)(, ([0-9.]+))?( reflection ([0-9.]+))?");
     std::smatch found;
@@ -28,7 +29,8 @@ Element whitened(Element element) {
         else if (share > 1)
             element.values = found.prefix().str() + "diffuse 1" + found.suffix().str();
     }
-    for (Element& each : element.inner) each = whitened(std::move(each));
+    for (Element& each : element.inner)
+        each = each.head == "image_map" ? words("rgb 1") : whitened(std::move(each));
     return element;
 }
 
@@ -51,9 +53,7 @@ Element conserving(Element element) {
 Script white(Script script) {
     for (Element& each : script.elements) {
         if (!is_object(each)) continue;
-        // Others have colours in their files.
-        if (each.head == "model") each.values = "file \"gem.obj\"";
-        each = whitened(std::move(each));
+        each = whitened(with_plain_models(std::move(each)));
         if (has_word(each, "transmit") || has_word(each, "filter"))
             each = conserving(std::move(each));
     }

@@ -4,6 +4,9 @@
 #include "transport/integrator.h"
 #include "world/world.h"
 
+#include <algorithm>
+#include <string>
+
 namespace candelabra::proof {
 
 namespace {
@@ -50,9 +53,22 @@ Image shown(const Prepared& scene, int samples, int seed, const Deadline& end) {
     });
 }
 
+/// The element without `inverse` where media fill it: as in POV-Ray, a camera in an inverse solid
+/// notices it within an upright box only.
+Element with_noticed_media(Element element) {
+    const bool filled = std::ranges::any_of(element.inner, [](const Element& each) {
+        return each.head == "interior" && written(each).find("media") != std::string::npos;
+    });
+    if (filled) element = replaced(std::move(element), R"(\binverse\b)", "");
+    for (Element& each : element.inner) each = with_noticed_media(std::move(each));
+    return element;
+}
+
 }  // namespace
 
-Claims receiving(const Script& script, Dice& dice) {
+Claims receiving(const Script& drawn, Dice& dice) {
+    Script script = drawn;
+    for (Element& each : script.elements) each = with_noticed_media(std::move(each));
     const bool bounces = dice.chance(0.5);
     const auto paths = [](const char* count) {
         return std::string("path_traced reflected_luminaires 0 bounces ") + count;

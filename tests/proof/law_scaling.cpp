@@ -20,6 +20,14 @@ bool mentions(const Script& script, std::string_view word) {
     return written(script).find(word) != std::string::npos;
 }
 
+/// Whether a triangle stands by itself, and not in a mesh.
+bool has_lone_triangle(const std::vector<Element>& elements) {
+    return std::ranges::any_of(elements, [](const Element& each) {
+        return each.head.ends_with("triangle") ||
+               (each.head != "camera" && each.head != "mesh" && has_lone_triangle(each.inner));
+    });
+}
+
 /// The script at another size, and the same view of it.
 Script at_size(Script script, double factor) {
     const std::string size = text_of(factor);
@@ -42,14 +50,16 @@ Claims more_light(const Script& script, Dice& dice) {
 }
 
 Claims motion(const Script& script, Dice& dice) {
-    std::vector<std::string> ways = {"translate <1000, -300, 200>",
-                                     "matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 5, -3, 2>"};
+    std::vector<std::string> ways = {"translate <1000, -300, 200>"};
+    // As in POV-Ray, the outside of a triangle by itself is towards -x, +y or -z; and that of a
+    // patch follows from its control points: a mirror changes sides.
+    const bool sided = mentions(script, "interior_texture"),
+               has_triangle = sided && has_lone_triangle(script.elements);
+    if (!has_triangle) ways.push_back("matrix <0, 1, 0, 0, 0, 1, 1, 0, 0, 5, -3, 2>");
     // As in POV-Ray, a ray that starts in an inverse solid notices it within an upright box only.
-    if (!mentions(script, "inverse")) ways.push_back("rotate <30, 70, -20>");
-    // As in POV-Ray, the outside of a patch follows from its control points: a mirror changes sides.
-    if (!mentions(script, "bicubic_patch") || !mentions(script, "interior_texture")) {
+    if (!has_triangle && !mentions(script, "inverse")) ways.push_back("rotate <30, 70, -20>");
+    if (!has_triangle && (!sided || !mentions(script, "bicubic_patch")))
         ways.insert(ways.end(), {"scale <-1, 1, 1>", "scale <1, 1, -1> rotate 90*y"});
-    }
     const std::string way = dice.pick(ways);
     return {same_mean(way, picture(script), picture(transformed(script, way)))};
 }

@@ -85,8 +85,14 @@ int usage() {
 }
 
 int try_case(const std::string& path, const Studio& studio) {
-    const auto found = case_of(read(path));
-    if (!found) return std::fprintf(stderr, "%s names no law\n", path.c_str()), 2;
+    const std::string text = read(path);
+    if (const std::string trouble = trouble_with_braces(text); !trouble.empty())
+        return std::fprintf(stderr, "%s: %s\n", path.c_str(), trouble.c_str()), 2;
+    const auto found = case_of(text);
+    if (!found)
+        return std::fprintf(stderr, "%s has no line `// law NAME, seed N` with a law of proof\n",
+                            path.c_str()),
+               2;
     const Verdict verdict = judged(*found->law, found->script, found->seed, studio);
     std::printf("%s: %s\n", path.c_str(), described(verdict).c_str());
     return verdict.outcome == Outcome::holds ? 0 : 1;

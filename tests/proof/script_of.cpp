@@ -43,7 +43,7 @@ public:
             if (std::string loose = trimmed(text_.substr(begin, end - begin)); !loose.empty())
                 result.push_back(words(std::move(loose)));
         };
-        for (; at_ < text_.size() && text_[at_] != '}'; ++at_) {
+        for (; at_ < text_.size() && text_[at_] != '}'; at_ = std::min(at_ + 1, text_.size())) {
             if (text_[at_] == '"') at_ = std::min(text_.find('"', at_ + 1), text_.size() - 1);
             if (text_[at_] != '{') continue;
             const std::size_t word = word_before(at_);
@@ -51,7 +51,7 @@ public:
             std::string head = trimmed(text_.substr(word, at_ - word));
             ++at_;
             result.push_back(block_of(std::move(head)));
-            begin = at_ + 1;
+            begin = std::min(at_ + 1, text_.size());
         }
         add_words(at_);
         return result;
@@ -88,6 +88,24 @@ int lights_of(const std::string& text) {
 }
 
 }  // namespace
+
+std::string trouble_with_braces(std::string_view text) {
+    const std::string marked = with_marks(std::string(text));
+    std::vector<int> open;
+    int line = 1;
+    bool quoted = false;
+    for (const char c : marked) {
+        if (c == '"') quoted = !quoted;
+        if (c == '\n') ++line;
+        if (quoted) continue;
+        if (c == '{') open.push_back(line);
+        if (c != '}') continue;
+        if (open.empty()) return "the `}` in line " + std::to_string(line) + " has no `{`";
+        open.pop_back();
+    }
+    if (quoted) return "a string has no end";
+    return open.empty() ? "" : "the `{` in line " + std::to_string(open.back()) + " has no `}`";
+}
 
 Script script_of(std::string_view text) {
     const std::string marked = with_marks(std::string(text));
