@@ -15,6 +15,7 @@
 #include "world/prototype.h"
 #include "world/provenance.h"
 #include "world/stated_lamps.h"
+#include "world/sun.h"
 #include "world/volumes.h"
 
 #include <algorithm>
@@ -578,19 +579,6 @@ private:
     Materials materials_;
     ShapeStore shapes_;
 };
-
-/// The sun as parallel light, from beyond all scenes.
-std::optional<PlacedLight> sun_of(const std::optional<DaylightSky>& sky, const Span& statement) {
-    if (!sky || sky->sunlight() == Rgb(0)) return std::nullopt;
-    constexpr double away = 1e7;
-    PointLight light;
-    light.location = away * sky->sun();
-    light.point_at = Vec3(0);
-    light.parallel = true;
-    light.colour = sky->sunlight();
-    light.disc_edge = DaylightSky::sun_edge();
-    return PlacedLight{light, statement, {}, {}, {}, make_handle<std::string>("sun")};
-}
 
 }  // namespace
 
