@@ -171,7 +171,19 @@ Rgb left_by_lamp(const World& world, const Luminaire& luminaire, const WayOfLigh
 }
 
 Rgb left_by_lamp(const World& world, const MediaBox& box, const WayOfLight& way, const Key& key) {
-    return left_by_own_solid(world, box.primitive, way.distance, way, key);
+    const Rgb left = left_by_own_solid(world, box.primitive, way.distance, way, key);
+    return way.air == AirOnWay::none ? left
+                                     : left * left_by_fog_behind(world, way.ray, way.distance, key);
+}
+
+Rgb left_by_fog_behind(const World& world, const Ray& ray, double distance, const Key& key) {
+    if (world.sky.fogs.empty() && world.sky.rainbows.empty()) return Rgb(1);
+    Hit hit;
+    const bool ends = world.first_hit(ray, distance, RayKind::gathering, hit);
+    const Ray behind{ray.at(distance), ray.direction};
+    return veil_along(world, behind, ends ? length(hit.position - behind.origin) : far_away, {},
+                      key)
+        .transmittance;
 }
 
 }  // namespace candelabra

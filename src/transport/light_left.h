@@ -47,7 +47,12 @@ Rgb left_on_free_way(const World&, const WayOfLight&, const Key&);
 /// the ray's origin, if the solid has `no_shadow`: other light passes it, and light_left() leaves
 /// it out. 1 for other solids.
 Rgb left_by_lamp(const World&, const Luminaire&, const WayOfLight&, const Key&);
+/// The same of media, times left_by_fog_behind().
 Rgb left_by_lamp(const World&, const MediaBox&, const WayOfLight&, const Key&);
+
+/// Fraction that fog leaves of the light of media at a distance on a ray, by the fog behind them up
+/// to the next surface: as in POV-Ray, fog covers all media between two surfaces.
+Rgb left_by_fog_behind(const World&, const Ray&, double distance, const Key&);
 
 /// A part of a ray between two surfaces, inside of the solids.
 struct AirStretch {

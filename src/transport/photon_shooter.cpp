@@ -210,8 +210,10 @@ Rgb PhotonShooter::seen(const Luminaire& luminaire, const Ray& ray, double dista
 }
 
 /// Radiance of media per unit of length.
-Rgb PhotonShooter::seen(const MediaBox& box, const Ray& ray, double distance, const Key&) const {
-    return radiance_seen(world_, box, {ray, 0, distance});
+Rgb PhotonShooter::seen(const MediaBox& box, const Ray& ray, double distance,
+                        const Key& key) const {
+    return radiance_seen(world_, box, {ray, 0, distance}) *
+           left_by_fog_behind(world_, ray, distance, key);
 }
 
 /// A point that sends light to the place where a photon enters the ball of its target.

@@ -100,7 +100,6 @@ Rgb ShadowRay::emitted(const Luminaire& luminaire, const Hit& hit, double distan
 /// Fraction of a lamp's light that its own solid lets through, if other light passes it.
 template <class Glowing>
 Rgb ShadowRay::left_by_lamp(const Glowing& lamp, double distance) const {
-    if (!at_.world.material(lamp.primitive).no_shadow) return Rgb(1);
     return candelabra::left_by_lamp(at_.world, lamp, way(distance, true), key_);
 }
 

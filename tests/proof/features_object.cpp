@@ -19,6 +19,7 @@ unsigned traits_of_shape(std::string_view name) {
         traits |= open_surface;
     if (in({"smooth_triangle", "mesh2"})) traits |= bends;
     if (in({"plane"})) traits |= endless;
+    if (in({"bicubic_patch"})) traits |= lengths;  // its flatness is one, as in POV-Ray
     return traits;
 }
 

@@ -12,6 +12,9 @@ const std::string deep_paths = "path_traced bounces 50 reflected_luminaires ";
 /// The element with white pigments, whose diffuse surfaces glow as much as they absorb, and reflect
 /// no more than they receive.
 Element whitened(Element element) {
+    // The default colours of a pattern are not white.
+    if (element.head == "pigment" && written(element).find("rgb") == std::string::npos)
+        return block("pigment", "rgb 1");
     element = replaced(std::move(element), "rgb (<[^>]*>|[0-9.]+)", "rgb 1");
     element = replaced(std::move(element), R"(image_map \{[^{}]*\})", "rgb 1");
     element = replaced(std::move(element), "(diffuse [^{}]*) emission [0-9.]+", "$1");
@@ -67,8 +70,8 @@ Element white_default() {
 /// Whether surfaces lose light that nothing gives back.
 bool loses(const Script& script) {
     const std::string text = written(script);
-    for (const char* word :
-         {"reflection", "microfacet", "brilliance", "metallic", "conserve_energy", "fade_power"})
+    for (const char* word : {"reflection", "microfacet", "brilliance", "metallic",
+                             "conserve_energy", "fade_power", "smooth"})
         if (text.find(word) != text.npos) return true;
     // What lets light in on one side only may keep it for ever.
     return text.find("inverse") != text.npos && text.find("interior_texture") != text.npos;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace candelabra::proof {
 
@@ -75,10 +76,19 @@ Handle<RoadTable> diffuse_road() {
     return make_handle<RoadTable>(std::move(road));
 }
 
-/// The script without what glows around and behind its lamps, and with a meter, so that no lamp is left out.
+/// Whether an object glows without bounds: it is no lamp then, and paths find its light.
+bool glows_endlessly(const Element& element) {
+    const std::string text = written(element);
+    const auto has = [&](std::string_view word) { return text.find(word) != std::string::npos; };
+    return is_object(element) && (has("inverse") || has("plane {")) && has("emission");
+}
+
+/// The script without what glows around and behind its lamps, and with a meter, so that no lamp is
+/// left out.
 Script with_meter(Script script) {
     std::erase_if(script.elements, [](const Element& each) {
-        return each.head == "background" || each.head == "sky_sphere" || each.head == "media";
+        return each.head == "background" || each.head == "sky_sphere" || each.head == "media" ||
+               glows_endlessly(each);
     });
     script.elements.push_back(block("meter", "points { 1, 0 } direction y"));
     return script;
