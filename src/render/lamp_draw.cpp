@@ -29,6 +29,7 @@ LampDraw::LampDraw(const LuminaireList& all, std::size_t most) : lamps_(all.size
                           single(b.luminance)});
         brightest = std::max(brightest, balls_.back().luminance);
     });
+    if (!(brightest > 0)) return;
     for (Ball& ball : balls_) ball.luminance /= brightest;
 }
 

@@ -74,11 +74,6 @@ int function_of(const JuliaFractal& julia) {
     return julia.exponent == Vec2(0) ? julia.function : int{julia_pwr};
 }
 
-bool is_by_formula(const JuliaFractal& julia) {
-    return julia.algebra == hypercomplex_numbers && function_of(julia) != julia_sqr &&
-           function_of(julia) != julia_cube;
-}
-
 Vec4 formula_image(const JuliaFractal& julia, const Vec4& q) {
     const Vec4 result = value(julia, Halves(q)).joined();
     return std::isfinite(glm::dot(result, result)) ? result : q;

@@ -122,8 +122,7 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
     const bool goes_on = julia.by_formula;
     // Which crossings are found depends on the steps. So a ray makes the same ones whatever part of
     // it is asked for.
-    const double begin = range.min > 0 ? 0 : range.min;
-    double t = std::fmax(first, begin * speed - start);
+    double t = std::fmax(first, std::fmin(range.min, 0) * speed - start);
     const bool within = t > first;
     const double origin = t;
     JuliaOrbit here = julia_orbit(julia, near.at(goes_on ? t + 1e-7 : t));
@@ -191,6 +190,11 @@ void nearest_crossings(const JuliaFractal& julia, const Ray& ray, const Interval
 bool inside(const JuliaFractal& julia, const Vec3& point) {
     return dot(point, point) <= julia_radius(julia) * julia_radius(julia) &&
            julia_contains(julia, point);
+}
+
+bool is_by_formula(const JuliaFractal& julia) {
+    return julia.algebra == hypercomplex_numbers && function_of(julia) != julia_sqr &&
+           function_of(julia) != julia_cube;
 }
 
 }  // namespace candelabra

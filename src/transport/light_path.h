@@ -64,6 +64,7 @@ public:
     bool scatter() const { return in_air_; }
     /// Places that the camera sees, to which the starts of paths lead most light.
     const std::vector<SeenPlace>& seen() const { return seen_; }
+    /// Where paths from light sources and the sky mostly arrive.
     const LitRegion& region() const { return region_; }
 
 private:

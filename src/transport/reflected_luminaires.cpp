@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/reflected_luminaires.h"
 
-#include "base/elementary.h"
-#include "base/function_ref.h"
 #include "base/order.h"
 #include "base/parallel.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
-#include "medium/media.h"
 #include "surface/quality.h"
-#include "transport/light_left.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,13 +70,12 @@ LightBounds bounds_in_air(const ReflectedLuminaire& luminaire, double radius) {
 /// Reflected luminaires as the strategy chooses among them. Their occlusion is not surveyed.
 class ReflectedChoices final : public ChoosableLights {
 public:
-    /// `left`: see left_by_air().
     ReflectedChoices(const ReflectedSet& set, double radius, const SeenShare& seen,
-                     FunctionRef<double(const Vec3&)> left) {
+                     const AirToCamera& air) {
         bounds_.reserve(set.list.size());
         for (std::size_t i = 0; i < set.list.size(); ++i) {
             ReflectedLuminaire counted = set.list[i];
-            counted.power *= left(counted.position);
+            counted.power *= air.transmittance(counted.position);
             if (counted.in_air()) {
                 bounds_.push_back(bounds_in_air(counted, 1 / std::sqrt(set.bounds[i])));
                 continue;
@@ -124,17 +119,16 @@ ReflectedLuminaires::ReflectedLuminaires(const Shot& shot, std::uint32_t count, 
     : shot_(shot),
       max_reflections_(max_reflections),
       paths_(shot, max_reflections),
+      air_(shot, paths_.region()),
       count_(count),
       seed_(mix(static_cast<std::uint64_t>(seed) + 0x5ef1)),
       threads_(threads),
       generations_(kept_generations) {
     if (!paths_.any()) return;
-    find_air();
     std::vector<ReflectedLuminaire> tried =
         sent(paths_.with_reflections(std::max(max_reflections_, 2)), pilot_paths, mix(seed_));
-    std::erase_if(tried, [&](const ReflectedLuminaire& each) {
-        return left_by_air(each.position) < least_left;
-    });
+    std::erase_if(tried,
+                  [&](const ReflectedLuminaire& each) { return is_far_in_air(each.position); });
     find_bound(tried);
     if (any()) find_seen(tried);
 }
@@ -149,24 +143,6 @@ std::vector<ReflectedLuminaire> ReflectedLuminaires::sent(const LightPaths& path
             for (std::uint32_t i = first; i < last; ++i)
                 paths.follow({stream, i, 0, 0}, 1.0 / count, found);
         });
-}
-
-void ReflectedLuminaires::find_air() {
-    const World& world = *shot_.world;
-    MediaList air;
-    for (const Media& media : world.sky.media)
-        if (media.homogeneous()) air.push_back(&media);
-    if (air.empty()) return;
-    const Rgb rate = coefficients(view_of(air), Vec3(0), world.pattern_scene()).extinction;
-    extinction_ = std::min({rate.r, rate.g, rate.b});
-    const Projection& camera = shot_.view.camera;
-    middle_ = camera.parallel ? paths_.region().centre : camera.location;
-    near_ = camera.parallel ? paths_.region().radius : 0;
-}
-
-double ReflectedLuminaires::left_by_air(const Vec3& place) const {
-    if (!(extinction_ > 0)) return 1;
-    return math::exp(-extinction_ * std::fmax(length(place - middle_) - near_, 0));
 }
 
 /// Finds the bound from light paths that light nothing else. In the whole scene, the scale is the
@@ -228,8 +204,7 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     LightOctree octree;
     octree.alone = true;
     octree.eta = eta;
-    LightScene scene{std::make_shared<ReflectedChoices>(
-        set, radius, seen_, [&](const Vec3& place) { return left_by_air(place); })};
+    LightScene scene{std::make_shared<ReflectedChoices>(set, radius, seen_, air_)};
     scene.even = even_share;
     const Projection& camera = shot_.view.camera;
     if (!camera.parallel) scene.eye = camera.location;

@@ -6,6 +6,7 @@
 // Singularities", 2004). Both together are unbiased over the generations.
 #pragma once
 
+#include "transport/air_to_camera.h"
 #include "transport/generations.h"
 #include "transport/light_path.h"
 #include "transport/reflection_density.h"
@@ -48,15 +49,14 @@ public:
     /// the camera sees next to nothing that the place lights, or through too much air: reflected
     /// luminaires there would mostly be chosen in vain. Precondition: any().
     double bound(const Vec3& place, const Vec3& normal) const {
-        return density_.empty() || left_by_air(place) < least_left ||
-                       seen_.at(place, normal) < least_seen
+        return density_.empty() || is_far_in_air(place) || seen_.at(place, normal) < least_seen
                    ? 0
                    : std::fmin(greatest_bound_, per_density_ * density_.at(place));
     }
     /// The same in a medium: light from there is about that of all places within the usual
     /// distance between two of them.
     double bound_in_air(const Vec3& place) const {
-        return density_in_air_.empty() || left_by_air(place) < least_left
+        return density_in_air_.empty() || is_far_in_air(place)
                    ? 0
                    : per_density_in_air_ * density_in_air_.at(place);
     }
@@ -66,30 +66,25 @@ public:
 private:
     /// Minimum fraction of what the camera sees from which a reflected luminaire must be visible.
     static constexpr double least_seen = 0.04;
-    /// Minimum of left_by_air().
+    /// Minimum transmittance of the air between a reflected luminaire and the camera.
     static constexpr double least_left = 0.005;
 
     std::vector<ReflectedLuminaire> sent(const LightPaths&, std::uint32_t count,
                                          std::uint64_t stream) const;
     ReflectedSet made(std::uint32_t number) const;
-    void find_air();
-    /// Fraction that the air leaves of light on the straight way from the place to the camera, and
-    /// so at most of its light that the camera sees.
-    double left_by_air(const Vec3& place) const;
+    bool is_far_in_air(const Vec3& place) const { return air_.transmittance(place) < least_left; }
     void find_bound(const std::vector<ReflectedLuminaire>& tried);
     void find_seen(const std::vector<ReflectedLuminaire>& tried);
 
     const Shot& shot_;
     int max_reflections_;
     LightPaths paths_;
+    AirToCamera air_;
     std::uint32_t count_;
     std::uint64_t seed_;
     int threads_;
     ReflectionDensity density_, density_in_air_;  ///< of light paths that light nothing else
     double greatest_bound_ = 0, per_density_ = 0, per_density_in_air_ = 0;
-    double extinction_ = 0;  ///< of the air that is the same throughout, per unit of length
-    double near_ = 0;        ///< distance from the middle below which air dims nothing
-    Vec3 middle_ = Vec3(0);  ///< of what left_by_air() takes for the camera
     SeenShare seen_;
     Generations<ReflectedSet> generations_;
 };

@@ -11,6 +11,7 @@ namespace candelabra {
 namespace {
 
 constexpr double guided = 0.5;
+
 }  // namespace
 
 double StartTrials::sum() const { return std::accumulate(worth_.begin(), worth_.end(), 0.0); }

@@ -90,6 +90,14 @@ std::string written(const Script& script, const Writing& writing) {
     return text;
 }
 
+bool mentions(const Element& element, std::string_view word) {
+    return written(element).find(word) != std::string::npos;
+}
+
+bool mentions(const Script& script, std::string_view word) {
+    return written(script).find(word) != std::string::npos;
+}
+
 Element& element_of(Script& script, std::string_view head) {
     const auto found = std::ranges::find(script.elements, head, &Element::head);
     if (found != script.elements.end()) return *found;

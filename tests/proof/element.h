@@ -72,6 +72,10 @@ Script script_of(std::string_view text);
 /// What is wrong with the braces and strings of such a text, as a sentence; empty: nothing.
 std::string trouble_with_braces(std::string_view text);
 
+/// Whether the text of a scene, or of a part of it, contains the word.
+bool mentions(const Element&, std::string_view word);
+bool mentions(const Script&, std::string_view word);
+
 /// The first element of the script with that head, which is added at the front if there is none.
 Element& element_of(Script&, std::string_view head);
 

@@ -13,8 +13,7 @@ const std::string deep_paths = "path_traced bounces 50 reflected_luminaires ";
 /// no more than they receive.
 Element whitened(Element element) {
     // The default colours of a pattern are not white.
-    if (element.head == "pigment" && written(element).find("rgb") == std::string::npos)
-        return block("pigment", "rgb 1");
+    if (element.head == "pigment" && !mentions(element, "rgb")) return block("pigment", "rgb 1");
     element = replaced(std::move(element), "rgb (<[^>]*>|[0-9.]+)", "rgb 1");
     element = replaced(std::move(element), R"(image_map \{[^{}]*\})", "rgb 1");
     element = replaced(std::move(element), "(diffuse [^{}]*) emission [0-9.]+", "$1");
@@ -37,15 +36,11 @@ Element whitened(Element element) {
     return element;
 }
 
-bool has_word(const Element& element, std::string_view word) {
-    return written(element).find(word) != std::string::npos;
-}
-
 /// The element whose finishes reflect only what their pigments do not let through. POV-Ray's rule
 /// for clear pigments adds both, unless a finish has `conserve_energy`.
 Element conserving(Element element) {
-    if (element.head == "finish" && has_word(element, "reflection") &&
-        !has_word(element, "conserve_energy"))
+    if (element.head == "finish" && mentions(element, "reflection") &&
+        !mentions(element, "conserve_energy"))
         element.values += " conserve_energy";
     for (Element& each : element.inner) each = conserving(std::move(each));
     return element;
@@ -57,7 +52,7 @@ Script white(Script script) {
     for (Element& each : script.elements) {
         if (!is_object(each)) continue;
         each = whitened(with_plain_models(std::move(each)));
-        if (has_word(each, "transmit") || has_word(each, "filter"))
+        if (mentions(each, "transmit") || mentions(each, "filter"))
             each = conserving(std::move(each));
     }
     return script;
@@ -69,12 +64,11 @@ Element white_default() {
 
 /// Whether surfaces lose light that nothing gives back.
 bool loses(const Script& script) {
-    const std::string text = written(script);
     for (const char* word : {"reflection", "microfacet", "brilliance", "metallic",
                              "conserve_energy", "fade_power", "smooth"})
-        if (text.find(word) != text.npos) return true;
+        if (mentions(script, word)) return true;
     // What lets light in on one side only may keep it for ever.
-    return text.find("inverse") != text.npos && text.find("interior_texture") != text.npos;
+    return mentions(script, "inverse") && mentions(script, "interior_texture");
 }
 
 Element white_settings(Draft& draft) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 namespace candelabra::proof {
 
@@ -78,9 +77,8 @@ Handle<RoadTable> diffuse_road() {
 
 /// Whether an object glows without bounds: it is no lamp then, and paths find its light.
 bool glows_endlessly(const Element& element) {
-    const std::string text = written(element);
-    const auto has = [&](std::string_view word) { return text.find(word) != std::string::npos; };
-    return is_object(element) && (has("inverse") || has("plane {")) && has("emission");
+    return is_object(element) && (mentions(element, "inverse") || mentions(element, "plane {")) &&
+           mentions(element, "emission");
 }
 
 /// The script without what glows around and behind its lamps, and with a meter, so that no lamp is

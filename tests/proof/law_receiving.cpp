@@ -57,7 +57,7 @@ Image shown(const Prepared& scene, int samples, int seed, const Deadline& end) {
 /// notices it within an upright box only.
 Element with_noticed_media(Element element) {
     const bool filled = std::ranges::any_of(element.inner, [](const Element& each) {
-        return each.head == "interior" && written(each).find("media") != std::string::npos;
+        return each.head == "interior" && mentions(each, "media");
     });
     if (filled) element = replaced(std::move(element), R"(\binverse\b)", "");
     for (Element& each : element.inner) each = with_noticed_media(std::move(each));

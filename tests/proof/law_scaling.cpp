@@ -16,10 +16,6 @@ namespace {
 constexpr auto of_lengths = std::to_array<std::string_view>(
     {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical", "cylinder"});
 
-bool mentions(const Script& script, std::string_view word) {
-    return written(script).find(word) != std::string::npos;
-}
-
 /// Whether a triangle stands by itself, and not in a mesh.
 bool has_lone_triangle(const std::vector<Element>& elements) {
     return std::ranges::any_of(elements, [](const Element& each) {
