@@ -76,11 +76,15 @@ public:
             key, 1, [&](const Luminaire& luminaire) { return inner_rays(luminaire); });
         if (!drawn) return;
         PathState& path = drawn->path;
-        path.throughput = drawn->power_of_one / (1 - of_sources_) *
-                          world_.lights.visit(drawn->light, [&](const auto& glowing) {
-                              return leaving(glowing, path);
-                          });
-        go_on(std::move(path), world_.provenance.luminaire_statement(drawn->light), sums);
+        const std::uint32_t statement = world_.provenance.luminaire_statement(drawn->light);
+        path.throughput = Rgb(drawn->power_of_one / (1 - of_sources_));
+        world_.lights.visit(drawn->light, [&](const auto& glowing) {
+            path.dim(leaving(glowing, path));
+            const Rgb left = left_by_fog(glowing, path);
+            sums.add(statement, LightEnd::air, light_luminance((Rgb(1) - left) * path.throughput));
+            path.dim(left);
+        });
+        go_on(std::move(path), statement, sums);
     }
 
 private:
@@ -109,6 +113,13 @@ private:
         const double distance = free / 2;
         const Ray back{path.ray.at(distance), -path.ray.direction};
         return radiance_seen(world_, glowing, {back, 0, distance});
+    }
+
+    /// Fraction that fog behind the start of the path leaves of its light.
+    Rgb left_by_fog(const Luminaire&, const PathState&) const { return Rgb(1); }
+    Rgb left_by_fog(const MediaBox&, const PathState& path) const {
+        return left_by_fog_behind(world_, {path.ray.origin, -path.ray.direction}, path.tolerance,
+                                  path.key.branched(Branch::medium, 1));
     }
 
     void go_on(PathState path, std::uint32_t statement, BalanceSums& sums) const {

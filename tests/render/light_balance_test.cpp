@@ -15,6 +15,7 @@ namespace candelabra {
 
 namespace {
 
+using std::numbers::e;
 using std::numbers::pi;
 
 const std::string in_metres =
@@ -143,6 +144,12 @@ TEST_CASE("all light of luminaires ends where formulas say", "[render]") {
          "box { -0.5, 0.5 hollow pigment { rgbt 1 } interior { media { emission 3 } luminaire } }",
          12,
          {0, 0, 50, 0, 50, 0, 0}},
+        // Fog covers each chord c of the ball as a whole, and leaves exp(-c/2) of its light.
+        {"glowing gas in fog",
+         "sphere { 0, 1 hollow pigment { rgbt 1 } interior { media { emission 1 } luminaire } } "
+         "sphere { 0, 1.0001 hollow } fog { distance 2 rgb 0 }",
+         4 * 4 * pi / 3,
+         {300 * (2 - 5 / e), 100 - 300 * (2 - 5 / e), 0, 0, 0, 0, 0}},
     };
     for (const Row& row : rows) {
         BalanceSettings settings;
