@@ -3,6 +3,7 @@
 
 #include "base/elementary.h"
 #include "lighting/hierarchy_builder.h"
+#include "lighting/opposed_axes.h"
 #include "lighting/tuning.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Normals join(Normals a, Normals b) {
     if (b.spread < 0) return a;
     if (a.spread < b.spread) std::swap(a, b);
     if (a.spread >= pi / 2) return {Vec3(0), pi};
-    if (dot(a.axis, b.axis) < 0) b.axis = -b.axis;
+    if (are_opposed(a.axis, b.axis)) b.axis = -b.axis;
     const Vec3 across = b.axis - dot(a.axis, b.axis) * a.axis;
     const double between = math::atan2(length(across), dot(a.axis, b.axis));
     if (between + b.spread <= a.spread) return a;

@@ -4,6 +4,7 @@
 #include "base/function_ref.h"
 #include "base/parallel.h"
 #include "lighting/hierarchy_builder.h"
+#include "lighting/opposed_axes.h"
 #include "lighting/tuning.h"
 
 #include <algorithm>
@@ -74,7 +75,7 @@ struct Shine {
 };
 
 Shine join(const Shine& a, const Shine& b) {
-    const Vec3 turned = dot(a.axis, b.axis) < 0 ? -b.axis : b.axis;
+    const Vec3 turned = are_opposed(a.axis, b.axis) ? -b.axis : b.axis;
     return {a.axis + turned, a.bent_normal + b.bent_normal, a.flat + b.flat, a.even + b.even,
             a.all + b.all};
 }

@@ -74,6 +74,20 @@ TEST_CASE("triangles that lie in one plane keep a narrow cone", "[lighting]") {
     CHECK(std::abs(nodes[0].axis.z) == Approx(1));
 }
 
+TEST_CASE("the cone of lamps at right angles does not follow the rounding of their product",
+          "[lighting]") {
+    const auto axis_of_both = [](double lean) {
+        const auto lamp = [](const Vec3& at, const Vec3& one, const Vec3& other) {
+            return glowing(TriangleEmitter{at, at + one, at + other});
+        };
+        return Vec3(build_light_hierarchy(*choices(
+            std::vector<Luminaire>{lamp(Vec3(0), Vec3(0, 0, 1), Vec3(1, 0, 0)),
+                                   lamp(Vec3(3, 0, 0), Vec3(0, 0, 1), Vec3(-lean, 1, 0))}))[0]
+                        .axis);
+    };
+    CHECK(length(axis_of_both(1e-15) - axis_of_both(-1e-15)) < 0.1);
+}
+
 TEST_CASE("luminaires in geometric progression, or all in one place, make no endless tree",
           "[lighting]") {
     std::vector<Luminaire> progression, together;

@@ -74,6 +74,22 @@ TEST_CASE("the sphere around a cluster holds its luminaires, its strength is the
     });
 }
 
+TEST_CASE("the axes of lamps at right angles are summed alike, however their product is rounded",
+          "[lighting]") {
+    const auto axis_of_both = [](double lean) {
+        const auto lamp = [](const Vec3& at, const Vec3& one, const Vec3& other) {
+            return glowing(TriangleEmitter{at, at + one, at + other});
+        };
+        const std::vector<Luminaire> both = {lamp(Vec3(0), Vec3(0, 0, 1), Vec3(1, 0, 0)),
+                                             lamp(Vec3(3, 0, 0), Vec3(0, 0, 1), Vec3(-lean, 1, 0))};
+        const LightTree tree(*choices(both));
+        return tree.light_proxy(tree.root()).axis;
+    };
+    const Vec3 above = axis_of_both(1e-15), below = axis_of_both(-1e-15);
+    CHECK(length(above) > 0.5);
+    CHECK(length(above - below) < 0.1);
+}
+
 TEST_CASE("luminaires are drawn by their strength", "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(30, 3);
     const LightTree tree(*choices(luminaires));
