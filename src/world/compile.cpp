@@ -42,13 +42,21 @@ Box part_in_tree(const Geometry& geometry, std::uint32_t item, const Box& cell) 
         [&](const PlacedComposite&) { return cell; });
 }
 
+/// Instances often overlap, and to test one again takes longer than to test many boxes. So where
+/// most items are instances, each is in one group.
+TreeSettings settings_for(const Geometry& geometry, const RayIndex& index) {
+    TreeSettings settings = tree_settings(index);
+    if (2 * geometry.instances.size() > geometry.item_count()) settings.by = Division::boxes;
+    return settings;
+}
+
 void build_index(Geometry& geometry, const RayIndex& index, int threads) {
     for (const auto& prototype : geometry.prototypes)
         build_index(prototype->geometry, index, threads);
     geometry.tree = build_tree(
         geometry.item_count(), [&](std::uint32_t item) { return geometry.finite_bounds(item); },
         [&](std::uint32_t item, const Box& cell) { return part_in_tree(geometry, item, cell); },
-        tree_settings(index), threads);
+        settings_for(geometry, index), threads);
     const PackedKinds kinds{
         geometry.triangles_begin(), geometry.shapes_begin(),
         [&](std::uint32_t item) {

@@ -5,6 +5,7 @@
 #include "shape/face_normal.h"
 #include "shape/leaf_pack.h"
 #include "world/item_hits.h"
+#include "world/leaf_instances.h"
 #include "world/precedence.h"
 #include "world/prototype.h"
 #include "world/world.h"
@@ -116,16 +117,21 @@ MetSurface nearest(const Geometry& geometry, const Ray& ray, const Interval& ran
     if (best.primitive != no_primitive) best.t -= rounding_in(ray, best.t, best.normal);
     met = 0;
     Asked asked;
-    const auto ask_in_tree = [&](std::uint32_t item) {
-        if (item >= first_shape && asked.before(item)) return false;
+    LeafInstances instances(geometry);
+    const auto ask_and_go_on = [&](std::uint32_t item) {
         const double before = best.t;
         ask(item);
         finite = finite || best.t < before;
         return false;
     };
+    const auto ask_in_tree = [&](std::uint32_t item) {
+        const bool again = item >= first_shape && asked.before(item);
+        return !again && !instances.take(item) && ask_and_go_on(item);
+    };
     PackRay packed(ray);
     geometry.tree.traverse(ray, {range.min, best.t}, [&](const TreeLeaf& leaf, Interval& left) {
         packed.candidates(leaf, left, ask_in_tree);
+        instances.any_of(ask_and_go_on);
         left.max = best.t;
         return false;
     });

@@ -8,6 +8,7 @@
 #include "shape/triangle.h"
 #include "world/corners.h"
 #include "world/item_hits.h"
+#include "world/leaf_instances.h"
 #include "world/passage.h"
 #include "world/prototype.h"
 #include "world/world.h"
@@ -305,13 +306,16 @@ Rgb World::transmittance(const Ray& ray, double tolerance, double distance,
     if (std::ranges::any_of(geometry.infinite.others, blocks)) return Rgb(0);
     PackRay packed(ray);
     Asked asked;
+    LeafInstances instances(geometry);
     const auto blocks_in_tree = [&](std::uint32_t item) {
-        return !(item >= geometry.shapes_begin() && asked.before(item)) && blocks(item);
+        const bool again = item >= geometry.shapes_begin() && asked.before(item);
+        return !again && !instances.take(item) && blocks(item);
     };
     const bool blocked =
         geometry.tree.traverse_likely(ray, range, [&](const TreeLeaf& leaf, const Interval& whole) {
-            return appearance.any_clear ? packed.candidates(leaf, whole, blocks_in_tree)
-                                        : packed.blocked(leaf, whole, blocks_in_tree);
+            return (appearance.any_clear ? packed.candidates(leaf, whole, blocks_in_tree)
+                                         : packed.blocked(leaf, whole, blocks_in_tree)) ||
+                   instances.any_of(blocks);
         });
     if (blocked) return Rgb(0);
 
