@@ -31,6 +31,8 @@ const std::vector<Law>& laws() {
          white_floor, at_most_white},
         {"strategies", "All strategies give the same mean.", no_trait, staged, any_strategy},
         {"indices", "All indices give the same bytes.", no_trait, staged, any_index},
+        {"adaptive", "More samples where neighbours are noisy change no mean.", no_trait, staged,
+         more_where_noisy},
         {"reflected", "Reflected luminaires change no mean.", no_trait, in_corner,
          with_reflected_luminaires},
         {"photons", "Photons bring the light that paths find by chance.",

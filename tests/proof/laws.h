@@ -20,6 +20,7 @@ Claims constant_one(const Script&, Dice&);
 Claims at_most_white(const Script&, Dice&);
 Claims any_strategy(const Script&, Dice&);
 Claims any_index(const Script&, Dice&);
+Claims more_where_noisy(const Script&, Dice&);
 Claims with_reflected_luminaires(const Script&, Dice&);
 Claims photons_or_chance(const Script&, Dice&);
 Claims other_writing(const Script&, Dice&);
