@@ -103,8 +103,7 @@ MeshLens::Found MeshLens::at_uv(Vec2 place) const {
 Ray MeshLens::ray(const PictureSample& at) const {
     const std::size_t pixel = static_cast<std::size_t>(at.y) * static_cast<std::size_t>(at.width) +
                               static_cast<std::size_t>(at.x);
-    const std::size_t number = at.number % static_cast<std::uint32_t>(rays_.rays);
-    const Found found = rays_.distribution == 0   ? numbered(number, pixel)
+    const Found found = rays_.distribution == 0   ? numbered(at.number, pixel)
                         : rays_.distribution == 1 ? counted_through(pixel)
                         : rays_.distribution == 2 ? side_by_side(at)
                                                   : at_uv({at.u, at.v});

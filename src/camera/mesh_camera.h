@@ -40,7 +40,7 @@ struct MeshRays {
 /// A sample of the picture for which a ray is generated.
 struct PictureSample {
     int x, y, width, height;
-    std::uint32_t number;  ///< of the sample in the pixel
+    std::uint32_t number;  ///< of the ray, below rays_per_pixel()
     double u, v;           ///< from 0 to 1, rightwards and upwards
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/sample.h"
 
+#include "camera/sample_turns.h"
 #include "film/develop.h"
 #include "photometry/light_colour.h"
 #include "transport/camera_ray.h"
@@ -82,7 +83,8 @@ SeenSample SampleTracer::look(int x, int y, std::uint32_t sample, std::span<Exac
     Key key;
     key.pixel = mix(static_cast<std::uint64_t>(plan_->settings.seed)) + film_->index(x, y);
     key.sample = sample;
-    const std::size_t moment = sample % integrators_.size();
+    const std::size_t moment =
+        item_in_turn(Turns::moments, static_cast<std::uint32_t>(integrators_.size()), key);
     const Shot& shot = plan_->shot.moment(moment);
     const FilteredPlace in_pixel = place(key);
     const Ray ray = ray_through(shot, point(x, y), in_pixel.place, key);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/camera_ray.h"
 
+#include "camera/sample_turns.h"
+
 #include <algorithm>
 
 namespace candelabra {
@@ -25,11 +27,11 @@ Place on_screen(const PicturePoint& at, Vec2 place) {
     return {(at.x + place.x) / at.width - 0.5, 0.5 - (at.y + place.y) / at.height};
 }
 
-Ray mesh_ray(const Projection& camera, const PicturePoint& at, Place place, std::uint32_t sample) {
+Ray mesh_ray(const Projection& camera, const PicturePoint& at, Place place, std::uint32_t number) {
     // As in POV-Ray, where faces stand for pixels the first row is seen twice, and the last one
     // never.
     return camera.mesh->ray(
-        {at.x, std::max(at.y - 1, 0), at.width, at.height, sample, place.u + 0.5, place.v + 0.5});
+        {at.x, std::max(at.y - 1, 0), at.width, at.height, number, place.u + 0.5, place.v + 0.5});
 }
 
 }  // namespace
@@ -43,8 +45,10 @@ Ray camera_ray(const Shot& shot, double u, double v, const Key& key) {
 
 Ray ray_through(const Shot& shot, const PicturePoint& at, Vec2 place, const Key& key) {
     const Place p = on_screen(at, place);
-    return shot.view.camera.mesh ? mesh_ray(shot.view.camera, at, p, key.sample)
-                                 : camera_ray(shot, p.u, p.v, key);
+    const Projection& camera = shot.view.camera;
+    if (!camera.mesh) return camera_ray(shot, p.u, p.v, key);
+    const auto rays = static_cast<std::uint32_t>(camera.mesh->rays_per_pixel());
+    return mesh_ray(camera, at, p, item_in_turn(Turns::camera_rays, rays, key));
 }
 
 Ray middle_ray(const World& world, const WorldView& view, const PicturePoint& at) {

@@ -44,6 +44,41 @@ TEST_CASE("another seed gives other noise around the same mean", "[render]") {
     CHECK(sum1 == Approx(sum2).epsilon(0.01));
 }
 
+TEST_CASE("any number of samples sees all moments and all meshes of a camera alike", "[render]") {
+    const auto of_light = [](double light, const std::string& camera) {
+        return world_of("#version 3.7; camera { " + camera +
+                        " } plane { z, 2 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission " +
+                        std::to_string(light) + " } }");
+    };
+    // One of four moments is bright, and so is one of three rays of a pixel.
+    World moving(*of_light(1, "location -5*z"));
+    for (int later = 0; later < 3; ++later)
+        moving.shutter.emplace_back(*of_light(0, "location -5*z"));
+    const Shot four_moments(std::make_shared<World>(std::move(moving)));
+    const auto faces = [](const char* corners) {
+        std::string text = "mesh { ";
+        for (int i = 0; i < 24 * 18; ++i) text += corners;
+        return text + "}";
+    };
+    const std::string to_light = "triangle { <0, 0, 0>, <0, 1, 0>, <1, 0, 0> } ",
+                      away = "triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } ";
+    const Shot three_rays(of_light(1, "mesh_camera { 3, 0 " + faces(to_light.c_str()) +
+                                          faces(away.c_str()) + faces(away.c_str()) + "}"));
+    for (int samples = 1; samples <= 9; ++samples) {
+        RenderSettings settings = of_samples(samples);
+        settings.width = 24, settings.height = 18;
+        CAPTURE(samples);
+        const auto check = [&](const Shot& shot, double share, int items) {
+            const Image image = render(shot, settings).image;
+            const double error =
+                samples % items == 0 ? 1e-12 : 5 * std::sqrt(share / samples / (24 * 18));
+            CHECK(mean_grey(image) == Approx(share).margin(error));
+        };
+        check(four_moments, 1.0 / 4, 4);
+        check(three_rays, 1.0 / 3, 3);
+    }
+}
+
 TEST_CASE("pixel filters keep even light as it is, and the mean of a picture", "[render][film]") {
     const Image box = render(filmed("pixel_filter box"), of_samples(64)).image;
     for (const std::string name : {"triangle", "mitchell", "blackman_harris"}) {
