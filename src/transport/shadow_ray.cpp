@@ -56,17 +56,15 @@ WayOfLight ShadowRay::way(double distance, bool ends) const {
             .air = air_};
 }
 
-Rgb ShadowRay::left(double distance, bool ends) const {
-    const Rgb left = light_left(at_.world, way(distance, ends), key_);
+Rgb ShadowRay::left(double distance) const {
+    const Rgb left = light_left(at_.world, way(distance, true), key_);
     const bool brought =
         at_.photons && left != Rgb(0) && at_.layer.collects() &&
         target_between(at_.world, photons_, ray_, at_.layer.vertex.tolerance(), distance);
     return brought ? Rgb(0) : left;
 }
 
-Rgb ShadowRay::left(double distance) const { return left(distance, true); }
-
-Rgb ShadowRay::left_from_sky() const { return left(far_away, false); }
+Rgb ShadowRay::left_from_sky() const { return light_left(at_.world, way(far_away, false), key_); }
 
 Rgb ShadowRay::left_by_air(double distance, double tolerance) const {
     const World& world = at_.world;

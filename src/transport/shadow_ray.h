@@ -29,7 +29,7 @@ public:
     /// Fraction of the light from a point at that distance that surfaces and media let through. It
     /// is 0 where photons bring the light instead.
     Rgb left(double distance) const;
-    /// The same for light from behind everything.
+    /// The same for light from behind everything, of which photons bring none.
     Rgb left_from_sky() const;
     /// Fraction of the light from a point of a surface that media let through: 0 if a surface lies
     /// between, even a clear one. `tolerance` is that of the point.
@@ -45,7 +45,6 @@ public:
 
 private:
     WayOfLight way(double distance, bool ends) const;
-    Rgb left(double distance, bool ends) const;
     template <class Glowing>
     Rgb left_by_lamp(const Glowing&, double distance) const;
 
