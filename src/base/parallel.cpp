@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/parallel.h"
 
+#include "base/work_watch.h"
+
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
@@ -9,6 +11,18 @@
 #include <algorithm>
 
 namespace candelabra {
+
+namespace {
+
+/// Calls work() on a thread that helps another one, for which that is asked; null: nothing.
+template <class Work>
+void help(const std::function<bool()>* ended, const Work& work) {
+    if (!ended || WorkWatch::for_helpers() == ended) return work();
+    const WorkWatch watch(*ended, WorkWatch::Asks::everywhere);
+    work();
+}
+
+}  // namespace
 
 int core_count() { return oneapi::tbb::this_task_arena::max_concurrency(); }
 
@@ -27,8 +41,11 @@ void run_parallel(std::size_t count, int threads, const std::function<void(std::
         for (std::size_t i = 0; i < count; ++i) job(i);
         return;
     }
+    const std::function<bool()>* ended = WorkWatch::for_helpers();
     run_on_threads(threads, [&] {
-        oneapi::tbb::parallel_for(std::size_t{0}, count, job, oneapi::tbb::simple_partitioner());
+        oneapi::tbb::parallel_for(
+            std::size_t{0}, count, [&](std::size_t i) { help(ended, [&] { job(i); }); },
+            oneapi::tbb::simple_partitioner());
     });
 }
 
@@ -38,7 +55,8 @@ void run_both(int threads, const std::function<void()>& first,
         first();
         second();
     } else {
-        oneapi::tbb::parallel_invoke(first, second);
+        const std::function<bool()>* ended = WorkWatch::for_helpers();
+        oneapi::tbb::parallel_invoke([&] { help(ended, first); }, [&] { help(ended, second); });
     }
 }
 

@@ -18,9 +18,13 @@ struct WorkEnded {};
 /// innermost one counts.
 class WorkWatch {
 public:
+    /// Where it is asked: `everywhere` is also on threads that run_parallel() and run_both() give
+    /// parts of the work to.
+    enum class Asks { on_this_thread, everywhere };
+
     /// `ended` may be empty: then nothing is asked. It is called some hundred times a second.
-    explicit WorkWatch(const std::function<bool()>& ended)
-        : before_(std::exchange(state(), State{ended ? &ended : nullptr, interval})) {}
+    explicit WorkWatch(const std::function<bool()>& ended, Asks asks = Asks::on_this_thread)
+        : before_(std::exchange(state(), State{ended ? &ended : nullptr, interval, 0, asks})) {}
     WorkWatch(const WorkWatch&) = delete;
     WorkWatch& operator=(const WorkWatch&) = delete;
     ~WorkWatch() { state() = before_; }
@@ -29,6 +33,12 @@ public:
     std::uint64_t counted() const {
         const State& here = state();
         return static_cast<std::uint64_t>((here.asked + 1) * interval - here.left);
+    }
+
+    /// What helping threads ask for this one; null: nothing.
+    static const std::function<bool()>* for_helpers() {
+        const State& here = state();
+        return here.asks == Asks::everywhere ? here.ended : nullptr;
     }
 
 private:
@@ -41,6 +51,7 @@ private:
         const std::function<bool()>* ended = nullptr;
         std::int64_t left = std::numeric_limits<std::int64_t>::max();
         std::int64_t asked = 0;
+        Asks asks = Asks::on_this_thread;
     };
     /// The watch of this thread. Functions of numbers, shapes and patterns are called through many
     /// layers that do not know of it, so it is no parameter. It never changes a result.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preview/renderer.h"
 
+#include "base/unless_ended.h"
 #include "film/film.h"
 #include "options/region.h"
 #include "output/film_images.h"
@@ -110,7 +111,7 @@ public:
     /// once.
     void run() {
         tell_scene();
-        do render();
+        do render_or_leave();
         while (!leaving_.soon());
         preview_.questions().close();
     }
@@ -121,7 +122,14 @@ private:
                             !lamps_.empty() && has_room_for_lights(scene_));
     }
 
-    /// Renders the picture of one camera.
+    /// Renders the picture of one camera, unless the run ends meanwhile.
+    void render_or_leave() {
+        unless_ended(leaving_.at_once, [&] {
+            render();
+            return true;
+        });
+    }
+
     void render() {
         take_wishes();
         rendered_ = wishes_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "production/render_job.h"
 
+#include "base/unless_ended.h"
 #include "options/memory_limit.h"
 #include "options/region.h"
 #include "output/layers.h"
@@ -33,22 +34,37 @@ std::uint32_t max_samples(const RenderState& state) {
     return most;
 }
 
-/// Returns the plan. If its trials take longer than the picture may, the plan does without them.
-RenderPlan planned(const Shot& shot, const Options& options) {
-    const RenderSettings settings = timed(options);
-    if (!options.time) return plan_of(shot, settings);
+/// Returns the plan; none if it is asked to stop. If its trials take longer than the picture may,
+/// the plan does without them. `save`: whether it is asked to save meanwhile.
+std::optional<RenderPlan> planned(const Shot& shot, const Options& options,
+                                  const Interrupts& interrupts, std::atomic<bool>& save) {
     using Clock = std::chrono::steady_clock;
+    constexpr double interval = 0.1;  // between two questions, in seconds
     const auto begun = Clock::now();
-    const std::function<bool()> late = [&] {
-        return std::chrono::duration<double>(Clock::now() - begun).count() > *options.time;
+    const auto spent = [begun] {
+        return std::chrono::duration<double>(Clock::now() - begun).count();
     };
-    const SentLight sent = SentLight::of(shot, settings.seed, settings.threads);
-    if (const auto plan = plan_of(shot, settings, sent, late)) return *plan;
-    RenderSettings simple = settings;
-    simple.shadow_rays = 1;
-    RenderPlan plan = plan_of(shot, simple);
-    plan.settings = settings;
-    return plan;
+    std::atomic<double> next = interval;
+    std::atomic<bool> stopped = false;
+    const std::function<bool()> stops = [&] {
+        double due = next;
+        const double now = spent();
+        if (now < due || !interrupts.take || !next.compare_exchange_strong(due, now + interval))
+            return stopped.load();
+        const Interrupt asked = interrupts.take();
+        if (asked == Interrupt::save) save = true;
+        if (asked == Interrupt::stop) stopped = true;
+        return stopped.load();
+    };
+    const RenderSettings settings = timed(options);
+    if (!options.time) return plan_of(shot, settings, stops);
+    const std::function<bool()> ends = [&] { return stops() || spent() > *options.time; };
+    const auto sent =
+        unless_ended(stops, [&] { return SentLight::of(shot, settings.seed, settings.threads); });
+    if (!sent) return std::nullopt;
+    if (auto plan = plan_of(shot, settings, *sent, ends)) return plan;
+    if (stopped) return std::nullopt;
+    return plan_without_trials(shot, settings, *sent);
 }
 
 /// Returns a number of megabytes, rounded up.
@@ -79,7 +95,7 @@ RenderJob::RenderJob(JobPlan plan, const Shot& shot, const Interrupts& interrupt
       extras_(
           aovs_for(plan_.options.layers, plan_.options.alpha,
                    {shot.view.film.smooths_edges(), plan_.options.denoise || plan_.options.draft})),
-      rendering_(planned(shot, plan_.options)),
+      rendering_(planned(shot, plan_.options, interrupts, asked_to_save_)),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}
 
@@ -92,15 +108,15 @@ bool RenderJob::can_keep() const {
 
 void RenderJob::begin() {
     RenderState& state = checkpoint_.state;
-    const RenderSettings& settings = rendering_.settings;
-    const std::size_t sums = extras_.count(*rendering_.shot.world);
+    const RenderSettings& settings = rendering_->settings;
+    const std::size_t sums = extras_.count(*rendering_->shot.world);
     state = begin_picture(settings, sums, std::move(pages_));
     const Region region = region_of(plan_.options);
     state.shard.region = region;
     // Antialiasing compares the rows of the region with those beside it.
     state.film.keep_to_rows(region.top - 1, region.bottom + 1);
     checkpoint_.identity = plan_.identity;
-    checkpoint_.all_samples = rendering_.samples;
+    checkpoint_.all_samples = rendering_->samples;
     checkpoint_.samples = checkpoint_.all_samples;
     if (!plan_.shard) return;
     const Shard& shard = *plan_.shard;
@@ -113,8 +129,8 @@ void RenderJob::begin() {
     const Shard next{shard.number + 1, shard.count};
     checkpoint_.samples =
         first_of(next, checkpoint_.all_samples) - checkpoint_.state.shard.first_sample;
-    rendering_.samples = checkpoint_.samples;
-    rendering_.settings.samples = static_cast<int>(checkpoint_.samples);
+    rendering_->samples = checkpoint_.samples;
+    rendering_->settings.samples = static_cast<int>(checkpoint_.samples);
 }
 
 bool RenderJob::fits(const Checkpoint& old) {
@@ -128,11 +144,11 @@ bool RenderJob::fits(const Checkpoint& old) {
     const std::string changed = difference(old.identity, plan_.identity);
     if (!changed.empty()) return refuse(changed);
     if (!(old.state.shard == checkpoint_.state.shard) ||
-        old.state.film.width() != rendering_.settings.width ||
-        old.state.film.height() != rendering_.settings.height ||
+        old.state.film.width() != rendering_->settings.width ||
+        old.state.film.height() != rendering_->settings.height ||
         old.state.film.aovs() != checkpoint_.state.film.aovs())
         return refuse("it is of another part of the picture");
-    if (rendering_.is_even() && max_samples(old.state) > checkpoint_.samples)
+    if (rendering_->is_even() && max_samples(old.state) > checkpoint_.samples)
         return refuse(message("it has up to ", max_samples(old.state),
                               " samples in a pixel already, and ", checkpoint_.samples,
                               " are to be made"));
@@ -147,10 +163,10 @@ bool RenderJob::can_keep_lamps(const Checkpoint* old) {
         diagnostics_.add(error(Fault::option, {}, text).with_help(help));
         return false;
     };
-    if (decided_by(rendering_.settings, rendering_.rule) == DecidedBy::tile)
+    if (decided_by(rendering_->settings, rendering_->rule) == DecidedBy::tile)
         return refuse("--keep-lights needs samples, and this picture is made of compared rays",
                       "--samples 16");
-    if (rendering_.shot.moments() > 1)
+    if (rendering_->shot.moments() > 1)
         return refuse("--keep-lights is for lamps that stand still, and the shutter is open",
                       "a camera without a shutter, or --layers lights");
     if (old && max_samples(old->state) > 0 && !plan_.lamps.go_on(old->lamps))
@@ -170,7 +186,7 @@ bool RenderJob::has_room() {
     if (!limit) return true;
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
-    const std::size_t aovs = extras_.count(*rendering_.shot.world);
+    const std::size_t aovs = extras_.count(*rendering_->shot.world);
     // The sums of other rows are never touched, except for those beside the region.
     const Region region = region_of(plan_.options);
     const int rows = std::min(settings.height, region.bottom - region.top + 2);
@@ -203,9 +219,10 @@ bool RenderJob::has_room() {
 bool RenderJob::has_room_for_state(std::uint64_t held, std::uint64_t limit) {
     if (!can_keep()) return true;
     const RenderSettings& settings = plan_.options.render;
-    const std::uint64_t need = held + bytes_to_encode(settings.width, settings.height,
-                                                      extras_.count(*rendering_.shot.world)) +
-                               plan_.lamps.memory;
+    const std::uint64_t need =
+        held +
+        bytes_to_encode(settings.width, settings.height, extras_.count(*rendering_->shot.world)) +
+        plan_.lamps.memory;
     if (need <= limit) return true;
     state_fits_ = false;
     const bool wanted = plan_.shard || plan_.options.keep_state;
@@ -228,7 +245,7 @@ std::optional<ZeroedPages> RenderJob::pages_in_file(std::size_t bytes) const {
 
 bool RenderJob::prepare() {
     const bool of_samples = plan_.shard && plan_.options.shard_by != ShardBy::tiles;
-    if (of_samples && !rendering_.is_even()) {
+    if (of_samples && !rendering_->is_even()) {
         diagnostics_.add(error(Fault::option, {},
                                "shards of samples must know how many samples there will be, which "
                                "the camera's blur_samples leave open")
@@ -258,7 +275,8 @@ bool RenderJob::prepare() {
     if (!old || !fits(*old) || !can_keep_lamps(&*old)) return false;
     checkpoint_.state = std::move(old->state);
     // The state may ask for more samples than any run would.
-    const std::uint32_t most = max_wanted(rendering_.settings, rendering_.samples, rendering_.rule);
+    const std::uint32_t most =
+        max_wanted(rendering_->settings, rendering_->samples, rendering_->rule);
     for (PixelSum& pixel : checkpoint_.state.film.pixels())
         pixel.planned = std::min(pixel.planned, most);
     return true;
@@ -315,7 +333,8 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
         // A stop that another thread has received takes precedence over saving.
         if (now == Interrupt::stop)
             asked = now;
-        else if (now == Interrupt::save || time >= save_at_ || time >= deadline_)
+        else if (now == Interrupt::save || asked_to_save_.exchange(false) || time >= save_at_ ||
+                 time >= deadline_)
             asked.compare_exchange_strong(none, Interrupt::save);
         return asked != Interrupt::none;
     };
@@ -328,7 +347,7 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
         const std::pair place(y, x);
         if (cut_samples_++ == 0 || place < first_cut_) first_cut_ = place;
     };
-    const bool finished = advance(rendering_, checkpoint_.state, rays_, hooks);
+    const bool finished = advance(*rendering_, checkpoint_.state, rays_, hooks);
     return finished ? Interrupt::none : asked.load();
 }
 

@@ -10,6 +10,7 @@
 #include "production/checkpoint.h"
 #include "render/render.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -58,7 +59,11 @@ RenderSettings timed(const Options&);
 
 class RenderJob {
 public:
+    /// Sends the first light from lamps and traces some pixels, which may take a while.
     RenderJob(JobPlan, const Shot&, const Interrupts&, Diagnostics&);
+
+    /// Whether it was asked to stop in the constructor. Then only can_keep() may be called.
+    bool stopped() const { return !rendering_; }
 
     /// Starts the picture, or reads the state to continue from. Returns false after an error has
     /// been reported.
@@ -91,7 +96,8 @@ private:
 
     JobPlan plan_;
     Aovs extras_;
-    RenderPlan rendering_;
+    std::atomic<bool> asked_to_save_ = false;  ///< while the picture was planned
+    std::optional<RenderPlan> rendering_;      ///< none: it was asked to stop before
     const Interrupts& interrupts_;
     Diagnostics& diagnostics_;
     Checkpoint checkpoint_;

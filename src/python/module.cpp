@@ -270,7 +270,7 @@ private:
         try {
             const std::function<bool()> ended = [this] { return stop_.load(); };
             on_deep_stack(options_.limits.stack_bytes, [&](std::size_t) {
-                const WorkWatch watch(ended);
+                const WorkWatch watch(ended, WorkWatch::Asks::everywhere);
                 status_ = run_scene(options_, console_, diagnostics_);
             });
         } catch (const WorkEnded&) {

@@ -28,7 +28,7 @@ public:
     template <class Make>
     auto watched(const Make& make) -> decltype(make()) {
         try {
-            const WorkWatch watch(ended_);
+            const WorkWatch watch(ended_, WorkWatch::Asks::everywhere);
             return make();
         } catch (const WorkEnded&) {
             stopped_ = true;

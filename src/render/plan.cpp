@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/plan.h"
 
+#include "base/unless_ended.h"
 #include "render/pilot.h"
 
 #include <algorithm>
@@ -49,7 +50,19 @@ RenderPlan plan_of(const Shot& shot, const RenderSettings& settings) {
 
 std::optional<RenderPlan> plan_of(const Shot& shot, const RenderSettings& settings,
                                   const std::function<bool()>& cancelled) {
-    return plan_of(shot, settings, SentLight::of(shot, settings.seed, settings.threads), cancelled);
+    const auto sent = unless_ended(
+        cancelled, [&] { return SentLight::of(shot, settings.seed, settings.threads); });
+    return sent ? plan_of(shot, settings, *sent, cancelled) : std::nullopt;
+}
+
+RenderPlan plan_without_trials(const Shot& shot, const RenderSettings& settings, SentLight sent) {
+    const auto* traced = std::get_if<PathTraced>(&shot.world->rules.settings.integrator);
+    if (traced && !traced->reflected_luminaires) sent.reflected = nullptr;
+    RenderSettings simple = settings;
+    simple.shadow_rays = 1;
+    RenderPlan plan = *plan_of(shot, simple, sent, {});
+    plan.settings = settings;
+    return plan;
 }
 
 std::optional<RenderPlan> plan_of(const Shot& shot, const RenderSettings& settings,

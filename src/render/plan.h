@@ -28,12 +28,16 @@ struct RenderPlan {
 
 /// Returns a plan. Traces some pixels where the settings leave the best choice open.
 RenderPlan plan_of(const Shot&, const RenderSettings&);
-/// The same, but nothing once `cancelled` returns true.
+/// The same, but nothing once `cancelled` returns true, which ends the work in the middle of a ray.
+/// Several threads call it; it may be empty.
 std::optional<RenderPlan> plan_of(const Shot&, const RenderSettings&,
                                   const std::function<bool()>& cancelled);
 /// Returns a plan with existing light sent from lamps. Returns nothing once `cancelled` returns
 /// true; it is called by several threads and may be empty.
 std::optional<RenderPlan> plan_of(const Shot&, const RenderSettings&, const SentLight&,
                                   const std::function<bool()>& cancelled);
+/// A plan that traces nothing: one shadow ray at each hit, and reflected luminaires only where the
+/// scene asks for them.
+RenderPlan plan_without_trials(const Shot&, const RenderSettings&, SentLight);
 
 }  // namespace candelabra

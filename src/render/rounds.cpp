@@ -77,7 +77,10 @@ void Rounds::prepare(std::uint32_t from, std::uint32_t to) {
     // Sample by sample, because the light of one generation may take a second to send.
     for (std::uint32_t sample = std::max(from, least); sample < to && !interruption_.stopped();
          ++sample) {
-        fresh_tracer_.prepare(state_.shard.first_sample + sample);
+        interruption_.watched([&] {
+            fresh_tracer_.prepare(state_.shard.first_sample + sample);
+            return 0;
+        });
         interruption_.ask();
     }
 }

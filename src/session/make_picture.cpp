@@ -2,6 +2,7 @@
 #include "session/make_picture.h"
 
 #include "base/deep_stack.h"
+#include "base/unless_ended.h"
 #include "render/render.h"
 
 #include <utility>
@@ -69,8 +70,11 @@ private:
 
 std::optional<Picture> make_picture(const SessionSettings& settings, const Listener& listener) {
     std::optional<Picture> picture;
-    on_deep_stack(settings.evaluation.limits.stack_bytes,
-                  [&](std::size_t) { picture = PictureMaker(settings, listener).make(); });
+    on_deep_stack(settings.evaluation.limits.stack_bytes, [&](std::size_t) {
+        picture = unless_ended(listener.cancelled, [&] {
+                      return PictureMaker(settings, listener).make();
+                  }).value_or(std::nullopt);
+    });
     return picture;
 }
 

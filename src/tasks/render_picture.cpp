@@ -68,7 +68,8 @@ int say_stopped(SceneSteps& steps, const JobPlan& plan, const RenderJob& job) {
     if (steps.say_diagnostics()) return exit_status::file;
     if (!steps.options().diagnostics_as_json)
         steps.console().err(
-            job.can_keep()
+            job.stopped() ? std::string("stopped before the first sample\n")
+            : job.can_keep()
                 ? message("stopped; +C goes on from `", printable(state_path(plan)), "`\n")
                 : std::string("stopped; there is no place for a state\n"));
     return exit_status::stopped;
@@ -113,6 +114,7 @@ int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> mete
                       [&] { return recorder->state(threads); },
                       [&](std::string_view state) { return recorder->go_on(state); }};
     RenderJob job(plan, shot, steps.console().interrupts, diagnostics);
+    if (job.stopped()) return say_stopped(steps, plan, job);
     const bool locks = job.can_keep();
     const FileLock lock(locks ? state_path(plan) : std::string());
     if (lock.taken())

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/parallel.h"
 
+#include "base/unless_ended.h"
+
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <atomic>
+#include <functional>
 #include <vector>
 
 namespace candelabra {
@@ -29,6 +34,30 @@ TEST_CASE("both are run once, also from within each other", "[base]") {
                 threads, [&] { pair(0); }, [&] { pair(2); });
         });
         CHECK(runs == std::vector<int>(4, 1));
+    }
+}
+
+TEST_CASE("threads that help work which is watched everywhere end with it", "[base]") {
+    for (const int threads : {1, 4}) {
+        std::atomic<int> begun = 0;
+        const std::function<bool()> ended = [&] { return begun >= std::min(threads, 2); };
+        const auto endless = [&](std::size_t) {
+            ++begun;
+            for (;;) count_work(1);
+        };
+        CHECK_FALSE(unless_ended(ended, [&] {
+            run_parallel(static_cast<std::size_t>(threads), threads, endless);
+            return true;
+        }));
+        begun = 0;
+        CHECK_FALSE(unless_ended(ended, [&] {
+            run_on_threads(threads, [&] {
+                run_both(
+                    threads, [&] { endless(0); }, [&] { endless(1); });
+            });
+            return true;
+        }));
+        CHECK(unless_ended([] { return false; }, [] { return 5; }) == 5);
     }
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <random>
 #include <thread>
 
@@ -123,6 +124,33 @@ TEST_CASE("one ray without end obeys a stop, the time and a bound") {
     shell.interrupts.take = nullptr;
     all.insert(all.end(), {"--time", "0.1"});
     CHECK(shell(all) == exit_status::done);
+}
+
+TEST_CASE("a stop that comes while the first light is sent ends the run at once") {
+    Shell shell;
+    shell.write("slow.pov", R"(
+        #version 3.7;
+        global_settings { integrator { path_traced bounces 8 reflected_luminaires 100000 } }
+        camera { location <0, 0, -3> look_at 0 }
+        sphere { <0, 3, 0>, 1 pigment { rgb 1 } finish { diffuse 0 emission 5 } }
+        isosurface {
+            function { x*x + y*y + z*z - 1 #for (I, 1, 400) + 0.0001*sin(I*x)*cos(I*y) #end }
+            contained_by { sphere { 0, 1.2 } } max_gradient 90 accuracy 0.00001
+        }
+        sphere { 0, 9 pigment { rgb 0.9 } finish { diffuse 1 } inverse }
+    )");
+    std::atomic<int> asked = 0;
+    shell.interrupts.take = [&] { return ++asked > 1 ? Interrupt::stop : Interrupt::none; };
+    for (const char* threads : {"+WT1", "+WT2"}) {
+        asked = 0;
+        const double before = static_cast<double>(std::clock());
+        CHECK(shell({shell.path("slow.pov"), threads, "+W64", "+H64", "--samples", "4",
+                     "+O" + shell.path("a.png")}) == exit_status::stopped);
+        CHECK((static_cast<double>(std::clock()) - before) / CLOCKS_PER_SEC < 4);
+        CHECK(asked == 2);
+        CHECK(has(shell.err, "stopped before the first sample"));
+        CHECK_FALSE(fs::exists(shell.path("a.png.state.exr")));
+    }
 }
 
 TEST_CASE("a picture that does not fit into the memory tells what it needs") {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/plan.h"
 
+#include "base/unless_ended.h"
 #include "support/four_lamps.h"
+#include "text/message.h"
 
 #include <catch2/catch.hpp>
+
+#include <functional>
 
 namespace candelabra {
 
@@ -22,6 +26,46 @@ TEST_CASE("a plan that is cancelled while some pixels are traced is none", "[ren
     const Shot shot = shot_of(four_lamps);
     CHECK(plan_of(shot, of_samples(0), [] { return false; }));
     CHECK_FALSE(plan_of(shot, of_samples(0), [] { return true; }));
+}
+
+TEST_CASE("light that is sent before the first sample can be ended", "[render]") {
+    for (const char* settings :
+         {"integrator { path_traced bounces 3 reflected_luminaires 40000 }",
+          "photons { count 200000 } integrator { path_traced bounces 3 reflected_luminaires 0 }"}) {
+        INFO(settings);
+        const Shot shot = shot_of(message("global_settings { ", settings, " } ", four_lamps, R"(
+            sphere { <-2, 1, 0>, 1 pigment { rgbt 1 } interior { ior 1.5 }
+                photons { target on refraction on } }
+        )"));
+        const std::function<bool()> at_once = [] { return true; };
+        for (const int threads : {1, 2}) {
+            RenderSettings picture = of_samples(1);
+            picture.threads = threads;
+            picture.shadow_rays = 1;  // no trials, which would send light
+            CHECK_FALSE(unless_ended(at_once, [&] {
+                const SentLight sent = SentLight::of(shot, 0, threads);
+                if (sent.photons) sent.photons->generation(0);
+                return true;
+            }));
+            RenderState state = begin_picture(picture);
+            LightLedger rays;
+            RenderHooks hooks;
+            hooks.ended = at_once;
+            CHECK_FALSE(advance(plan_of(shot, picture), state, rays, hooks));
+            CHECK(rays.camera == 0);
+        }
+    }
+}
+
+TEST_CASE("a plan without trials sends no reflected luminaires of its own accord", "[render]") {
+    const auto plan_with = [](const char* integrator) {
+        const Shot shot =
+            shot_of(message("global_settings { integrator { ", integrator, " } } ", four_lamps));
+        const RenderSettings settings = of_samples(0);
+        return plan_without_trials(shot, settings, SentLight::of(shot, 0, 1)).sent.reflected;
+    };
+    CHECK(plan_with("path_traced bounces 3 reflected_luminaires 300"));
+    CHECK_FALSE(plan_with("path_traced bounces 3"));
 }
 
 TEST_CASE("a bound for noise is for light as the film shows it", "[render][film]") {
