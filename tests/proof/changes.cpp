@@ -46,6 +46,13 @@ Claim same_mean(std::string name, std::vector<Term> left, std::vector<Term> righ
     return claim;
 }
 
+Claim same_by_chance(std::string name, std::vector<Term> left, std::vector<Term> right,
+                     double tolerance) {
+    Claim claim = same_mean(std::move(name), std::move(left), std::move(right), tolerance);
+    claim.by_chance = true;
+    return claim;
+}
+
 Claim same_bytes(std::string name, std::vector<Term> left, std::vector<Term> right,
                  double tolerance) {
     Claim claim{std::move(name), std::move(left), std::move(right)};
@@ -63,6 +70,15 @@ Element with_plain_models(Element element) {
 Element replaced(Element element, const std::string& expression, const std::string& by) {
     element.values = std::regex_replace(element.values, std::regex(expression), by);
     for (Element& each : element.inner) each = replaced(std::move(each), expression, by);
+    return element;
+}
+
+Element with_closed_sets(Element element) {
+    if (element.head == "julia_fractal")
+        element = replaced(std::move(element),
+                           R"(hypercomplex (?!max_iteration|precision|slice)\w+( *<[^>]*>)?)",
+                           "hypercomplex sqr");
+    for (Element& each : element.inner) each = with_closed_sets(std::move(each));
     return element;
 }
 

@@ -22,6 +22,9 @@ std::vector<Term> picture(const Script&, const Writing& = {}, double factor = 1)
 /// A claim that both pictures have the same mean.
 Claim same_mean(std::string name, std::vector<Term> left, std::vector<Term> right,
                 double tolerance = 2e-3);
+/// The same where the right picture finds light by chance.
+Claim same_by_chance(std::string name, std::vector<Term> left, std::vector<Term> right,
+                     double tolerance = 2e-3);
 /// A claim that both pictures have the same bytes, but for the tolerance as a share of each pixel.
 Claim same_bytes(std::string name, std::vector<Term> left, std::vector<Term> right,
                  double tolerance = 0);
@@ -31,5 +34,9 @@ Element with_plain_models(Element);
 
 /// The whole of the text with every match of a regular expression replaced.
 Element replaced(Element, const std::string& expression, const std::string& by);
+
+/// The element without sets of a formula: as in POV-Ray, these fill space, and a place in one may
+/// be outside of it for a ray.
+Element with_closed_sets(Element);
 
 }  // namespace candelabra::proof

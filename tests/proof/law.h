@@ -60,6 +60,7 @@ struct Claim {
     double constant = 0;      ///< of an empty sum
     double tolerance = 2e-3;  ///< share of the light that does not count
     int effort = 1;           ///< factor of samples, for differences that are small beside the noise
+    bool by_chance = false;   ///< the right finds light by chance, and may miss what is rare
 };
 
 struct Law {

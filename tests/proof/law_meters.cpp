@@ -129,7 +129,9 @@ Claims meters_by_parts(const Script& drawn, Dice& dice) {
     return {same_mean("lamps of a meter = the meter", read(script, meter), std::move(parts))};
 }
 
-Claims roads_by_tables(const Script& script, Dice& dice) {
+Claims roads_by_tables(const Script& drawn, Dice& dice) {
+    Script script = drawn;
+    for (Element& each : script.elements) each = with_closed_sets(std::move(each));
     // A road is as bright as its lamps are seen, with what these reflect themselves.
     const Script direct = with_setting(script, "integrator", "path_traced bounces 0"),
                  once = with_setting(script, "integrator",

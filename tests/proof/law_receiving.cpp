@@ -68,7 +68,8 @@ Element with_noticed_media(Element element) {
 
 Claims receiving(const Script& drawn, Dice& dice) {
     Script script = drawn;
-    for (Element& each : script.elements) each = with_noticed_media(std::move(each));
+    for (Element& each : script.elements)
+        each = with_closed_sets(with_noticed_media(std::move(each)));
     const bool bounces = dice.chance(0.5);
     const auto paths = [](const char* count) {
         return std::string("path_traced reflected_luminaires 0 bounces ") + count;

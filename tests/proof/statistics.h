@@ -41,6 +41,9 @@ public:
     /// light that comes in by less than a few contributions as bright as the brightest pixel. Such
     /// a picture has no noise that would tell. `samples`: of each pixel.
     bool too_rare(std::size_t region, int samples) const;
+    /// The same of a right picture that finds light by chance, beside other light that it does not
+    /// miss: all that it lacks may be such contributions, and its batches show none of them.
+    bool lacks_rare(std::size_t region, int samples) const;
     double left(std::size_t region) const { return sums_[region].left; }
     double right(std::size_t region) const { return sums_[region].right; }
     std::size_t batches() const { return batches_; }
@@ -48,9 +51,10 @@ public:
 private:
     struct Sums {
         double left = 0, right = 0, squares = 0;
-        std::vector<double> batches = {};
+        std::vector<double> batches = {}, of_right = {};  ///< differences; the right picture's
     };
     double beyond(const Sums&) const;
+    bool is_rare(double sum, int samples) const;
 
     double tolerance_;
     std::array<Sums, regions> sums_{};

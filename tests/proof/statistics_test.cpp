@@ -71,6 +71,34 @@ TEST_CASE("a black picture may have missed what hardly ever comes", "[proof]") {
     }
 }
 
+TEST_CASE("a picture may have missed what hardly ever comes beside what always does", "[proof]") {
+    for (const double noise : {0.0, 1e-3}) {
+        Dice dice(8);
+        Comparison comparison(0);
+        for (int batch = 0; batch < 16; ++batch) {
+            Image left(24, 18), right(24, 18);
+            for (Rgb& each : left.pixels) each = Rgb(3e-4);
+            for (Rgb& each : right.pixels) each = Rgb(1e-4 + (dice.chance(0.05) ? noise : 0));
+            left.pixels[0] = right.pixels[0] = Rgb(3);  // a lamp that both see
+            comparison.add(left, right);
+        }
+        CHECK_FALSE(comparison.too_rare((whole - 1) * 3, 16));
+        CHECK(comparison.lacks_rare((whole - 1) * 3, 16));
+    }
+    Dice dice(9);
+    Comparison noisy(0), brighter(0);
+    for (int batch = 0; batch < 16; ++batch) {
+        Image left(24, 18), right(24, 18);
+        for (Rgb& each : left.pixels) each = Rgb(0.004);
+        for (Rgb& each : right.pixels) each = Rgb(dice.chance(0.05) ? 0.04 : 0);
+        left.pixels[0] = right.pixels[0] = Rgb(3);
+        noisy.add(left, right);
+        brighter.add(right, left);
+    }
+    CHECK_FALSE(noisy.lacks_rare((whole - 1) * 3, 16));
+    CHECK_FALSE(brighter.lacks_rare((whole - 1) * 3, 16));
+}
+
 TEST_CASE("equal pictures, and those within the tolerance, do not differ", "[proof]") {
     Dice dice(6);
     Comparison comparison(1e-2);

@@ -167,8 +167,9 @@ public:
                 return troubled(&stage != stages);
             seed += 2 * stage.batches;
             const double spread = suspicion(stage, samples, comparison);
-            const bool rare = spread > 0 && claim_.bound == Bound::equal &&
-                              !claim_.right.empty() && comparison.too_rare(*region_, samples);
+            const bool rare = spread > 0 && claim_.bound == Bound::equal && !claim_.right.empty() &&
+                              (comparison.too_rare(*region_, samples) ||
+                               (claim_.by_chance && comparison.lacks_rare(*region_, samples)));
             if (rare && &stage != std::end(stages) - 1) continue;  // more samples may find it
             if (spread == 0 || rare) {
                 if (rare || suspected >= 2) verdict_.outcome = Outcome::undecided;
