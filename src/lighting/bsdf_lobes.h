@@ -6,6 +6,7 @@
 #include "base/vector.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -33,12 +34,27 @@ struct Highlight {
         const double fallen = 1 + sharpness * x;
         return peak / (fallen * fallen);
     }
+
+    /// About the fraction of light from all directions, each with the same radiance, that it
+    /// reflects: reflected() over pi, integrated over the sphere. With a viewer, light turns by
+    /// four times the cosine of the view as much solid angle as the half vector.
+    double albedo() const {
+        const double per_half = viewer == Vec3(0) ? 1 : std::fabs(dot(axis, viewer));
+        return 4 * per_half * peak / (1 + sharpness);
+    }
 };
 
 struct BsdfLobes {
     double diffuse = 1;  ///< albedo of the diffuse part
     std::array<Highlight, 2> highlights = {};
     std::size_t count = 0;  ///< of highlights
+
+    /// Of all parts together.
+    double albedo() const {
+        double sum = diffuse;
+        for (std::size_t i = 0; i < count; ++i) sum += highlights[i].albedo();
+        return sum;
+    }
 };
 
 /// Samples directions in proportion to a surface's scattering.

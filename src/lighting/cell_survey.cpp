@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 
 namespace candelabra {
 
@@ -78,14 +80,15 @@ CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
     }
     // Luminaires look small from points in the air.
     if (no_surfaces_ || in_air) return result;
+    result.noise_of_choice = tuning::doubt * found + tuning::min_noise;
+    result.looks = looks_of(cut, cell);
     result.outlook.emplace(cell, ball_, receivers, probe, nullptr);
     const double outlook = result.outlook->noise() + tuning::min_noise;
     if (tree_.has_both_laws()) {
         with_sources(result, by_choice, outlook);
         return result;
     }
-    result.by_direction =
-        share_of_outlook(found, tuning::doubt * found + tuning::min_noise, outlook);
+    result.by_direction = share_of_outlook(found, result.noise_of_choice, outlook);
     // The outlook knows surfaces only, which are not all luminaires here.
     if (!all_surfaces_) return result;
     const double scattering = result.outlook->noise_of_scattering();
@@ -165,6 +168,26 @@ SharedDraw CellSurvey::among_all(const Receiver& point, double total) const {
     return shared_draw(sky->at(point), total > 0 ? std::optional(others) : std::nullopt);
 }
 
+double CellSurvey::by_surface(const CutWeights& reflected, const BsdfLobes& lobes) const {
+    if (looks.empty() || !(irradiance > 0)) return 1;
+    double luminance = 0, solid_angle = 0;
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const double share = static_cast<double>(reflected.weight[i]) / reflected.total;
+        luminance += share * looks[i].luminance;
+        solid_angle += share * looks[i].solid_angle;
+    }
+    // What is reflected, over what would be if all directions were as bright. The variance of a
+    // direction from the BSDF over the squared mean is its reciprocal, less 1.
+    const double filled =
+        irradiance * reflected.total / (std::numbers::pi * lobes.albedo() * luminance);
+    if (!(filled < 1)) return 1;
+    const double by_noise = 1 / (1 + (1 / filled - 1) / noise_of_choice);
+    double narrowest = INFINITY;
+    for (const Highlight& h : std::span(lobes.highlights).first(lobes.count))
+        narrowest = std::fmin(narrowest, std::numbers::pi * h.albedo() / h.peak);
+    return std::fmax(by_noise, solid_angle / (solid_angle + narrowest));
+}
+
 std::optional<LightEstimate::ShadowRay> CellSurvey::ray_of(const SharedDraw& choice) const {
     if (!(choice.mean > 0)) return {};
     const double chosen = choice.noise + tuning::min_noise;
@@ -173,6 +196,28 @@ std::optional<LightEstimate::ShadowRay> CellSurvey::ray_of(const SharedDraw& cho
                                 ? chosen
                                 : 1 / (1 / chosen + 1 / noise_of_directions);
     return LightEstimate::ShadowRay{choice.mean, choice.mean * std::sqrt(variance)};
+}
+
+/// Of some luminaires of each entry, drawn by their light.
+std::vector<CellSurvey::Look> CellSurveyor::looks_of(const LightCut& cut, const Box& cell) const {
+    constexpr int draws = 4;
+    const double reach = 0.5 * length(cell.size());
+    std::vector<CellSurvey::Look> result;
+    for (std::size_t i = 0; i < cut.entries(); ++i) {
+        const LightCluster& c = cut.cluster(i);
+        const int count = c.count > 1 ? draws : 1;
+        CellSurvey::Look mean{};
+        for (int k = 0; k < count; ++k) {
+            const LightBounds b = lights_.bounds(tree_.light(tree_.draw(c, (k + 0.5) / count)));
+            if (!(b.luminance > 0)) continue;
+            const Vec3 offset = b.centre - cell.centre();
+            const double distance2 = dot(offset, offset) + reach * reach;
+            mean.luminance += b.luminance / count;
+            mean.solid_angle += b.intensity / (b.luminance * distance2 * count);
+        }
+        result.push_back(mean);
+    }
+    return result;
 }
 
 /// Factors on the weights of a cell's entries: the survey's shares, raised for near entries.

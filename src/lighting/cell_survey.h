@@ -22,6 +22,14 @@ struct CellSurvey {
     /// Expected irradiance in the same unit; known if the noise is.
     double irradiance = 0;
 
+    /// Variance over squared mean of choosing luminaires, known if the noise is.
+    double noise_of_choice = INFINITY;
+    /// Means over the luminaires of an entry, weighted by their light.
+    struct Look {
+        double luminance, solid_angle;  ///< as seen from about the cell's centre
+    };
+    std::vector<Look> looks = {};  ///< of the entries
+
     std::optional<SkySurvey> sky = {};  ///< if it is one of the lights; the noise is not set then
     DrawnLight lamps = {};              ///< all other lights, per unit of the total weight
     /// With a sky: variance over squared mean of what is sampled from the outlook, or from the BSDF
@@ -31,6 +39,11 @@ struct CellSurvey {
     /// The choice among all lights at a point where the cut has a total weight. Precondition: there
     /// is a sky.
     SharedDraw among_all(const Receiver&, double total) const;
+    /// Fraction of the shadow rays that surfaces with highlights should sample from their BSDF,
+    /// given the weights of the light that they reflect: the smaller luminaires are beside the
+    /// lobes, the fewer of these directions hit any, and the less the lobes vary over one. 1: not
+    /// known.
+    double by_surface(const CutWeights&, const BsdfLobes&) const;
     /// What is expected of one shadow ray there, if any light is.
     std::optional<LightEstimate::ShadowRay> ray_of(const SharedDraw&) const;
 };
@@ -61,6 +74,7 @@ private:
     double share_of_outlook(double found, double choice, double outlook) const;
     CellSurvey with_sky(CellSurvey, const Found& by_choice, double weight,
                         std::span<const SkyRay>) const;
+    std::vector<CellSurvey::Look> looks_of(const LightCut&, const Box& cell) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
 
     const ChoosableLights& lights_;

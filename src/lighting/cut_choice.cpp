@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cut_choice.h"
 
-#include "lighting/cluster_descent.h"
-
 #include <cmath>
 #include <limits>
 
@@ -10,26 +8,27 @@ namespace candelabra {
 
 std::optional<LightPick> pick_from(const LightCut& cut, const CutWeights& weights,
                                    const LightTree& tree, const Receiver& point, const Key& key,
-                                   double u) {
+                                   double u, GlossyLobes lobes) {
     if (!(weights.total > 0)) return {};
     double target = u * weights.total;
     const std::size_t entry = cut.find(weights, target);
     const double weight = weights.weight[entry];
-    const DrawnMember drawn = member_of(tree, cut.cluster(entry), point, key, target / weight);
+    const DrawnMember drawn =
+        member_of(tree, cut.cluster(entry), point, key, target / weight, lobes);
     const double probability = weight / weights.total * drawn.probability;
     return LightPick{tree.light(drawn.place),
                      std::fmax(probability, std::numeric_limits<double>::min())};
 }
 
 double expected_from(const LightCut& cut, const CutWeights& weights, const LightTree& tree,
-                     const Receiver& point, LightIndex light) {
+                     const Receiver& point, LightIndex light, GlossyLobes lobes) {
     if (!(weights.total > 0)) return 0;
     const std::uint32_t place = tree.place_of(light);
     const std::size_t entry = cut.entry_of(place);
     if (entry >= cut.entries()) return 0;
     const LightCluster& c = cut.cluster(entry);
     if (!c.holds(place) || !(weights.weight[entry] > 0)) return 0;
-    return weights.weight[entry] / weights.total * probability_of(tree, c, point, place);
+    return weights.weight[entry] / weights.total * probability_of(tree, c, point, place, lobes);
 }
 
 }  // namespace candelabra

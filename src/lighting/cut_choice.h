@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "lighting/cluster_descent.h"
 #include "lighting/light_cut.h"
 
 #include <optional>
@@ -13,10 +14,10 @@ namespace candelabra {
 /// Returns a luminaire for u in [0, 1); nothing if all weights are 0. The key makes further numbers
 /// where u is used up.
 std::optional<LightPick> pick_from(const LightCut&, const CutWeights&, const LightTree&,
-                                   const Receiver&, const Key&, double u);
+                                   const Receiver&, const Key&, double u, GlossyLobes = nullptr);
 
 /// Expected number of times that pick_from() returns the luminaire.
 double expected_from(const LightCut&, const CutWeights&, const LightTree&, const Receiver&,
-                     LightIndex);
+                     LightIndex, GlossyLobes = nullptr);
 
 }  // namespace candelabra

@@ -200,6 +200,7 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
         const double arriving = weights_.total;
         cut_->weigh_answers(receiver_, query.lobes, weights_);
         response_ = weights_.total / arriving;
+        lobes_.emplace(query.lobes);
     }
     if (!bsdf_) return;  // directions are not wanted
     const bool as_scattered = survey && survey->as_scattered;
@@ -211,6 +212,13 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
     double shining = bsdf_->specular_probability;
     if (response_) shining = std::fmax(shining, 1 - query.lobes.diffuse / *response_);
     by_surface_ = as_scattered ? 1 : tuning::max_by_surface * std::sqrt(shining);
+    if (response_ && survey && !as_scattered) {
+        const double wanted = survey->by_surface(weights_, query.lobes);
+        by_surface_ =
+            std::fmin(by_surface_, std::fmax(wanted, tuning::least_by_surface * by_surface_));
+        // Directions from the BSDF find what nearly touches the point.
+        by_direction = std::fmax(by_direction - tuning::min_by_direction * shining, 0);
+    }
     by_outlook_ = (1 - by_surface_) * by_direction;
     if (cut_->has_both_laws() && weights_.total > 0) keep_for_sources();
     by_choice_ = 1 - (by_surface_ + by_outlook_);
@@ -230,7 +238,7 @@ double BuiltCutOctree::At::expected(const Key&, LightIndex light) const {
     if (!cut_ || !(by_choice_ > 0)) return 0;
     if (light == sky_light) return by_choice_ * sky_;
     return by_choice_ * (1 - sky_) *
-           expected_from(*cut_, weights_, octree_.tree(), receiver_, light);
+           expected_from(*cut_, weights_, octree_.tree(), receiver_, light, lobes());
 }
 
 double BuiltCutOctree::At::pdf(const Vec3& direction, double expected, double of_point) const {
@@ -257,7 +265,8 @@ void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {
             return;
         }
         const double among_lamps = sky_ > 0 ? (rest - sky_) / (1 - sky_) : rest;
-        auto pick = pick_from(*cut_, weights_, octree_.tree(), receiver_, key, among_lamps);
+        auto pick =
+            pick_from(*cut_, weights_, octree_.tree(), receiver_, key, among_lamps, lobes());
         if (!pick) return;
         pick->expected *= by_choice_ * (1 - sky_);
         samples.picks.push_back(*pick);

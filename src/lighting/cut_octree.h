@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "lighting/cluster_descent.h"
 #include "lighting/light_cut.h"
 #include "lighting/light_guide.h"
 #include "lighting/light_query.h"
@@ -65,12 +66,14 @@ public:
 private:
     void take_weights(const LightQuery&, const Cell&);
     void keep_for_sources();
+    GlossyLobes lobes() const { return lobes_ ? &*lobes_ : nullptr; }
 
     const BuiltCutOctree& octree_;
     const Receiver& receiver_;
     const BsdfSampler* bsdf_ = nullptr;  ///< null: no directions are sampled
     const LightCut* cut_ = nullptr;      ///< null: there are no lights
     CutWeights weights_;
+    std::optional<LobeWeights<double>> lobes_ = {};  ///< if there are highlights
     LightGuide::Weights outlook_;  ///< if directions are sampled from it
     std::optional<LightEstimate::ShadowRay> ray_ = {};
     std::optional<double> response_ = {};

@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "base/running_sums.h"
 #include "base/target_clones.h"
+#include "lighting/lobe_weights.h"
 #include "lighting/tuning.h"
 
 #include <algorithm>
@@ -144,75 +145,26 @@ void weigh_rows(const EntryColumns& c, std::size_t count, const Place& place, co
     }
 }
 
-/// A highlight: see Highlight. With a viewer, `along` and `across` are perpendicular to the axis,
-/// in the viewer's plane and across it.
-struct Peak {
-    Single axis, viewer, along, across;
-    float peak, sharpness;
-    bool by_half_vector;
-};
-
-Peak peak_of(const Highlight& h) {
-    Peak result{Single(h.axis),     Single(h.viewer),           Single(0),
-                Single(0),          static_cast<float>(h.peak), static_cast<float>(h.sharpness),
-                h.viewer != Vec3(0)};
-    if (!result.by_half_vector) return result;
-    const Vec3 along = unit(h.viewer - dot(h.viewer, h.axis) * h.axis);
-    const auto [x, y] = perpendiculars(h.axis);
-    result.along = Single(along == Vec3(0) ? x : along);
-    result.across = Single(along == Vec3(0) ? y : cross(h.axis, along));
-    return result;
-}
-
-/// Minimum squared length of the sum of two unit vectors that is divided by: light from straight
-/// behind the viewer's back has no half vector.
-constexpr float min_half = 1e-6f;
-
-/// Adds the least reflectance of a highlight, spread over each entry's cone, to the rows of a
-/// block. Light that turns by an angle turns the half vector by half of it in the viewer's plane,
-/// and across by the angle over the length of the sum of both directions.
 template <bool by_half_vector>
-[[gnu::always_inline]] inline void shine(const EntryColumns& c, std::size_t first, const Place& p,
-                                         const Peak& peak, Rows& out) {
-    for (std::size_t i = 0; i < block; ++i) {
-        const std::size_t row = first + i;
-        const Single v = towards(c, row, p);
-        const float inverse = 1 / std::sqrt(outside_squared(v, c.radius[row]));
-        const float height = std::abs(dot(p.normal, v)) * inverse;
-        const float size = c.radius[row] * inverse;
-        const float lowest = size > tuning::min_cosine ? size : tuning::min_cosine;
-        const float cosine = height > lowest ? height : lowest;
-        const float spread = 1 + 0.5f * peak.sharpness * size * size;
-        if constexpr (by_half_vector) {
-            const float turned = 2 + 2 * dot(peak.viewer, v) * inverse;
-            const float per_half = 1 / (turned > min_half ? turned : min_half);
-            const float spread_across = 1 + 2 * peak.sharpness * size * size * per_half;
-            const float along = dot(peak.along, v) * inverse + dot(peak.along, peak.viewer);
-            const float across = dot(peak.across, v) * inverse;
-            const float fallen = 1 + peak.sharpness * per_half *
-                                         (along * along / spread + across * across / spread_across);
-            out[i] += peak.peak /
-                      (std::sqrt(std::sqrt(spread * spread_across)) * cosine * fallen * fallen);
-        } else {
-            const float off = 1 - dot(peak.axis, v) * inverse;
-            const float fallen = 1 + 0.5f * peak.sharpness * (off > 0 ? off : 0) / spread;
-            out[i] += peak.peak / (spread * cosine * fallen * fallen);
-        }
-    }
+[[gnu::always_inline]] inline void add_shine(const EntryColumns& c, std::size_t first,
+                                             const Place& p, const Peak<float>& peak, Rows& out) {
+    for (std::size_t i = 0; i < block; ++i)
+        out[i] +=
+            shine<by_half_vector>(towards(c, first + i, p), p.normal, c.radius[first + i], peak);
 }
 
 CANDELABRA_TARGET_CLONES
 void weigh_answers_of_rows(const EntryColumns& c, std::size_t count, const Place& place,
-                           float diffuse, std::span<const Peak> peaks, CutWeights& result) {
+                           const LobeWeights<float>& lobes, CutWeights& result) {
     const Place p = place;
     for (std::size_t first = 0; first < count; first += block) {
         Rows answers;
-        answers.fill(diffuse);
-        for (const Peak& peak : peaks) {
+        answers.fill(lobes.diffuse);
+        for (const Peak<float>& peak : std::span(lobes.peaks).first(lobes.count)) {
             if (peak.by_half_vector)
-                shine<true>(c, first, p, peak, answers);
+                add_shine<true>(c, first, p, peak, answers);
             else
-                shine<false>(c, first, p, peak, answers);
+                add_shine<false>(c, first, p, peak, answers);
         }
         Rows rows;
         for (std::size_t i = 0; i < block; ++i) rows[i] = result.weight[first + i] * answers[i];
@@ -349,12 +301,8 @@ void LightCut::weigh(const Receiver& point, CutWeights& result) const {
 
 void LightCut::weigh_answers(const Receiver& point, const BsdfLobes& lobes,
                              CutWeights& result) const {
-    std::array<Peak, 2> peaks;
-    for (std::size_t i = 0; i < lobes.count; ++i) peaks[i] = peak_of(lobes.highlights[i]);
     const Rough all = rough(point);
-    weigh_answers_of_rows(all.columns, rows_, all.place,
-                          static_cast<float>(std::fmax(lobes.diffuse, tuning::min_diffuse)),
-                          std::span(peaks).first(lobes.count), result);
+    weigh_answers_of_rows(all.columns, rows_, all.place, LobeWeights<float>(lobes), result);
     result.total = total(result, rows_);
 }
 

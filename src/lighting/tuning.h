@@ -34,6 +34,9 @@ inline constexpr double near_radii = 6;
 /// The same for clusters whose luminaires shine to different sides, because a point gets the light
 /// of some of them only: "Which way windows face".
 inline constexpr double near_radii_turned = 12;
+/// The same for surfaces with highlights: squared radii for each unit of the sharpness of the
+/// sharpest lobe, which reflects the light of some members only: "Lamps in a lobe".
+inline constexpr double near_radii2_of_lobe = 1;
 /// Single luminaires brighter than this multiple of all clusters are left out when the clusters'
 /// noise is judged, because they may turn out to be occluded: "A hidden sun", row `sun`.
 inline constexpr double outshining = 20;
@@ -123,6 +126,9 @@ inline constexpr double max_glare = 16;
 /// Fraction of the shadow rays that surfaces without a diffuse part sample from their BSDF: "Glossy
 /// surfaces", row `glossy`.
 inline constexpr double max_by_surface = 0.5;
+/// Fraction of this that they keep where luminaires are small beside the lobe, so that few of these
+/// directions hit any: "Lamps in a lobe".
+inline constexpr double least_by_surface = 0.1;
 
 // The paper's strategies.
 

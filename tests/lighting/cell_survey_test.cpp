@@ -48,6 +48,37 @@ TEST_CASE("a survey that meets no light tells no noise", "[lighting]") {
     CHECK(surveyed(dark, false).noise < 0);
 }
 
+TEST_CASE("small lamps beside a lobe get few directions of the surface", "[lighting]") {
+    const auto share = [](double radius, double sharpness) {
+        const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0), radius}, 2.5)};
+        const LightTree tree(*choices(luminaires));
+        const auto lights = choices(luminaires);
+        LightCut cut(tree, *lights, cell_at_floor, {});
+        const auto seen = [&](const Ray& ray, double tolerance) -> std::optional<ProbeHit> {
+            const double along = -dot(ray.origin, ray.direction);
+            const Vec3 off = ray.at(along);
+            if (along > 0 && length(off) < radius)
+                return ProbeHit{along, -ray.direction, 1e-9, 0, 2.5};
+            const double t = (-1.5 - ray.origin.y) / ray.direction.y;
+            if (t > tolerance) return ProbeHit{t, Vec3(0, 1, 0), 1e-9, {}, 0};
+            return {};
+        };
+        const CellSurvey found =
+            CellSurveyor(*lights, tree, {}, 0.9)(cell_at_floor, false, cut, seen);
+        const Receiver point{Vec3(3, -1.5, 3), Vec3(0, 1, 0)};
+        const Vec3 to_light = unit(-point.position), viewer(-to_light.x, to_light.y, -to_light.z);
+        BsdfLobes metal{0, {Highlight{point.normal, 1, sharpness, viewer}}, 1};
+        metal.highlights[0].peak = 1 / metal.highlights[0].albedo();
+        CutWeights weights;
+        cut.weigh(point, weights);
+        cut.weigh_answers(point, metal, weights);
+        return found.by_surface(weights, metal);
+    };
+    CHECK(share(1, 100) > 0.5);
+    CHECK(share(0.02, 100) < 0.1);
+    CHECK(share(0.02, 1e6) > 0.5);
+}
+
 TEST_CASE("a survey scales the entries of a cut by the light that arrives", "[lighting]") {
     // Of two balls of the same light the second one is hidden: rays towards it meet nothing.
     const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0), 1}, 2.5),

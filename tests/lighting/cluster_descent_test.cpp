@@ -69,4 +69,31 @@ TEST_CASE("members that face a point are drawn from farther away", "[lighting]")
     CHECK(probability_of(even, even.root(), point, 3) == Approx(1.0 / 16));
 }
 
+TEST_CASE("members in a lobe are drawn from farther away", "[lighting]") {
+    std::vector<Luminaire> luminaires;
+    for (int i = 0; i < 16; ++i)
+        luminaires.push_back(glowing(SphereEmitter{{0.5 * i - 4, 40, 0}, 0.01}));
+    const LightTree tree(*choices(luminaires));
+    const Receiver point{Vec3(0), Vec3(0, 1, 0)};
+    const auto probability = [&](LightIndex light, GlossyLobes lobes) {
+        return probability_of(tree, tree.root(), point, tree.place_of(light), lobes);
+    };
+    CHECK(probability(5, nullptr) == Approx(1.0 / 16));
+    const Vec3 to_light = unit(Vec3(0.5 * 5 - 4, 40, 0)), viewer(-to_light.x, to_light.y, 0);
+    for (const Highlight& h :
+         {Highlight{Vec3(0, 1, 0), 1e4, 1e5, viewer}, Highlight{to_light, 1e4, 1e5}}) {
+        const LobeWeights<double> metal({0, {h}, 1});
+        double sum = 0;
+        for (LightIndex light = 0; light < 16; ++light) sum += probability(light, &metal);
+        CHECK(sum == Approx(1));
+        CHECK(probability(5, &metal) > 0.6);
+        const Key key = Key::of(Survey::cell, 1, 2, 3);
+        for (int i = 0; i < 20; ++i) {
+            const DrawnMember drawn =
+                member_of(tree, tree.root(), point, key, (i + 0.5) / 20, &metal);
+            CHECK(drawn.probability == Approx(probability(tree.light(drawn.place), &metal)));
+        }
+    }
+}
+
 }  // namespace candelabra

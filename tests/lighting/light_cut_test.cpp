@@ -7,6 +7,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+#include <numbers>
+
 namespace candelabra {
 
 namespace {
@@ -99,6 +102,25 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
             if (given > 0) CHECK(weights.weight[entry] > 0);
         }
     }
+}
+
+TEST_CASE("the albedo of a highlight is its mean reflectance", "[lighting]") {
+    const Vec3 normal(0, 0, 1), viewer = unit(Vec3(0.3, 0.2, 1));
+    for (const double sharpness : {30.0, 300.0})
+        for (const Highlight& h : {Highlight{normal, 2, sharpness, viewer},
+                                   Highlight{Vec3(-viewer.x, -viewer.y, viewer.z), 2, sharpness}}) {
+            constexpr int steps = 400;
+            double sum = 0;
+            for (int i = 0; i < steps; ++i)
+                for (int j = 0; j < steps; ++j) {
+                    const double height = (i + 0.5) / steps,
+                                 across = std::sqrt(1 - height * height);
+                    const double turn = 2 * std::numbers::pi * (j + 0.5) / steps;
+                    sum += h.reflected({across * std::cos(turn), across * std::sin(turn), height});
+                }
+            // Over pi, and times the solid angle of a step.
+            CHECK(h.albedo() == Approx(2 * sum / (steps * steps)).epsilon(0.1));
+        }
 }
 
 TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
