@@ -43,10 +43,12 @@ Box part_in_tree(const Geometry& geometry, std::uint32_t item, const Box& cell) 
 }
 
 /// Instances often overlap, and to test one again takes longer than to test many boxes. So where
-/// most items are instances, each is in one group.
+/// most items are instances, a kd-tree cuts few of them.
 TreeSettings settings_for(const Geometry& geometry, const RayIndex& index) {
+    constexpr double cost_of_instance = 500;  // beside that of another item
     TreeSettings settings = tree_settings(index);
-    if (2 * geometry.instances.size() > geometry.item_count()) settings.by = Division::boxes;
+    if (2 * geometry.instances.size() > geometry.item_count())
+        settings.reference_cost *= cost_of_instance;
     return settings;
 }
 
