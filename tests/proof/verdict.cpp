@@ -167,9 +167,7 @@ public:
                 return troubled(&stage != stages);
             seed += 2 * stage.batches;
             const double spread = suspicion(stage, samples, comparison);
-            const bool rare = spread > 0 && claim_.bound == Bound::equal && !claim_.right.empty() &&
-                              (comparison.too_rare(*region_, samples) ||
-                               (claim_.by_chance && comparison.lacks_rare(*region_, samples)));
+            const bool rare = spread > 0 && is_rare(comparison, *region_, samples);
             if (rare && &stage != std::end(stages) - 1) continue;  // more samples may find it
             if (spread == 0 || rare) {
                 if (rare || suspected >= 2) verdict_.outcome = Outcome::undecided;
@@ -210,7 +208,7 @@ private:
 
     /// Returns |t| of the batches if the region may break the law; else 0.
     double suspicion(const Stage& stage, int samples, const Comparison& comparison) {
-        const std::size_t region = region_ ? *region_ : worst(comparison);
+        const std::size_t region = region_ ? *region_ : first_suspect(stage, samples, comparison);
         const double t = comparison.t(region);
         const Spread spread = comparison.spread(region);
         const double pixels = static_cast<double>(studio_.width * studio_.height) *
@@ -228,6 +226,28 @@ private:
         if (claim_.bound == Bound::at_most && t < 0) return 0;
         const bool suspect = std::abs(t) > stage.t && std::abs(spread.t) > stage.spread && same;
         return suspect ? std::abs(spread.t) : 0;
+    }
+
+    /// Whether a side may have missed what hardly ever comes to the region.
+    bool is_rare(const Comparison& comparison, std::size_t region, int samples) const {
+        return claim_.bound == Bound::equal && !claim_.right.empty() &&
+               (comparison.too_rare(region, samples) ||
+                (claim_.by_chance && comparison.lacks_rare(region, samples)));
+    }
+
+    /// The region that further stages test: the worst one, but a suspicious one before those of rare
+    /// light, which hardly any number of samples decides.
+    std::size_t first_suspect(const Stage& stage, int samples, const Comparison& comparison) const {
+        std::size_t found = worst(comparison);
+        if (!is_rare(comparison, found, samples)) return found;
+        double most = stage.t;
+        for (std::size_t i = 0; i < regions; ++i) {
+            const double t = std::abs(comparison.t(i));
+            if (t <= most || is_rare(comparison, i, samples)) continue;
+            most = t;
+            found = i;
+        }
+        return found;
     }
 
     std::size_t worst(const Comparison& comparison) const {
