@@ -45,24 +45,30 @@ private:
     static constexpr std::size_t block_size = page_block;
     static constexpr std::size_t capacity = (block_size - 16) / sizeof(Place);
     struct Block {
-        /// Places that hold a value, or are still free.
-        std::atomic<std::size_t> claimed = capacity;
+        /// Places that hold a value, or are still free; one more while the pool uses the block.
+        std::atomic<std::size_t> claimed = capacity + 1;
         alignas(16) std::byte places[block_size - 16];
     };
     static_assert(sizeof(Block) == block_size && alignof(Place) <= 16);
 
     static void release(Block* block, std::size_t places) {
-        if (places == 0 || block->claimed.fetch_sub(places) > places) return;
+        if (block->claimed.fetch_sub(places) > places) return;
         block->~Block();
         free_pages(block);
     }
     void leave_block() {
-        if (block_) release(block_, capacity - used_);
+        if (block_) release(block_, capacity - used_ + 1);
     }
     void start_block() {
+        // Where values are made in passing, the block may have none left.
+        if (block_ && block_->claimed == 1) {
+            block_->claimed = capacity + 1;
+            used_ = 0;
+            return;
+        }
         // The first block may be the only one, and nearly empty.
         void* const pages = new_pages(block_ != nullptr);
-        leave_block();
+        if (block_) release(block_, 1);
         block_ = new (pages) Block;
         used_ = 0;
     }

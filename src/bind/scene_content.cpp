@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/scene_content.h"
 
+#include "objects/models.h"
 #include "objects/object_draft.h"
 
 namespace candelabra {
@@ -11,7 +12,7 @@ void SceneContent::add(ObjectHandle object) {
     if (together && together->children.empty()) return;
     binder.evaluator.count_placed(object->parts, object->span);
     if (!object->texture) object.edit().texture = binder.default_texture;
-    scene.objects.push_back(std::move(object));
+    if (!joins(scene.objects, *object)) scene.objects.push_back(std::move(object));
 }
 
 void SceneContent::add(const PlacedLight& light) {

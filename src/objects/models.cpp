@@ -4,6 +4,9 @@
 #include "reading/convert.h"
 #include "shape/double_cone.h"
 
+#include <optional>
+#include <utility>
+
 namespace candelabra {
 
 namespace {
@@ -40,7 +43,52 @@ void add(const RowEnd& end, const Object& model, const Sphere& sphere, Span span
     last->edit().parts = static_cast<std::uint32_t>(open.spheres.size());
 }
 
+/// The sphere in its place, if it looks alike everywhere and was only moved there.
+std::optional<Sphere> moved_sphere(const Object& object) {
+    const auto* shape = std::get_if<Shape>(&object.form);
+    const auto* sphere = shape ? std::get_if<Sphere>(shape) : nullptr;
+    const bool solid = object.clipping || object.inverse || object.interior;
+    if (!sphere || solid || object.part_textures || object.lamp || object.photons ||
+        object.uv_mapping || !object.texture || !object.texture->plain() || !object.transform ||
+        object.transform->forward().rows != Affine().rows)
+        return {};
+    return Sphere{object.transform->point(sphere->centre), sphere->radius};
+}
+
+/// The row that such a sphere may join; null if there is none. Makes one of the last object, if
+/// that is another sphere of the same statement.
+Object* row_for(const Object& sphere, std::vector<ObjectHandle>& list) {
+    if (list.empty() || !list.back().alone() || list.back()->span != sphere.span) return nullptr;
+    const Object& last = *list.back();
+    if (const auto* row = std::get_if<SphereRow>(&last.form)) {
+        Object unmoved = sphere;
+        unmoved.transform = nullptr;
+        const bool fits = row->spheres.size() < max_spheres && alike(last, unmoved, sphere.texture);
+        return fits ? &list.back().edit() : nullptr;
+    }
+    const std::optional<Sphere> first = moved_sphere(last);
+    if (!first || last.texture != sphere.texture || last.switches() != sphere.switches())
+        return nullptr;
+    // In a place of its own: that of the sphere is one of many, which are given back together.
+    ObjectHandle made = make_handle<Object>(last);
+    made.edit().form = SphereRow{{*first}, {last.span}};
+    made.edit().transform = nullptr;
+    list.back() = std::move(made);
+    return &list.back().edit();
+}
+
 }  // namespace
+
+bool joins(std::vector<ObjectHandle>& list, const Object& object) {
+    const std::optional<Sphere> sphere = moved_sphere(object);
+    Object* const whole = sphere ? row_for(object, list) : nullptr;
+    if (!whole) return false;
+    auto& row = std::get<SphereRow>(whole->form);
+    row.spheres.push_back(*sphere);
+    row.spans.push_back(object.span);
+    whole->parts = static_cast<std::uint32_t>(row.spheres.size());
+    return true;
+}
 
 ObjectHandle like(Binder& binder, const Object& model, const ItemInfo* item,
                   const Variable& variable, const Variation& variation) {

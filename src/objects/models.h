@@ -22,4 +22,9 @@ struct RowEnd {
 /// Returns false, without effect, if the model is not a sphere or the values are invalid.
 bool joins(const RowEnd&, const Object& model, const Variation&, Span);
 
+/// Appends a sphere that was only moved, such as a declared one, to the row at the end of the list,
+/// if it differs from these spheres of the same statement only in its place. Returns false, without
+/// effect, otherwise.
+bool joins(std::vector<ObjectHandle>& list, const Object&);
+
 }  // namespace candelabra

@@ -184,6 +184,8 @@ void set_radiance(const World& world, Luminaire& luminaire) {
 void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, bool with_proxy,
                     Diagnostics& diagnostics) {
     Emitters emitters(world, with_proxy);
+    auto& luminaires = world.lights.luminaires.own();
+    luminaires.reserve(luminaires.size() + glowing.size());
     for (const GlowingPrimitive& glow : glowing) {
         Luminaire luminaire;
         luminaire.primitive = world.geometry.primitive(glow.kind, glow.index);
@@ -191,7 +193,7 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
         if (luminaire.radiance == Rgb(0)) continue;
         luminaire.emitter = emitters.of(luminaire, glow.closure);
         if (emitting_area(luminaire.emitter) > 0) {
-            world.lights.luminaires.own().push_back(std::move(luminaire));
+            luminaires.push_back(std::move(luminaire));
             world.provenance.statement_of_luminaire.push_back(glow.statement);
         } else
             diagnostics.add(

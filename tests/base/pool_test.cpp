@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <set>
 #include <vector>
 
 namespace candelabra {
@@ -36,6 +37,19 @@ TEST_CASE("values of a pool live as long as their handles, in whatever order the
     for (std::size_t i = 0; i < many; ++i) held[i * step % many] = nullptr;
     for (Handle<CountedItem>& handle : held) handle = nullptr;
     CHECK(count == 0);
+}
+
+TEST_CASE("values that are made in passing use one block again and again", "[base]") {
+    int count = 0;
+    Pool<CountedItem> pool;
+    std::set<const CountedItem*> places;
+    for (int i = 0; i < 200000; ++i) places.insert(pool.make(count).get());
+    CHECK(count == 0);
+    CHECK(places.size() * sizeof(CountedItem) < page_block);
+    // A value that stays is left alone by those after it.
+    const Handle<CountedItem> kept = pool.make(count);
+    for (int i = 0; i < 200000; ++i) CHECK(pool.make(count).get() != kept.get());
+    CHECK(count == 1);
 }
 
 TEST_CASE("a pool that has made nothing holds nothing", "[base]") {

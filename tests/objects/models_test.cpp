@@ -41,6 +41,36 @@ TEST_CASE("spheres that are alike become a row", "[objects]") {
     CHECK(rows(std::get<Union>(within.objects.at(0)->form).children) == lengths);
 }
 
+TEST_CASE("declared spheres that a loop only moves become a row", "[objects]") {
+    struct Case {
+        const char* script;
+        std::vector<std::size_t> lengths;  ///< 0: no row
+    };
+    const auto [script, lengths] = GENERATE(Catch::Generators::values<Case>({
+        {"#for (I, 1, 9) object { S translate I } #end", {9}},
+        {"#for (I, 1, 9) object { S translate I no_shadow } #end", {9}},
+        {"#for (I, 1, 2500) object { S translate I } #end", {2048, 452}},
+        {"#for (I, 1, 3) object { S translate I scale 2 } #end", {0, 0, 0}},
+        {"#for (I, 1, 3) object { S translate I pigment { rgb 1/I } } #end", {0, 0, 0}},
+        {"#for (I, 1, 3) object { S translate I interior { ior 1.5 } } #end", {0, 0, 0}},
+        {"#for (I, 1, 3) object { S translate I } box { 0, I } #end", {0, 0, 0, 0, 0, 0}},
+        {"object { S translate x } object { S translate y }", {0, 0}},
+        {"#for (I, 1, 3) object { P translate I } #end", {0, 0, 0}},
+    }));
+    INFO(script);
+    const Scene scene = scene_of(
+        "#declare S = sphere { <0, 1, 0>, 0.5 pigment { rgb 1 } } "
+        "#declare P = sphere { 0, 1 pigment { checker } } " +
+        std::string(script));
+    CHECK(rows(scene.objects) == lengths);
+    if (lengths.front() == 0) return;
+    const auto& row = std::get<SphereRow>(scene.objects.front()->form);
+    CHECK_FALSE(scene.objects.front()->transform);
+    CHECK(row.spheres[2].centre == Vec3(3, 4, 3));
+    CHECK(row.spheres[2].radius == 0.5);
+    CHECK(scene.objects.front()->parts == lengths.front());
+}
+
 TEST_CASE("a row that is declared stays as it is", "[objects]") {
     const Scene scene = scene_of(
         "#declare U = union { #for (I, 1, 9) sphere { I, 1 } #end } object { U } object { U scale "
