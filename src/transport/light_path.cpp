@@ -5,6 +5,7 @@
 #include "lighting/draw.h"
 #include "scattering/bsdf.h"
 #include "surface/lambertian.h"
+#include "transport/aim.h"
 #include "transport/light_in_air.h"
 #include "transport/light_left.h"
 #include "transport/path_steps.h"
@@ -28,6 +29,9 @@ constexpr double grazing_cosine = 1e-6;
 /// Distance from what is seen within which reflected light is worth little more, as a fraction of
 /// the lit region's radius.
 constexpr double close_to_seen = 0.2;
+/// Fraction of the directions that lead to what is seen, of those in which light goes on from
+/// outside of the lit region: "Indirect light".
+constexpr double aimed = 0.5;
 
 double square(double x) { return x * x; }
 
@@ -61,14 +65,14 @@ LightPaths::LightPaths(const Shot& shot, int max_reflections, std::vector<SeenPl
       region_(LitRegion::of(shot, seen_)),
       lamp_rays_(world_),
       source_rays_(world_.lights.sources, region_),
-      sky_rays_(world_, region_),
+      sky_rays_(world_, region_, seen_),
       power_(lamp_rays_.power() + source_rays_.power() + sky_rays_.power()),
       max_reflections_(max_reflections),
       in_air_(stands_for_scattering(world_)) {
     if (!seen_.empty()) learn();
 }
 
-/// Finds which starts of paths bring light to what is seen.
+/// Finds which starts of paths of sources bring light to what is seen.
 void LightPaths::learn() {
     const double near = square(close_to_seen * region_.radius);
     const auto worth = [&](const Found& found, const Key& key) {
@@ -92,12 +96,6 @@ void LightPaths::learn() {
     source_rays_.learn([&](const SourceRays::Drawn& drawn, const Key& key) {
         found.clear();
         from_source(drawn, key, 1, found);
-        return worth(found, key);
-    });
-    if (!(sky_rays_.power() > 0)) return;
-    sky_rays_.learn([&](const SkyRays::Drawn& drawn, const Key& key) {
-        found.clear();
-        from_sky(drawn, key, 1, found);
         return worth(found, key);
     });
 }
@@ -136,7 +134,9 @@ void LightPaths::follow(const Key& key, double share, Found& found) const {
     if (choice < of_sources || sky_rays_.power() == 0)
         return from_source(source_rays_.draw(choice / of_sources, place_on_light(key)), key,
                            share / of_sources, found);
-    from_sky(sky_rays_.draw(key), key, share * power_ / sky_rays_.power(), found);
+    const double of_sky = sky_rays_.power() / power_;
+    from_sky(sky_rays_.draw(std::fmin((choice - of_sources) / of_sky, below_1), key), key,
+             share / of_sky, found);
 }
 
 /// A place on the path's ray where media scatter its light, before a distance that may be infinite,
@@ -406,11 +406,16 @@ void LightPaths::leave(const Lit& lit, Found& found) const {
 bool LightPaths::send_on(Lit& lit) const {
     const Key& key = lit.path.key;
     if (lit.medium) {
-        const double cosine = lit.medium->draw_cosine(uniform(key, Purpose::media_direction_u));
-        const Vec3 direction =
-            turned_from(lit.path.ray.direction, cosine,
-                        2 * std::numbers::pi * uniform(key, Purpose::media_direction_v));
-        lit.power *= lit.medium->evaluate(cosine) / (std::numbers::pi * lit.medium->pdf(cosine));
+        const Vec3 ahead = lit.path.ray.direction;
+        const Aim aim(region_, lit.vertex.position(), aimed);
+        const Vec3 direction = aim.draw(
+            {uniform(key, Purpose::media_direction_u), uniform(key, Purpose::media_direction_v)},
+            [&](const Vec2& u) {
+                return turned_from(ahead, lit.medium->draw_cosine(u.x), 2 * std::numbers::pi * u.y);
+            });
+        const double cosine = dot(ahead, direction);
+        lit.power *= lit.medium->evaluate(cosine) /
+                     (std::numbers::pi * aim.density(direction, lit.medium->pdf(cosine)));
         lit.path = path_from_air(lit.path, lit.vertex.position(), direction);
         return true;
     }
@@ -421,10 +426,16 @@ bool LightPaths::send_on(Lit& lit) const {
     if (uniform(key, Purpose::roulette) >= survival) return false;
     const bool passes = uniform(key, Purpose::way_choice) * all < behind;
     lit.power = (passes ? lit.back : lit.front) / (survival * ((passes ? behind : in_front) / all));
-    const Vec2 u{uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)};
-    lit.path =
-        passes ? gathering_path_behind(world_, lit.path, lit.vertex, cosine_direction(-normal, u))
-               : gathering_path(lit.path, lit.vertex, cosine_direction(normal, u));
+    const Vec3 side = passes ? -normal : normal, place = lit.vertex.position();
+    const Aim aim(region_, place, region_.greatest_cosine(place, side) > 0 ? aimed : 0);
+    const Vec3 direction =
+        aim.draw({uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)},
+                 [&](const Vec2& u) { return cosine_direction(side, u); });
+    const double density = dot(direction, side) / std::numbers::pi;
+    if (!(density > 0)) return false;
+    lit.power *= density / aim.density(direction, density);
+    lit.path = passes ? gathering_path_behind(world_, lit.path, lit.vertex, direction)
+                      : gathering_path(lit.path, lit.vertex, direction);
     return true;
 }
 

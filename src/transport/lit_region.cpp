@@ -22,8 +22,6 @@ using std::numbers::pi;
 constexpr std::uint32_t rays_across = 16;
 /// Fraction of the places met that the region holds.
 constexpr double held = 0.9;
-/// Fraction of the points that lie outside of a disc.
-constexpr double beside_disc = 0.1;
 /// Minimum distance of far starts, in radii of the region.
 constexpr double far_start = 1e5;
 
@@ -98,24 +96,35 @@ LitRegion LitRegion::of(const Shot& shot, const std::vector<SeenPlace>& met) {
     return region;
 }
 
+double LitRegion::greatest_cosine(const Vec3& from, const Vec3& normal) const {
+    const Vec3 offset = centre - from;
+    const double away = length(offset);
+    if (!(away > radius)) return 1;
+    // The angle to the middle, less that between the middle and the edge of the ball.
+    const double wide = radius / away, narrow = std::sqrt(1 - wide * wide),
+                 cosine = std::clamp(dot(offset, normal) / away, -1.0, 1.0);
+    if (cosine > narrow) return 1;
+    return std::fmax(cosine * narrow + std::sqrt(1 - cosine * cosine) * wide, 0);
+}
+
 Vec3 point_in_disc(const Vec3& axis, double radius, const Vec2& u) {
     const auto [x, y] = perpendiculars(axis);
     const double away = radius * std::sqrt(u.x), angle = 2 * pi * u.y;
     return away * on_circle(angle, x, y);
 }
 
-Vec3 point_about_disc(const Vec3& axis, double radius, const Vec2& u) {
-    constexpr double inside = 1 - beside_disc;
+Vec3 point_about_disc(const Vec3& axis, double radius, const Vec2& u, double beside) {
+    const double inside = 1 - beside;
     if (u.x < inside) return point_in_disc(axis, radius, {u.x / inside, u.y});
     const auto [x, y] = perpendiculars(axis);
     // The density falls with the cube of the distance.
-    const double away = radius / (1 - (u.x - inside) / beside_disc);
+    const double away = radius / (1 - (u.x - inside) / beside);
     return away * on_circle(2 * pi * u.y, x, y);
 }
 
-double area_about_disc(double away, double radius) {
-    return away < radius ? pi * radius * radius / (1 - beside_disc)
-                         : 2 * pi * away * away * away / (beside_disc * radius);
+double area_about_disc(double away, double radius, double beside) {
+    return away < radius ? pi * radius * radius / (1 - beside)
+                         : 2 * pi * away * away * away / (beside * radius);
 }
 
 }  // namespace candelabra

@@ -28,16 +28,22 @@ struct LitRegion {
     double radius = 1;
     double upstream = 1;  ///< a distance from the centre beyond all finite things
 
+    /// Greatest cosine to a unit normal at which a place of the region is visible; 0 if all of the
+    /// region is behind the surface, and 1 from within.
+    double greatest_cosine(const Vec3& from, const Vec3& normal) const;
+
     static LitRegion of(const Shot&, const std::vector<SeenPlace>&);
 };
 
 /// Returns a point of a disc around 0, uniformly; u is in [0, 1)^2.
 Vec3 point_in_disc(const Vec3& axis, double radius, const Vec2& u);
 
+inline constexpr double beside_disc = 0.1;
 /// Returns a point of the plane through 0 that is perpendicular to the axis: mostly a point of the
-/// disc with that radius, and elsewhere the rarer the farther away.
-Vec3 point_about_disc(const Vec3& axis, double radius, const Vec2& u);
+/// disc with that radius, and elsewhere the rarer the farther away. `beside`: the fraction of the
+/// points that lie outside of the disc.
+Vec3 point_about_disc(const Vec3& axis, double radius, const Vec2& u, double beside = beside_disc);
 /// 1 over the density of such points, per unit of area, at a distance from 0.
-double area_about_disc(double away, double radius);
+double area_about_disc(double away, double radius, double beside = beside_disc);
 
 }  // namespace candelabra

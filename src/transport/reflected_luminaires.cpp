@@ -36,6 +36,9 @@ constexpr std::uint32_t trials_of_each = 4;
 /// Fraction of the seen places from which a reflected luminaire is visible below which it is chosen
 /// less often than its light suggests.
 constexpr double well_seen = 0.15;
+/// Minimum cosine at which a reflected luminaire outside of the lit region counts for the choice,
+/// which takes the greatest one towards the region.
+constexpr double least_facing = 0.05;
 /// See LightScene: "Indirect light".
 constexpr double even_share = 0.05;
 /// Noise of the choice above which the octree's cells are divided: higher than among luminaires,
@@ -71,7 +74,7 @@ LightBounds bounds_in_air(const ReflectedLuminaire& luminaire, double radius) {
 class ReflectedChoices final : public ChoosableLights {
 public:
     ReflectedChoices(const ReflectedSet& set, double radius, const SeenShare& seen,
-                     const AirToCamera& air) {
+                     const AirToCamera& air, const LitRegion& region) {
         bounds_.reserve(set.list.size());
         for (std::size_t i = 0; i < set.list.size(); ++i) {
             ReflectedLuminaire counted = set.list[i];
@@ -81,6 +84,8 @@ public:
                 continue;
             }
             counted.power *= std::fmin(seen.at(counted.position, counted.normal) / well_seen, 1);
+            counted.power *=
+                std::fmax(region.greatest_cosine(counted.position, counted.normal), least_facing);
             bounds_.push_back(bounds_of(counted, radius));
         }
     }
@@ -204,7 +209,7 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     LightOctree octree;
     octree.alone = true;
     octree.eta = eta;
-    LightScene scene{std::make_shared<ReflectedChoices>(set, radius, seen_, air_)};
+    LightScene scene{std::make_shared<ReflectedChoices>(set, radius, seen_, air_, paths_.region())};
     scene.even = even_share;
     const Projection& camera = shot_.view.camera;
     if (!camera.parallel) scene.eye = camera.location;

@@ -49,7 +49,7 @@ public:
     /// the camera sees next to nothing that the place lights, or through too much air: reflected
     /// luminaires there would mostly be chosen in vain. Precondition: any().
     double bound(const Vec3& place, const Vec3& normal) const {
-        return density_.empty() || is_far_in_air(place) || seen_.at(place, normal) < least_seen
+        return density_.empty() || is_far_in_air(place) || is_hardly_seen(place, normal)
                    ? 0
                    : std::fmin(greatest_bound_, per_density_ * density_.at(place));
     }
@@ -64,7 +64,8 @@ public:
     std::uint32_t count() const { return count_; }
 
 private:
-    /// Minimum fraction of what the camera sees from which a reflected luminaire must be visible.
+    /// Minimum fraction of what the camera sees from which a reflected luminaire must be visible,
+    /// times the square of the greatest cosine at which it faces the lit region.
     static constexpr double least_seen = 0.04;
     /// Minimum transmittance of the air between a reflected luminaire and the camera.
     static constexpr double least_left = 0.005;
@@ -72,6 +73,11 @@ private:
     std::vector<ReflectedLuminaire> sent(const LightPaths&, std::uint32_t count,
                                          std::uint64_t stream) const;
     ReflectedSet made(std::uint32_t number) const;
+    /// Far ground lights what is seen at a flat angle, by few light paths that stand for much.
+    bool is_hardly_seen(const Vec3& place, const Vec3& normal) const {
+        const double facing = paths_.region().greatest_cosine(place, normal);
+        return seen_.at(place, normal) * facing * facing < least_seen;
+    }
     bool is_far_in_air(const Vec3& place) const { return air_.transmittance(place) < least_left; }
     void find_bound(const std::vector<ReflectedLuminaire>& tried);
     void find_seen(const std::vector<ReflectedLuminaire>& tried);

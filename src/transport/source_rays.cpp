@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "lighting/draw.h"
 #include "luminaire/luminaire.h"
+#include "transport/aim.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +19,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Distance of a source from the middle of a region, in radii of the region, from which on its rays
-/// are aimed at the region.
-constexpr double aimed_from = 1.25;
-/// Fraction of these rays that go in all directions of the source.
+/// Fraction of the rays of a source outside of a region that go in all of its directions.
 constexpr double unaimed = 1.0 / 32;
 /// Number of rays of all sources together that estimate their light, and maximum number of each.
 constexpr std::size_t estimating_rays = 1 << 16, rays_of_each = 64;
@@ -93,23 +91,15 @@ std::optional<SourceRay> from_plane(const TargetBall& ball, const PointLight& li
 SourceRay point_anywhere(const LitRegion& region, const PointLight& light, const Vec2& u) {
     const Vec3& from = light.location;
     const LightCone own = own_cone(light);
-    const Vec3 offset = region.centre - from;
-    const double away = length(offset), radius = region.radius;
-    const auto uniformly = [&](const Vec2& v) { return direction_in_cone(own, v); };
-    if (!(away > aimed_from * radius) || own.steradians() < pi * radius * radius / (away * away))
-        return {&light, from, {from, uniformly(u)}, own.steradians()};
-    const Vec3 axis = offset / away;
-    const Vec3 direction =
-        u.x < unaimed
-            ? uniformly({u.x / unaimed, u.y})
-            : unit(offset + point_about_disc(axis, radius, {(u.x - unaimed) / (1 - unaimed), u.y}));
-    const double cosine = dot(direction, axis);
-    double density = dot(direction, own.axis) >= own.cosine ? unaimed / own.steradians() : 0;
-    if (cosine > 0) {
-        const double far = away / cosine, aside = length(far * direction - offset);
-        density += (1 - unaimed) * far * far / (cosine * area_about_disc(aside, radius));
-    }
-    return {&light, from, {from, direction}, 1 / density};
+    const double away = length(region.centre - from), radius = region.radius;
+    const bool narrow = own.steradians() < pi * radius * radius / (away * away);
+    const Aim aim(region, from, narrow ? 0 : 1 - unaimed);
+    const Vec3 direction = aim.draw(u, [&](const Vec2& v) { return direction_in_cone(own, v); });
+    const bool inside = dot(direction, own.axis) >= own.cosine;
+    return {&light,
+            from,
+            {from, direction},
+            1 / aim.density(direction, narrow || inside ? 1 / own.steradians() : 0)};
 }
 
 SourceRay plane_anywhere(const LitRegion& region, const PointLight& light, const Vec2& u) {

@@ -29,8 +29,10 @@ std::map<std::string, Files> files_of_purposes() {
                 ways = {"render/light_balance.cpp", "transport/light_path.cpp",
                         "transport/path_traced.cpp", "transport/photon_path.cpp"},
                 bounces = {"transport/light_path.cpp", "transport/lit_region.cpp",
-                           "transport/povray.cpp", "transport/surface_lobes.cpp"},
-                sky = {"transport/sky_at_layer.cpp", "transport/sky_rays.cpp"};
+                           "transport/povray.cpp", "transport/sky_starts.cpp",
+                           "transport/surface_lobes.cpp"},
+                sky = {"transport/sky_at_layer.cpp", "transport/sky_rays.cpp",
+                       "transport/sky_starts.cpp"};
     std::map<std::string, Files> table = {
         {"light_choice",
          {"lighting/cluster_descent.cpp", "lighting/constant_alpha.cpp", "lighting/cut_octree.cpp",

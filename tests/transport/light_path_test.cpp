@@ -6,7 +6,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <functional>
 #include <numbers>
+#include <numeric>
+#include <span>
+#include <vector>
 
 namespace candelabra {
 
@@ -104,6 +109,37 @@ TEST_CASE("paths of sources and of the sky have the power that these send", "[tr
     const double open = floor_lit("light_source { 5*y, 2 area_light 4*x, z, 2, 2 }");
     CHECK(shaded < 0.9 * open);
     CHECK(shaded > 0.3 * open);
+}
+
+TEST_CASE("light of the sky comes through a window by many paths, and not by a few strong ones",
+          "[transport]") {
+    const Shot shot = shot_of(
+        "#version 3.7; #default { finish { ambient 0 diffuse 1 } } camera { location <0.6, 1.6, "
+        "0.5> look_at <2.4, 1.1, 3> } difference { box { <-0.2, -0.2, -0.2>, <4.2, 3.2, 5.2> } box "
+        "{ <0, 0, 0>, <4, 3, 5> } box { <3.9, 0.9, 1.5>, <4.3, 2.2, 3> } pigment { rgb 0.72 } } "
+        "plane { y, -0.2 pigment { rgb 0.3 } } sky_sphere { pigment { rgb 4 } luminaire }");
+    const LightPaths paths(shot, 8);
+    constexpr std::uint32_t count = 40000;
+    std::vector<double> in_room;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        std::vector<ReflectedLuminaire> found;
+        paths.follow({7, i, 0, 0}, 1.0 / count, found);
+        double sum = 0;
+        for (const ReflectedLuminaire& each : found) {
+            const Vec3& at = each.position;
+            const bool inside = at.x > -0.01 && at.x < 4.01 && at.y > -0.01 && at.y < 3.01 &&
+                                at.z > -0.01 && at.z < 5.01;
+            if (inside) sum += each.power.g;
+        }
+        in_room.push_back(sum);
+    }
+    std::ranges::sort(in_room, std::greater());
+    const auto of_first = [&](std::uint32_t paths) {
+        return std::accumulate(in_room.begin(), in_room.begin() + paths, 0.0);
+    };
+    CAPTURE(of_first(1), of_first(count / 800), of_first(count));
+    CHECK(of_first(1) < 0.05 * of_first(count));
+    CHECK(of_first(count / 800) < 0.42 * of_first(count));
 }
 
 TEST_CASE("reflected luminaires stand for diffuse reflection that is the same in all directions",

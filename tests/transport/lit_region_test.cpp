@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/lit_region.h"
 
+#include "base/circle.h"
 #include "support/draw.h"
 #include "support/scripts.h"
 
@@ -35,6 +36,24 @@ TEST_CASE("light paths aim at what the camera sees, whatever else the scene has"
     const LitRegion nothing = region_of("#version 3.7; camera { location 7*x }");
     CHECK(nothing.centre == Vec3(7, 0, 0));
     CHECK(nothing.radius == 1);
+}
+
+TEST_CASE("the greatest cosine to a region is that to one of its places", "[transport]") {
+    const LitRegion region{.centre = Vec3(1, 0, 2), .radius = 1.5};
+    Draw draw(3);
+    for (int i = 0; i < 200; ++i) {
+        const auto direction = [&] { return at_height(2 * draw.number() - 1, draw.number()); };
+        const Vec3 from = region.centre + 8 * draw.number() * direction(), normal = direction();
+        double greatest = 0;
+        for (int k = 0; k < 2000; ++k)
+            greatest = std::fmax(
+                greatest, dot(unit(region.centre + region.radius * direction() - from), normal));
+        const double found = region.greatest_cosine(from, normal);
+        const bool within = length(from - region.centre) < region.radius;
+        CHECK(found >= greatest - 1e-12);
+        CHECK((found < greatest + 0.05 || within));
+        if (within) CHECK(found == 1);
+    }
 }
 
 TEST_CASE("points about a disc have the density that is stated, far from it as well",

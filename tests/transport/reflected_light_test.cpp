@@ -315,6 +315,57 @@ TEST_CASE("reflected light over an endless plane is as quiet as over a wide floo
     CHECK(of_plane < 4 * of_wide);
 }
 
+TEST_CASE("each picture of a room under the sky is as bright with few light paths",
+          "[transport][statistics]") {
+    // Far ground is lit by rays that are rare, and stand for much light.
+    const auto scene = [](int luminaires) {
+        return with_reflected(luminaires, 4) +
+               "camera { location <0.6, 1.6, 0.5> look_at <2.4, 1.1, 3> } difference { box { "
+               "<-0.2, "
+               "-0.2, -0.2>, <4.2, 3.2, 5.2> } box { <0, 0, 0>, <4, 3, 5> } box { <3.9, 0.9, 1.5>, "
+               "<4.3, 2.2, 3> } pigment { rgb 0.72 } } plane { y, -0.2 pigment { rgb 0.3 } } "
+               "sky_sphere { pigment { rgb 4 } luminaire }";
+    };
+    // Green of some places, by the light paths of six generations.
+    const auto brightness = [](Integrator& integrator, std::uint32_t picture) {
+        constexpr std::uint32_t generations = 6, served = 4, places = 16;
+        double sum = 0;
+        for (std::uint32_t i = 0; i < generations * served; ++i)
+            for (std::uint32_t place = 0; place < places; ++place) {
+                const Vec3 from(0.6, 1.6, 0.5),
+                    to(0.3 + 1.1 * (place % 4), 0.2 + 0.8 * (place / 4), 5);
+                sum += integrator
+                           .radiance({from, unit(to - from)},
+                                     {place, picture * generations * served + i, 0, 0})
+                           .g;
+            }
+        return sum / (generations * served * places);
+    };
+    constexpr std::uint32_t pictures = 64;
+    struct Found {
+        double mean = 0, squares = 0, greatest = 0;
+        double deviation() const { return std::sqrt((squares - mean * mean) / pictures); }
+    };
+    const auto found = [&](int luminaires) {
+        const Shot shot = shot_of(scene(luminaires));
+        Integrator integrator(shot, {});
+        Found all;
+        for (std::uint32_t i = 0; i < pictures; ++i) {
+            const double one = brightness(integrator, i);
+            all.mean += one / pictures;
+            all.squares += one * one / pictures;
+            all.greatest = std::fmax(all.greatest, one);
+        }
+        return all;
+    };
+    const Found few = found(200), by_paths = found(0);
+    CAPTURE(few.mean, few.deviation(), few.greatest, by_paths.mean, by_paths.deviation());
+    CHECK(std::abs(few.mean - by_paths.mean) <
+          4 * std::hypot(few.deviation(), by_paths.deviation()));
+    CHECK(few.deviation() < 1.5 * by_paths.deviation());
+    CHECK(few.greatest < 2.2 * few.mean);
+}
+
 TEST_CASE("light that endless air scatters is as bright and as quiet with reflected luminaires",
           "[transport][statistics]") {
     // A source lights all of the air, whose light the air itself keeps from the camera.
