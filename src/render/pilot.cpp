@@ -17,9 +17,12 @@ namespace {
 constexpr int samples_of_place = 4;
 /// Cost of a light path with its reflected luminaires, in rays.
 constexpr double rays_of_light_path = 6;
-/// Cost of a sample with reflected luminaires, over that of its rays: the choice among them, and
-/// the cells of a light octree that are made anew for each generation.
-constexpr double cost_of_choice = 1.4;
+/// Cost of the choice among lights at a hit and of the survey of its cell, in rays, where cells are
+/// surveyed: "Which way pays".
+constexpr double cost_of_lit_hit = 3;
+/// Cost of a sample's choice among reflected luminaires, in rays, with the cells that are made anew
+/// for each generation, where these are as many as that, and in proportion where they are fewer.
+constexpr double cost_of_choice = 6, many_reflected = 1800;
 /// Cost of a camera ray, with shading and the weights of luminaires, in shadow rays.
 constexpr double cost_of_camera_ray = 1.2;
 /// Maximum number of shadow rays for each draw among lights.
@@ -140,11 +143,11 @@ int best_shadow_rays(const PilotNoise& noise, int draws) {
 
 bool paths_pay(const PilotNoise& reflected, const PilotNoise& paths, double sending) {
     if (reflected.places == 0 || paths.places == 0) return false;
-    const auto rays = [](const PilotNoise& noise) {
-        return static_cast<double>(noise.rays) / (samples_of_place * noise.places);
+    const auto cost = [](const PilotNoise& noise) {
+        return (static_cast<double>(noise.rays) + cost_of_lit_hit * noise.of_hits.hits) /
+               (samples_of_place * noise.places);
     };
-    return paths.of_light * rays(paths) <
-           reflected.of_light * (cost_of_choice * rays(reflected) + sending);
+    return paths.of_light * cost(paths) < reflected.of_light * (cost(reflected) + sending);
 }
 
 bool is_quiet(const PilotNoise& noise) {
@@ -173,9 +176,11 @@ Pilot pilot(const Shot& shot, const RenderSettings& settings, const std::optiona
                          pilot_noise(shot, settings, sent, cancelled, reflected.shadow_rays),
                      of_paths =
                          pilot_noise(shot, settings, without, cancelled, by_paths.shadow_rays);
-    const double sending =
-        rays_of_light_path * sent->reflected->count() / static_cast<double>(shot.pixels);
-    return paths_pay(of_reflected, of_paths, sending) ? by_paths : reflected;
+    const double sending = rays_of_light_path * sent->reflected->count() /
+                           static_cast<double>(shot.pixels),
+                 all = static_cast<double>(sent->reflected->generation(0)->list.size()),
+                 choice = cost_of_choice * std::fmin(all / many_reflected, 1);
+    return paths_pay(of_reflected, of_paths, sending + choice) ? by_paths : reflected;
 }
 
 }  // namespace candelabra

@@ -34,7 +34,8 @@ PilotNoise pilot_noise(const Shot&, const RenderSettings&,
 bool is_quiet(const PilotNoise&);
 
 /// Whether paths alone make less noise in the same time than reflected luminaires. `sending`: cost
-/// of making these, in rays for each sample of a pixel.
+/// of making these and of choosing among them, in rays for each sample of a pixel. Work is counted,
+/// so that the answer does not depend on the machine.
 bool paths_pay(const PilotNoise& reflected, const PilotNoise& paths, double sending);
 
 /// Returns the number of shadow rays with the least noise for a given time: the square root of

@@ -91,9 +91,14 @@ TEST_CASE("paths pay if they make less noise in the same time", "[render]") {
     reflected.places = paths.places = 10;
     reflected.rays = paths.rays = 400;
     CHECK_FALSE(paths_pay(reflected, paths, 0));
-    // Each of the 10 rays of a sample counts 1.4 times where the way is reflected luminaires.
-    CHECK_FALSE(paths_pay(reflected, paths, 5));
-    CHECK(paths_pay(reflected, paths, 7));
+    // A sample takes 10 rays, and twice as long to the same noise by paths.
+    CHECK_FALSE(paths_pay(reflected, paths, 9));
+    CHECK(paths_pay(reflected, paths, 11));
+    // What choosing among lights costs at each hit is a cost of both ways.
+    reflected.of_hits.hits = paths.of_hits.hits = 400;
+    CHECK_FALSE(paths_pay(reflected, paths, 39));
+    CHECK(paths_pay(reflected, paths, 41));
+    reflected.of_hits.hits = paths.of_hits.hits = 0;
     reflected.rays = 900;
     CHECK(paths_pay(reflected, paths, 0));
 }
