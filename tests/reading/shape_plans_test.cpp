@@ -63,7 +63,7 @@ TEST_CASE("a loop makes the objects that its passes make one by one", "[reading]
         "plane { y, I } quadric { 1, 0, 0, I }", "torus { 2, 1 + I/10 sturm }",
         "difference { sphere { I, 1 } sphere { I + 1, 1 } pigment { rgb 1 } }",
         "intersection { sphere { -I, 1 } sphere { I, 1 } }",
-        "#local Old = sphere { I, 1 texture { T } } object { Old translate y }");
+        "#local Old = sphere { I, 1 texture { T } } object { Old rotate y }");
     INFO(body);
     const Evaluated loop = evaluated(looped(body, 12)), list = evaluated(unrolled(body, 12));
     REQUIRE_FALSE(loop.failed);

@@ -61,7 +61,7 @@ TEST_CASE("where hardly any are equal, no more are looked for", "[reading]") {
 TEST_CASE("a loop that writes the same texture each time makes one", "[reading]") {
     const Script done =
         run("#version 3.7; #for (I, 1, 3) sphere { I*x, 1 pigment { rgb 1 } finish { emission 2 } "
-            "translate I*y } #end");
+            "rotate I*y } #end");
     REQUIRE(done.scene.objects.size() == 3);
     CHECK(done.object(0).texture == done.object(2).texture);
 }

@@ -29,9 +29,9 @@ TEST_CASE("a plan that is cancelled while some pixels are traced is none", "[ren
 }
 
 TEST_CASE("light that is sent before the first sample can be ended", "[render]") {
-    for (const char* settings :
-         {"integrator { path_traced bounces 3 reflected_luminaires 40000 }",
-          "photons { count 200000 } integrator { path_traced bounces 3 reflected_luminaires 0 }"}) {
+    for (const char* settings : {"integrator { path_traced bounces 3 reflected_luminaires 400000 }",
+                                 "photons { count 2000000 } integrator { path_traced bounces 3 "
+                                 "reflected_luminaires 0 }"}) {
         INFO(settings);
         const Shot shot = shot_of(message("global_settings { ", settings, " } ", four_lamps, R"(
             sphere { <-2, 1, 0>, 1 pigment { rgbt 1 } interior { ior 1.5 }
