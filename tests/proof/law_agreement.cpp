@@ -9,8 +9,9 @@ namespace candelabra::proof {
 
 namespace {
 
-/// What rounds add is little beside the noise of a picture, so each is the mean of some.
-constexpr int pictures = 4;
+/// What rounds add is little beside the noise of a picture of few samples, so each is the mean of
+/// some.
+constexpr int pictures_by_noise = 2, pictures_by_itself = 8;
 
 /// How a picture gets its number of samples.
 struct Refinement {
@@ -23,8 +24,9 @@ struct Refinement {
 /// compare single rays are POV-Ray's and have a bias; so all pixels have as many samples then.
 Image by_noise(const Prepared& scene, const Refinement& wanted, int samples, int seed,
                const Deadline& end) {
-    RenderSettings settings = scene.settings(wanted.noise > 0 ? 16 * samples : 0, (seed + 1) / 2);
+    RenderSettings settings = scene.settings(wanted.noise > 0 ? 8 * samples : 0, (seed + 1) / 2);
     settings.noise = wanted.noise;
+    settings.antialias_depth = 2;  // at most 16 samples, of which the first round has few
     RenderHooks hooks;
     hooks.cancelled = [&end] { return end.over(); };
     auto plan = plan_of(scene.shot(), settings, hooks.cancelled);
@@ -34,6 +36,7 @@ Image by_noise(const Prepared& scene, const Refinement& wanted, int samples, int
         plan->settings.samples = static_cast<int>(plan->samples);
         plan->rule = NoiseRule();
     }
+    const int pictures = wanted.noise > 0 ? pictures_by_noise : pictures_by_itself;
     Image mean(settings.width, settings.height);
     for (int i = 0; i < pictures; ++i) {
         plan->settings.seed = settings.seed * pictures + i;

@@ -34,8 +34,8 @@ private:
 };
 
 struct Studio {
-    /// Seconds of the processor that all renderings for one claim may take together, and those
-    /// that the first look may take.
+    /// Seconds of the processor that the renderings for a stage of a claim may take together, and
+    /// those that the first look may take.
     double seconds = 40, look_seconds = 4;
     int width = 24, height = 18;
     InstanceLimits instances = {};  ///< which unions are stored once
