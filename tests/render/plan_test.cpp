@@ -45,6 +45,7 @@ TEST_CASE("light that is sent before the first sample can be ended", "[render]")
             CHECK_FALSE(unless_ended(at_once, [&] {
                 const SentLight sent = SentLight::of(shot, 0, threads);
                 if (sent.photons) sent.photons->generation(0);
+                if (sent.reflected) sent.reflected->generation(0);
                 return true;
             }));
             RenderState state = begin_picture(picture);
