@@ -106,7 +106,10 @@ std::optional<Texels> read_texels(const Found& file, const TexelCoding& coding,
     StoredPicture& stored = *read;
     const FileFacts facts = file_facts(file);
     const Decoder decode(coding, stored, facts);
-    Texels texels{stored.width, stored.height, stored.channels, {}, {}, {}, {}};
+    Texels texels;
+    texels.width = stored.width;
+    texels.height = stored.height;
+    texels.channels = stored.channels;
     texels.numbers = numbers_of(stored, facts);
     const bool opaque = std::ranges::all_of(stored.alpha, [](float alpha) { return alpha == 1; });
     if (!texels.numbers.empty()) {
