@@ -21,10 +21,14 @@ bool set_values(void* shape, const ItemInfo& item, const Variation& variation) {
     return true;
 }
 
+/// Whether the objects differ only in shape and place.
+bool look_alike(const Object& row, const Object& model, const Handle<Texture>& texture) {
+    return row.texture == texture && row.interior == model.interior &&
+           row.part_textures == model.part_textures && row.switches() == model.switches();
+}
+
 bool alike(const Object& row, const Object& model, const Handle<Texture>& texture) {
-    return row.texture == texture && row.transform == model.transform &&
-           row.interior == model.interior && row.part_textures == model.part_textures &&
-           row.switches() == model.switches();
+    return row.transform == model.transform && look_alike(row, model, texture);
 }
 
 void add(const RowEnd& end, const Object& model, const Sphere& sphere, Span span) {
@@ -60,15 +64,13 @@ std::optional<Sphere> moved_sphere(const Object& object) {
 Object* row_for(const Object& sphere, std::vector<ObjectHandle>& list) {
     if (list.empty() || !list.back().alone() || list.back()->span != sphere.span) return nullptr;
     const Object& last = *list.back();
+    if (!look_alike(last, sphere, sphere.texture)) return nullptr;
     if (const auto* row = std::get_if<SphereRow>(&last.form)) {
-        Object unmoved = sphere;
-        unmoved.transform = nullptr;
-        const bool fits = row->spheres.size() < max_spheres && alike(last, unmoved, sphere.texture);
+        const bool fits = !last.transform && row->spheres.size() < max_spheres;
         return fits ? &list.back().edit() : nullptr;
     }
     const std::optional<Sphere> first = moved_sphere(last);
-    if (!first || last.texture != sphere.texture || last.switches() != sphere.switches())
-        return nullptr;
+    if (!first) return nullptr;
     // In a place of its own: that of the sphere is one of many, which are given back together.
     ObjectHandle made = make_handle<Object>(last);
     made.edit().form = SphereRow{{*first}, {last.span}};
