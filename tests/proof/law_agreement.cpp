@@ -27,9 +27,7 @@ Image by_noise(const Prepared& scene, const Refinement& wanted, int samples, int
     RenderSettings settings = scene.settings(wanted.noise > 0 ? 8 * samples : 0, (seed + 1) / 2);
     settings.noise = wanted.noise;
     settings.antialias_depth = 2;  // at most 16 samples, of which the first round has few
-    RenderHooks hooks;
-    hooks.cancelled = [&end] { return end.over(); };
-    auto plan = plan_of(scene.shot(), settings, hooks.cancelled);
+    auto plan = plan_of(scene.shot(), settings, [&end] { return end.over(); });
     if (!plan) return {};
     if (wanted.even || !std::holds_alternative<NoiseRule>(plan->rule)) {
         plan->settings.noise = 0;
@@ -40,10 +38,8 @@ Image by_noise(const Prepared& scene, const Refinement& wanted, int samples, int
     Image mean(settings.width, settings.height);
     for (int i = 0; i < pictures; ++i) {
         plan->settings.seed = settings.seed * pictures + i;
-        RenderState state = begin_picture(plan->settings);
-        LightLedger rays;
-        if (!advance(*plan, state, rays, hooks)) return {};
-        const Image image = state.film.image();
+        const Image image = rendered(*plan, end);
+        if (image.pixels.empty()) return {};
         for (std::size_t p = 0; p < mean.pixels.size(); ++p)
             mean.pixels[p] += image.pixels[p] / pictures;
     }

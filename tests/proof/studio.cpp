@@ -84,14 +84,16 @@ RenderSettings Prepared::settings(int samples, int seed) const {
 }
 
 Image Prepared::render(int samples, int seed, const Deadline& end) const {
-    const RenderSettings wanted = settings(samples, seed);
+    const auto plan = plan_of(shot(), settings(samples, seed), [&end] { return end.over(); });
+    return plan ? rendered(*plan, end) : Image();
+}
+
+Image rendered(const RenderPlan& plan, const Deadline& end) {
     RenderHooks hooks;
     hooks.cancelled = [&end] { return end.over(); };
-    RenderState state = begin_picture(wanted);
+    RenderState state = begin_picture(plan.settings);
     LightLedger ledger;
-    const auto plan = plan_of(shot(), wanted, hooks.cancelled);
-    if (!plan || !advance(*plan, state, ledger, hooks)) return {};
-    return state.film.image();
+    return advance(plan, state, ledger, hooks) ? state.film.image() : Image();
 }
 
 }  // namespace candelabra::proof

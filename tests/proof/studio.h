@@ -13,6 +13,7 @@
 #include <vector>
 
 namespace candelabra {
+struct RenderPlan;
 struct RenderSettings;
 struct Shot;
 }  // namespace candelabra
@@ -63,6 +64,9 @@ private:
     std::unique_ptr<const Parts> parts_;
     std::string complaint_;
 };
+
+/// The picture of a plan; an empty image if it took too long.
+Image rendered(const RenderPlan&, const Deadline& end);
 
 /// The scene of the text as --dump writes it; nothing if the text is not legal.
 std::optional<std::string> dumped(const Studio&, const std::string& text,
