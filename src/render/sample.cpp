@@ -63,8 +63,8 @@ PicturePoint SampleTracer::point(int x, int y) const {
     return {x, y, film_->width(), film_->height()};
 }
 
-void SampleTracer::gather_middle(int x, int y, std::span<ExactSum> extra) const {
-    candelabra::gather_middle(hooks_->aovs, plan_->shot, point(x, y), extra);
+PrimaryHit SampleTracer::seen_at_middle(int x, int y) const {
+    return candelabra::seen_at_middle(hooks_->aovs, plan_->shot, point(x, y));
 }
 
 void SampleTracer::add_rays(LightLedger& rays) const {
@@ -108,11 +108,13 @@ SeenSample SampleTracer::look(int x, int y, std::uint32_t sample, std::span<Exac
     return {colour, rays, in_pixel.negative};
 }
 
-/// Adds a sample's values besides its colour.
+/// Adds a sample's values besides its colour, after all rays that they take: work that ends in the
+/// middle of a sample leaves none of it.
 void SampleTracer::gather(const Rgb& colour, const Ray& ray, const Key& key, std::size_t moment,
                           std::span<ExactSum> sums) {
     const Aovs& aovs = hooks_->aovs;
     const World& world = *plan_->shot.moment(moment).world;
+    const double lux = aovs.illuminance ? illuminance(ray, key, moment) : 0;
     gather_sample(aovs, world, ray, integrators_[moment], sums);
     if (aovs.smooth) add_colour(compressed(colour, exposure_), sums, aovs.first_smooth());
     if (aovs.squares) {
@@ -122,7 +124,7 @@ void SampleTracer::gather(const Rgb& colour, const Ray& ray, const Key& key, std
     if (aovs.luminance)
         sums[aovs.first_luminance()].add(
             world.rules.settings.light_units().luminance(light_luminance(colour)));
-    if (aovs.illuminance) sums[aovs.first_illuminance()].add(illuminance(ray, key, moment));
+    if (aovs.illuminance) sums[aovs.first_illuminance()].add(lux);
 }
 
 /// Illuminance in lux of the first surface on a ray, on the side that is seen; 0 if there is none.

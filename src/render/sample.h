@@ -32,12 +32,12 @@ public:
     /// Prepares what all copies share for a sample of each pixel, with several threads.
     void prepare(std::uint32_t sample) const;
 
-    /// Follows the ray of a sample, and adds its values besides the colour to `extra`. Samples
-    /// cycle through the moments of the shutter.
+    /// Follows the ray of a sample, and adds its values besides the colour to `extra`, none of them
+    /// if the work ends meanwhile. Samples cycle through the moments of the shutter.
     SeenSample look(int x, int y, std::uint32_t sample, std::span<ExactSum> extra);
 
-    /// Adds the values at the centre of a pixel.
-    void gather_middle(int x, int y, std::span<ExactSum> extra) const;
+    /// The hit at the centre of a pixel, for gather_middle().
+    PrimaryHit seen_at_middle(int x, int y) const;
 
     /// Adds the rays that were followed.
     void add_rays(LightLedger&) const;

@@ -22,10 +22,13 @@ std::uint64_t TileMaker::bring(int x, int y, std::uint32_t samples) {
     const std::span<ExactSum> extra = aovs_of(x, y);
     for (; pixel.samples < samples && !stopped(); ++made_) {
         const std::uint32_t sample = first_sample_ + pixel.samples;
+        const bool first = sample == 0;
+        // All rays come before the first sum: work that ends meanwhile leaves the pixel as it was.
+        const PrimaryHit middle = first ? tracer_.seen_at_middle(x, y) : PrimaryHit();
         const SeenSample seen = tracer_.look(x, y, sample, extra);
         pixel.add(seen.colour, seen.negative, tracer_.exposure());
         pixel.shadow_rays += seen.shadow_rays;
-        if (sample == 0) tracer_.gather_middle(x, y, extra);
+        if (first) gather_middle(aovs_, middle, extra);
     }
     return made_ - before;
 }
@@ -35,22 +38,23 @@ PixelSample TileMaker::look(int x, int y, std::uint32_t sample) {
     const SeenSample seen = tracer_.look(x, y, sample, extra_);
     PixelSample values{seen.colour, 0, {}, seen.shadow_rays};
     for (const ExactSum& each : extra_) values.extra.push_back(each.value());
-    if (alpha_) values.clear = values.extra.front();
+    if (aovs_.alpha) values.clear = values.extra.front();
     return values;
 }
 
 void TileMaker::add(int x, int y, const PixelSample& seen) {
+    const PrimaryHit middle = tracer_.seen_at_middle(x, y);
     PixelSum& pixel = film().at(x, y);
     const std::span<ExactSum> extra = aovs_of(x, y);
     pixel.add(seen.colour, false, tracer_.exposure());
     pixel.shadow_rays += seen.shadow_rays;
     for (std::size_t i = 0; i < extra.size(); ++i) extra[i].add(seen.extra[i]);
-    tracer_.gather_middle(x, y, extra);
+    gather_middle(aovs_, middle, extra);
     ++made_;
 }
 
 double TileMaker::clear(int x, int y) const {
-    return alpha_ ? film().at(x, y).mean_of(aovs_of(x, y).front().value()) : 0;
+    return aovs_.alpha ? film().at(x, y).mean_of(aovs_of(x, y).front().value()) : 0;
 }
 
 }  // namespace candelabra

@@ -18,7 +18,7 @@ public:
               const SampleTracer& tracer, Interruption& interruption)
         : TileSamples(state, region),
           first_sample_(state.shard.first_sample),
-          alpha_(hooks.aovs.alpha),
+          aovs_(hooks.aovs),
           tracer_(tracer),
           interruption_(interruption) {}
 
@@ -34,7 +34,7 @@ private:
     std::span<ExactSum> aovs_of(int x, int y) const { return film().extra(film().index(x, y)); }
 
     const std::uint32_t first_sample_;
-    const bool alpha_;
+    const Aovs aovs_;
     SampleTracer tracer_;
     Interruption& interruption_;
     std::uint64_t made_ = 0;            ///< samples that pixels got

@@ -17,6 +17,7 @@ void add(std::span<ExactSum> sums, std::size_t first, const Triple& value) {
 
 void gather_sample(const Aovs& wanted, const World& world, const Ray& ray, Integrator& integrator,
                    std::span<ExactSum> sums) {
+    const PrimaryHit seen = wanted.surface ? primary_hit(world, ray) : PrimaryHit();
     if (wanted.alpha) sums[0].add(integrator.clear());
     if (wanted.lights)
         take_lights(integrator.ledger(), [&](std::size_t statement, const Rgb& light) {
@@ -25,17 +26,17 @@ void gather_sample(const Aovs& wanted, const World& world, const Ray& ray, Integ
             if (first + 3 <= sums.size() && light != Rgb(0)) add(sums, first, light);
         });
     if (wanted.squares) add(sums, wanted.first_glow(), integrator.ledger().glow);
-    if (!wanted.surface) return;
-    const PrimaryHit seen = primary_hit(world, ray);
     if (!seen.met) return;
     add(sums, wanted.albedo(), seen.albedo);
     add(sums, wanted.normal(), seen.normal);
 }
 
-void gather_middle(const Aovs& wanted, const Shot& shot, const PicturePoint& at,
-                   std::span<ExactSum> sums) {
+PrimaryHit seen_at_middle(const Aovs& wanted, const Shot& shot, const PicturePoint& at) {
+    return wanted.surface ? primary_hit(*shot.world, middle_ray(shot, at)) : PrimaryHit();
+}
+
+void gather_middle(const Aovs& wanted, const PrimaryHit& seen, std::span<ExactSum> sums) {
     if (!wanted.surface) return;
-    const PrimaryHit seen = primary_hit(*shot.world, middle_ray(shot, at));
     sums[wanted.depth()].add(seen.distance);
     sums[wanted.object()].add(seen.object);
 }

@@ -49,10 +49,14 @@ struct Aovs {
     friend bool operator==(const Aovs&, const Aovs&) = default;
 };
 
-/// Adds the values of the sample that the integrator has just followed.
+/// Adds the values of the sample that the integrator has just followed. If the work ends meanwhile,
+/// none is added.
 void gather_sample(const Aovs&, const World&, const Ray&, Integrator&, std::span<ExactSum>);
 
+/// The hit at the centre of a pixel; that of a ray that meets nothing if it is not wanted.
+PrimaryHit seen_at_middle(const Aovs&, const Shot&, const PicturePoint&);
+
 /// Adds the values at the centre of a pixel. To be called once for each pixel.
-void gather_middle(const Aovs&, const Shot&, const PicturePoint&, std::span<ExactSum>);
+void gather_middle(const Aovs&, const PrimaryHit& seen, std::span<ExactSum>);
 
 }  // namespace candelabra

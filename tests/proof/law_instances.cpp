@@ -35,12 +35,13 @@ Element coloured(Element shape, Dice& dice, const std::string& glow = "") {
     std::string look = "pigment { " + colour + " }" + finish;
     if (glow.empty() && dice.chance(0.5)) {
         const std::string map = " color_map { [0 rgb 0.1] [1 " + colour + "] } scale 0.2 }";
+        // No map jumps on a face of the parts: there rounding would decide between its ends.
         const std::vector<std::string> patterns = {
             "pigment { wood turbulence 0.1" + map + finish,
             "pigment { granite" + map + " normal { bumps 0.6 scale 0.1 }" + finish,
             "texture { gradient y texture_map { [0 pigment { " + colour +
                 " } normal { dents 0.5 scale 0.1 }" + finish + "] [1 pigment { onion" + map +
-                finish + "] } scale 0.3 }",
+                finish + "] } scale 0.31 translate 0.013*y }",
             "pigment { slope y" + map + " normal { ripples 0.4 scale 0.1 }" + finish,
             "pigment { " + colour + " transmit 0.7 } interior { ior 1.3 }" + finish,
             "pigment { checker rgb 0.4 rgbf <1, 0.9, 0.6, 0.8> scale 0.13 }" + finish,

@@ -37,6 +37,38 @@ TEST_CASE("a sample that takes too long ends when it is asked to, and is not cou
     }
 }
 
+TEST_CASE("a pixel whose work ended at any moment goes on with no value twice or lost",
+          "[render]") {
+    // The values besides the colour take rays of their own, each of which the end may come in.
+    const Shot shot = shot_of(R"(
+        #version 3.7;
+        global_settings { assumed_gamma 1 }
+        camera { location -5*z look_at 0 }
+        light_source { <3, 5, -9>, .9 }
+        sphere { <1, 2, -3>, 0.3 pigment { rgb 1 } finish { emission 3 } }
+        #declare F = function(x) { sum(i, 1, 3000, sin(i*x)*1e-9) }
+        isosurface { function { x*x + y*y + z*z - 1 + F(x) } contained_by { box { -2, 2 } } })");
+    RenderSettings settings = of_samples(2);
+    settings.width = settings.height = 3;
+    settings.threads = 1;
+    settings.antialias = GENERATE(false, true);
+    settings.sampling_method = GENERATE(1, 2);
+    CAPTURE(settings.antialias, settings.sampling_method);
+    RenderHooks hooks;
+    hooks.aovs = {.alpha = true, .surface = true, .lights = true, .illuminance = true};
+    RenderState whole = begin_picture(settings, hooks.aovs.count(*shot.world)), broken = whole;
+    LightLedger rays;
+    CHECK(advance(plan_of(shot, settings), whole, rays, hooks));
+    int asked = 0, last = 1, stops = 0;
+    hooks.ended = [&] { return ++asked > last; };
+    for (; !advance(plan_of(shot, settings), broken, rays, hooks); ++stops, last += 1) {
+        asked = 0;
+        REQUIRE(stops < 1000);
+    }
+    CHECK(stops > 5);
+    CHECK(broken == whole);
+}
+
 TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") {
     const Shot shot = shot_of(R"(
         #version 3.7;
