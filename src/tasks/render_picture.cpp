@@ -13,6 +13,7 @@
 #include "text/message.h"
 #include "text/printable.h"
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,14 +65,17 @@ JobEnd work(SceneSteps& steps, RenderJob& job) {
     return end;
 }
 
-int say_stopped(SceneSteps& steps, const JobPlan& plan, const RenderJob& job) {
+/// `sampled`: whether this run came to its samples. A state of an earlier run stays if it did not.
+int say_stopped(SceneSteps& steps, const JobPlan& plan, const RenderJob& job, bool sampled) {
     if (steps.say_diagnostics()) return exit_status::file;
-    if (!steps.options().diagnostics_as_json)
-        steps.console().err(
-            job.stopped() ? std::string("stopped before the first sample\n")
-            : job.can_keep()
-                ? message("stopped; +C goes on from `", printable(state_path(plan)), "`\n")
-                : std::string("stopped; there is no place for a state\n"));
+    const Options& options = steps.options();
+    const std::string state = state_path(plan);
+    const bool goes_on =
+        job.can_keep() && (sampled || (options.go_on && std::filesystem::exists(state)));
+    if (!options.diagnostics_as_json)
+        steps.console().err(goes_on ? message("stopped; +C goes on from `", printable(state), "`\n")
+                            : sampled ? std::string("stopped; there is no place for a state\n")
+                                      : std::string("stopped before the first sample\n"));
     return exit_status::stopped;
 }
 
@@ -114,7 +118,7 @@ int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> mete
                       [&] { return recorder->state(threads); },
                       [&](std::string_view state) { return recorder->go_on(state); }};
     RenderJob job(plan, shot, steps.console().interrupts, diagnostics);
-    if (job.stopped()) return say_stopped(steps, plan, job);
+    if (job.stopped()) return say_stopped(steps, plan, job, false);
     const bool locks = job.can_keep();
     const FileLock lock(locks ? state_path(plan) : std::string());
     if (lock.taken())
@@ -124,9 +128,10 @@ int render_shot(SceneSteps& steps, const Shot& shot, std::span<const Meter> mete
         job.prepare();
     if (steps.say_diagnostics()) return exit_status::file;
     if (!take_turn(steps)) return exit_status::stopped;
-    if (recorder && !keep_meters(*recorder, steps, shot, meters)) return exit_status::stopped;
+    if (recorder && !keep_meters(*recorder, steps, shot, meters))
+        return say_stopped(steps, plan, job, false);
     const JobEnd end = work(steps, job);
-    if (end == JobEnd::stopped) return say_stopped(steps, plan, job);
+    if (end == JobEnd::stopped) return say_stopped(steps, plan, job, true);
     files.format.description = description(identity, job.samples(), files.format);
     const bool whole = !steps.shard();
     const auto& finished = steps.console().finished;

@@ -36,11 +36,19 @@ Image image_of(const std::string& bytes) {
     return image;
 }
 
+/// What the program makes beside the scene: a kind of picture, by more options, and the light of each
+/// lamp.
+struct Wish {
+    std::string ending;
+    Words more = {};
+    bool keeps_lights = false;
+};
+
 /// The program in a folder with the scene.
 class Program {
 public:
-    Program(const Script& script, std::string ending, Words more, const Deadline& end)
-        : ending_(std::move(ending)), end_(end) {
+    Program(const Script& script, const Wish& wish, const Deadline& end)
+        : ending_(wish.ending), keeps_lights_(wish.keeps_lights), end_(end) {
         shell_.library = std::string(CANDELABRA_SOURCE_DIR) + "/stdlib";
         shell_.interrupts.take = [this] {
             return end_.over() || (patience_ > 0 && --patience_ == 0) ? Interrupt::stop
@@ -51,16 +59,21 @@ public:
         words_.push_back("+L" + std::string(CANDELABRA_SOURCE_DIR) + "/tests/conformance/pictures");
         const Words options = words_of_options(script.options);
         words_.insert(words_.end(), options.begin(), options.end());
-        words_.insert(words_.end(), more.begin(), more.end());
+        words_.insert(words_.end(), wish.more.begin(), wish.more.end());
     }
 
     std::string file(const std::string& name) const { return shell_.path(name + ending_); }
-    std::string state(const std::string& name) const { return file(name) + ".state.exr"; }
+    /// Whether the last run, which was stopped, left a state, or had not come to a sample.
+    bool has_state(const std::string& name) const {
+        return std::filesystem::exists(file(name) + ".state.exr") ||
+               shell_.err.find("stopped before the first sample") != std::string::npos;
+    }
 
     /// Renders into a file of that name. Returns the exit status.
     int render(const std::string& name, const Words& more) {
         Words all = words_;
         all.push_back("+O" + file(name));
+        keep_lights(name, all);
         all.insert(all.end(), more.begin(), more.end());
         return shell_(all);
     }
@@ -73,15 +86,28 @@ public:
     }
     int merge(const std::string& name, const Words& states) {
         Words all = {"merge", "-V", "+O" + file(name)};
+        keep_lights(name, all);
         all.insert(all.end(), states.begin(), states.end());
         return shell_(all);
     }
-    std::string content(const std::string& name) const { return shell_.content(name + ending_); }
+    /// The picture, and the light of each lamp if it is kept.
+    std::string content(const std::string& name) const {
+        return shell_.content(name + ending_) + shell_.content(name + lights);
+    }
     bool too_slow() const { return end_.over(); }
 
 private:
+    static constexpr const char* lights = ".lights";
+
+    void keep_lights(const std::string& name, Words& words) const {
+        if (!keeps_lights_) return;
+        words.push_back("--keep-lights");
+        words.push_back(shell_.path(name + lights));
+    }
+
     Shell shell_;
     std::string ending_;
+    bool keeps_lights_;
     const Deadline& end_;
     Words words_;
     int patience_ = 0;
@@ -115,7 +141,7 @@ bool in_pieces(Program& program, const std::string& samples) {
             {"--samples", samples, "+C", "--threads", std::to_string(questions % 3 + 1)});
         if (status == exit_status::done) return true;
         if (status != exit_status::stopped) return false;
-        if (!std::filesystem::exists(program.state("picture"))) return false;
+        if (!program.has_state("picture")) return false;
     }
     return false;
 }
@@ -127,9 +153,9 @@ bool with_more_samples(Program& program, const std::string& samples) {
 }
 
 /// What the program makes that way, byte by byte. What it does not make has no pixels but one.
-View made(const Script& script, std::string ending, Words more, Way way) {
+View made(const Script& script, const Wish& wish, const Way& way) {
     return [=](const Prepared&, int, int, const Deadline& end) {
-        Program program(script, ending, more, end);
+        Program program(script, wish, end);
         const bool good = way(program, "4");
         if (program.too_slow()) return Image();
         return good ? image_of(program.content("picture")) : Image(1, 1);
@@ -139,25 +165,33 @@ View made(const Script& script, std::string ending, Words more, Way way) {
 }  // namespace
 
 Claims other_programs(const Script& script, Dice& dice) {
-    const std::string ending = dice.pick<std::string>({".png", ".exr", ".ppm", ".jpg"});
-    Words more;
-    if (dice.chance(0.3)) more.push_back("--denoise");
-    if (ending == ".exr" && dice.chance(0.5)) more = {"--layers", "normal,albedo,lights"};
+    Wish wish;
+    wish.ending = dice.pick<std::string>({".png", ".exr", ".ppm", ".jpg"});
+    if (dice.chance(0.3)) wish.more.push_back("--denoise");
+    if (wish.ending == ".exr" && dice.chance(0.5))
+        wish.more = {"--layers",
+                     dice.pick<std::string>({"normal,albedo,lights", "depth,object,variance",
+                                             "samples,shadow_rays,lights", "all"})};
+    const bool may_keep_lights = dice.chance(0.3);
     const auto made_so = [&](const Way& way) {
         std::vector<Term> terms = picture(script);
-        terms.front().view = made(script, ending, more, way);
+        terms.front().view = made(script, wish, way);
         return terms;
     };
     const auto claim = [&](const std::string& name, const Way& way) {
-        return Claims{same_bytes(name + ", " + ending, made_so(at_once), made_so(way))};
+        const std::string what = name + ", " + wish.ending + (wish.keeps_lights ? " + lights" : "");
+        return Claims{same_bytes(what, made_so(at_once), made_so(way))};
     };
     switch (dice.below(4)) {
         case 0:
             return claim("more samples", with_more_samples);
         case 1:
+            wish.keeps_lights = may_keep_lights;
             return claim("stopped and gone on", in_pieces);
         default:
             const std::string by = dice.pick<std::string>({"samples", "tiles"});
+            // Shards by samples do not keep the light of lamps.
+            wish.keeps_lights = may_keep_lights && by == "tiles";
             return claim("shards by " + by, [by](Program& program, const std::string& samples) {
                 return in_shards(program, samples, by);
             });

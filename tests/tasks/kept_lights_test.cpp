@@ -7,6 +7,8 @@
 
 namespace candelabra {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 struct Keeper : Shell {
@@ -51,6 +53,39 @@ TEST_CASE("keeping lights says what it does not go with", "[tasks]") {
     CHECK(run({run.path("rays.pov"), picture, "-V", "+W8", "+H8", "+A", "--keep-lights",
                run.path("rays.lights")}) != 0);
     CHECK(has(run.err, "--samples 16"));
+}
+
+TEST_CASE("a run that is stopped while it reads meters says what it left", "[tasks]") {
+    Keeper run;
+    run.write("lit.pov",
+              std::string(lit_scene) + "meter { \"M\" points { 2, <0, -0.9, 0>, <1, -0.9, 0> } }");
+    const std::vector<std::string> way = {"+O" + run.path("lit.png"), "--samples", "9", "+C"};
+    REQUIRE(run.keep(way) == 0);
+    const std::string at_once = run.content("lit.png") + run.content("lit.lights");
+    const fs::path state = run.path("lit.png.state.exr");
+    const auto stop_after = [&](int questions) {
+        int asked = 0;
+        run.interrupts.take = [&] {
+            return ++asked > questions ? Interrupt::stop : Interrupt::none;
+        };
+        CHECK(run.keep(way) == exit_status::stopped);
+        const bool left = fs::exists(state);
+        CHECK(has(run.err, "+C goes on from") == left);
+        CHECK(has(run.err, "stopped before the first sample") == !left);
+    };
+    int questions = 0;
+    for (; !fs::exists(state); ++questions) {
+        REQUIRE(questions < 1000);
+        stop_after(questions);
+    }
+    CHECK(questions > 1);
+    // A state stays where the next run does not come to its samples.
+    const std::string kept = run.content("lit.png.state.exr");
+    stop_after(0);
+    CHECK(run.content("lit.png.state.exr") == kept);
+    run.interrupts.take = {};
+    REQUIRE(run.keep(way) == 0);
+    CHECK(run.content("lit.png") + run.content("lit.lights") == at_once);
 }
 
 TEST_CASE("kept lights do not begin in the middle of a picture", "[tasks]") {
