@@ -81,7 +81,6 @@ CellSurvey CellSurveyor::operator()(const Box& cell, bool in_air, LightCut& cut,
     // Luminaires look small from points in the air.
     if (no_surfaces_ || in_air) return result;
     result.noise_of_choice = tuning::doubt * found + tuning::min_noise;
-    result.looks = looks_of(cut, cell);
     result.outlook.emplace(cell, ball_, receivers, probe, nullptr);
     const double outlook = result.outlook->noise() + tuning::min_noise;
     if (tree_.has_both_laws()) {
@@ -168,8 +167,8 @@ SharedDraw CellSurvey::among_all(const Receiver& point, double total) const {
     return shared_draw(sky->at(point), total > 0 ? std::optional(others) : std::nullopt);
 }
 
-double CellSurvey::by_surface(const CutWeights& reflected, const BsdfLobes& lobes) const {
-    if (looks.empty() || !(irradiance > 0)) return 1;
+double CellSurvey::by_surface(const CutWeights& reflected, const BsdfLobes& lobes,
+                              std::span<const EntryLook> looks) const {
     double luminance = 0, solid_angle = 0;
     for (std::size_t i = 0; i < looks.size(); ++i) {
         const double share = static_cast<double>(reflected.weight[i]) / reflected.total;
@@ -198,15 +197,14 @@ std::optional<LightEstimate::ShadowRay> CellSurvey::ray_of(const SharedDraw& cho
     return LightEstimate::ShadowRay{choice.mean, choice.mean * std::sqrt(variance)};
 }
 
-/// Of some luminaires of each entry, drawn by their light.
-std::vector<CellSurvey::Look> CellSurveyor::looks_of(const LightCut& cut, const Box& cell) const {
+std::vector<EntryLook> CellSurveyor::looks_of(const LightCut& cut, const Box& cell) const {
     constexpr int draws = 4;
     const double reach = 0.5 * length(cell.size());
-    std::vector<CellSurvey::Look> result;
+    std::vector<EntryLook> result;
     for (std::size_t i = 0; i < cut.entries(); ++i) {
         const LightCluster& c = cut.cluster(i);
         const int count = c.count > 1 ? draws : 1;
-        CellSurvey::Look mean{};
+        EntryLook mean{};
         for (int k = 0; k < count; ++k) {
             const LightBounds b = lights_.bounds(tree_.light(tree_.draw(c, (k + 0.5) / count)));
             if (!(b.luminance > 0)) continue;

@@ -9,7 +9,15 @@
 #include "lighting/light_query.h"
 #include "lighting/sky_survey.h"
 
+#include <span>
+#include <vector>
+
 namespace candelabra {
+
+/// Means over the luminaires of an entry, weighted by their light.
+struct EntryLook {
+    double luminance, solid_angle;  ///< as seen from about the cell's centre
+};
 
 /// Results of the rays that survey a cell.
 struct CellSurvey {
@@ -24,12 +32,6 @@ struct CellSurvey {
 
     /// Variance over squared mean of choosing luminaires, known if the noise is.
     double noise_of_choice = INFINITY;
-    /// Means over the luminaires of an entry, weighted by their light.
-    struct Look {
-        double luminance, solid_angle;  ///< as seen from about the cell's centre
-    };
-    std::vector<Look> looks = {};  ///< of the entries
-
     std::optional<SkySurvey> sky = {};  ///< if it is one of the lights; the noise is not set then
     DrawnLight lamps = {};              ///< all other lights, per unit of the total weight
     /// With a sky: variance over squared mean of what is sampled from the outlook, or from the BSDF
@@ -41,9 +43,10 @@ struct CellSurvey {
     SharedDraw among_all(const Receiver&, double total) const;
     /// Fraction of the shadow rays that surfaces with highlights should sample from their BSDF,
     /// given the weights of the light that they reflect: the smaller luminaires are beside the
-    /// lobes, the fewer of these directions hit any, and the less the lobes vary over one. 1: not
-    /// known.
-    double by_surface(const CutWeights&, const BsdfLobes&) const;
+    /// lobes, the fewer of these directions hit any, and the less the lobes vary over one.
+    /// `looks` are those of the entries. Precondition: knows_by_surface().
+    double by_surface(const CutWeights&, const BsdfLobes&, std::span<const EntryLook> looks) const;
+    bool knows_by_surface() const { return irradiance > 0; }
     /// What is expected of one shadow ray there, if any light is.
     std::optional<LightEstimate::ShadowRay> ray_of(const SharedDraw&) const;
 };
@@ -61,6 +64,9 @@ public:
     /// air: for points between surfaces.
     CellSurvey operator()(const Box& cell, bool in_air, LightCut&, const LightProbe&) const;
 
+    /// The looks of the entries of a cell, from some luminaires of each, drawn by their light.
+    std::vector<EntryLook> looks_of(const LightCut&, const Box& cell) const;
+
 private:
     /// Result of shadow rays to chosen luminaires: variance over squared mean, and mean irradiance
     /// per unit of the total weight.
@@ -74,7 +80,6 @@ private:
     double share_of_outlook(double found, double choice, double outlook) const;
     CellSurvey with_sky(CellSurvey, const Found& by_choice, double weight,
                         std::span<const SkyRay>) const;
-    std::vector<CellSurvey::Look> looks_of(const LightCut&, const Box& cell) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
 
     const ChoosableLights& lights_;

@@ -8,6 +8,9 @@
 #include "lighting/tuning.h"
 
 #include <algorithm>
+#include <mutex>
+#include <span>
+#include <vector>
 
 namespace candelabra {
 
@@ -36,6 +39,8 @@ struct BuiltCutOctree::Cell {
     bool in_air = false;               ///< for points between surfaces
     std::optional<LightCut> cut;       ///< none: the cell is divided
     std::optional<CellSurvey> survey;  ///< none: there was no scene to survey
+    mutable std::once_flag looked;
+    mutable std::vector<EntryLook> looks;  ///< of the entries; see looks_in()
     std::array<std::atomic<Cell*>, 8> children{};
 
     Cell() = default;
@@ -169,6 +174,12 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Receiver& receiver,
     return *cell;
 }
 
+/// Only highlights ask how the entries look, so that is found when the first one asks.
+std::span<const EntryLook> BuiltCutOctree::looks_in(const Cell& cell) const {
+    std::call_once(cell.looked, [&] { cell.looks = state_->survey.looks_of(*cell.cut, cell.box); });
+    return cell.looks;
+}
+
 std::size_t BuiltCutOctree::memory_bytes() const {
     return state_ ? state_->tree.memory_bytes() + state_->bytes : 0;
 }
@@ -213,7 +224,10 @@ void BuiltCutOctree::At::take_weights(const LightQuery& query, const Cell& cell)
     if (response_) shining = std::fmax(shining, 1 - query.lobes.diffuse / *response_);
     by_surface_ = as_scattered ? 1 : tuning::max_by_surface * std::sqrt(shining);
     if (response_ && survey && !as_scattered) {
-        const double wanted = survey->by_surface(weights_, query.lobes);
+        const double wanted =
+            survey->knows_by_surface()
+                ? survey->by_surface(weights_, query.lobes, octree_.looks_in(cell))
+                : 1;
         by_surface_ =
             std::fmin(by_surface_, std::fmax(wanted, tuning::least_by_surface * by_surface_));
         // Directions from the BSDF find what nearly touches the point.

@@ -15,8 +15,11 @@
 
 #include <atomic>
 #include <memory>
+#include <span>
 
 namespace candelabra {
+
+struct EntryLook;
 
 class BuiltCutOctree {
 public:
@@ -42,6 +45,7 @@ private:
 
     Cell* cell_in(std::atomic<Cell*>&, const Box&, const Cell& parent, const LightProbe*) const;
     const Cell& cell_at(const Receiver&, const LightProbe*) const;
+    std::span<const EntryLook> looks_in(const Cell&) const;
     std::unique_ptr<Cell> make(const Box&, const Cell& parent, const LightProbe*) const;
 
     std::unique_ptr<State> state_;  ///< null: there are no lights

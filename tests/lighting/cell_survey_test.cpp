@@ -63,8 +63,9 @@ TEST_CASE("small lamps beside a lobe get few directions of the surface", "[light
             if (t > tolerance) return ProbeHit{t, Vec3(0, 1, 0), 1e-9, {}, 0};
             return {};
         };
-        const CellSurvey found =
-            CellSurveyor(*lights, tree, {}, 0.9)(cell_at_floor, false, cut, seen);
+        const CellSurveyor survey(*lights, tree, {}, 0.9);
+        const CellSurvey found = survey(cell_at_floor, false, cut, seen);
+        REQUIRE(found.knows_by_surface());
         const Receiver point{Vec3(3, -1.5, 3), Vec3(0, 1, 0)};
         const Vec3 to_light = unit(-point.position), viewer(-to_light.x, to_light.y, -to_light.z);
         BsdfLobes metal{0, {Highlight{point.normal, 1, sharpness, viewer}}, 1};
@@ -72,7 +73,7 @@ TEST_CASE("small lamps beside a lobe get few directions of the surface", "[light
         CutWeights weights;
         cut.weigh(point, weights);
         cut.weigh_answers(point, metal, weights);
-        return found.by_surface(weights, metal);
+        return found.by_surface(weights, metal, survey.looks_of(cut, cell_at_floor));
     };
     CHECK(share(1, 100) > 0.5);
     CHECK(share(0.02, 100) < 0.1);
