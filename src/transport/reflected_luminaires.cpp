@@ -47,9 +47,14 @@ constexpr double eta = 0.1;
 /// Length of the bent normal: for the strategy, a reflected luminaire shines on both sides, and a
 /// little more on its own.
 constexpr double lean = 0.25;
+/// Radius of a reflected luminaire for the strategy, as a fraction of the distance from which it
+/// lights with its full power. With the whole distance, which is wide where reflections are sparse,
+/// one of them widens the clusters that it shares with narrow ones, and these are chosen a thousand
+/// times too rarely. It is chosen too often within that distance, where it stands for a small part
+/// of the light. See "Indirect light".
+constexpr double narrow = 1.0 / 32;
 
-/// Bounds as of a triangle around the luminaire. Its circumradius is the distance from which the
-/// luminaire lights with its full power.
+/// Bounds as of a triangle with this circumradius around the luminaire.
 LightBounds bounds_of(const ReflectedLuminaire& luminaire, double radius) {
     const std::pair<Vec3, Vec3> across = perpendiculars(luminaire.normal);
     const double height = std::sqrt(0.75), area = 1.5 * height * radius * radius;
@@ -73,20 +78,21 @@ LightBounds bounds_in_air(const ReflectedLuminaire& luminaire, double radius) {
 /// Reflected luminaires as the strategy chooses among them. Their occlusion is not surveyed.
 class ReflectedChoices final : public ChoosableLights {
 public:
-    ReflectedChoices(const ReflectedSet& set, double radius, const SeenShare& seen,
+    /// `full`: the distance from which those on surfaces light with their full power.
+    ReflectedChoices(const ReflectedSet& set, double full, const SeenShare& seen,
                      const AirToCamera& air, const LitRegion& region) {
         bounds_.reserve(set.list.size());
         for (std::size_t i = 0; i < set.list.size(); ++i) {
             ReflectedLuminaire counted = set.list[i];
             counted.power *= air.transmittance(counted.position);
             if (counted.in_air()) {
-                bounds_.push_back(bounds_in_air(counted, 1 / std::sqrt(set.bounds[i])));
+                bounds_.push_back(bounds_in_air(counted, narrow / std::sqrt(set.bounds[i])));
                 continue;
             }
             counted.power *= std::fmin(seen.at(counted.position, counted.normal) / well_seen, 1);
             counted.power *=
                 std::fmax(region.greatest_cosine(counted.position, counted.normal), least_facing);
-            bounds_.push_back(bounds_of(counted, radius));
+            bounds_.push_back(bounds_of(counted, narrow * full));
         }
     }
     std::size_t size() const override { return bounds_.size(); }
@@ -203,13 +209,13 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     };
     std::erase_if(set.list, [&](const ReflectedLuminaire& each) { return bound_of(each) == 0; });
     for (const ReflectedLuminaire& each : set.list) set.bounds.push_back(bound_of(each));
-    const double radius = 1 / std::sqrt(greatest_bound_);
+    const double full = 1 / std::sqrt(greatest_bound_);
     // Occlusion is not surveyed, as a generation is soon over. The surfaces that they light are
     // those on which they lie.
     LightOctree octree;
     octree.alone = true;
     octree.eta = eta;
-    LightScene scene{std::make_shared<ReflectedChoices>(set, radius, seen_, air_, paths_.region())};
+    LightScene scene{std::make_shared<ReflectedChoices>(set, full, seen_, air_, paths_.region())};
     scene.even = even_share;
     const Projection& camera = shot_.view.camera;
     if (!camera.parallel) scene.eye = camera.location;

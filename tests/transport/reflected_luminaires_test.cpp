@@ -11,6 +11,34 @@
 
 namespace candelabra {
 
+namespace {
+
+/// Second moment of the unoccluded light of one choice, over the square of the light of all: 1 if
+/// each is chosen by what it lights.
+double spread_of_choice(const ReflectedSet& set, const Receiver& at) {
+    const BsdfLobes lobes;
+    const BuiltLightSampler& sampler = at.horizon == Horizon::none ? set.in_air : set.sampler;
+    return std::visit(
+        [&](const auto& strategy) {
+            const auto answer = strategy.at({at, lobes, nullptr, nullptr});
+            double all = 0, squares = 0;
+            for (std::uint32_t i = 0; i < set.list.size(); ++i) {
+                const Vec3 offset = set.list[i].position - at.position, direction = unit(offset);
+                const double there = set.list[i].in_air() ? 1 : -dot(direction, set.list[i].normal),
+                             cosines = at.cosine(direction) * there;
+                if (!(at.cosine(direction) > 0 && there > 0)) continue;
+                const double light = grey(set.list[i].power) *
+                                     std::fmin(cosines / dot(offset, offset), set.bounds[i]);
+                all += light;
+                squares += light * light / answer.expected({3, 5, 0, 0}, i);
+            }
+            return squares / (all * all);
+        },
+        sampler);
+}
+
+}  // namespace
+
 TEST_CASE("a generation does not depend on the number of threads", "[transport]") {
     const Shot shot = shot_of(with_reflected(3000, 4) + lamps_in_room + bare_room +
                               "light_source { <1, 2, -1>, 1 area_light x, z, 3, 3 jitter } "
@@ -31,6 +59,29 @@ TEST_CASE("a generation does not depend on the number of threads", "[transport]"
             CHECK(other[i].power == one[i].power);
         }
     }
+}
+
+TEST_CASE("reflected luminaires are chosen by what they light, though they stand dense and sparse",
+          "[transport]") {
+    // Most light is scattered near the lamp, and some far off.
+    const Shot shot = shot_of(
+        with_reflected(500, 20) +
+        "camera { location <0, 4, -10> look_at <0, 1, 0> } box { <-14, -3, -14>, <14, 12, 14> "
+        "hollow pigment { rgbt 1 } finish { diffuse 0 } interior { media { scattering { 1, 0.15 "
+        "multiple } } } } box { <-13, -1, -13>, <13, 0, 13> pigment { rgb 0.5 } } "
+        "sphere { <2, 1, 0>, 0.3 pigment { rgb 1 } finish { diffuse 0 emission 30 } }");
+    const auto all = reflected_luminaires_of(shot, 5, 1);
+    REQUIRE(all);
+    double on_floor = 0, in_air = 0;
+    constexpr int count = 60;
+    for (int i = 0; i < count; ++i) {
+        const auto set = all->generation(static_cast<std::uint32_t>(i) % 3);
+        const Vec3 place(-8 + 16 * (i + 0.5) / count, 0, -6 + 12 * (i * 7 % count) / double{count});
+        on_floor += spread_of_choice(*set, {place, Vec3(0, 1, 0), Horizon::one_side}) / count;
+        in_air += spread_of_choice(*set, {place + Vec3(0, 2, 0), Vec3(0), Horizon::none}) / count;
+    }
+    CHECK(on_floor < 2);
+    CHECK(in_air < 4);
 }
 
 TEST_CASE("reflected luminaires are there where a scene asks for them and light is reflected",
