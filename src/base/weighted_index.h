@@ -23,6 +23,8 @@ public:
     std::uint64_t total() const { return ends_.empty() ? 0 : ends_.back(); }
     std::uint64_t before(std::uint32_t i) const { return i == 0 ? 0 : ends_[i - 1]; }
     std::uint64_t end(std::uint32_t i) const { return ends_[i]; }
+    /// Has the end of an element fetched from memory.
+    void fetch(std::uint32_t i) const { __builtin_prefetch(&ends_[i]); }
     std::uint64_t of(std::uint32_t i) const { return end(i) - before(i); }
     /// Returns the element that takes the slot. Precondition: slot < total().
     std::uint32_t at(std::uint64_t slot) const;

@@ -2,6 +2,7 @@
 #include "lighting/cell_survey.h"
 
 #include "base/elementary.h"
+#include "base/short_list.h"
 #include "lighting/cut_calibration.h"
 #include "lighting/cut_choice.h"
 #include "lighting/refined_cut.h"
@@ -253,25 +254,47 @@ CellSurveyor::Found CellSurveyor::found_by_choice(const LightCut& cut,
     std::array<DrawnLight, 2> kinds;
     std::array<double, 2> squares_of{};
     double of_sources = 0;
+    struct Trial {
+        std::uint32_t number;
+        double weight;  ///< of all entries
+        OpenPick open;
+        LightPick pick = {};
+    };
+    ShortList<Trial, draws_together> drawn;
+    const auto trace = [&] {
+        ShortList<MemberDraw*, draws_together> members;
+        for (Trial& trial : drawn) members.push_back(&trial.open.member);
+        descend_together({members.data(), members.size()});
+        for (Trial& trial : drawn) {
+            trial.pick = trial.open.pick(tree_);
+            lights_.fetch(trial.pick.light);
+        }
+        for (const auto& [i, weight, open, pick] : drawn) {
+            const double light = lights_.arriving(pick.light, receivers[i % receivers.size()],
+                                                  {survey_number(i, ShadowRayDraw::point_u),
+                                                   survey_number(i, ShadowRayDraw::point_v)},
+                                                  probe);
+            if (!(light > 0)) continue;
+            found[i] = light / (pick.expected * weight);
+            at_place[i % receivers.size()] += found[i];
+            const std::size_t kind = both && !lights_.falloff(pick.light);
+            kinds[kind].mean += found[i] / trials;
+            squares_of[kind] += found[i] * found[i] / trials;
+        }
+        drawn.clear();
+    };
     for (std::uint32_t i = 0; i < trials; ++i) {
-        const auto number = [&](ShadowRayDraw draw) { return survey_number(i, draw); };
-        const SurveyPlace& from = receivers[i % receivers.size()];
-        cut.weigh(from.point, weights);
-        const auto pick =
-            pick_from(cut, weights, tree_, from.point, survey_key(i, ShadowRayDraw::choice),
-                      number(ShadowRayDraw::choice));
-        if (!pick) continue;
+        const Receiver& point = receivers[i % receivers.size()].point;
+        cut.weigh(point, weights);
+        const auto open =
+            open_pick(cut, weights, tree_, point, survey_key(i, ShadowRayDraw::choice),
+                      survey_number(i, ShadowRayDraw::choice));
+        if (!open) continue;
         if (both) of_sources += cut.share_of_sources(weights) / trials;
-        const double light = lights_.arriving(
-            pick->light, from, {number(ShadowRayDraw::point_u), number(ShadowRayDraw::point_v)},
-            probe);
-        if (!(light > 0)) continue;
-        found[i] = light / (pick->expected * weights.total);
-        at_place[i % receivers.size()] += found[i];
-        const std::size_t kind = both && !lights_.falloff(pick->light);
-        kinds[kind].mean += found[i] / trials;
-        squares_of[kind] += found[i] * found[i] / trials;
+        drawn.push_back({i, weights.total, *open});
+        if (drawn.size() == draws_together) trace();
     }
+    trace();
     kinds[0].root = std::sqrt(squares_of[0] * of_sources);
     kinds[1].root = std::sqrt(squares_of[1] * (1 - of_sources));
     const std::vector<double> counts = balanced(at_place);

@@ -79,6 +79,8 @@ public:
         return irradiance(light_proxy(bounds(light)), point);
     }
 
+    /// Has what arriving() reads of the light fetched from memory.
+    virtual void fetch(LightIndex) const {}
     /// Irradiance that one shadow ray brings to a place, by a point of the light that u in [0, 1)^2
     /// chooses; an unbiased estimate. Called if cells are surveyed.
     virtual double arriving(LightIndex light, const SurveyPlace& place, const Vec2&,

@@ -7,6 +7,11 @@
 #include "lighting/light_tree.h"
 #include "lighting/lobe_weights.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
 namespace candelabra {
 
 struct DrawnMember {
@@ -17,7 +22,38 @@ struct DrawnMember {
 /// The lobes of a surface with highlights, by which its light is weighed; null: by irradiance.
 using GlossyLobes = const LobeWeights<double>*;
 
-/// Draws a member by u in [0, 1). The key makes further numbers where u is used up.
+/// The draw of a member of a cluster by u in [0, 1). The key makes further numbers where u is used
+/// up. The tree, the receiver and the lobes must outlive it.
+class MemberDraw {
+public:
+    MemberDraw(const LightTree&, const LightCluster&, const Receiver&, const Key&, double u,
+               GlossyLobes = nullptr);
+
+    /// Goes on to a half of the cluster; false if the member is drawn from the cluster as a whole.
+    bool descend();
+    /// Draws it. Precondition: descend() has returned false.
+    DrawnMember draw() const;
+
+private:
+    const LightTree* tree_;
+    const Receiver* point_;
+    GlossyLobes lobes_;
+    Key key_;
+    LightCluster cluster_;
+    std::optional<LightProxy> proxy_ = {};  ///< of the cluster; none: it is the first one
+    double u_;
+    double probability_ = 1, since_fresh_ = 1;
+    std::uint64_t level_ = 1;
+};
+
+/// Number of draws among many lights that are worth making together.
+inline constexpr std::size_t draws_together = 16;
+
+/// Completes the descents of at most draws_together draws. While one of them waits for the memory
+/// of its next clusters, the others go on.
+void descend_together(std::span<MemberDraw* const>);
+
+/// Draws a member alone.
 DrawnMember member_of(const LightTree&, LightCluster, const Receiver&, const Key&, double u,
                       GlossyLobes = nullptr);
 

@@ -2,6 +2,7 @@
 #include "lighting/cut_calibration.h"
 
 #include "base/elementary.h"
+#include "base/short_list.h"
 #include "lighting/cluster_descent.h"
 #include "lighting/survey_draw.h"
 #include "lighting/tuning.h"
@@ -62,25 +63,48 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
     const auto place_of = [&](std::size_t entry, std::size_t i) { return (i + entry) % places; };
     std::vector<std::array<double, tuning::entry_rays>> given(cut.entries());
     std::vector<double> at_place(places, 0);
-    for (std::size_t entry = 0; entry < cut.entries(); ++entry)
-        for (std::uint32_t i = 0; i < tuning::entry_rays; ++i) {
-            const auto n = static_cast<std::uint32_t>(entry);
-            const LightCluster& cluster = cut.cluster(entry);
-            const std::size_t place = place_of(entry, i);
-            const double weight = weights[place].weight[entry];
-            if (!(weight > 0)) continue;
-            const DrawnMember member = member_of(tree, cluster, receivers[place].point,
-                                                 survey_key(n, i, EntryDraw::further_members),
-                                                 survey_number(n, i, EntryDraw::member));
+    struct Drawn {
+        std::size_t entry;
+        std::uint32_t ray;
+        MemberDraw member;
+        DrawnMember found = {};
+    };
+    ShortList<Drawn, draws_together> drawn;
+    const auto trace = [&] {
+        ShortList<MemberDraw*, draws_together> members;
+        for (Drawn& d : drawn) members.push_back(&d.member);
+        descend_together({members.data(), members.size()});
+        for (Drawn& d : drawn) {
+            d.found = d.member.draw();
+            lights.fetch(tree.light(d.found.place));
+        }
+        for (const Drawn& d : drawn) {
+            const DrawnMember& member = d.found;
             if (!(member.probability > 0)) continue;
+            const auto n = static_cast<std::uint32_t>(d.entry);
+            const std::size_t place = place_of(d.entry, d.ray);
             const double light = lights.arriving(tree.light(member.place), receivers[place],
-                                                 {survey_number(n, i, EntryDraw::point_u),
-                                                  survey_number(n, i, EntryDraw::point_v)},
+                                                 {survey_number(n, d.ray, EntryDraw::point_u),
+                                                  survey_number(n, d.ray, EntryDraw::point_v)},
                                                  probe) /
                                  member.probability;
-            given[entry][i] = light / weight;
+            given[d.entry][d.ray] = light / weights[place].weight[d.entry];
             at_place[place] += light;
         }
+        drawn.clear();
+    };
+    for (std::size_t entry = 0; entry < cut.entries(); ++entry)
+        for (std::uint32_t i = 0; i < tuning::entry_rays; ++i) {
+            const std::size_t place = place_of(entry, i);
+            if (!(weights[place].weight[entry] > 0)) continue;
+            const auto n = static_cast<std::uint32_t>(entry);
+            drawn.push_back({entry, i,
+                             MemberDraw(tree, cut.cluster(entry), receivers[place].point,
+                                        survey_key(n, i, EntryDraw::further_members),
+                                        survey_number(n, i, EntryDraw::member))});
+            if (drawn.size() == draws_together) trace();
+        }
+    trace();
     const std::vector<double> counts = balanced(at_place);
     std::vector<Trial> trials(cut.entries());
     for (std::size_t entry = 0; entry < cut.entries(); ++entry) {

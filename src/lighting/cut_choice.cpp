@@ -6,18 +6,31 @@
 
 namespace candelabra {
 
-std::optional<LightPick> pick_from(const LightCut& cut, const CutWeights& weights,
-                                   const LightTree& tree, const Receiver& point, const Key& key,
-                                   double u, GlossyLobes lobes) {
+std::optional<OpenPick> open_pick(const LightCut& cut, const CutWeights& weights,
+                                  const LightTree& tree, const Receiver& point, const Key& key,
+                                  double u, GlossyLobes lobes) {
     if (!(weights.total > 0)) return {};
     double target = u * weights.total;
     const std::size_t entry = cut.find(weights, target);
     const double weight = weights.weight[entry];
-    const DrawnMember drawn =
-        member_of(tree, cut.cluster(entry), point, key, target / weight, lobes);
-    const double probability = weight / weights.total * drawn.probability;
-    return LightPick{tree.light(drawn.place),
-                     std::fmax(probability, std::numeric_limits<double>::min())};
+    return OpenPick{MemberDraw(tree, cut.cluster(entry), point, key, target / weight, lobes),
+                    weight / weights.total};
+}
+
+LightPick OpenPick::pick(const LightTree& tree) const {
+    const DrawnMember drawn = member.draw();
+    return {tree.light(drawn.place),
+            std::fmax(of_entry * drawn.probability, std::numeric_limits<double>::min())};
+}
+
+std::optional<LightPick> pick_from(const LightCut& cut, const CutWeights& weights,
+                                   const LightTree& tree, const Receiver& point, const Key& key,
+                                   double u, GlossyLobes lobes) {
+    auto open = open_pick(cut, weights, tree, point, key, u, lobes);
+    if (!open) return {};
+    while (open->member.descend()) {
+    }
+    return open->pick(tree);
 }
 
 double expected_from(const LightCut& cut, const CutWeights& weights, const LightTree& tree,

@@ -16,6 +16,18 @@ namespace candelabra {
 std::optional<LightPick> pick_from(const LightCut&, const CutWeights&, const LightTree&,
                                    const Receiver&, const Key&, double u, GlossyLobes = nullptr);
 
+/// A choice whose luminaire is still to be drawn from its entry.
+struct OpenPick {
+    MemberDraw member;
+    double of_entry;  ///< probability
+
+    /// Precondition: the member's descent is complete.
+    LightPick pick(const LightTree&) const;
+};
+/// Chooses the entry for pick_from(). What it refers to must outlive the result.
+std::optional<OpenPick> open_pick(const LightCut&, const CutWeights&, const LightTree&,
+                                  const Receiver&, const Key&, double u, GlossyLobes = nullptr);
+
 /// Expected number of times that pick_from() returns the luminaire.
 double expected_from(const LightCut&, const CutWeights&, const LightTree&, const Receiver&,
                      LightIndex, GlossyLobes = nullptr);

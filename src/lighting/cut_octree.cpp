@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cut_octree.h"
 
+#include "base/short_list.h"
 #include "lighting/cell_survey.h"
-#include "lighting/cut_choice.h"
 #include "lighting/draw.h"
 #include "lighting/light_cells.h"
 #include "lighting/tuning.h"
@@ -266,25 +266,49 @@ std::optional<LightEstimate> BuiltCutOctree::At::estimate() const {
     return LightEstimate{ray_ ? ray_->irradiance : weights_.total * cut_->unit(), ray_, response_};
 }
 
-void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {
+/// Samples a direction or the sky, or chooses an entry, of which a luminaire is to be drawn.
+std::optional<OpenPick> BuiltCutOctree::At::begin(const Key& key, LightSamples& samples) const {
     const double u = uniform(key, Purpose::light_choice), by_direction = by_surface_ + by_outlook_;
     if (u < by_surface_) {
         samples.direction = bsdf_->sample(place_on_light(key));
-    } else if (u < by_direction) {
-        samples.direction = LightGuide::draw(outlook_, place_on_light(key)).direction;
-    } else if (cut_) {
-        const double rest = (u - by_direction) / by_choice_;
-        if (rest < sky_) {
-            samples.picks.push_back({sky_light, by_choice_ * sky_});
-            return;
-        }
-        const double among_lamps = sky_ > 0 ? (rest - sky_) / (1 - sky_) : rest;
-        auto pick =
-            pick_from(*cut_, weights_, octree_.tree(), receiver_, key, among_lamps, lobes());
-        if (!pick) return;
-        pick->expected *= by_choice_ * (1 - sky_);
-        samples.picks.push_back(*pick);
+        return {};
     }
+    if (u < by_direction) {
+        samples.direction = LightGuide::draw(outlook_, place_on_light(key)).direction;
+        return {};
+    }
+    if (!cut_) return {};
+    const double rest = (u - by_direction) / by_choice_;
+    if (rest < sky_) {
+        samples.picks.push_back({sky_light, by_choice_ * sky_});
+        return {};
+    }
+    const double among_lamps = sky_ > 0 ? (rest - sky_) / (1 - sky_) : rest;
+    return open_pick(*cut_, weights_, octree_.tree(), receiver_, key, among_lamps, lobes());
+}
+
+void BuiltCutOctree::At::finish(const OpenPick& open, LightSamples& samples) const {
+    LightPick pick = open.pick(octree_.tree());
+    pick.expected *= by_choice_ * (1 - sky_);
+    samples.picks.push_back(pick);
+}
+
+void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {
+    sample({&key, 1}, {&samples, 1});
+}
+
+void BuiltCutOctree::At::sample(std::span<const Key> keys, std::span<LightSamples> samples) const {
+    ShortList<OpenPick, draws_together> open;
+    ShortList<LightSamples*, draws_together> of_open;
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        if (auto pick = begin(keys[i], samples[i])) {
+            open.push_back(*pick);
+            of_open.push_back(&samples[i]);
+        }
+    ShortList<MemberDraw*, draws_together> members;
+    for (OpenPick& pick : open) members.push_back(&pick.member);
+    descend_together({members.data(), members.size()});
+    for (std::size_t i = 0; i < open.size(); ++i) finish(open[i], *of_open[i]);
 }
 
 }  // namespace candelabra

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "lighting/cluster_descent.h"
+#include "lighting/cut_choice.h"
 #include "lighting/light_cut.h"
 #include "lighting/light_guide.h"
 #include "lighting/light_query.h"
@@ -62,6 +62,8 @@ public:
     At(const BuiltCutOctree&, const LightQuery&);
 
     void sample(const Key&, LightSamples&) const;
+    /// The same for each of several keys and samples, at most draws_together, in less time.
+    void sample(std::span<const Key>, std::span<LightSamples>) const;
     double expected(const Key&, LightIndex) const;
     double pdf(const Vec3& direction, double expected, double of_point) const;
     std::optional<LightEstimate> estimate() const;
@@ -70,6 +72,8 @@ public:
 private:
     void take_weights(const LightQuery&, const Cell&);
     void keep_for_sources();
+    std::optional<OpenPick> begin(const Key&, LightSamples&) const;
+    void finish(const OpenPick&, LightSamples&) const;
     GlossyLobes lobes() const { return lobes_ ? &*lobes_ : nullptr; }
 
     const BuiltCutOctree& octree_;

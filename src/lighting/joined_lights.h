@@ -39,6 +39,7 @@ public:
     double unoccluded(LightIndex light, const Receiver& point) const override {
         return kind(light).unoccluded(within(light), point);
     }
+    void fetch(LightIndex light) const override { kind(light).fetch(within(light)); }
     double arriving(LightIndex light, const SurveyPlace& place, const Vec2& u,
                     const LightProbe& probe) const override {
         return kind(light).arriving(within(light), place, u, probe);

@@ -12,6 +12,7 @@
 
 #include <concepts>
 #include <optional>
+#include <span>
 
 namespace candelabra {
 
@@ -65,6 +66,13 @@ concept LightAnswer = requires(const T& at, const Key& key, LightSamples& sample
     // shines in the directions that sample() returns. If not, it must be sampled apart. The pdf of
     // a direction to it is that of a point of a luminaire.
     { at.takes_sky() } -> std::same_as<bool>;
+};
+
+/// An answer that makes several samples at once in less time.
+template <class T>
+concept SamplesTogether = requires(const T& at, std::span<const Key> keys,
+                                   std::span<LightSamples> samples) {
+    at.sample(keys, samples);
 };
 
 /// The answer of strategies that only pick luminaires.

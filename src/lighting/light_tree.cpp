@@ -2,6 +2,7 @@
 #include "lighting/light_tree.h"
 
 #include "base/function_ref.h"
+#include "base/memory_pages.h"
 #include "base/parallel.h"
 #include "lighting/hierarchy_builder.h"
 #include "lighting/opposed_axes.h"
@@ -148,6 +149,7 @@ public:
                                 max_abs_component(all.high - tree_.origin_));
         build(items());
         run_on_threads(count > together ? threads : 1, [&] { finish(); });
+        use_huge_pages(tree_.nodes_.data(), tree_.nodes_.size() * sizeof(LightTreeNode));
     }
 
 private:
@@ -180,7 +182,10 @@ private:
     }
 
     void build(std::vector<TreeItem> items) {
-        tree_.nodes_.resize(2 * items.size() - 1);
+        const std::size_t nodes = 2 * items.size() - 1;
+        tree_.nodes_.reserve(nodes);
+        expect_huge_pages(tree_.nodes_.data(), nodes * sizeof(LightTreeNode));
+        tree_.nodes_.resize(nodes);
         HierarchyBuilder<TreeCost> builder(
             std::move(items), {.falling = choosable_.falls_off() ? &choosable_ : nullptr});
         builder.build(
@@ -413,9 +418,9 @@ std::uint32_t LightTree::place_in_unit(LightIndex light) const {
 }
 
 /// The proxy of its own tree, moved to its place.
-LightProxy LightTree::proxy_of_copy(const LightCluster& c) const {
+LightProxy LightTree::proxy_of_copy(const LightCluster& c, double intensity) const {
     const LightCopy& copy = copies_[c.copy];
-    LightProxy proxy = copy.lights->light_proxy(within(c));
+    LightProxy proxy = copy.lights->light_proxy(within(c), 0);
     const Box around = copy.place->box({proxy.centre - proxy.half, proxy.centre + proxy.half});
     const double rounding =
         1e-15 * (max_abs_component(around.low) + max_abs_component(around.high));
@@ -423,7 +428,7 @@ LightProxy LightTree::proxy_of_copy(const LightCluster& c) const {
     proxy.half = 0.5 * around.size() + rounding;
     // Strength is intensity, which grows with the area, over the radius.
     proxy.radius = copy.scale * proxy.radius + rounding;
-    proxy.strength = intensity(c) / proxy.radius;
+    proxy.strength = intensity / proxy.radius;
     proxy.axis = copy.place->direction(proxy.axis) / copy.scale;
     return proxy;
 }
@@ -435,8 +440,8 @@ Box LightTree::box(const LightCluster& c) const {
             origin_ + Vec3(n.high[0], n.high[1], n.high[2])};
 }
 
-LightProxy LightTree::light_proxy(const LightCluster& c) const {
-    if (c.is_copied()) return proxy_of_copy(c);
+LightProxy LightTree::light_proxy(const LightCluster& c, double intensity) const {
+    if (c.is_copied()) return proxy_of_copy(c, intensity);
     const LightTreeNode& n = nodes_[c.node];
     const Box around = box(c);
     const double rounding =
@@ -444,7 +449,7 @@ LightProxy LightTree::light_proxy(const LightCluster& c) const {
     const double radius = 0.5 * length(around.size()) + rounding + 1e-150;
     return {around.centre(),
             radius,
-            intensity(c) / radius,
+            intensity / radius,
             Vec3(n.axis[0], n.axis[1], n.axis[2]) / 127.0,
             n.evenness / 255.0,
             0.5 * around.size() + rounding,

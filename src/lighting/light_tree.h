@@ -50,6 +50,9 @@ public:
     /// Returns the two halves of a cluster of more than one luminaire.
     std::pair<LightCluster, LightCluster> halves(const LightCluster&) const;
 
+    /// Has the halves of a cluster fetched from memory, which takes longer than to weigh them.
+    void fetch_halves(const LightCluster&) const;
+
     LightIndex light(std::uint32_t place) const {
         return copies_.empty() ? order_[place] : light_of_unit(place);
     }
@@ -58,7 +61,9 @@ public:
     }
 
     /// The cluster as one luminaire: a sphere around all of it.
-    LightProxy light_proxy(const LightCluster&) const;
+    LightProxy light_proxy(const LightCluster& c) const { return light_proxy(c, intensity(c)); }
+    /// The same where the cluster's intensity() is known.
+    LightProxy light_proxy(const LightCluster&, double intensity) const;
     Box box(const LightCluster&) const;
     /// Falloff of a cluster; null if it has a light that falls off with the square of the distance.
     const Falloff* falloff(const LightCluster& c) const {
@@ -102,7 +107,7 @@ private:
     std::uint32_t unit_at(std::uint32_t place) const;
     LightIndex light_of_unit(std::uint32_t place) const;
     std::uint32_t place_in_unit(LightIndex) const;
-    LightProxy proxy_of_copy(const LightCluster&) const;
+    LightProxy proxy_of_copy(const LightCluster&, double intensity) const;
 
     std::uint64_t strength_before(const LightCluster&) const;
     std::uint64_t strength(const LightCluster&) const;
@@ -136,6 +141,20 @@ inline std::pair<LightCluster, LightCluster> LightTree::halves(const LightCluste
     // A cluster of n luminaires has 2n - 1 nodes, depth first.
     const std::uint32_t half = nodes_[c.node].first_half;
     return {{c.node + 1, c.first, half}, {c.node + 2 * half, c.first + half, c.count - half}};
+}
+
+inline void LightTree::fetch_halves(const LightCluster& c) const {
+    if (c.is_copied()) return copies_[c.copy].lights->fetch_halves(within(c));
+    const LightTreeNode* const first = &nodes_[c.node] + 1;
+    const std::uint32_t half = nodes_[c.node].first_half;
+    if (half == 0) return;
+    const LightTreeNode* const second = first + (2 * half - 1);
+    // A node may lie across the border of two lines.
+    for (const LightTreeNode* const node : {first, second}) {
+        __builtin_prefetch(node);
+        __builtin_prefetch(node->bent_normal.data());
+    }
+    if (copies_.empty()) strengths_.fetch(c.first + half - 1);
 }
 
 inline LightCluster LightTree::by_square_law() const {

@@ -11,7 +11,9 @@
 #include "world/radiance.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace candelabra {
@@ -116,9 +118,27 @@ ChosenLight::Found ChosenLight::operator()(const ArrivingLight& at, const Key& k
                 if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return found;
                 count = rays_at(expected->noise, at, straight);
             }
-            for (int i = 0; i < count; ++i)
-                found.radiance +=
-                    by_answer(answer, {at, key.part(count, i), count * chance, chosen});
+            constexpr bool together = SamplesTogether<decltype(answer)>;
+            constexpr int most = together ? static_cast<int>(draws_together) : 1;
+            for (int first = 0; first < count; first += most) {
+                const int some = std::min(most, count - first);
+                std::array<Key, draws_together> keys;
+                for (int i = 0; i < some; ++i) {
+                    keys[i] = key.part(count, first + i);
+                    samples_[i].clear();
+                }
+                if constexpr (together) {
+                    answer.sample(std::span(keys).first(some), std::span(samples_).first(some));
+                    for (int i = 0; i < some; ++i)
+                        for (const LightPick& pick : samples_[i].picks)
+                            world_.lights.luminaires.fetch(pick.light);
+                } else {
+                    answer.sample(keys[0], samples_[0]);
+                }
+                for (int i = 0; i < some; ++i)
+                    found.radiance +=
+                        by_answer(answer, samples_[i], {at, keys[i], count * chance, chosen});
+            }
             return found;
         },
         shot_.sampler);
@@ -142,17 +162,15 @@ std::optional<double> ChosenLight::expected(const Vec3& position) const {
 
 /// Light by one shadow ray.
 template <LightAnswer Answer>
-Rgb ChosenLight::by_answer(const Answer& answer, const Asked& asked) {
-    samples_.clear();
-    answer.sample(asked.key, samples_);
+Rgb ChosenLight::by_answer(const Answer& answer, const LightSamples& samples, const Asked& asked) {
     Rgb sum(0);
-    if (samples_.direction)
-        sum += by_direction(*samples_.direction, asked, [&](LightIndex light, double of_point) {
-            return answer.pdf(*samples_.direction, answer.expected(asked.key, light), of_point);
+    if (samples.direction)
+        sum += by_direction(samples, asked, [&](LightIndex light, double of_point) {
+            return answer.pdf(*samples.direction, answer.expected(asked.key, light), of_point);
         });
     // The conventional strategy picks every luminaire once; further shadow rays add points on each.
-    const bool several = samples_.picks.size() > 1;
-    for (const LightPick& pick : samples_.picks) {
+    const bool several = samples.picks.size() > 1;
+    for (const LightPick& pick : samples.picks) {
         if (pick.light == sky_light) {
             sum += from_sky(asked, [&](const Vec3& direction, double of_direction) {
                 return answer.pdf(direction, pick.expected, of_direction);
@@ -244,8 +262,10 @@ Rgb ChosenLight::from_sky(const Asked& asked, const Density& density) const {
 /// among what is chosen. Density: returns the pdf of a point,
 /// given its luminaire and the luminaire's own pdf.
 template <class Density>
-Rgb ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const Density& density) {
+Rgb ChosenLight::by_direction(const LightSamples& samples, const Asked& asked,
+                              const Density& density) {
     const LitLayer& layer = asked.at.layer;
+    const Vec3& direction = *samples.direction;
     if (!asked.kinds.has_any({LightKind::luminaires, LightKind::sky})) return Rgb(0);
     const Rgb response = layer.response(direction, asked.key);
     if (response == Rgb(0)) return Rgb(0);
@@ -253,8 +273,8 @@ Rgb ChosenLight::by_direction(const Vec3& direction, const Asked& asked, const D
         return response / (pi * density(light, of_point) * asked.number);
     };
     const ShadowRay ray(asked.at, direction, asked.key);
-    if (samples_.tree) {
-        meet_along(*samples_.tree, asked.at, direction);
+    if (samples.tree) {
+        meet_along(*samples.tree, asked.at, direction);
         return seen(ray, asked.at,
                     [&](const OnRay& there) { return weight(there.light, there.density); });
     }

@@ -69,14 +69,14 @@ private:
     };
 
     template <LightAnswer Answer>
-    Rgb by_answer(const Answer&, const Asked&);
+    Rgb by_answer(const Answer&, const LightSamples&, const Asked&);
     template <class Density>
     Rgb by_pick(const Luminaire&, const LightPick&, const Asked&, const Key& place, const Density&);
     template <class Density>
     Rgb by_pick(const MediaBox&, const LightPick&, const Asked&, const Key& place,
                 const Density&) const;
     template <class Density>
-    Rgb by_direction(const Vec3&, const Asked&, const Density&);
+    Rgb by_direction(const LightSamples&, const Asked&, const Density&);
     template <class Density>
     Rgb from_sky(const Asked&, const Density&) const;
     Rgb seen(const ShadowRay&, const ArrivingLight&, Weight) const;
@@ -98,7 +98,7 @@ private:
     const World& world_;
     ShadowRays rays_;
     // Kept as members to reuse their memory.
-    LightSamples samples_;
+    std::array<LightSamples, draws_together> samples_;
     LightHits hits_;
     std::vector<OnRay> on_ray_;  ///< nearest first
 };

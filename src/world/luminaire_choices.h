@@ -38,6 +38,9 @@ public:
     double unoccluded(LightIndex light, const Receiver& point) const override {
         return candelabra::unoccluded(*at(light), point);
     }
+    void fetch(LightIndex light) const override {
+        if (light < own_.size()) candelabra::fetch(own_[light]);
+    }
     double arriving(LightIndex, const SurveyPlace&, const Vec2& u,
                     const LightProbe&) const override;
 

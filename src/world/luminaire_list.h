@@ -48,6 +48,11 @@ public:
         return light < own_.size() ? LuminaireAt(own_[light]) : LuminaireAt(made(light));
     }
 
+    /// Has a luminaire fetched from memory, if there is one of the index and it is in no instance.
+    void fetch(LightIndex light) const {
+        if (light < own_.size()) candelabra::fetch(own_[light]);
+    }
+
     /// Those of no instance, which are the first ones.
     std::vector<Luminaire>& own() { return own_; }
     const std::vector<Luminaire>& own() const { return own_; }

@@ -6,6 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstddef>
+#include <vector>
+
 namespace candelabra {
 
 namespace {
@@ -33,6 +36,26 @@ TEST_CASE("members of a cluster are drawn with their probabilities", "[lighting]
         const DrawnMember drawn = member_of(tree, tree.root(), below_row, key, draw.between(0, 1));
         CHECK(drawn.probability ==
               Approx(probability_of(tree, tree.root(), below_row, drawn.place)));
+    }
+}
+
+TEST_CASE("members that are drawn together are those that are drawn alone", "[lighting]") {
+    const LightTree tree(*choices(row_of_lamps()));
+    std::vector<MemberDraw> draws;
+    std::vector<MemberDraw*> together;
+    const auto number = [](std::size_t i) { return (static_cast<double>(i) + 0.5) / 16; };
+    const auto key = [](std::size_t i) {
+        return Key::of(Survey::cell, 1, static_cast<std::uint32_t>(i), 3);
+    };
+    for (std::size_t i = 0; i < draws_together; ++i)
+        draws.emplace_back(tree, tree.root(), below_row, key(i), number(i));
+    for (MemberDraw& draw : draws) together.push_back(&draw);
+    descend_together(together);
+    for (std::size_t i = 0; i < draws_together; ++i) {
+        const DrawnMember here = draws[i].draw(),
+                          alone = member_of(tree, tree.root(), below_row, key(i), number(i));
+        CHECK(here.place == alone.place);
+        CHECK(here.probability == alone.probability);
     }
 }
 

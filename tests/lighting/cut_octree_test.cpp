@@ -7,8 +7,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
 #include <numbers>
+#include <span>
 #include <thread>
+#include <vector>
 
 namespace candelabra {
 
@@ -82,6 +85,29 @@ TEST_CASE("all chances add up to 1", "[lighting]") {
         double sum = 0;
         for (LightIndex light = 0; light < 500; ++light) sum += asked.expected(Key{}, light);
         CHECK(sum == Approx(1));
+    }
+}
+
+TEST_CASE("samples that are made together are those that are made alone", "[lighting]") {
+    const Street street(500);
+    const BuiltCutOctree built(LightOctree{}, street.scene());
+    Draw draw(4);
+    const BsdfLobes lobes;
+    for (int i = 0; i < 20; ++i) {
+        const Receiver point = street.point(draw);
+        const auto answer = built.at({point, lobes, nullptr, nullptr});
+        std::vector<Key> keys;
+        for (std::uint32_t n = 0; n < 5; ++n) keys.push_back(Key::of(Survey::cell, 1, n, 0));
+        std::vector<LightSamples> together(keys.size());
+        answer.sample(std::span<const Key>(keys), std::span<LightSamples>(together));
+        for (std::size_t n = 0; n < keys.size(); ++n) {
+            LightSamples alone;
+            answer.sample(keys[n], alone);
+            REQUIRE(alone.picks.size() == 1);
+            REQUIRE(together[n].picks.size() == 1);
+            CHECK(together[n].picks[0].light == alone.picks[0].light);
+            CHECK(together[n].picks[0].expected == alone.picks[0].expected);
+        }
     }
 }
 
