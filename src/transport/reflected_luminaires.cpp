@@ -44,6 +44,8 @@ constexpr double even_share = 0.05;
 /// Noise of the choice above which the octree's cells are divided: higher than among luminaires,
 /// because a generation's cells serve few samples. See "Indirect light".
 constexpr double eta = 0.1;
+/// The same for places in media, which are spread over more cells: "Light in air".
+constexpr double eta_in_air = 0.3;
 /// Length of the bent normal: for the strategy, a reflected luminaire shines on both sides, and a
 /// little more on its own.
 constexpr double lean = 0.25;
@@ -220,8 +222,9 @@ ReflectedSet ReflectedLuminaires::made(std::uint32_t number) const {
     const Projection& camera = shot_.view.camera;
     if (!camera.parallel) scene.eye = camera.location;
     set.sampler = build(LightSampler(octree), scene, threads_);
-    // Cells between surfaces would be many, and serve few samples each.
-    if (in_air()) set.in_air = build(LightSampler(LightBvh()), scene, threads_);
+    if (!in_air()) return set;
+    octree.eta = eta_in_air;
+    set.in_air = build(LightSampler(octree), scene, threads_);
     return set;
 }
 
