@@ -40,15 +40,24 @@ bool paths_pay(const PilotNoise& reflected, const PilotNoise& paths, double send
 
 /// Returns the number of shadow rays with the least noise for a given time: the square root of
 /// (cost of a camera ray over that of a shadow ray) times (variance due to light over variance due
-/// to the camera), from 1 to 4 times the number of draws that one draw stands for. Larger numbers
-/// hardly help even if camera rays make no noise at all.
+/// to the camera), from 1 to 4 times the number of draws that one draw stands for.
 int best_shadow_rays(const PilotNoise&, int draws = 1);
+
+/// Whether all samples of a pixel begin with the same ray, so that the camera makes no noise.
+bool has_equal_rays(const Shot&, const RenderSettings&);
+
+/// Whether more shadow rays at each hit make less noise in the same time, where samples of a pixel
+/// begin with the same ray. Work is counted, as in paths_pay(). Precondition: as many samples were
+/// followed for both.
+bool more_rays_pay(const PilotNoise& few, const PilotNoise& many);
 
 /// Results of the pilot. The number of shadow rays at each hit is that of the settings, or else the
 /// best one for hits of usual noise. It does not depend on the number of samples, so that pictures
 /// can be continued.
 struct Pilot {
     ShadowRays shadow_rays;
+    /// Whether there are so many that two samples of a pixel make less noise than four usually do.
+    bool many_rays = false;
     bool quiet = false;  ///< see is_quiet(); false if no pixels were tried
     /// Whether paths alone make less noise in the same time than reflected luminaires, which the
     /// scene leaves open.

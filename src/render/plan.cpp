@@ -17,18 +17,20 @@ bool follows_shadow_rays(const Shot& shot, const RenderSettings& settings) {
 }
 
 /// Returns the number of samples that the noise of the light needs. `rays`: number of shadow rays
-/// at each hit, where relevant. `quiet`: there is hardly any noise.
-int usual_samples(const World& world, const RenderSettings& settings, int rays, bool quiet) {
+/// at each hit, where relevant; `many`: see Pilot::many_rays. `quiet`: there is hardly any noise.
+int usual_samples(const World& world, const RenderSettings& settings, int rays, bool many,
+                  bool quiet) {
     constexpr int first_for_noise = 16;
     if (settings.noise > 0)
         return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
                                     : first_for_noise;
     if (settings.samples > 0) return settings.samples;
     // With more shadow rays per sample, fewer samples suffice.
-    constexpr int least = 4, to_middle = 16, min_in_media = 2;
+    constexpr int least = 4, least_of_many = 2, to_middle = 16, min_in_media = 2;
     if (!settings.antialias) {
         if (!world.facts.left_to_chance || quiet) return 1;
-        if (world.facts.differs_by_light) return std::max(least, to_middle / rays);
+        if (world.facts.differs_by_light)
+            return std::max(many ? least_of_many : least, to_middle / rays);
         return world.photon_targets.empty() ? min_in_media : least;
     }
     const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
@@ -79,7 +81,7 @@ std::optional<RenderPlan> plan_of(const Shot& shot, const RenderSettings& settin
     const SampleRule rule =
         choose_rule({settings, shot.view.camera, shot.view.film, world.rules.settings.assumed_gamma,
                      world.facts.left_to_chance, quiet});
-    const FirstSamples wanted{usual_samples(world, settings, shared, single),
+    const FirstSamples wanted{usual_samples(world, settings, shared, tried.many_rays, single),
                               least_samples(shot, settings)};
     const int samples = std::visit([&](const auto& each) { return each.first(wanted); }, rule);
     return RenderPlan{shot, settings, tried.shadow_rays, used, static_cast<std::uint32_t>(samples),

@@ -22,8 +22,9 @@ namespace {
 
 using std::numbers::pi;
 
-/// Maximum number of shadow rays at one hit, where the number varies.
-constexpr int max_rays = 32;
+/// Maximum number of shadow rays at one hit, where the number varies: this one, or that multiple of
+/// the usual number.
+constexpr int max_rays = 32, max_times_usual = 8;
 
 /// Standard deviation that Russian roulette of luminaires may add to a sample with other light, in
 /// steps of an 8-bit picture.
@@ -70,7 +71,8 @@ int ChosenLight::rays_at(double noise_of_ray, const ArrivingLight& at, const Rgb
     at.ledger.noise.add(noise);
     if (rays_.usual_noise == 0) return rays_.usual;
     const double wanted = rays_.usual * noise / rays_.usual_noise;
-    const double exponent = std::round(math::log2(std::clamp<double>(wanted, 1, max_rays)));
+    const double most = std::max(max_rays, max_times_usual * rays_.usual);
+    const double exponent = std::round(math::log2(std::clamp<double>(wanted, 1, most)));
     return 1 << static_cast<int>(exponent);
 }
 

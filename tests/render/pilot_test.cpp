@@ -71,8 +71,48 @@ TEST_CASE("the pilot tells the noise of light from that of camera rays", "[rende
     CHECK(middle.of_light > 0);
     CHECK(middle.of_camera < 0.2 * middle.of_light);
     CHECK(spread.of_camera > spread.of_light);
-    CHECK(pilot(plain, small(false)).shadow_rays.usual == 4);
     CHECK(pilot(checked, small(true)).shadow_rays.usual < 4);
+}
+
+TEST_CASE("more shadow rays pay if they make less noise in the same time", "[render]") {
+    PilotNoise few = noise_of(4, 0), many = noise_of(1, 0);
+    CHECK_FALSE(more_rays_pay(few, many));  // nothing was tried
+    few.places = many.places = 10;
+    few.rays = 100;
+    many.rays = 300;
+    CHECK(more_rays_pay(few, many));
+    many.rays = 500;
+    CHECK_FALSE(more_rays_pay(few, many));
+    // What choosing among lights costs at each hit is a cost of both.
+    few.of_hits.hits = many.of_hits.hits = 100;
+    CHECK(more_rays_pay(few, many));
+}
+
+TEST_CASE("where all rays of a pixel are equal, hits get many shadow rays if these pay",
+          "[render]") {
+    const auto found = [](const std::string& script, int size, bool antialias) {
+        const Shot shot = square_shot(world_of(script), size);
+        RenderSettings settings = small(antialias);
+        settings.width = settings.height = size;
+        return pilot(shot, settings);
+    };
+    const Pilot many = found(floor_and_lamps, 192, false);
+    CHECK(many.shadow_rays.usual == 16);
+    CHECK(many.many_rays);
+    // Antialiasing and a lens move the rays, and the trial would take long in a tiny picture.
+    const std::string lens =
+        "#default { finish { ambient 0 } } camera { location <0, 3, -5> "
+        "look_at 0 aperture 0.5 blur_samples 4 focal_point 0 } ";
+    for (const Pilot& few : {found(floor_and_lamps, 192, true), found(floor_and_lamps, 40, false),
+                             found(floor_and_lamps + lens, 192, false)}) {
+        CHECK(few.shadow_rays.usual <= 4);
+        CHECK_FALSE(few.many_rays);
+    }
+    // Most noise is that of the directions in which fog scatters light.
+    const std::string haze =
+        "media { scattering { 1, 0.2 } } sphere { <0, 2, 9>, 1 pigment { rgb 1 } finish { "
+        "emission 20 } } ";
+    CHECK_FALSE(found(floor_and_lamps + haze, 192, false).many_rays);
 }
 
 TEST_CASE("the number of shadow rays is as the settings say", "[render]") {
