@@ -12,9 +12,11 @@ namespace candelabra {
 
 namespace {
 
-/// Maximum number of rays of all luminaires together, and of pairs of opposite rays of one.
-constexpr std::size_t max_rays = std::size_t{1} << 18;
-constexpr std::size_t max_pairs = 4;
+/// Number of rays of all luminaires together that any picture may take, number of them for a pixel
+/// of a large one, whose samples take far longer, and maximum number of pairs of opposite rays of a
+/// luminaire: see "Bent normals" in tests/bench/README.md.
+constexpr std::uint64_t usual_rays = std::uint64_t{1} << 18, rays_of_pixel = 2;
+constexpr std::uint64_t max_pairs = 4;
 /// Distance from the centre, in radii, of the points to which rays lead.
 constexpr double around = 3;
 /// Fraction of a flat luminaire's radius within which a surface is its mounting.
@@ -127,10 +129,11 @@ Vec3 bent_normal_of(const World& world, const Glowing& glowing, std::size_t ligh
 }  // namespace
 
 std::vector<Vec3> find_bent_normals(const World& world, const std::optional<Vec3>& eye,
-                                    int threads) {
+                                    std::uint64_t pixels, int threads) {
     const std::size_t count = world.lights.glowing();
     if (count < 2 || !world.lights.luminaires.placed().empty()) return {};
-    const std::size_t pairs = std::min(max_pairs, max_rays / (2 * count));
+    const std::uint64_t rays = std::max(usual_rays, rays_of_pixel * pixels),
+                        pairs = std::min(max_pairs, rays / (2 * count));
     if (pairs == 0) return {};
     std::vector<Vec3> found(count);
     run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {

@@ -126,7 +126,7 @@ void choose_as_wanted(Shot& shot, const ShotSettings& settings) {
     const LightSampler& wanted = world.rules.settings.light_sampler;
     LightScene scene = seen_by(shot.view.camera, settings);
     if (traits(wanted).wants_bent_normals)
-        shot.bent_normals = find_bent_normals(world, scene.eye, settings.threads);
+        shot.bent_normals = find_bent_normals(world, scene.eye, shot.pixels, settings.threads);
     std::vector<Box> boxes(world.geometry.item_count());
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
         boxes[item] = world.geometry.finite_bounds(item);

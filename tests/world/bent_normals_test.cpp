@@ -77,9 +77,26 @@ TEST_CASE("bent normals are the same for any number of threads", "[world]") {
     const Scene scene = scene_of(
         "#version 3.7;\n#declare G = texture { pigment { rgb 1 } finish { emission 1 } }\n" + text);
     const SharedWorld world = compile(scene, {}, diagnostics);
-    const auto found = [&](int threads) { return find_bent_normals(*world, Vec3(0), threads); };
+    const auto found = [&](int threads) { return find_bent_normals(*world, Vec3(0), 1, threads); };
     CHECK(found(1).size() == 601);
     CHECK(found(1) == found(3));
+}
+
+TEST_CASE("the more pixels a picture has, the more luminaires have bent normals", "[world]") {
+    Diagnostics diagnostics;
+    const Scene scene = scene_of(R"(
+        #version 3.7;
+        box { <-1, -1, -1>, <400, 0, 400> }
+        #for (I, 0, 139999)
+            sphere { <mod(I, 374), 0, int(I/374)>, 0.1 pigment { rgb 1 } finish { emission 1 } }
+        #end)");
+    const SharedWorld world = compile(scene, {}, diagnostics);
+    CHECK(find_bent_normals(*world, Vec3(0, 9, 0), 1000, 1).empty());
+    const std::vector<Vec3> found = find_bent_normals(*world, Vec3(0, 9, 0), 140'000, 2);
+    REQUIRE(found.size() == 140'000);
+    double up = 0;
+    for (const Vec3& bent : found) up += bent.y / 140'000;
+    CHECK(up > 0.15);
 }
 
 }  // namespace candelabra
