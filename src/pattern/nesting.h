@@ -13,6 +13,7 @@ struct Nesting {
     double entries = 1;    ///< of all maps written out, however often one part is used
     bool uv = false;       ///< some pattern needs u and v
     bool by_view = false;  ///< some pattern depends on the direction of the ray
+    bool by_surface = false;  ///< some pattern depends on how the surface faces
     bool by_axes = false;  ///< some pattern needs SurfaceAxes
 
     bool too_deep() const { return depth > 16 || entries > 1e6; }
@@ -29,6 +30,7 @@ struct Nesting {
         entries += other.entries;
         uv |= other.uv;
         by_view |= other.by_view;
+        by_surface |= other.by_surface;
         by_axes |= other.by_axes;
     }
 };

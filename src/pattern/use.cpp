@@ -16,6 +16,7 @@ double PatternUse::value(const Vec3& place, const PatternScene& scene) const {
 Nesting nesting(const PatternUse& use) {
     Nesting result{1, 0};
     result.by_view = std::holds_alternative<Aoi>(use.pattern);
+    result.by_surface = result.by_view || std::holds_alternative<Slope>(use.pattern);
     if (const auto* bumps = std::get_if<BumpMap>(&use.pattern))
         result.by_axes = bumps->tangent_space;
     if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern)) result.add(grey->nesting);

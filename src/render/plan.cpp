@@ -20,7 +20,7 @@ bool follows_shadow_rays(const Shot& shot, const RenderSettings& settings) {
 /// at each hit, where relevant; `many`: see Pilot::many_rays. `quiet`: there is hardly any noise.
 int usual_samples(const World& world, const RenderSettings& settings, int rays, bool many,
                   bool quiet) {
-    constexpr int first_for_noise = 16;
+    const int first_for_noise = many ? 4 : 16;
     if (settings.noise > 0)
         return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
                                     : first_for_noise;

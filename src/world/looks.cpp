@@ -220,6 +220,28 @@ Rgb World::emission(PrimitiveIndex primitive, const Vec3& point, Side side,
     return sum * output(primitive, direction);
 }
 
+Rgb World::emission(const SeenPoint& seen, const Vec3& direction) const {
+    const Vec3 normal = seen.side == Side::inner ? -seen.normal : seen.normal;
+    const SurfaceView view{seen.point, normal, -direction};
+    SurfaceAxes axes;
+    PatternScene scene = pattern_scene(seen, axes);
+    scene.view = &view;
+    Rgb sum(0);
+    for_textures(seen.primitive, seen.part, seen.point, seen.side,
+                 [&](double share, const Texture& texture, const Transform* place) {
+                     const auto add = [&](double weight, std::span<const Layer> layers) {
+                         Rgb passing(share * weight);
+                         for (const Layer& layer : layers) {
+                             const Colour& colour = layer.colour;
+                             sum += passing * colour.rgb * layer.finish->emission * opacity(colour);
+                             passing *= colour.passing();
+                         }
+                     };
+                     for_layers(texture, seen.point, normal, scene, add, place);
+                 });
+    return sum * output(seen.primitive, &direction);
+}
+
 double World::opacity(const Colour& colour) const {
     // Before version 3.7, filter counted by the brightest channel of the colour.
     if (rules.language_version < 3.7)

@@ -34,6 +34,7 @@ struct Material {
     bool uv = false;               ///< whether a texture needs u and v
     bool by_axes = false;       ///< whether a texture needs SurfaceAxes
     bool by_view = false;       ///< whether a pattern depends on the direction of the ray
+    bool by_surface = false;    ///< whether a pattern depends on how the surface faces
     Handle<Texture> inner = nullptr;  ///< of the inner side; null: as outside
     std::uint32_t light_group = 0;    ///< in WorldLights::groups; 0: none
     /// Number of the union that gave its interior to all of its parts: rays treat these as one

@@ -137,6 +137,7 @@ void Materials::add(const Inherited& look) {
     if (material.inner) patterns.include(nesting(*material.inner));
     material.uv = patterns.uv;
     material.by_view = patterns.by_view;
+    material.by_surface = patterns.by_surface;
     material.by_axes = patterns.by_axes;
     material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
     world_.appearance.any_transparent |= material.transparent;
@@ -195,6 +196,7 @@ void Materials::include(std::uint32_t material, std::uint32_t part) {
     whole.keeps_energy |= other.keeps_energy;
     whole.uv |= other.uv;
     whole.by_view |= other.by_view;
+    whole.by_surface |= other.by_surface;
     whole.by_axes |= other.by_axes;
     whole.other_light |= other.other_light;
     whole.lit_from_behind |= other.lit_from_behind;

@@ -15,12 +15,17 @@ Rgb greatest_emission(const Material& material) {
 
 Rgb radiance_of(const World& world, const Luminaire& luminaire, const EmittingPoint& point) {
     const bool same_everywhere = !luminaire.varying && !luminaire.two_faced && !luminaire.web;
-    return same_everywhere
-               ? luminaire.radiance
-               : world.emission(luminaire.primitive, point.position, point.side, &point.direction);
+    if (same_everywhere) return luminaire.radiance;
+    const SeenPoint& seen = point.seen;
+    return world.material(luminaire.primitive).by_surface
+               ? world.emission(seen, point.direction)
+               : world.emission(luminaire.primitive, seen.point, seen.side, &point.direction);
 }
 
 double luminance_at(const World& world, PrimitiveIndex primitive, const Vec3& point) {
+    if (world.material(primitive).by_surface)
+        return luminance(greatest_emission(world.material(primitive))) *
+               world.output(primitive, nullptr);
     const double outer = luminance(world.emission(primitive, point, Side::outer));
     if (!world.material(primitive).inner) return outer;
     return std::max(outer, luminance(world.emission(primitive, point, Side::inner)));

@@ -13,20 +13,21 @@ Rgb greatest_emission(const Material&);
 
 /// A point of a luminaire, and how its light leaves it.
 struct EmittingPoint {
-    Vec3 position;
-    Side side;
+    SeenPoint seen;
     Vec3 direction;  ///< unit, away from the luminaire
 };
 
 /// The point where a ray meets a luminaire.
 inline EmittingPoint emitting_point(const Hit& hit, const Ray& ray) {
-    return {hit.position, hit.side_towards(ray.direction), -ray.direction};
+    return {{hit.primitive, hit.part, hit.position, hit.normal, hit.side_towards(ray.direction)},
+            -ray.direction};
 }
 
 /// Radiance of a luminaire at one of its points.
 Rgb radiance_of(const World&, const Luminaire&, const EmittingPoint&);
 
-/// Luminance of the brighter side of a primitive at a point.
+/// Luminance of the brighter side of a primitive at a point; the greatest one if it depends on how
+/// the surface faces.
 double luminance_at(const World&, PrimitiveIndex, const Vec3& point);
 
 /// Points of a luminaire on one ray are the same if their distances differ by this fraction of

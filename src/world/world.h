@@ -136,8 +136,11 @@ public:
     std::uint32_t instanced_luminaire(PrimitiveIndex) const;
 
     /// Radiance that one side of the primitive emits at a point of its surface in a direction, a
-    /// unit vector away from it; null: in the brightest direction.
+    /// unit vector away from it; null: in the brightest direction. Patterns do not know how the
+    /// surface faces.
     Rgb emission(PrimitiveIndex, const Vec3& point, Side, const Vec3* direction = nullptr) const;
+    /// The same where they know it.
+    Rgb emission(const SeenPoint&, const Vec3& direction) const;
 
     /// Factor by which the primitive emits more than its textures say in that direction; null: the
     /// greatest one.

@@ -78,6 +78,8 @@ Element with_closed_sets(Element element) {
         element = replaced(std::move(element),
                            R"(hypercomplex (?!max_iteration|precision|slice)\w+( *<[^>]*>)?)",
                            "hypercomplex sqr");
+    if (element.head == "julia_fractal")
+        element = replaced(std::move(element), R"(max_iteration [0-9]\b)", "max_iteration 20");
     for (Element& each : element.inner) each = with_closed_sets(std::move(each));
     return element;
 }

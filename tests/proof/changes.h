@@ -35,8 +35,8 @@ Element with_plain_models(Element);
 /// The whole of the text with every match of a regular expression replaced.
 Element replaced(Element, const std::string& expression, const std::string& by);
 
-/// The element without sets of a formula: as in POV-Ray, these fill space, and a place in one may
-/// be outside of it for a ray.
+/// The element without sets of a formula, and of few iterations: as in POV-Ray, these fill space, and
+/// a place in one may be outside of it for a ray.
 Element with_closed_sets(Element);
 
 }  // namespace candelabra::proof

@@ -131,4 +131,28 @@ TEST_CASE("a small glow does not change the number of samples without antialiasi
     CHECK(static_cast<int>(number) * rays >= 16);
 }
 
+TEST_CASE("a bound on the noise begins with fewer samples where each has many shadow rays",
+          "[render]") {
+    // The floor gets light of many lamps, all of which it sees.
+    const Shot shot = shot_of(R"(
+        #version 3.7;
+        camera { location <0, 3, -6> look_at 0 }
+        plane { y, 0 pigment { rgb 0.3 } finish { ambient 0 } }
+        #for (I, 0, 99)
+            sphere { <mod(I, 10) - 4.5, 1.2, int(I/10) - 4.5>, 0.05
+                     pigment { rgb 0 } finish { ambient 0 emission 8 } }
+        #end)");
+    const auto first = [&](int rays) {
+        RenderSettings settings = small(0);
+        settings.width = settings.height = 192;
+        settings.antialias = false;
+        settings.shadow_rays = rays;
+        settings.noise = 0.02;
+        const RenderPlan plan = plan_of(Shot(shot.world, {192, 192, 1}), settings);
+        return std::pair(plan.samples, plan.shadow_rays.usual);
+    };
+    CHECK(first(0) == std::pair(4u, 16));
+    CHECK(first(4) == std::pair(16u, 4));
+}
+
 }  // namespace candelabra

@@ -28,6 +28,33 @@ Rgb seen_along(const World& world, const Vec3& from, const Vec3& towards, LightI
 
 }  // namespace
 
+TEST_CASE("a glow may depend on how the surface faces, and on the ray", "[world]") {
+    const auto seen = [](const std::string& pattern, const std::string& more, const Vec3& from) {
+        const SharedWorld world = world_of(surface_below + "box { -1, 1 pigment { " + pattern +
+                                           " color_map { [0 rgb x] [1 rgb z] } } " + more +
+                                           "finish { emission 3 diffuse 0 } }");
+        return seen_along(*world, from, Vec3(0));
+    };
+    const auto is = [](const Rgb& light, const Rgb& wanted) {
+        const Rgb apart = light - wanted;
+        return max_component(apart) < 1e-6 && max_component(-apart) < 1e-6;
+    };
+    CHECK(is(seen("slope y", "", Vec3(0, 5, 0)), Rgb(0, 0, 3)));
+    CHECK(is(seen("slope y", "", Vec3(0, -5, 0)), Rgb(3, 0, 0)));
+    CHECK(is(seen("slope y", "", Vec3(5, 0, 0)), Rgb(1.5, 0, 1.5)));
+    CHECK(is(seen("aoi", "", Vec3(0, 5, 0)), Rgb(0, 0, 3)));
+    // At 45 degrees the angle to the ray is three quarters of a half turn.
+    CHECK(is(seen("aoi", "", Vec3(0, 5, 5)), Rgb(0.75, 0, 2.25)));
+    // A layer whose opacity depends on it covers the glow below.
+    const std::string layered =
+        "texture { pigment { rgb 1 } finish { emission 3 diffuse 0 } } "
+        "texture { pigment { slope y color_map { [0 rgb 0] [1 rgb 0 transmit 1] } } } ";
+    const SharedWorld world = world_of(surface_below + "box { -1, 1 " + layered + "}");
+    CHECK(is(seen_along(*world, Vec3(0, 5, 0), Vec3(0)), Rgb(3)));
+    CHECK(is(seen_along(*world, Vec3(0, -5, 0), Vec3(0)), Rgb(0)));
+    CHECK(is(seen_along(*world, Vec3(5, 0, 0), Vec3(0)), Rgb(1.5)));
+}
+
 TEST_CASE("a luminaire has the radiance of the side that is seen", "[world]") {
     const std::string red = "{ pigment { rgb x } finish { emission 3 diffuse 0 } }",
                       dark = "{ pigment { rgb 0 } finish { diffuse 0 } }";

@@ -145,7 +145,7 @@ TEST_CASE("a lamp with a web has the file's intensity in each direction, and its
                          across = std::sqrt(1 - y * y);
             const Vec3 direction(across * std::cos(angle), y, across * std::sin(angle));
             flux += 4 * pi / count * web.intensity(direction);
-            const Rgb radiance = radiance_of(*world, lamp, {Vec3(0), Side::outer, direction});
+            const Rgb radiance = radiance_of(*world, lamp, {{}, direction});
             CHECK(max_component(radiance) <= max_component(lamp.radiance) * (1 + 1e-9));
         }
         CHECK(flux == Approx(2825.85).epsilon(0.01));
@@ -154,7 +154,7 @@ TEST_CASE("a lamp with a web has the file's intensity in each direction, and its
     const SharedWorld world = lit("sphere { 0, 0.1 luminaire { ies " + file + " } }");
     const Luminaire& lamp = world->lights.luminaires.own()[0];
     const Vec3 down(0, -1, 0);
-    const Rgb radiance = radiance_of(*world, lamp, {Vec3(0), Side::outer, down});
+    const Rgb radiance = radiance_of(*world, lamp, {{}, down});
     CHECK(light_luminance(radiance) * pi * 0.01 ==
           Approx(lamp.web->web().intensity(down)).epsilon(0.01));
 }
