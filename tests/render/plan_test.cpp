@@ -133,14 +133,12 @@ TEST_CASE("a small glow does not change the number of samples without antialiasi
 
 TEST_CASE("a bound on the noise begins with fewer samples where each has many shadow rays",
           "[render]") {
-    // The floor gets light of many lamps, all of which it sees.
     const Shot shot = shot_of(R"(
         #version 3.7;
-        camera { location <0, 3, -6> look_at 0 }
-        plane { y, 0 pigment { rgb 0.3 } finish { ambient 0 } }
-        #for (I, 0, 99)
-            sphere { <mod(I, 10) - 4.5, 1.2, int(I/10) - 4.5>, 0.05
-                     pigment { rgb 0 } finish { ambient 0 emission 8 } }
+        camera { location <0, 3, -5> look_at 0 right x }
+        plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 0.8 } }
+        #for (I, 0, 40)
+            sphere { <mod(I, 7) - 3, 2, I/7>, 0.1 pigment { rgb 1 } finish { emission 3 } }
         #end)");
     const auto first = [&](int rays) {
         RenderSettings settings = small(0);
